@@ -1,0 +1,16 @@
+// @ts-check
+// Where generated folders go: the repository's root, or the folder named by PHONG_VIEWER_OUT, so that two runs in one
+// checkout need not overwrite each other's dist/, dist-demo/ and test-results/.
+
+import { join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const repository = fileURLToPath(new URL('..', import.meta.url));
+
+/**
+ * @param {'dist' | 'dist-demo' | 'test-results'} name
+ * @returns {string} absolute path
+ */
+export function outputFolder(name) {
+  return join(resolve(process.env['PHONG_VIEWER_OUT'] || repository), name);
+}

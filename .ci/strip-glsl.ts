@@ -1,0 +1,45 @@
+// How shader text gets into dist/ without its comments: `*.glsl?raw` imports of a build give the stripped text.
+// The dev server and the tests see the files as they are, so that a compiler's line numbers stay true there.
+
+import { readFileSync } from 'node:fs';
+import type { Plugin } from 'vite';
+
+/** The same program without comments, blank lines and needless spaces; each directive stays on a line of its own. */
+export function stripGlsl(source: string): string {
+  const lines = source
+    .replace(/\r\n?/g, '\n')
+    .replace(/\\\n/g, ' ')
+    .replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, ' ')
+    .split('\n')
+    .map((line) => line.replace(/\s+/g, ' ').trim())
+    .filter((line) => line !== '');
+  let out = '';
+  let inDirective = true;
+  for (const line of lines) {
+    const isDirective = line.startsWith('#');
+    // A space between statements' lines is enough, except beside a directive.
+    if (out !== '') out += isDirective || inDirective ? '\n' : ' ';
+    out += isDirective ? line : tighten(line);
+    inDirective = isDirective;
+  }
+  return out.replace(/^(?!#).*$/gm, tighten) + '\n';
+}
+
+// Not + and -: `a - -b` must not become a decrement.
+function tighten(line: string): string {
+  return line.replace(/ ?([(){}[\],;=*/<>?:&|^!]) ?/g, '$1');
+}
+
+export function strippedGlsl(): Plugin {
+  return {
+    name: 'stripped-glsl',
+    enforce: 'pre',
+    apply: 'build',
+    load(id) {
+      const [path, query] = id.split('?');
+      if (path === undefined || query !== 'raw' || !path.endsWith('.glsl')) return null;
+      this.addWatchFile(path);
+      return `export default ${JSON.stringify(stripGlsl(readFileSync(path, 'utf8')))};`;
+    },
+  };
+}

@@ -1,0 +1,6 @@
+// What a shader file is to TypeScript: its text.
+
+declare module '*.glsl?raw' {
+  const text: string;
+  export default text;
+}

@@ -1,0 +1,53 @@
+// The demo: served from source by `npm start`, built to dist-demo/ by `npm run demo:build`.
+// Every page is an entry, links are relative, and files of demo/assets keep their names (a custom element's `src`
+// is no link that Vite could follow).
+
+import { cpSync, existsSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { defineConfig, type Plugin } from 'vite';
+import { dracoDecoder } from './.ci/draco-decoder.js';
+import { outputFolder } from './.ci/output-folder.mjs';
+import { packageAliases } from './.ci/package-aliases.js';
+import { strippedGlsl } from './.ci/strip-glsl.js';
+
+const repository = fileURLToPath(new URL('.', import.meta.url));
+const demo = join(repository, 'demo');
+const output = outputFolder('dist-demo');
+
+function pages(): string[] {
+  return readdirSync(demo, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('.html'))
+    .map((path) => join(demo, path));
+}
+
+function copiedAssets(): Plugin {
+  const assets = join(demo, 'assets');
+  return {
+    name: 'copied-assets',
+    apply: 'build',
+    writeBundle() {
+      if (existsSync(assets)) cpSync(assets, join(output, 'assets'), { recursive: true });
+    },
+  };
+}
+
+export default defineConfig({
+  root: demo,
+  base: './',
+  publicDir: false,
+  plugins: [dracoDecoder(), strippedGlsl(), copiedAssets()],
+  resolve: { alias: packageAliases },
+  server: { fs: { allow: [repository] } },
+  build: {
+    outDir: output,
+    emptyOutDir: true,
+    target: 'es2022',
+    assetsDir: 'built',
+    // A data: URL would need more than a strict CSP allows.
+    assetsInlineLimit: 0,
+    modulePreload: { polyfill: false },
+    chunkSizeWarningLimit: 1024,
+    rolldownOptions: { input: pages() },
+  },
+});

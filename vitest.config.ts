@@ -1,0 +1,25 @@
+// Which tests run in Node: fast ones always, those under tests/release only when PHONG_VIEWER_RELEASE is set.
+// Browser tests are Playwright's (playwright.config.ts).
+
+import { defineConfig } from 'vitest/config';
+import { packageAliases } from './.ci/package-aliases.js';
+import { dracoDecoder } from './.ci/draco-decoder.js';
+
+const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
+
+export default defineConfig({
+  plugins: [dracoDecoder()],
+  resolve: { alias: packageAliases },
+  test: {
+    environment: 'node',
+    include: [
+      'tests/unit/**/*.test.ts',
+      'tests/stress/**/*.test.ts',
+      ...(release ? ['tests/release/**/*.test.ts'] : []),
+    ],
+    passWithNoTests: true,
+    maxWorkers: 2,
+    testTimeout: 20_000,
+    server: { deps: { inline: [/draco_decoder/] } },
+  },
+});
