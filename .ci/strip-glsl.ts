@@ -14,15 +14,13 @@ export function stripGlsl(source: string): string {
     .map((line) => line.replace(/\s+/g, ' ').trim())
     .filter((line) => line !== '');
   let out = '';
-  let inDirective = true;
+  let besideDirective = true;
   for (const line of lines) {
     const isDirective = line.startsWith('#');
-    // A space between statements' lines is enough, except beside a directive.
-    if (out !== '') out += isDirective || inDirective ? '\n' : ' ';
-    out += isDirective ? line : tighten(line);
-    inDirective = isDirective;
+    out += (isDirective || besideDirective ? '\n' : ' ') + line;
+    besideDirective = isDirective;
   }
-  return out.replace(/^(?!#).*$/gm, tighten) + '\n';
+  return out.trim().replace(/^[^#].*$/gm, tighten) + '\n';
 }
 
 // Not + and -: `a - -b` must not become a decrement.

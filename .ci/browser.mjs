@@ -1,0 +1,83 @@
+// @ts-check
+// Which Chromium runs the browser tests. Looks first (PHONG_VIEWER_BROWSER, the usual places, Playwright's own), then
+// installs: Debian's package where root can, else Playwright's download. Says what it does, a line each.
+
+import { spawnSync } from 'node:child_process';
+import { accessSync, constants, existsSync } from 'node:fs';
+import { delimiter, join } from 'node:path';
+
+const names = ['chromium', 'chromium-browser', 'google-chrome', 'google-chrome-stable', 'chrome'];
+const places = [
+  '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome',
+  '/Applications/Chromium.app/Contents/MacOS/Chromium',
+  'C:\\Program Files\\Google\\Chrome\\Application\\chrome.exe',
+  'C:\\Program Files (x86)\\Google\\Chrome\\Application\\chrome.exe',
+  '/snap/bin/chromium',
+];
+
+/**
+ * The browser that is on this machine now; undefined where there is none.
+ * @returns {Promise<string | undefined>}
+ */
+export async function findBrowser() {
+  const asked = process.env['PHONG_VIEWER_BROWSER'];
+  if (asked) {
+    if (!isExecutable(asked)) throw new Error(`PHONG_VIEWER_BROWSER is no program that can be run: ${asked}`);
+    return asked;
+  }
+  const folders = (process.env['PATH'] ?? '').split(delimiter).concat('/usr/bin', '/usr/local/bin');
+  const installed = folders.flatMap((folder) => names.map((name) => join(folder, name))).concat(places);
+  const found = installed.find(isExecutable);
+  if (found) return found;
+  const { chromium } = await import('@playwright/test');
+  const own = chromium.executablePath();
+  return own && existsSync(own) ? own : undefined;
+}
+
+/**
+ * The same, after trying to install one where there is none. Throws with advice where nothing works.
+ * @returns {Promise<string>}
+ */
+export async function ensureBrowser() {
+  const present = await findBrowser();
+  if (present) return present;
+  console.log('No browser found in the usual places.');
+  if (process.getuid?.() === 0 && existsSync('/etc/debian_version')) {
+    run(
+      'apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends chromium',
+    );
+    const debian = await findBrowser();
+    if (debian) return debian;
+  }
+  run('npx playwright install chromium');
+  const downloaded = await findBrowser();
+  if (downloaded) return downloaded;
+  throw new Error(
+    'No Chromium to run the browser tests in, and none could be installed. ' +
+      'Install Chromium or Chrome, or name one: PHONG_VIEWER_BROWSER=/path/to/chrome npm test',
+  );
+}
+
+/** What the browser calls itself, such as "Chromium 140.0.7339.80". @param {string} path */
+export function browserVersion(path) {
+  // On Windows `chrome --version` opens a window instead.
+  if (process.platform === 'win32') return 'version unknown';
+  const { stdout } = spawnSync(path, ['--version'], { encoding: 'utf8' });
+  return (stdout ?? '').trim() || 'version unknown';
+}
+
+/** @param {string} path */
+function isExecutable(path) {
+  try {
+    accessSync(path, constants.X_OK);
+    return true;
+  } catch {
+    return false;
+  }
+}
+
+/** @param {string} command */
+function run(command) {
+  console.log(`Trying: ${command}`);
+  spawnSync(command, { stdio: 'inherit', shell: true });
+}

@@ -1,0 +1,29 @@
+// @ts-check
+// Makes dist/: the ES modules, the standalone file, the types, and the manifests of the elements.
+
+import { spawnSync } from 'node:child_process';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+import { outputFolder } from './output-folder.mjs';
+
+const repository = fileURLToPath(new URL('..', import.meta.url));
+process.chdir(repository);
+
+await build({ configFile: join(repository, 'vite.lib.config.ts'), logLevel: 'warn' });
+await build({ configFile: join(repository, 'vite.standalone.config.ts'), logLevel: 'warn' });
+runNode(
+  'node_modules/typescript/bin/tsc',
+  '-p',
+  'tsconfig.build.json',
+  '--outDir',
+  outputFolder('dist') + '/types',
+);
+if (existsSync('.ci/manifest.mjs')) runNode('.ci/manifest.mjs');
+
+/** @param {string[]} args */
+function runNode(...args) {
+  const { status } = spawnSync(process.execPath, args, { stdio: 'inherit' });
+  if (status !== 0) process.exit(status ?? 1);
+}

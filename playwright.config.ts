@@ -1,0 +1,38 @@
+// How the browser tests run: which folders, in which browser, with software WebGL so that every machine draws alike.
+// Tests of the packed package and other slow ones are tagged @release and run with PHONG_VIEWER_RELEASE set.
+
+import { defineConfig } from '@playwright/test';
+import { findBrowser } from './.ci/browser.mjs';
+import { outputFolder } from './.ci/output-folder.mjs';
+
+const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
+const executablePath = await findBrowser();
+
+export default defineConfig({
+  testDir: 'tests',
+  testMatch: '{element,visual,a11y,glsl,package,release}/**/*.spec.ts',
+  outputDir: outputFolder('test-results'),
+  reporter: 'list',
+  workers: 2,
+  fullyParallel: true,
+  forbidOnly: process.env['CI'] !== undefined,
+  timeout: 60_000,
+  expect: { timeout: 10_000 },
+  ...(release ? {} : { grepInvert: /@release/ }),
+  use: {
+    browserName: 'chromium',
+    viewport: { width: 1000, height: 700 },
+    locale: 'en-GB',
+    timezoneId: 'UTC',
+    launchOptions: {
+      ...(executablePath === undefined ? {} : { executablePath }),
+      args: [
+        '--no-sandbox',
+        '--use-angle=swiftshader',
+        '--enable-unsafe-swiftshader',
+        '--ignore-gpu-blocklist',
+        '--disable-background-networking',
+      ],
+    },
+  },
+});
