@@ -1,0 +1,12 @@
+// The Utah teapot, fitted to a unit box, spout toward +x. A chunk of its own: its control points are a table.
+import type { BufferGeometry } from 'three';
+import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
+import { fitToUnitBox } from './fit.js';
+
+/** Bézier patches that make one turn round the body. */
+const PATCHES_AROUND = 4;
+
+/** @param segments once round the body, at least 12; rounded to whole divisions of a patch. */
+export function teapotGeometry(segments: number): BufferGeometry {
+  return fitToUnitBox(new TeapotGeometry(1, Math.round(segments / PATCHES_AROUND)));
+}

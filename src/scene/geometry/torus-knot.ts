@@ -1,0 +1,13 @@
+// The (2, 3) torus knot, fitted to a unit box. A chunk of its own: few pages show one.
+import { TorusKnotGeometry, type BufferGeometry } from 'three';
+import { fitToUnitBox } from './fit.js';
+
+// Radius and tube as three.js has them by default: the strands stay apart.
+const RADIUS = 1;
+const TUBE = 0.4;
+
+/** @param segments along the knot, at least 32; the tube's own rise with it, from 8 to 64. */
+export function torusKnotGeometry(segments: number): BufferGeometry {
+  const round = Math.min(64, Math.max(8, Math.round(segments / 8)));
+  return fitToUnitBox(new TorusKnotGeometry(RADIUS, TUBE, segments, round));
+}

@@ -1,0 +1,227 @@
+// Does every named shape have the size, place, normals and winding that it promises, at every fineness?
+import fc from 'fast-check';
+import type { BufferGeometry } from 'three';
+import { describe, expect, it, vi } from 'vitest';
+import {
+  acquireGeometry,
+  createGeometry,
+  GEOMETRIES,
+  releaseGeometry,
+  type GeometryName,
+} from '../../src/scene/geometry.js';
+
+type Point = [number, number, number];
+
+const FEW = [1, 2, 3, 4, 5, 6, 7, 8, 9, 12, 16, 31, 33, 64, 100, undefined];
+/** Shapes that are closed: no edge belongs to one triangle only, once vertices in one place count as one. */
+const CLOSED = GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot');
+
+function vertex(geometry: BufferGeometry, name: string, i: number): Point {
+  const attribute = geometry.getAttribute(name);
+  return [attribute.getX(i), attribute.getY(i), attribute.getZ(i)];
+}
+
+function bounds(geometry: BufferGeometry): { low: Point; high: Point } {
+  const low: Point = [Infinity, Infinity, Infinity];
+  const high: Point = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < geometry.getAttribute('position').count; i += 1) {
+    const p = vertex(geometry, 'position', i);
+    for (const axis of [0, 1, 2] as const) {
+      low[axis] = Math.min(low[axis], p[axis]);
+      high[axis] = Math.max(high[axis], p[axis]);
+    }
+  }
+  return { low, high };
+}
+
+interface Triangle {
+  readonly corners: readonly [Point, Point, Point];
+  readonly normals: readonly [Point, Point, Point];
+  /** Twice the area, along the side from which the winding is counter-clockwise. */
+  readonly cross: Point;
+}
+
+function* triangles(geometry: BufferGeometry): Generator<Triangle> {
+  const { index } = geometry;
+  if (!index) throw new Error('not indexed');
+  for (let i = 0; i < index.count; i += 3) {
+    const at = [index.getX(i), index.getX(i + 1), index.getX(i + 2)] as const;
+    const [a, b, c] = at.map((v) => vertex(geometry, 'position', v)) as [Point, Point, Point];
+    const normals = at.map((v) => vertex(geometry, 'normal', v)) as [Point, Point, Point];
+    const u: Point = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
+    const v: Point = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
+    const cross: Point = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    yield { corners: [a, b, c], normals, cross };
+  }
+}
+
+const dot = (a: Point, b: Point): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+describe.each(GEOMETRIES)('the %s', (name) => {
+  it('has finite positions, unit normals and texture coordinates at every number of segments', async () => {
+    for (const segments of FEW) {
+      const geometry = await createGeometry(name, segments);
+      const { count } = geometry.getAttribute('position');
+      expect(geometry.index, `${String(segments)} segments`).not.toBeNull();
+      expect(geometry.getAttribute('uv').count).toBe(count);
+      let worst = 0;
+      for (let i = 0; i < count; i += 1) {
+        expect(vertex(geometry, 'position', i).every(Number.isFinite)).toBe(true);
+        worst = Math.max(worst, Math.abs(Math.hypot(...vertex(geometry, 'normal', i)) - 1));
+      }
+      expect(worst, `${String(segments)} segments`).toBeLessThan(2e-7);
+    }
+  });
+
+  it('winds its triangles counter-clockwise as seen from the side of its normals', async () => {
+    for (const segments of FEW) {
+      const geometry = await createGeometry(name, segments);
+      let wrong = 0;
+      for (const { normals, cross } of triangles(geometry)) {
+        const size = Math.hypot(...cross);
+        if (size < 1e-12) continue;
+        const sum = normals.reduce((total, n) => total + dot(n, cross) / size, 0);
+        if (!(sum > 0)) wrong += 1;
+      }
+      expect(wrong, `${String(segments)} segments`).toBe(0);
+    }
+  });
+
+  it('stays inside the unit box, centred', async () => {
+    for (const segments of FEW) {
+      const { low, high } = bounds(await createGeometry(name, segments));
+      for (const axis of [0, 1, 2] as const) {
+        expect(low[axis]).toBeGreaterThanOrEqual(-0.5 - 1e-7);
+        expect(high[axis]).toBeLessThanOrEqual(0.5 + 1e-7);
+      }
+    }
+  });
+});
+
+describe('sizes', () => {
+  const extents: Readonly<Record<GeometryName, Point>> = {
+    box: [1, 1, 1],
+    sphere: [1, 1, 1],
+    cylinder: [1, 1, 1],
+    cone: [1, 1, 1],
+    pyramid: [Math.SQRT1_2, 1, Math.SQRT1_2],
+    torus: [1, 1, 0.3],
+    'torus-knot': [NaN, NaN, NaN],
+    teapot: [1, NaN, NaN],
+    plane: [1, 0, 1],
+  };
+
+  it.each(GEOMETRIES)('gives the %s the extent that its name promises', async (name) => {
+    const { low, high } = bounds(await createGeometry(name, undefined));
+    const extent = low.map((value, axis) => (high[axis] ?? NaN) - value);
+    extents[name].forEach((expected, axis) => {
+      if (!Number.isNaN(expected)) expect(extent[axis]).toBeCloseTo(expected, 6);
+      expect((low[axis] ?? NaN) + (high[axis] ?? NaN)).toBeCloseTo(0, 6);
+    });
+    if (name === 'torus-knot' || name === 'teapot') expect(Math.max(...extent)).toBeCloseTo(1, 6);
+  });
+
+  it('fits knot and teapot to the unit box at any number of segments', async () => {
+    await fc.assert(
+      fc.asyncProperty(
+        fc.constantFrom('torus-knot' as const, 'teapot' as const),
+        fc.integer({ min: 1, max: 80 }),
+        async (name, segments) => {
+          const { low, high } = bounds(await createGeometry(name, segments));
+          expect(Math.max(...low.map((value, axis) => (high[axis] ?? NaN) - value))).toBeCloseTo(1, 6);
+        },
+      ),
+      { numRuns: 20 },
+    );
+  });
+
+  it('turns the plane toward +y', async () => {
+    const geometry = await createGeometry('plane', 3);
+    for (const { normals, cross } of triangles(geometry)) {
+      expect(normals[0][1]).toBeCloseTo(1, 12);
+      expect(cross[1]).toBeGreaterThan(0);
+    }
+    expect(geometry.getAttribute('position').count).toBe(16);
+  });
+
+  it('puts the corners of the pyramid on a circle of diameter 1, its sides facing the axes', async () => {
+    const geometry = await createGeometry('pyramid', undefined);
+    const facing = new Set<string>();
+    for (let i = 0; i < geometry.getAttribute('position').count; i += 1) {
+      const [x, y, z] = vertex(geometry, 'position', i);
+      if (y < 0) expect(Math.hypot(x, z)).toBeCloseTo(0.5, 6);
+      const [nx, , nz] = vertex(geometry, 'normal', i);
+      facing.add(`${String(Math.sign(Math.round(nx * 1e6)))} ${String(Math.sign(Math.round(nz * 1e6)))}`);
+    }
+    expect(facing).toEqual(new Set(['0 1', '1 0', '0 -1', '-1 0', '0 0']));
+  });
+
+  it('makes a side of the pyramid of as many small triangles as segments squared', async () => {
+    expect((await createGeometry('pyramid', 5)).index?.count).toBe(6 * 25 * 3);
+  });
+});
+
+describe('closed shapes', () => {
+  it.each(CLOSED)('the %s encloses a positive volume without a gap', async (name) => {
+    for (const segments of [3, 8, undefined]) {
+      const edges = new Map<string, number>();
+      const key = (p: Point): string => p.map((v) => Math.round(v * 1e5)).join();
+      let volume = 0;
+      for (const { corners, cross } of triangles(await createGeometry(name, segments))) {
+        volume += dot(corners[0], cross) / 6;
+        corners.forEach((corner, i) => {
+          const from = key(corner);
+          const to = key(corners[(i + 1) % 3] ?? corner);
+          if (from === to) return;
+          edges.set(`${from} ${to}`, (edges.get(`${from} ${to}`) ?? 0) + 1);
+        });
+      }
+      expect(volume).toBeGreaterThan(0.01);
+      let open = 0;
+      for (const [edge, count] of edges) {
+        const [from, to] = edge.split(' ');
+        if (edges.get(`${String(to)} ${String(from)}`) !== count) open += 1;
+      }
+      expect(open, `${String(segments)} segments`).toBe(0);
+    }
+  });
+});
+
+describe('sharing', () => {
+  it('gives the same geometry to the same name and segments, and frees it with its last user', async () => {
+    const first = await acquireGeometry('sphere', 12);
+    const dispose = vi.spyOn(first, 'dispose');
+    expect(acquireGeometry('sphere', 12)).toBe(first);
+    releaseGeometry('sphere', 12);
+    expect(dispose).not.toHaveBeenCalled();
+    releaseGeometry('sphere', 12);
+    expect(dispose).toHaveBeenCalledTimes(1);
+    releaseGeometry('sphere', 12);
+    const next = acquireGeometry('sphere', 12);
+    expect(next).not.toBe(first);
+    releaseGeometry('sphere', 12);
+  });
+
+  it('shares by the segments that are really used', () => {
+    const byDefault = acquireGeometry('sphere', undefined);
+    expect(acquireGeometry('sphere', 64)).toBe(byDefault);
+    expect(acquireGeometry('cone', 1)).toBe(acquireGeometry('cone', 3));
+    for (const segments of [undefined, 64]) releaseGeometry('sphere', segments);
+    for (const segments of [1, 3]) releaseGeometry('cone', segments);
+  });
+
+  it('frees a lazy shape that was released before it arrived', async () => {
+    const pending = acquireGeometry('teapot', 8);
+    expect(pending).toBeInstanceOf(Promise);
+    expect(acquireGeometry('teapot', 8)).toBe(pending);
+    releaseGeometry('teapot', 8);
+    releaseGeometry('teapot', 8);
+    const geometry = await pending;
+    const disposed = vi.fn();
+    geometry.addEventListener('dispose', disposed);
+    await Promise.resolve();
+    expect(disposed.mock.calls.length).toBeLessThanOrEqual(1);
+    expect(acquireGeometry('teapot', 8)).not.toBe(pending);
+    releaseGeometry('teapot', 8);
+  });
+});
