@@ -1,0 +1,99 @@
+// @ts-check
+// Who may import whom in src/: the one table, and the lint rule that enforces it. Arrows go down only, and two doors
+// are lazy: a lazily reached layer may be named in `import()` or `import type`, never in a plain import.
+
+import { posix, sep } from 'node:path';
+
+/**
+ * @typedef {object} Layer
+ * @property {string[]} layers    folders or entries below that may be imported
+ * @property {string[]} lazy      the same, by `import()` or for types only
+ * @property {string[]} packages  npm packages, with all their subpaths
+ * @property {string[]} types     npm packages for types only
+ */
+
+/** @type {Record<string, Partial<Layer>>} */
+export const layers = {
+  math: {},
+  light: { layers: ['math'] },
+  reference: { layers: ['light', 'math'] },
+  camera: { layers: ['math'] },
+  material: { layers: ['light', 'math', 'shaders'], packages: ['three'] },
+  scene: { layers: ['material', 'camera', 'light', 'math'], packages: ['three'] },
+  element: {
+    layers: ['core', 'scene', 'material', 'camera', 'light', 'math'],
+    lazy: ['reference'],
+    packages: ['lit'],
+    types: ['three'],
+  },
+  gui: { layers: ['element', 'scene', 'material', 'camera', 'light', 'math'], packages: ['lil-gui'] },
+  core: { layers: ['material', 'camera', 'light', 'math'], packages: ['three'] },
+  index: {
+    layers: ['element', 'scene', 'material', 'camera', 'light', 'math'],
+    lazy: ['gui', 'reference'],
+    types: ['three'],
+  },
+};
+
+/**
+ * The layer of a file: its first folder under src/, the entry's name, or `shaders`; undefined outside of both.
+ * @param {string} file path with forward slashes
+ */
+function layerOf(file) {
+  const match = /(?:^|\/)(?:src\/([^/.]+)|(shaders)\/)/.exec(file);
+  return match?.[1] ?? match?.[2];
+}
+
+/**
+ * What is wrong with this import; undefined where nothing is.
+ * @param {string} file @param {string} specifier @param {boolean} isLazy
+ * @returns {string | undefined}
+ */
+export function forbidden(file, specifier, isLazy) {
+  const from = layerOf(file);
+  if (from === undefined) return undefined;
+  const layer = layers[from];
+  if (layer === undefined) return `src/${from} is no layer: give it a line in .ci/layers.mjs.`;
+  if (!specifier.startsWith('.')) {
+    const allowed = [...(layer.packages ?? []), ...(isLazy ? (layer.types ?? []) : [])];
+    if (allowed.some((name) => specifier === name || specifier.startsWith(`${name}/`))) return undefined;
+    return `src/${from} must not know ${specifier}.`;
+  }
+  const target = layerOf(posix.join(posix.dirname(file), specifier));
+  if (target === undefined) return `src/${from} must not reach outside src/: ${specifier}.`;
+  const allowed = [from, ...(layer.layers ?? []), ...(isLazy ? (layer.lazy ?? []) : [])];
+  if (allowed.includes(target)) return undefined;
+  const reason = layer.lazy?.includes(target) ? 'only by import() or import type' : 'not at all';
+  return `src/${from} may import ${target} ${reason}.`;
+}
+
+/** @type {import('eslint').Rule.RuleModule} */
+export const layersRule = {
+  meta: { type: 'problem', schema: [] },
+  create(context) {
+    const file = context.filename.split(sep).join('/');
+    /** @param {any} node @param {any} source @param {boolean} isLazy */
+    const visit = (node, source, isLazy) => {
+      if (typeof source?.value !== 'string') return;
+      const message = forbidden(file, source.value, isLazy);
+      if (message !== undefined) context.report({ node, message });
+    };
+    /** @param {any} node */
+    const plain = (node) => {
+      visit(node, node.source, node.importKind === 'type' || node.exportKind === 'type');
+    };
+    return {
+      ImportDeclaration: plain,
+      ExportNamedDeclaration: plain,
+      ExportAllDeclaration: plain,
+      /** @param {any} node */
+      ImportExpression: (node) => {
+        visit(node, node.source, true);
+      },
+      /** @param {any} node */
+      TSImportType: (node) => {
+        visit(node, node.source, true);
+      },
+    };
+  },
+};

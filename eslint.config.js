@@ -1,0 +1,98 @@
+// The lint rules: typescript-eslint's strict set with types, the layers of src/ (.ci/layers.mjs), and house rules.
+
+import { defineConfig } from 'eslint/config';
+import tseslint from 'typescript-eslint';
+import { layersRule } from './.ci/layers.mjs';
+
+const domGlobals = [
+  'window',
+  'document',
+  'navigator',
+  'customElements',
+  'requestAnimationFrame',
+  'cancelAnimationFrame',
+  'devicePixelRatio',
+  'HTMLElement',
+  'Element',
+  'Event',
+  'PointerEvent',
+  'KeyboardEvent',
+  'WheelEvent',
+];
+
+export default defineConfig(
+  {
+    ignores: [
+      'dist/',
+      'dist-demo/',
+      'test-results/',
+      'playwright-report/',
+      'tests/fixtures/',
+      'demo/assets/',
+    ],
+  },
+  {
+    files: ['**/*.ts'],
+    extends: [tseslint.configs.strictTypeChecked],
+    languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
+    rules: {
+      // Indexed reads inside counted loops: the bound is the check.
+      '@typescript-eslint/no-non-null-assertion': 'off',
+      '@typescript-eslint/restrict-template-expressions': [
+        'error',
+        { allowNumber: true, allowBoolean: true },
+      ],
+      '@typescript-eslint/no-confusing-void-expression': ['error', { ignoreArrowShorthand: true }],
+      '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_', varsIgnorePattern: '^_' }],
+      '@typescript-eslint/consistent-type-imports': 'error',
+      '@typescript-eslint/prefer-readonly': 'error',
+    },
+  },
+  {
+    files: ['**/*.{js,mjs}'],
+    languageOptions: { sourceType: 'module', parser: tseslint.parser },
+  },
+  {
+    rules: {
+      eqeqeq: 'error',
+      'no-var': 'error',
+      'prefer-const': 'error',
+      'object-shorthand': 'error',
+    },
+  },
+  {
+    files: ['src/**/*.ts'],
+    plugins: { house: { rules: { layers: layersRule } } },
+    rules: {
+      'house/layers': 'error',
+      'max-lines': ['error', { max: 250, skipBlankLines: true, skipComments: true }],
+      'no-console': ['error', { allow: ['warn'] }],
+      'no-restricted-syntax': [
+        'error',
+        {
+          selector: ':matches(PropertyDefinition, MethodDefinition)[accessibility="private"]',
+          message: 'Private members are #private.',
+        },
+        { selector: 'TSParameterProperties, TSEnumDeclaration', message: 'Only syntax that can be erased.' },
+      ],
+    },
+  },
+  {
+    files: ['src/{math,light,reference,camera}/**/*.ts'],
+    ignores: ['src/camera/orbit-input.ts', 'src/camera/*-input.ts'],
+    rules: {
+      'no-restricted-globals': [
+        'error',
+        ...domGlobals.map((name) => ({ name, message: 'This layer knows no DOM.' })),
+      ],
+    },
+  },
+  {
+    files: ['tests/**/*.ts'],
+    rules: {
+      // Playwright fixtures without dependencies are written `async ({}, use) => …`.
+      'no-empty-pattern': 'off',
+      '@typescript-eslint/unbound-method': 'off',
+    },
+  },
+);
