@@ -1,0 +1,15 @@
+// Where packed lights are read from: lightRow(i) gives row i. The layout's defines say what stands in a row.
+
+#if LIGHT_STORAGE == STORAGE_BLOCK
+layout(std140) uniform LightRows {
+  highp vec4 uLightRows[BLOCK_ROWS];
+};
+vec4 lightRow(int i) {
+  return uLightRows[i];
+}
+#else
+uniform highp sampler2D uLightTexture;
+vec4 lightRow(int i) {
+  return texelFetch(uLightTexture, ivec2(i & ((1 << TEXTURE_ROWS_LOG2) - 1), i >> TEXTURE_ROWS_LOG2), 0);
+}
+#endif

@@ -1,0 +1,20 @@
+// Powers of numbers in [0, 1] that stay right near 1, where log2 has an absolute error that the exponent multiplies.
+
+const float LOG2_E = 1.4426950408889634;
+
+/**
+ * x^k for x in [0, 1] and k >= 0, where y = 1 - x is given too, to its own precision (as a chord, say).
+ * k = 0 gives 1, 0^0 included; x = 0 gives 0 for k > 0.
+ */
+float powerNearOne(float x, float y, float k) {
+  if (k == 0.0) return 1.0;
+  if (!(x > 0.0)) return 0.0;
+  // log(1 - y) = -2 artanh(z), z = y/(2 - y). For y < 1/4, z < 1/7 and four terms leave 2e-8 of it out.
+  float near = clamp(y, 0.0, 0.25);
+  float z = near / (2.0 - near);
+  float z2 = z * z;
+  float series = -2.0 * LOG2_E * z * (1.0 + z2 * (1.0 / 3.0 + z2 * (1.0 / 5.0 + z2 * (1.0 / 7.0))));
+  float log2x = y < 0.25 ? series : log2(x);
+  // 2^-126 is the smallest normal float32: no device has to be trusted with what lies below.
+  return exp2(max(k * log2x, -126.0));
+}

@@ -1,0 +1,9 @@
+// Blinn's lobe (James F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977).
+// Needs guard and power.
+
+/** max(dot(N, H), 0)^n with H = (L + V)/|L + V|. N, L, V unit (V may be zero); NoL > 0. */
+float specularLobe(vec3 N, vec3 L, vec3 V, float NoL, float n) {
+  vec3 H = unitOrZero(L + V);
+  vec3 d = N - H;
+  return powerNearOne(dot(N, H), 0.5 * dot(d, d), n);
+}

@@ -1,0 +1,20 @@
+// A spot's cone and the decay away from its axis, from chords instead of cosines: (1 - cos)/2 = |a - b|²/4 for unit
+// vectors does not cancel at small angles. Needs power.
+
+/** |v|²/4. */
+float quarterSquare(vec3 v) {
+  return 0.25 * dot(v, v);
+}
+
+/**
+ * Whether the direction is inside the cone. toAxis = (1 - c)/2 and toBack = (1 + c)/2 with c the cosine between fragment
+ * and axis; limit as packed: >= 0 the largest toAxis, < 0 minus the smallest toBack.
+ */
+bool insideCone(float toAxis, float toBack, float limit) {
+  return limit < 0.0 ? toBack >= -limit : toAxis <= limit;
+}
+
+/** ((c + 1)/2)^cutoff. */
+float spotDecay(float toAxis, float toBack, float cutoff) {
+  return powerNearOne(toBack, toAxis, cutoff);
+}

@@ -1,0 +1,58 @@
+// Which kind of light a light's values make, and which facts about declared lights the shader must know.
+// Knows nothing of packing or GLSL.
+import { LEAST_EXPONENT } from './light-layout.js';
+import type { LightValues } from './light-state.js';
+
+export type LightKind = 'directional' | 'point' | 'spot';
+
+type Values = Readonly<LightValues>;
+
+const isZero = (v: readonly number[]): boolean => v.every((n) => n === 0);
+
+/** A cone or a decay, and an axis to measure it from. */
+export const isSpot = (light: Values): boolean =>
+  !isZero(light.axis) && (light.aperture < 180 || light.cutoff >= LEAST_EXPONENT);
+
+export function kindOf(light: Values): LightKind {
+  if (light.position[3] === 0) return 'directional'; // its cone and decay are the same everywhere: see pack-lights
+  return isSpot(light) ? 'spot' : 'point';
+}
+
+/** Attenuation that can be anything but 1. */
+export const isAttenuated = (light: Values): boolean => {
+  const [kc, kl, kq] = light.attenuation;
+  return light.position[3] === 1 && (kc > 1 || kl > 0 || kq > 0);
+};
+
+/** What any light declared so far needs of the program. */
+export interface LightFacts {
+  directional: boolean;
+  point: boolean;
+  spot: boolean;
+  attenuation: boolean;
+  ambient: boolean;
+  diffuse: boolean;
+  specular: boolean;
+}
+
+export const noFacts = (): LightFacts => ({
+  directional: false,
+  point: false,
+  spot: false,
+  attenuation: false,
+  ambient: false,
+  diffuse: false,
+  specular: false,
+});
+
+/**
+ * Adds what this light needs, active or not, so that toggling it never needs another program. Facts are never taken
+ * back: what has been declared once may come again.
+ */
+export function gatherFacts(light: Values, facts: LightFacts): void {
+  facts[kindOf(light)] = true;
+  facts.attenuation ||= isAttenuated(light);
+  facts.ambient ||= !isZero(light.ambient);
+  facts.diffuse ||= !isZero(light.diffuse);
+  facts.specular ||= !isZero(light.specular);
+}

@@ -1,0 +1,84 @@
+// Where each number of a packed light stands. This one table gives the offsets that pack-lights writes to and the
+// defines that the GLSL reads with, so the two cannot disagree. Rows are vec4. Knows nothing of three.js or storage.
+
+/** Rows before the first light: how many lights of each kind, and the ambient light that reaches everywhere. */
+export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
+
+/**
+ * Rows of each kind of light, relative to the light's first row. xyz (or rgb) is the vector; w holds a scalar.
+ * Lights stand sorted by kind in this order: directional, point, spot.
+ */
+export const ROWS = {
+  directional: {
+    /** L, unit. */
+    direction: 0,
+    diffuse: 1,
+    specular: 2,
+    rows: 3,
+  },
+  point: {
+    /** Place; w = kc. */
+    position: 0,
+    /** Id; w = kl. */
+    diffuse: 1,
+    /** Is; w = kq. */
+    specular: 2,
+    rows: 3,
+  },
+  /** Begins as a point light does. */
+  spot: {
+    position: 0,
+    diffuse: 1,
+    specular: 2,
+    /** A, unit; w = cutoff. */
+    axis: 3,
+    /** Ia; w = the cone's limit, see coneLimit in pack-lights. */
+    ambient: 4,
+    rows: 5,
+  },
+} as const;
+
+/**
+ * The cone's limit is one float: from 0 to 1/2 the largest allowed (1 - c)/2, below 0 minus the smallest allowed
+ * (1 + c)/2; this value, above any (1 - c)/2, lets every direction through.
+ */
+export const LIMIT_OPEN = 4;
+
+/**
+ * Rows in a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE). More lights than fit go
+ * into a texture.
+ */
+export const BLOCK_ROWS = 1024;
+
+/** Width in texels, one a row, of the texture for more lights; a power of two, within every device's limit. */
+export const TEXTURE_ROWS_LOG2 = 10;
+
+/**
+ * A light nearer to the fragment than this has no direction: NoL = spec = 0, inside any cone, decay 1. Its square is
+ * a normal float32, so the comparison cannot be lost to flushed denormals.
+ */
+export const NEAREST = 1e-15;
+
+/** Exponents below this are 0: x^0 = 1 for every x. */
+export const LEAST_EXPONENT = 1e-6;
+
+const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
+
+/** `#define` lines for the GLSL: the whole layout. */
+export function layoutDefines(): string {
+  const lines = [
+    `#define HEADER_COUNTS ${String(HEADER.counts)}`,
+    `#define HEADER_AMBIENT ${String(HEADER.ambient)}`,
+    `#define HEADER_ROWS ${String(HEADER.rows)}`,
+    `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
+    `#define BLOCK_ROWS ${String(BLOCK_ROWS)}`,
+    `#define TEXTURE_ROWS_LOG2 ${String(TEXTURE_ROWS_LOG2)}`,
+    `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
+  ];
+  for (const [kind, rows] of Object.entries(ROWS)) {
+    for (const [row, offset] of Object.entries(rows)) {
+      lines.push(`#define ${kind.toUpperCase()}_${row.toUpperCase()} ${String(offset)}`);
+    }
+  }
+  return lines.join('\n');
+}

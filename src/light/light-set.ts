@@ -1,0 +1,51 @@
+// Which lights there are, in which order, and whether anything about them has changed. Knows neither the DOM nor
+// how lights are packed.
+import type { LightState } from './light-state.js';
+
+/** The lights of one picture, in order. */
+export class LightSet {
+  readonly #lights: LightState[] = [];
+  readonly #changed: (light: LightState | null) => void;
+  #version = 0;
+
+  /** `changed` is called after each change: with the light written to, or null when lights came, went or moved. */
+  constructor(changed: (light: LightState | null) => void = () => undefined) {
+    this.#changed = changed;
+  }
+
+  /** Goes up with every change: whoever packed an older version packs again. */
+  get version(): number {
+    return this.#version;
+  }
+
+  get lights(): readonly LightState[] {
+    return this.#lights;
+  }
+
+  /** Makes these the lights, in this order. */
+  assign(lights: readonly LightState[]): void {
+    if (lights.length === this.#lights.length && lights.every((light, i) => light === this.#lights[i]))
+      return;
+    for (const light of this.#lights) light.listen(null);
+    this.#lights.splice(0, this.#lights.length, ...lights);
+    for (const light of lights) {
+      light.listen(() => {
+        this.#bump(light);
+      });
+    }
+    this.#bump(null);
+  }
+
+  add(light: LightState): void {
+    this.assign([...this.#lights, light]);
+  }
+
+  remove(light: LightState): void {
+    this.assign(this.#lights.filter((other) => other !== light));
+  }
+
+  #bump(light: LightState | null): void {
+    this.#version += 1;
+    this.#changed(light);
+  }
+}

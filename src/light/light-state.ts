@@ -1,0 +1,76 @@
+// What one light is: its values in HTML's units, their domains and the one table of defaults. Elements, the panel
+// and plain JavaScript all write here. Knows neither the DOM nor three.js, nor how a light is packed or shaded.
+import { Declared } from '../math/declared.js';
+import {
+  booleanField,
+  choiceField,
+  colorField,
+  type Field,
+  homogeneousField,
+  numberField,
+  textField,
+  vectorField,
+} from '../math/field.js';
+import type { Vec3, Vec4 } from '../math/vector.js';
+
+export type LightSpace = 'world' | 'camera';
+
+export const LIGHT_SPACES = ['world', 'camera'] as const satisfies readonly LightSpace[];
+
+export interface LightValues {
+  /** Text shown in the panel and in explanations. Default: empty, shown as `light N`. */
+  name: string;
+  /** Whether the light takes part at all. Default true. */
+  active: boolean;
+  /** Ia: colour of the light's ambient term; 255 is full, more is a brighter light, up to 1e6. Default 0 0 0. */
+  ambient: Vec3;
+  /** Id: colour of the diffuse term, as `ambient`. Default 255 255 255. */
+  diffuse: Vec3;
+  /** Is: colour of the specular term, as `ambient`. Default 255 255 255. */
+  specular: Vec3;
+  /**
+   * Homogeneous position. w = 1: the light's place, in scene units; w = 0: the vector that points to a light
+   * infinitely far away. Default 1 1 1 0.
+   */
+  position: Vec4;
+  /** Where a spot points, away from the light; any length. Zero: no spot. Default 0 0 -1. */
+  axis: Vec3;
+  /** Half-angle of a spot's cone in degrees, 0–180. 180 means no cone. Default 180. */
+  aperture: number;
+  /** Exponent of the decay away from a spot's axis, >= 0. Below 1e-6: no decay. Default 0. */
+  cutoff: number;
+  /** kc, kl and kq of 1 / max(kc + kl·d + kq·d², 1); positional lights only. Default 1 0 0: none. */
+  attenuation: Vec3;
+  /** `world`, or `camera` (x right, y up, looking along −z): the light turns with the eye. Default `world`. */
+  space: LightSpace;
+}
+
+/** Largest magnitudes that keep every float32 product of the equation finite. */
+export const LIMITS = { coordinate: 1e15, exponent: 1e6, color: 1e6, attenuation: 1e6 } as const;
+
+const coordinates = { min: -LIMITS.coordinate, max: LIMITS.coordinate };
+const colors = { min: 0, max: LIMITS.color };
+
+/** Default and domain of every value of a light. */
+export const LIGHT_FIELDS: { readonly [K in keyof LightValues]: Field<LightValues[K]> } = {
+  name: textField(),
+  active: booleanField(true),
+  ambient: colorField([0, 0, 0], colors),
+  diffuse: colorField([255, 255, 255], colors),
+  specular: colorField([255, 255, 255], colors),
+  position: homogeneousField([1, 1, 1, 0], coordinates),
+  axis: vectorField([0, 0, -1], coordinates),
+  aperture: numberField(180, { min: 0, max: 180 }),
+  cutoff: numberField(0, { min: 0, max: LIMITS.exponent }),
+  attenuation: vectorField([1, 0, 0], { min: 0, max: LIMITS.attenuation }),
+  space: choiceField<LightSpace>('world', LIGHT_SPACES),
+};
+
+/** One light. Reading is free; every write is checked and tells whoever listens: its set. */
+export class LightState extends Declared<LightValues> {
+  /** Throws as {@link Declared.set} does. Values that are not given have their defaults. */
+  constructor(values: Partial<LightValues> = {}) {
+    super(LIGHT_FIELDS);
+    this.assign(values);
+  }
+}

@@ -1,0 +1,178 @@
+// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
+// lights left out. Everything that is the same for all fragments is done here, in float64: units, cosines, unit
+// vectors, the sum of ambient light, a directional light's cone. Knows neither three.js nor where rows are stored.
+import { radians } from '../math/angle.js';
+import { srgbDecode } from '../math/color.js';
+import { add, dot, type Mat4, negate, normalize, scale, transform, type Vec3 } from '../math/vector.js';
+import { isSpot, kindOf, type LightKind } from './light-kind.js';
+import { HEADER, LEAST_EXPONENT, LIMIT_OPEN, ROWS } from './light-layout.js';
+import type { LightValues } from './light-state.js';
+
+/** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
+export interface PackSpace {
+  /** Rigid 4×4 matrix, by columns, float64: world to shading space. */
+  readonly worldToShading: Mat4;
+  /** The same from camera space (x right, y up, looking along −z), for `space: 'camera'`. */
+  readonly cameraToShading: Mat4;
+  /** Light colours are decoded by the sRGB curve first. */
+  readonly linear: boolean;
+}
+
+/** Packed lights. Kept and reused from frame to frame: `data` only ever grows. */
+export interface PackedLights {
+  /** Rows of four floats; those from `rows` on are stale. */
+  data: Float32Array;
+  rows: number;
+  /** Lights that take part. */
+  active: number;
+  /** Lights that the loop runs over. Others bring ambient light only, or nothing. */
+  sent: number;
+}
+
+export const emptyPack = (): PackedLights => ({
+  data: new Float32Array(64),
+  rows: HEADER.rows,
+  active: 0,
+  sent: 0,
+});
+
+type Values = Readonly<LightValues>;
+
+const KINDS: readonly LightKind[] = ['directional', 'point', 'spot'];
+
+/** Packs the active lights of `lights` for one shading space, into `into`. */
+export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
+  const counts: [number, number, number] = [0, 0, 0];
+  let ambient: Vec3 = [0, 0, 0];
+  into.rows = HEADER.rows;
+  into.active = 0;
+  for (const light of lights) if (light.active) into.active += 1;
+  KINDS.forEach((kind, k) => {
+    for (const light of lights) {
+      if (!light.active || kindOf(light) !== kind) continue;
+      const factor = kind === 'directional' ? directionalDecay(light) : 1;
+      if (factor === 0) continue;
+      const colors = lightColors(light, factor, space.linear);
+      if (kind !== 'spot') ambient = add(ambient, colors.ambient);
+      if (!reaches(light, kind, colors)) continue;
+      reserve(into, ROWS[kind].rows);
+      WRITERS[kind](into.data, into.rows * 4, light, colors, space);
+      into.rows += ROWS[kind].rows;
+      counts[k] = (counts[k] ?? 0) + 1;
+    }
+  });
+  write(into.data, HEADER.counts * 4, counts, 0);
+  write(into.data, HEADER.ambient * 4, ambient, 0);
+  into.sent = counts[0] + counts[1] + counts[2];
+}
+
+interface LightColors {
+  readonly ambient: Vec3;
+  readonly diffuse: Vec3;
+  readonly specular: Vec3;
+}
+
+/** 255 to 1, decoded where the picture is linear, times what is the same at every fragment. */
+function lightColors(light: Values, factor: number, linear: boolean): LightColors {
+  const color = (c: Vec3): Vec3 => {
+    const unit = scale(c, 1 / 255);
+    return scale(linear ? [srgbDecode(unit[0]), srgbDecode(unit[1]), srgbDecode(unit[2])] : unit, factor);
+  };
+  return { ambient: color(light.ambient), diffuse: color(light.diffuse), specular: color(light.specular) };
+}
+
+const isBlack = (c: Vec3): boolean => c[0] === 0 && c[1] === 0 && c[2] === 0;
+
+/** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
+function reaches(light: Values, kind: LightKind, { ambient, diffuse, specular }: LightColors): boolean {
+  if (kind === 'spot') return !(isBlack(ambient) && isBlack(diffuse) && isBlack(specular));
+  const [x, y, z] = light.position;
+  if (kind === 'directional' && x === 0 && y === 0 && z === 0) return false;
+  return !(isBlack(diffuse) && isBlack(specular));
+}
+
+/**
+ * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the cone. A zero
+ * vector has no angle to the axis: inside any cone, decay 1.
+ */
+function directionalDecay(light: Values): number {
+  const L = normalize([light.position[0], light.position[1], light.position[2]]);
+  if (!isSpot(light) || dot(L, L) === 0) return 1;
+  const A = normalize(light.axis);
+  const q = chord(L, A);
+  const p = chord(L, negate(A));
+  // A few roundings of float64, so that a direction exactly at the edge stays inside, where it belongs.
+  const rounding = 4 * Number.EPSILON;
+  const limit = coneLimit(light.aperture);
+  const inside = limit < 0 ? p >= -limit - rounding : q <= limit + rounding;
+  if (!inside) return 0;
+  return light.cutoff < LEAST_EXPONENT
+    ? 1
+    : Math.exp(light.cutoff * (q < 0.5 ? Math.log1p(-q) : Math.log(p)));
+}
+
+/** |a + b|²/4 of unit vectors: (1 - dot(a, -b))/2 without its cancellation near 0. */
+function chord(a: Vec3, b: Vec3): number {
+  const sum = add(a, b);
+  return dot(sum, sum) / 4;
+}
+
+/** An aperture in degrees as the one float the shader compares with; see LIMIT_OPEN. */
+export function coneLimit(aperture: number): number {
+  if (aperture >= 180) return LIMIT_OPEN;
+  const half = radians(aperture) / 2;
+  // Beyond 90° the chord to the far side is the short one, and precise.
+  return aperture <= 90 ? Math.sin(half) ** 2 : -(Math.cos(half) ** 2);
+}
+
+type Writer = (data: Float32Array, at: number, light: Values, colors: LightColors, space: PackSpace) => void;
+
+const matrixOf = (light: Values, space: PackSpace): Mat4 =>
+  light.space === 'camera' ? space.cameraToShading : space.worldToShading;
+
+const writePoint: Writer = (data, at, light, colors, space) => {
+  const [x, y, z] = light.position;
+  const [kc, kl, kq] = light.attenuation;
+  const row = ROWS.point;
+  write(data, at + row.position * 4, transform(matrixOf(light, space), [x, y, z], 1), kc);
+  write(data, at + row.diffuse * 4, colors.diffuse, kl);
+  write(data, at + row.specular * 4, colors.specular, kq);
+};
+
+const WRITERS: Readonly<Record<LightKind, Writer>> = {
+  directional(data, at, light, colors, space) {
+    const [x, y, z] = light.position;
+    const row = ROWS.directional;
+    write(
+      data,
+      at + row.direction * 4,
+      normalize(transform(matrixOf(light, space), normalize([x, y, z]), 0)),
+      0,
+    );
+    write(data, at + row.diffuse * 4, colors.diffuse, 0);
+    write(data, at + row.specular * 4, colors.specular, 0);
+  },
+  point: writePoint,
+  spot(data, at, light, colors, space) {
+    const row = ROWS.spot;
+    writePoint(data, at, light, colors, space);
+    const A = normalize(transform(matrixOf(light, space), normalize(light.axis), 0));
+    write(data, at + row.axis * 4, A, light.cutoff < LEAST_EXPONENT ? 0 : light.cutoff);
+    write(data, at + row.ambient * 4, colors.ambient, coneLimit(light.aperture));
+  },
+};
+
+function write(data: Float32Array, at: number, xyz: Vec3, w: number): void {
+  data[at] = xyz[0];
+  data[at + 1] = xyz[1];
+  data[at + 2] = xyz[2];
+  data[at + 3] = w;
+}
+
+function reserve(into: PackedLights, rows: number): void {
+  const needed = (into.rows + rows) * 4;
+  if (needed <= into.data.length) return;
+  const grown = new Float32Array(Math.max(needed, into.data.length * 2));
+  grown.set(into.data);
+  into.data = grown;
+}

@@ -1,0 +1,24 @@
+// What a surface is: its values in HTML's units (255 = 1), their domains and defaults. Knows nothing of shaders.
+import { LIMITS } from '../light/light-state.js';
+import { colorField, type Field, numberField } from '../math/field.js';
+import type { Vec3 } from '../math/vector.js';
+
+export interface SurfaceValues {
+  /** Ka: what the surface gives back of ambient light, a channel each; 255 is all of it. Default 255 255 255. */
+  ka: Vec3;
+  /** Kd: the same of diffuse light. Default 255 255 255. */
+  kd: Vec3;
+  /** Ks: the same of specular light. Default 128 128 128. */
+  ks: Vec3;
+  /** Specular exponent. Unitless, 0 to 1e6, default 32. Below 1e-6 it makes a constant lobe. */
+  shininess: number;
+}
+
+const colors = { min: 0, max: LIMITS.color };
+
+export const SURFACE_FIELDS: { readonly [K in keyof SurfaceValues]: Field<SurfaceValues[K]> } = {
+  ka: colorField([255, 255, 255], colors),
+  kd: colorField([255, 255, 255], colors),
+  ks: colorField([128, 128, 128], colors),
+  shininess: numberField(32, { min: 0, max: LIMITS.exponent }),
+};

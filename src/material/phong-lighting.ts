@@ -1,0 +1,115 @@
+// The lights of one picture on their way to its materials: packs when lights or eye have changed, keeps the facts
+// that programs are made by, and holds what all materials of the picture share. Knows neither meshes nor frames.
+import { Vector3 } from 'three';
+import { gatherFacts, type LightFacts, noFacts } from '../light/light-kind.js';
+import { LightSet } from '../light/light-set.js';
+import { emptyPack, packLights, type PackedLights } from '../light/pack-lights.js';
+import type { Vec3 } from '../math/vector.js';
+import { LightRows } from './light-rows.js';
+
+/**
+ * Where a picture is seen from. Shading space has the world's axes and its origin at `origin`: differences to it are
+ * taken in float64, so scenes far from the world's origin shade like scenes at it, and turning the eye about the
+ * target leaves all light data as it is.
+ */
+export interface ShadingFrame {
+  /** World position of shading space's origin: the camera's target. */
+  readonly origin: Vec3;
+  /** The eye in shading space. */
+  readonly eye: Vec3;
+  /** Camera basis, orthonormal, in world axes; back points from the target to the eye. */
+  readonly right: Vec3;
+  readonly up: Vec3;
+  readonly back: Vec3;
+}
+
+export class PhongLighting {
+  readonly lights: LightSet;
+  readonly rows = new LightRows();
+  /** Uniform `uEye`, shared by all materials. */
+  readonly eye = { value: new Vector3() };
+  /** What any light declared so far needs of a program. Only ever grows. */
+  readonly facts: LightFacts = noFacts();
+  /** Shade in linear light: colours decoded first, the sum encoded last. */
+  linear = false;
+  #origin: Vec3 = [0, 0, 0];
+  #packed: PackedLights = emptyPack();
+  #packedFor = { version: -1, linear: false, origin: this.#origin };
+  #factsVersion = -1;
+  readonly #worldToShading = identity();
+  readonly #cameraToShading = identity();
+
+  constructor(lights = new LightSet()) {
+    this.lights = lights;
+  }
+
+  /** World position that fragments are shaded relative to. */
+  get origin(): Vec3 {
+    return this.#origin;
+  }
+
+  /** The lights as last packed: how many took part, how many were sent. */
+  get packed(): Readonly<PackedLights> {
+    return this.#packed;
+  }
+
+  /** Before each frame: takes the eye and whatever changed. */
+  update(frame: ShadingFrame): void {
+    this.#origin = frame.origin;
+    this.eye.value.set(frame.eye[0], frame.eye[1], frame.eye[2]);
+    this.#gather();
+    if (this.#mustPack(frame)) this.#pack(frame);
+    this.rows.prepare();
+  }
+
+  dispose(): void {
+    this.rows.dispose();
+  }
+
+  #gather(): void {
+    if (this.#factsVersion === this.lights.version) return;
+    this.#factsVersion = this.lights.version;
+    for (const light of this.lights.lights) gatherFacts(light.values, this.facts);
+  }
+
+  #mustPack({ origin }: ShadingFrame): boolean {
+    const last = this.#packedFor;
+    return (
+      last.version !== this.lights.version ||
+      last.linear !== this.linear ||
+      last.origin.some((x, i) => x !== origin[i]) ||
+      this.lights.lights.some(({ values }) => values.active && values.space === 'camera')
+    );
+  }
+
+  #pack(frame: ShadingFrame): void {
+    const { origin, eye, right, up, back } = frame;
+    setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
+    setColumns(this.#cameraToShading, right, up, back, eye);
+    const space = {
+      worldToShading: this.#worldToShading,
+      cameraToShading: this.#cameraToShading,
+      linear: this.linear,
+    };
+    packLights(
+      this.lights.lights.map(({ values }) => values),
+      space,
+      this.#packed,
+    );
+    this.rows.write(this.#packed);
+    this.#packedFor = { version: this.lights.version, linear: this.linear, origin };
+  }
+}
+
+const X: Vec3 = [1, 0, 0];
+const Y: Vec3 = [0, 1, 0];
+const Z: Vec3 = [0, 0, 1];
+
+const identity = (): Float64Array => new Float64Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+
+function setColumns(m: Float64Array, x: Vec3, y: Vec3, z: Vec3, place: Vec3): void {
+  m.set(x, 0);
+  m.set(y, 4);
+  m.set(z, 8);
+  m.set(place, 12);
+}

@@ -1,0 +1,72 @@
+// The programs' text: the chunks of shaders/ joined in one explicit order, after the constants that TypeScript and
+// GLSL share. Knows nothing of uniforms' values.
+import attenuation from '../../shaders/attenuation.glsl?raw';
+import diffuseLobe from '../../shaders/diffuse_lobe.glsl?raw';
+import guard from '../../shaders/guard.glsl?raw';
+import lightLoop from '../../shaders/light_loop.glsl?raw';
+import lightRows from '../../shaders/light_rows.glsl?raw';
+import phongFragment from '../../shaders/phong.frag.glsl?raw';
+import phongVertex from '../../shaders/phong.vert.glsl?raw';
+import power from '../../shaders/power.glsl?raw';
+import specularBlinnPhong from '../../shaders/specular_blinn_phong.glsl?raw';
+import specularPhong from '../../shaders/specular_phong.glsl?raw';
+import spot from '../../shaders/spot.glsl?raw';
+import srgb from '../../shaders/srgb.glsl?raw';
+import { layoutDefines } from '../light/light-layout.js';
+import { SRGB } from '../math/color.js';
+
+const float = (n: number): string => n.toExponential();
+
+/** Numbers that GLSL and TypeScript share, written once in TypeScript. */
+const constants = `${layoutDefines()}
+#define STORAGE_BLOCK 0
+#define STORAGE_TEXTURE 1
+#define SRGB_ENCODED_KNEE ${float(SRGB.encodedKnee)}
+#define SRGB_LINEAR_KNEE ${float(SRGB.linearKnee)}
+#define SRGB_SLOPE ${float(SRGB.slope)}
+#define SRGB_OFFSET ${float(SRGB.offset)}
+#define SRGB_EXPONENT ${float(SRGB.exponent)}
+`;
+
+/**
+ * The light loop alone, for any GLSL ES 3.00 program: put it after `#version` and `precision highp float; precision
+ * highp int;`, define LIGHT_STORAGE (STORAGE_BLOCK or STORAGE_TEXTURE) and the HAS_… facts before it, and call
+ * `lightSums(p, N, V, shininess)` with everything in the space that the lights were packed for.
+ */
+export const LIGHT_LOOP_GLSL = [
+  constants,
+  guard,
+  power,
+  attenuation,
+  spot,
+  diffuseLobe,
+  '#ifdef REFLECTION_BLINN_PHONG',
+  specularBlinnPhong,
+  '#else',
+  specularPhong,
+  '#endif',
+  lightRows,
+  lightLoop,
+].join('\n');
+
+/** Gouraud sums the lights at the vertices, everything else at the fragments; the other stage has no use for it. */
+export const VERTEX_SHADER = [
+  '#ifdef SHADING_GOURAUD',
+  LIGHT_LOOP_GLSL,
+  '#else',
+  guard,
+  '#endif',
+  phongVertex,
+].join('\n');
+
+export const FRAGMENT_SHADER = [
+  '#ifndef SHADING_GOURAUD',
+  LIGHT_LOOP_GLSL,
+  '#else',
+  constants,
+  '#endif',
+  '#ifdef IS_LINEAR',
+  srgb,
+  '#endif',
+  phongFragment,
+].join('\n');

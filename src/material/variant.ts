@@ -1,0 +1,55 @@
+// Which code a program holds: the facts of material and lights that the shader is specialised by, as defines.
+// Two states make at most a handful of programs each; none of them depends on how many lights there are.
+import type { LightFacts } from '../light/light-kind.js';
+
+export type Shading = 'phong' | 'gouraud' | 'flat';
+export type Reflection = 'phong' | 'blinn-phong';
+export type Term = 'ambient' | 'diffuse' | 'specular';
+export type AlphaMode = 'opaque' | 'mask' | 'blend';
+export type LightStorage = 'block' | 'texture';
+
+export const SHADINGS = ['phong', 'gouraud', 'flat'] as const satisfies readonly Shading[];
+export const REFLECTIONS = ['phong', 'blinn-phong'] as const satisfies readonly Reflection[];
+export const TERMS = ['ambient', 'diffuse', 'specular'] as const satisfies readonly Term[];
+
+export interface Variant {
+  readonly shading: Shading;
+  readonly reflection: Reflection;
+  /** The terms that are summed. */
+  readonly terms: readonly Term[];
+  /** Shading happens in linear light: `color-interpolation="linear"`. */
+  readonly linear: boolean;
+  readonly storage: LightStorage;
+  readonly map: boolean;
+  readonly vertexColors: boolean;
+  readonly alphaMode: AlphaMode;
+  /** Ks is zero on every channel: no specular code for this material. */
+  readonly matte: boolean;
+}
+
+/** The defines of a program, each present only where its code is needed. Values are empty: presence is the meaning. */
+export function variantDefines(variant: Variant, facts: Readonly<LightFacts>): Record<string, string> {
+  const { shading, reflection, terms, alphaMode } = variant;
+  const wanted: Record<string, boolean> = {
+    // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
+    SHADING_GOURAUD: shading === 'gouraud',
+    REFLECTION_BLINN_PHONG: reflection === 'blinn-phong',
+    IS_LINEAR: variant.linear,
+    HAS_MAP: variant.map,
+    HAS_VERTEX_COLOR: variant.vertexColors,
+    HAS_ALPHA_MASK: alphaMode === 'mask',
+    IS_BLENDED: alphaMode === 'blend',
+    HAS_AMBIENT: facts.ambient && terms.includes('ambient'),
+    HAS_DIFFUSE: facts.diffuse && terms.includes('diffuse'),
+    HAS_SPECULAR: facts.specular && terms.includes('specular') && !variant.matte,
+    HAS_DIRECTIONAL: facts.directional,
+    HAS_POINT: facts.point,
+    HAS_SPOT: facts.spot,
+    HAS_ATTENUATION: facts.attenuation,
+  };
+  const defines: Record<string, string> = {
+    LIGHT_STORAGE: variant.storage === 'block' ? 'STORAGE_BLOCK' : 'STORAGE_TEXTURE',
+  };
+  for (const [name, on] of Object.entries(wanted)) if (on) defines[name] = '';
+  return defines;
+}

@@ -1,0 +1,26 @@
+// The sRGB transfer curve, on single channels where 1 is full. Knows nothing of lights or textures.
+// Constants: IEC 61966-2-1. The GLSL of the same curve takes them from SRGB, so they are written once.
+
+export const SRGB = {
+  /** Encoded value below which the curve is a straight line. */
+  encodedKnee: 0.04045,
+  /** The same knee on the linear side. */
+  linearKnee: 0.0031308,
+  slope: 12.92,
+  offset: 0.055,
+  exponent: 2.4,
+} as const;
+
+/** Encoded to linear light. The power branch continues above 1, as bright lights need; negative values give 0. */
+export function srgbDecode(encoded: number): number {
+  if (!(encoded > 0)) return 0;
+  if (encoded <= SRGB.encodedKnee) return encoded / SRGB.slope;
+  return ((encoded + SRGB.offset) / (1 + SRGB.offset)) ** SRGB.exponent;
+}
+
+/** Linear light to encoded; the inverse of {@link srgbDecode}, continued above 1 in the same way. */
+export function srgbEncode(linear: number): number {
+  if (!(linear > 0)) return 0;
+  if (linear <= SRGB.linearKnee) return linear * SRGB.slope;
+  return (1 + SRGB.offset) * linear ** (1 / SRGB.exponent) - SRGB.offset;
+}

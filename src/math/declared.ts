@@ -1,0 +1,63 @@
+// A record of declared values: each has a default until it is given, is checked on the way in, and tells one listener
+// when it changes. Lights, meshes and viewers keep their state in one; there is no second copy. Knows no DOM.
+import type { Field } from './field.js';
+
+export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
+
+export class Declared<V extends object> {
+  readonly fields: Fields<V>;
+  readonly #values: V;
+  readonly #given = new Set<keyof V>();
+  #listener: ((key: keyof V) => void) | null = null;
+
+  constructor(fields: Fields<V>) {
+    this.fields = fields;
+    const defaults: Partial<V> = {};
+    for (const key in fields) defaults[key] = fields[key].fallback;
+    this.#values = defaults as V;
+  }
+
+  /** All values as they are now, defaults included; live, and never to be written to. */
+  get values(): Readonly<V> {
+    return this.#values;
+  }
+
+  /** Whether a value was given, rather than being the default. */
+  given(key: keyof V): boolean {
+    return this.#given.has(key);
+  }
+
+  /**
+   * Gives a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError` where the value is
+   * outside the field's domain, and then changes nothing.
+   */
+  set<K extends keyof V>(key: K, value: unknown): void {
+    const given = value !== undefined && value !== null;
+    const checked = given ? this.fields[key].check(value) : this.fields[key].fallback;
+    const same = given === this.#given.has(key) && sameValue(checked, this.#values[key]);
+    if (given) this.#given.add(key);
+    else this.#given.delete(key);
+    if (same) return;
+    this.#values[key] = checked;
+    this.#listener?.(key);
+  }
+
+  /** Gives several values. All are checked before the first is written. */
+  assign(values: Partial<V>): void {
+    for (const key in values) this.fields[key].check(values[key] ?? this.fields[key].fallback);
+    for (const key in values) this.set(key, values[key]);
+  }
+
+  /** There is one listener at a time; null ends it. */
+  listen(listener: ((key: keyof V) => void) | null): void {
+    this.#listener = listener;
+  }
+}
+
+/** Equal numbers, strings and flags, and lists of such. */
+export function sameValue(a: unknown, b: unknown): boolean {
+  if (Array.isArray(a) && Array.isArray(b)) {
+    return a.length === b.length && a.every((item, i) => item === b[i]);
+  }
+  return a === b;
+}

@@ -1,0 +1,50 @@
+// Small float64 vectors for everything that is computed on the CPU. Unitless; the caller's names say the space.
+// Knows neither lights nor three.js. Nothing here is meant for a per-vertex loop: it allocates.
+
+export type Vec3 = readonly [number, number, number];
+export type Vec4 = readonly [number, number, number, number];
+
+/** A 4×4 matrix by columns, as WebGL and three.js keep it. */
+export type Mat4 = ArrayLike<number>;
+
+export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+
+export const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+
+export const scale = (a: Vec3, s: number): Vec3 => [a[0] * s, a[1] * s, a[2] * s];
+
+export const negate = (a: Vec3): Vec3 => [-a[0], -a[1], -a[2]];
+
+export const multiply = (a: Vec3, b: Vec3): Vec3 => [a[0] * b[0], a[1] * b[1], a[2] * b[2]];
+
+export const cross = (a: Vec3, b: Vec3): Vec3 => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/** Euclidean length; exact powers of two in, no overflow or underflow on the way (Math.hypot scales). */
+export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
+
+/**
+ * The unit vector along `a`, or the zero vector where `a` is zero. Scaled by its largest component first, so that
+ * a denormal vector still has its direction.
+ */
+export function normalize(a: Vec3): Vec3 {
+  const largest = Math.max(Math.abs(a[0]), Math.abs(a[1]), Math.abs(a[2]));
+  if (!(largest > 0)) return [0, 0, 0];
+  const s: Vec3 = [a[0] / largest, a[1] / largest, a[2] / largest];
+  return scale(s, 1 / Math.hypot(s[0], s[1], s[2]));
+}
+
+/** A point (w = 1) or a direction (w = 0) through a 4×4 matrix whose last row is 0 0 0 1. */
+export function transform(m: Mat4, v: Vec3, w: 0 | 1): Vec3 {
+  const at = (i: number): number => m[i] ?? 0;
+  return [
+    at(0) * v[0] + at(4) * v[1] + at(8) * v[2] + at(12) * w,
+    at(1) * v[0] + at(5) * v[1] + at(9) * v[2] + at(13) * w,
+    at(2) * v[0] + at(6) * v[1] + at(10) * v[2] + at(14) * w,
+  ];
+}

@@ -1,0 +1,202 @@
+// The shading equation in float64, written to be read: what the picture is measured against. World space throughout;
+// colours in HTML's units (255 = 1) come in, colours where 1 is full go out. Knows neither GLSL nor three.js.
+import type { LightValues } from '../light/light-state.js';
+import { radians } from '../math/angle.js';
+import { srgbDecode, srgbEncode } from '../math/color.js';
+import {
+  add,
+  cross,
+  dot,
+  length,
+  multiply,
+  negate,
+  normalize,
+  scale,
+  subtract,
+  type Vec3,
+} from '../math/vector.js';
+
+/** The fragment that is shaded. */
+export interface Fragment {
+  /** Place, in world space. */
+  readonly p: Vec3;
+  /** Normal, interpolated and turned to the viewer's side; any length, zero included. */
+  readonly normal: Vec3;
+  /** The eye's place. */
+  readonly eye: Vec3;
+}
+
+export interface Surface {
+  /** Ka, Kd, Ks: 255 is 1. */
+  readonly ka: Vec3;
+  readonly kd: Vec3;
+  readonly ks: Vec3;
+  /** n >= 0. */
+  readonly shininess: number;
+  /** Multiplies Ka and Kd; encoded sRGB, 0–1. Default 1 1 1. */
+  readonly baseColor?: Vec3;
+}
+
+/** The eye's axes in world space, for lights with `space: 'camera'`. */
+export interface CameraAxes {
+  readonly right: Vec3;
+  readonly up: Vec3;
+  /** From the target to the eye. */
+  readonly back: Vec3;
+}
+
+export interface ReferenceOptions {
+  readonly camera?: CameraAxes;
+  readonly reflection?: 'phong' | 'blinn-phong';
+  readonly terms?: readonly ('ambient' | 'diffuse' | 'specular')[];
+  readonly linear?: boolean;
+}
+
+/** One light's part in a fragment. */
+export interface LightShare {
+  /** Unit vector to the light; zero where there is none. */
+  readonly L: Vec3;
+  /** Distance; Infinity for directional lights. */
+  readonly d: number;
+  /** Cosine of the angle between the spot's axis and the fragment; 1 where the light is no spot. */
+  readonly c: number;
+  readonly insideCone: boolean;
+  readonly att: number;
+  readonly decay: number;
+  /** dot(N, L), not clamped. */
+  readonly NoL: number;
+  /** dot(R, V), or dot(N, H) for Blinn–Phong, not clamped. */
+  readonly RoV: number;
+  readonly ambient: Vec3;
+  readonly diffuse: Vec3;
+  readonly specular: Vec3;
+}
+
+export interface Shaded {
+  readonly N: Vec3;
+  readonly V: Vec3;
+  /** The sum over the lights before clamping, encoded where shading is linear. */
+  readonly sum: Vec3;
+  /** The sum clamped to 0–1. */
+  readonly color: Vec3;
+  /** A share for each light in order; null for those that are not active. */
+  readonly shares: readonly (LightShare | null)[];
+}
+
+/** Nearer than this a light has no direction. */
+const NEAREST = 1e-15;
+/** Exponents below this are 0. */
+const LEAST_EXPONENT = 1e-6;
+
+const BLACK: Vec3 = [0, 0, 0];
+
+export function shade(
+  fragment: Fragment,
+  surface: Surface,
+  lights: readonly Readonly<LightValues>[],
+  options: ReferenceOptions = {},
+): Shaded {
+  const N = normalize(fragment.normal);
+  const V = normalize(subtract(fragment.eye, fragment.p));
+  const shares = lights.map((light) =>
+    light.active ? share(light, fragment, N, V, surface, options) : null,
+  );
+  let sum = BLACK;
+  for (const s of shares) if (s !== null) sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
+  if (options.linear === true) sum = map(sum, srgbEncode);
+  return { N, V, sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)), shares };
+}
+
+function share(
+  light: Readonly<LightValues>,
+  { p, eye }: Fragment,
+  N: Vec3,
+  V: Vec3,
+  surface: Surface,
+  options: ReferenceOptions,
+): LightShare {
+  const { linear = false, reflection = 'phong', terms = ['ambient', 'diffuse', 'specular'] } = options;
+  const { toLight, axis, positional } = placeLight(light, p, eye, options.camera);
+  const d = length(toLight);
+  const present = positional ? d >= NEAREST : d > 0;
+  const L = present ? normalize(toLight) : BLACK;
+
+  const { c, insideCone, decay } = spot(light, L, axis);
+  const [kc, kl, kq] = light.attenuation;
+  const distance = present ? d : 0;
+  const att = positional ? 1 / Math.max(kc + kl * distance + kq * distance * distance, 1) : 1;
+
+  const NoL = dot(N, L);
+  const R = subtract(scale(N, 2 * NoL), L);
+  const H = normalize(add(L, V));
+  const RoV = reflection === 'phong' ? dot(R, V) : dot(N, H);
+  const y = reflection === 'phong' ? halfChord(R, V) : halfChord(N, H);
+  const spec = NoL > 0 ? power(RoV, y, surface.shininess) : 0;
+
+  const color = (c255: Vec3): Vec3 => map(scale(c255, 1 / 255), linear ? srgbDecode : (x) => x);
+  const base = map(surface.baseColor ?? [1, 1, 1], linear ? srgbDecode : (x) => x);
+  const term = (name: (typeof terms)[number], k: Vec3, i: Vec3, factor: number): Vec3 =>
+    insideCone && terms.includes(name) ? scale(multiply(color(k), color(i)), factor * decay) : BLACK;
+  return {
+    L,
+    d: positional ? d : Infinity,
+    c,
+    insideCone,
+    att,
+    decay,
+    NoL,
+    RoV,
+    ambient: multiply(base, term('ambient', surface.ka, light.ambient, 1)),
+    diffuse: multiply(base, term('diffuse', surface.kd, light.diffuse, att * Math.max(NoL, 0))),
+    specular: term('specular', surface.ks, light.specular, att * spec),
+  };
+}
+
+/** The vector to the light and the spot's axis in world space. */
+function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: CameraAxes | undefined) {
+  const [x, y, z, w] = light.position;
+  const positional = w === 1;
+  if (light.space === 'world') {
+    const toLight: Vec3 = positional ? subtract([x, y, z], p) : [x, y, z];
+    return { toLight, axis: light.axis, positional };
+  }
+  if (camera === undefined) throw new TypeError('a light in camera space needs options.camera');
+  const toWorld = (v: Vec3): Vec3 =>
+    add(add(scale(camera.right, v[0]), scale(camera.up, v[1])), scale(camera.back, v[2]));
+  const turned = toWorld([x, y, z]);
+  return {
+    // Eye minus fragment first: far from the origin the sum eye + turned would round the light's offset away.
+    toLight: positional ? add(subtract(eye, p), turned) : turned,
+    axis: toWorld(light.axis),
+    positional,
+  };
+}
+
+/** Cone and decay; everything passes where there is no axis, no direction, or neither cone nor cutoff. */
+function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
+  const A = normalize(axis);
+  const away = negate(A);
+  if (dot(A, A) === 0 || dot(L, L) === 0) return { c: 1, insideCone: true, decay: 1 };
+  const c = dot(L, away);
+  const angle = Math.atan2(length(cross(L, away)), c);
+  return {
+    c,
+    insideCone: light.aperture >= 180 || angle <= radians(light.aperture),
+    decay: power((1 + c) / 2, halfChord(L, away) / 2, light.cutoff),
+  };
+}
+
+/** |a - b|²/2: one minus the cosine of unit vectors, precise at small angles. */
+function halfChord(a: Vec3, b: Vec3): number {
+  const d = subtract(a, b);
+  return dot(d, d) / 2;
+}
+
+/** max(x, 0)^n with x^0 = 1 for every x; y = 1 - x keeps the digits that x near 1 has lost. */
+function power(x: number, y: number, n: number): number {
+  if (n < LEAST_EXPONENT) return 1;
+  if (x <= 0) return 0;
+  return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : x ** n;
+}
+
+const map = (v: Vec3, f: (x: number) => number): Vec3 => [f(v[0]), f(v[1]), f(v[2])];
