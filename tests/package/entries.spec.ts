@@ -1,0 +1,108 @@
+// What is in the package, and what its entries do in Node: against dist/ as the build step left it.
+
+import { execFileSync, spawnSync } from 'node:child_process';
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { expect, test } from '@playwright/test';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const dist = outputFolder('dist');
+
+interface PackedFile {
+  readonly path: string;
+  readonly size: number;
+}
+
+function packedFiles(): readonly PackedFile[] {
+  // As one command line: npm is a script that only a shell finds on Windows.
+  const json = execFileSync('npm pack --dry-run --json --ignore-scripts', {
+    cwd: repository,
+    encoding: 'utf8',
+    shell: true,
+    stdio: ['ignore', 'pipe', 'ignore'],
+  });
+  const [pack] = JSON.parse(json) as [{ files: PackedFile[] }];
+  return pack.files;
+}
+
+test.describe('the packed package', () => {
+  const intended = [
+    /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
+    /^dist\/(index|core|reference)\.js(\.map)?$/,
+    /^dist\/phong-viewer\.standalone\.js$/,
+    /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
+    /^dist\/chunks\/[\w.-]+\.js$/,
+    /^dist\/types\/[\w./-]+\.d\.ts$/,
+    /^dist\/[\w.-]+\.json$/,
+  ];
+
+  test('holds the files that are meant for users and no others', () => {
+    const strays = packedFiles().filter(({ path }) => !intended.some((pattern) => pattern.test(path)));
+    expect(strays.map(({ path }) => path)).toEqual([]);
+  });
+
+  test('holds every file that its exports name', () => {
+    const manifest = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+      exports: Record<string, string | Record<string, string>>;
+    };
+    const present = new Set(packedFiles().map(({ path }) => `./${path}`));
+    const named = Object.values(manifest.exports).flatMap((entry) =>
+      typeof entry === 'string' ? [entry] : Object.values(entry),
+    );
+    expect(named.filter((path) => !present.has(path))).toEqual([]);
+  });
+
+  test('carries no source map above half a megabyte', () => {
+    const large = packedFiles().filter(({ path, size }) => path.endsWith('.map') && size > 512 * 1024);
+    expect(large).toEqual([]);
+  });
+});
+
+test.describe('the entries in Node', () => {
+  for (const entry of ['index', 'core', 'reference']) {
+    test(`importing ${entry}.js says nothing, fails nothing and lets Node end`, () => {
+      const address = JSON.stringify(pathToFileURL(join(dist, `${entry}.js`)).href);
+      // Lit itself leaves a registry and its versions behind in Node.
+      const code = `
+        const names = () => Object.keys(globalThis).filter((name) => !/^(lit|reactiveElement|customElements)/.test(name));
+        const before = names().length;
+        const exported = Object.keys(await import(${address}));
+        process.stdout.write(names().length === before && exported.length > 0 ? 'quiet' : names().join());
+      `;
+      const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '-e', code], {
+        cwd: repository,
+        encoding: 'utf8',
+        timeout: 20_000,
+      });
+      expect({ status, stdout, stderr }).toEqual({ status: 0, stdout: 'quiet', stderr: '' });
+    });
+  }
+});
+
+test.describe('dist/', () => {
+  const scripts = readdirSync(dist, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('.js'))
+    .map((path) => ({ path, text: readFileSync(join(dist, path), 'utf8') }));
+
+  test('names no path of the machine that built it', () => {
+    const strays = scripts.filter(({ text }) => text.includes(repository));
+    expect(strays.map(({ path }) => path)).toEqual([]);
+  });
+
+  test('keeps three, Lit and lil-gui out of the ES modules and inside the standalone file', () => {
+    const statement = /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
+    const imports = (text: string): string[] => Array.from(text.matchAll(statement), (match) => match[1]!);
+    for (const { path, text } of scripts) {
+      const bare = imports(text).filter((name) => !name.startsWith('.'));
+      if (path.includes('standalone') || path.startsWith('chunks')) expect(bare, path).toEqual([]);
+      else for (const name of bare) expect(name, path).toMatch(/^(three|lit|@lit\/|lil-gui)/);
+    }
+  });
+
+  test('puts every lazy part of the standalone file beside it, none into it', () => {
+    const size = (path: string): number => statSync(join(dist, path)).size;
+    expect(size('phong-viewer.standalone.js')).toBeLessThan(900 * 1024);
+  });
+});

@@ -1,0 +1,57 @@
+// No stray line: everything that pages say on the console, every uncaught error and every report of the
+// Content-Security-Policy fails the test, unless the test has claimed it beforehand; so does a claim that nothing met.
+
+import type { BrowserContext } from '@playwright/test';
+
+interface Claim {
+  readonly pattern: RegExp;
+  readonly times: number | undefined;
+  readonly met: string[];
+}
+
+// The graphics driver's own remarks about reading pixels back; they depend on the machine, not on the page.
+const driverRemark = /GL Driver Message \(OpenGL, Performance/;
+
+export class ConsoleGuard {
+  readonly #claims: Claim[] = [];
+  readonly #strays: string[] = [];
+
+  /** Watches all pages of the context from now on. */
+  async watch(context: BrowserContext): Promise<void> {
+    context.on('console', (message) => this.#hear(`${message.type()}: ${message.text()}`));
+    context.on('weberror', (error) => this.#hear(`uncaught: ${String(error.error())}`));
+    context.on('page', (page) => page.on('crash', () => this.#hear('crash: the page is gone')));
+    await context.addInitScript(() => {
+      addEventListener('securitypolicyviolation', (event) => {
+        console.error(`CSP report: ${event.effectiveDirective} refused ${event.blockedURI}`);
+      });
+    });
+  }
+
+  /**
+   * Claims the messages that match, among them `warning: …`, `error: …`, `log: …`, `uncaught: …`.
+   * @param times how many there must be; default: at least one.
+   * @returns the messages as they come.
+   */
+  allow(pattern: RegExp, times?: number): readonly string[] {
+    const met: string[] = [];
+    this.#claims.push({ pattern, times, met });
+    return met;
+  }
+
+  /** Throws where something was said that no claim covers, or a claim was not met as often as it says. */
+  check(): void {
+    const faults = this.#strays.map((text) => `unexpected on the console: ${text}`);
+    for (const { pattern, times, met } of this.#claims) {
+      if (times === undefined ? met.length > 0 : met.length === times) continue;
+      faults.push(`${String(pattern)} was met ${met.length} times, not ${times ?? 'at all as it should'}`);
+    }
+    if (faults.length > 0) throw new Error(faults.join('\n'));
+  }
+
+  #hear(text: string): void {
+    if (driverRemark.test(text)) return;
+    const claim = this.#claims.find(({ pattern }) => pattern.test(text));
+    (claim?.met ?? this.#strays).push(text);
+  }
+}

@@ -1,0 +1,132 @@
+// The server behind the browser tests: folders under fixed addresses, pages from memory, every page under a
+// Content-Security-Policy. Listens on a free port, so that several runs can share a machine. Knows no test.
+
+import { createReadStream, statSync } from 'node:fs';
+import { createServer, type Server, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { extname, join, normalize } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+
+/** The policy under which everything has to work: no inline code or style, no eval, no `blob:` worker. */
+export const strictPolicy =
+  "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
+
+export interface PageOptions {
+  /** Content-Security-Policy; default strict; empty for none. */
+  readonly csp?: string;
+  /** Rules of the page's one style sheet (inline styles are refused by the strict policy). */
+  readonly css?: string;
+  /** What goes into the head after the style sheet, such as a `<script type="module" src="…">`. */
+  readonly head?: string;
+}
+
+export interface Site {
+  /** Such as `http://localhost:40123`, no slash at the end. */
+  readonly origin: string;
+  /** Keeps a page with this body in memory and gives its address. */
+  page(body: string, options?: PageOptions): string;
+  close(): Promise<void>;
+}
+
+interface Stored {
+  readonly type: string;
+  readonly text: string;
+  readonly csp: string;
+}
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+
+/** Address prefix to folder, for the tests of this repository. */
+export const testMounts: Readonly<Record<string, string>> = {
+  '/dist/': outputFolder('dist'),
+  '/demo/': outputFolder('dist-demo'),
+  '/fixtures/': join(repository, 'tests/fixtures'),
+  '/assets/': join(repository, 'demo/assets'),
+  '/node_modules/': join(repository, 'node_modules'),
+};
+
+const types: Readonly<Record<string, string>> = {
+  '.html': 'text/html; charset=utf-8',
+  '.js': 'text/javascript; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
+  '.css': 'text/css; charset=utf-8',
+  '.json': 'application/json',
+  '.map': 'application/json',
+  '.svg': 'image/svg+xml',
+  '.png': 'image/png',
+  '.jpg': 'image/jpeg',
+  '.webp': 'image/webp',
+  '.glb': 'model/gltf-binary',
+  '.gltf': 'model/gltf+json',
+  '.wasm': 'application/wasm',
+};
+
+/** @param policy the Content-Security-Policy of files; pages from memory have their own. */
+export async function startSite(
+  mounts: Readonly<Record<string, string>>,
+  policy = strictPolicy,
+): Promise<Site> {
+  const stored = new Map<string, Stored>();
+  const server = createServer((request, response) => {
+    const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
+    const page = stored.get(path);
+    if (page) sendText(response, page);
+    else if (path === '/favicon.ico') response.writeHead(204).end();
+    else sendFile(response, fileUnder(mounts, path), policy);
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  const { port } = server.address() as AddressInfo;
+  const origin = `http://localhost:${port}`;
+  return {
+    origin,
+    page(body, { csp = strictPolicy, css = '', head = '' } = {}) {
+      const path = `/page/${stored.size}`;
+      const text =
+        `<!doctype html>\n<html lang="en">\n<head><meta charset="utf-8"><title>Test page</title>\n` +
+        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${body}</body>\n</html>\n`;
+      stored.set(path, { type: '.html', text, csp });
+      stored.set(`${path}.css`, { type: '.css', text: css, csp });
+      return origin + path;
+    },
+    close: () => stop(server),
+  };
+}
+
+function fileUnder(mounts: Readonly<Record<string, string>>, path: string): string | undefined {
+  const prefix = Object.keys(mounts).find((start) => path.startsWith(start));
+  if (prefix === undefined) return undefined;
+  const inside = normalize(`/${path.slice(prefix.length)}`);
+  const file = join(mounts[prefix]!, inside);
+  const stats = statSync(file, { throwIfNoEntry: false });
+  if (stats?.isDirectory()) return path.endsWith('/') ? join(file, 'index.html') : undefined;
+  return stats === undefined ? undefined : file;
+}
+
+function sendText(response: ServerResponse, { type, text, csp }: Stored): void {
+  response.writeHead(200, headers(type, csp)).end(text);
+}
+
+function sendFile(response: ServerResponse, file: string | undefined, policy: string): void {
+  if (file === undefined) {
+    response.writeHead(404, { 'content-type': 'text/plain' }).end('Not found');
+    return;
+  }
+  response.writeHead(200, headers(extname(file), policy));
+  createReadStream(file)
+    .on('error', () => response.destroy())
+    .pipe(response);
+}
+
+function headers(type: string, csp: string): Record<string, string> {
+  return {
+    'content-type': types[type] ?? 'application/octet-stream',
+    'cache-control': 'no-store',
+    ...(csp === '' ? {} : { 'content-security-policy': csp }),
+  };
+}
+
+function stop(server: Server): Promise<void> {
+  server.closeAllConnections();
+  return new Promise((resolve) => server.close(() => resolve()));
+}

@@ -1,0 +1,137 @@
+// What every browser test starts from: `test` with a guarded page, a server and `mount`, and `expect`.
+// A page is only handed out where WebGL 2 works: a machine without it fails loudly instead of testing nothing.
+
+import {
+  expect,
+  test as playwright,
+  type Locator,
+  type Page,
+  type PlaywrightTestArgs,
+  type PlaywrightTestOptions,
+  type PlaywrightWorkerArgs,
+  type PlaywrightWorkerOptions,
+  type TestType,
+} from '@playwright/test';
+import { ConsoleGuard } from './console-guard.js';
+import type { ViewerLike } from './picture.js';
+import { startSite, testMounts, type PageOptions, type Site } from './site.js';
+
+export { expect };
+export { compare, expectPicture, pixelAt, pixels, type Difference, type Picture } from './picture.js';
+export { strictPolicy } from './site.js';
+
+export interface MountOptions extends PageOptions {
+  /** CSS pixels of every viewer on the page, the first of which lies at the page's top left; default 600 × 400. */
+  readonly width?: number;
+  readonly height?: number;
+  /** Device pixels per CSS pixel; default 1. `setPixelRatio` changes it later. */
+  readonly deviceScaleFactor?: number;
+  /** false: hand the viewer out as soon as it is defined, whatever it still loads. Default true. */
+  readonly waitForReady?: boolean;
+}
+
+/** Loads a page with this markup and the standalone build; gives the first viewer. */
+export type Mount = (markup: string, options?: MountOptions) => Promise<Locator>;
+
+interface Fixtures {
+  readonly consoleGuard: ConsoleGuard;
+  readonly mount: Mount;
+}
+
+interface WorkerFixtures {
+  /** Serves /dist/, /demo/ (built), /fixtures/, /assets/, /node_modules/ and pages from memory. */
+  readonly site: Site;
+  readonly webgl2: undefined;
+}
+
+// Playwright's own `mount` is for component galleries; ours takes its name.
+const base = playwright as unknown as TestType<
+  Omit<PlaywrightTestArgs, 'mount'> & PlaywrightTestOptions,
+  PlaywrightWorkerArgs & PlaywrightWorkerOptions
+>;
+
+export const test = base.extend<Fixtures, WorkerFixtures>({
+  site: [
+    async ({}, use) => {
+      const site = await startSite(testMounts);
+      await use(site);
+      await site.close();
+    },
+    { scope: 'worker' },
+  ],
+
+  webgl2: [
+    async ({ browser }, use) => {
+      const page = await browser.newPage();
+      const works = await page.evaluate(() => document.createElement('canvas').getContext('webgl2') !== null);
+      await page.close();
+      if (!works)
+        throw new Error(`This browser (${browser.version()}) gives no WebGL 2, not even in software.`);
+      await use(undefined);
+    },
+    { scope: 'worker' },
+  ],
+
+  baseURL: async ({ site }, use) => use(site.origin),
+
+  consoleGuard: async ({ context }, use) => {
+    const guard = new ConsoleGuard();
+    await guard.watch(context);
+    await use(guard);
+    // One round trip to each page lets messages that are under way arrive.
+    for (const page of context.pages()) await page.evaluate(() => 0).catch(() => 0);
+    guard.check();
+  },
+
+  // Named here so that they are at work wherever a page is.
+  page: async ({ page, consoleGuard: _guard, webgl2: _works }, use) => use(page),
+
+  mount: async ({ page, site }, use) => use((markup, options) => mount(page, site, markup, options)),
+});
+
+async function mount(page: Page, site: Site, markup: string, options: MountOptions = {}): Promise<Locator> {
+  const {
+    width = 600,
+    height = 400,
+    css = '',
+    head = '',
+    deviceScaleFactor = 1,
+    waitForReady = true,
+  } = options;
+  const address = site.page(markup, {
+    ...options,
+    css: `body { margin: 0 } phong-viewer { display: block; width: ${width}px; height: ${height}px }\n${css}`,
+    head: `<script type="module" src="/dist/phong-viewer.standalone.js"></script>${head}`,
+  });
+  if (deviceScaleFactor !== 1) await setPixelRatio(page, deviceScaleFactor);
+  await page.goto(address);
+  await defined(page);
+  const viewer = page.locator('phong-viewer').first();
+  if (waitForReady) await allReady(page);
+  return viewer;
+}
+
+/** Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen does. */
+export async function setPixelRatio(page: Page, deviceScaleFactor: number): Promise<void> {
+  const { width, height } = page.viewportSize() ?? { width: 1000, height: 700 };
+  const session = await page.context().newCDPSession(page);
+  const metrics = { width, height, deviceScaleFactor, mobile: false };
+  await session.send('Emulation.setDeviceMetricsOverride', metrics);
+}
+
+async function defined(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    const late = new Promise<never>((_, reject) =>
+      setTimeout(() => reject(new Error('dist/ did not define <phong-viewer> within 20 s')), 20_000),
+    );
+    await Promise.race([customElements.whenDefined('phong-viewer'), late]);
+  });
+}
+
+/** Waits for `ready` of every viewer on the page. */
+export async function allReady(page: Page): Promise<void> {
+  await page.evaluate(async () => {
+    const viewers = document.querySelectorAll<ViewerLike>('phong-viewer');
+    await Promise.all(Array.from(viewers, (viewer) => viewer.ready));
+  });
+}
