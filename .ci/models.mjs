@@ -1,0 +1,251 @@
+// Writes the models that demo and tests load: the bunny out of its package, and small glTF files made here, good and
+// broken. Run by hand (`node .ci/models.mjs`) and committed; the same input gives the same bytes.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { deflateSync } from 'node:zlib';
+import bunny from '@pmndrs/assets/models/bunny.glb.js';
+
+const fixtures = fileURLToPath(new URL('../tests/fixtures/models/', import.meta.url));
+const assets = fileURLToPath(new URL('../demo/assets/models/', import.meta.url));
+for (const folder of [fixtures, assets, `${fixtures}beside/`]) mkdirSync(folder, { recursive: true });
+
+const base64Of = (dataUri) => dataUri.slice(dataUri.indexOf(',') + 1);
+writeFileSync(`${assets}bunny.glb`, Buffer.from(base64Of(bunny), 'base64'));
+
+// -- pieces ----------------------------------------------------------------------------------------------------------
+
+const FLOAT = 5126;
+const USHORT = 5123;
+const UBYTE = 5121;
+
+const floats = (values) => Buffer.from(new Float32Array(values).buffer);
+const shorts = (values) => Buffer.from(new Uint16Array(values).buffer);
+
+/** A unit square in xy, facing +z; texture coordinates with (0, 0) at the top left, as glTF has them. */
+const quad = {
+  positions: floats([-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0]),
+  normals: floats([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]),
+  uvs: floats([0, 1, 1, 1, 1, 0, 0, 0]),
+  indices: shorts([0, 1, 2, 2, 3, 0]),
+};
+
+const crcTable = Array.from({ length: 256 }, (_, n) => {
+  let c = n;
+  for (let k = 0; k < 8; k += 1) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
+  return c >>> 0;
+});
+
+function pngChunk(type, data) {
+  const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
+  let crc = 0xffffffff;
+  for (const byte of body) crc = crcTable[(crc ^ byte) & 0xff] ^ (crc >>> 8);
+  const frame = Buffer.alloc(8);
+  frame.writeUInt32BE(data.length, 0);
+  frame.writeUInt32BE((crc ^ 0xffffffff) >>> 0, 4);
+  return Buffer.concat([frame.subarray(0, 4), body, frame.subarray(4)]);
+}
+
+/** An 8-bit RGBA PNG of rows of [r, g, b, a]. */
+function png(rows) {
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(rows[0].length, 0);
+  header.writeUInt32BE(rows.length, 4);
+  header.set([8, 6, 0, 0, 0], 8);
+  const raw = Buffer.concat(rows.map((row) => Buffer.from([0, ...row.flat()])));
+  return Buffer.concat([
+    Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]),
+    pngChunk('IHDR', header),
+    pngChunk('IDAT', deflateSync(raw, { level: 9 })),
+    pngChunk('IEND', Buffer.alloc(0)),
+  ]);
+}
+
+/** No two texels alike, and no symmetry: a flip, a swap or a colour conversion shows. The last has half alpha. */
+const texture = png([
+  [[255, 0, 0, 255], [0, 255, 0, 255]],
+  [[0, 0, 255, 255], [188, 64, 20, 128]],
+]); // prettier-ignore
+
+/** Puts blobs into one buffer, four-byte aligned, with a buffer view each. */
+function pack(blobs) {
+  const bufferViews = [];
+  const parts = [];
+  let byteOffset = 0;
+  for (const blob of blobs) {
+    bufferViews.push({ buffer: 0, byteOffset, byteLength: blob.length });
+    const padding = Buffer.alloc((4 - (blob.length % 4)) % 4);
+    parts.push(blob, padding);
+    byteOffset += blob.length + padding.length;
+  }
+  return { bufferViews, bytes: Buffer.concat(parts) };
+}
+
+const accessor = (bufferView, type, count, componentType = FLOAT, more = {}) => ({
+  bufferView,
+  type,
+  count,
+  componentType,
+  ...more,
+});
+
+/** A document of one node with one mesh; attributes and accessors in the order of the blobs. */
+function document({ attributes, accessors, indices, material, packed, more = {} }) {
+  const primitive = { attributes };
+  if (indices !== undefined) primitive.indices = indices;
+  if (material) primitive.material = 0;
+  return {
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0, name: 'quad' }],
+    meshes: [{ primitives: [primitive] }],
+    ...(material ? { materials: [material] } : {}),
+    accessors,
+    bufferViews: packed.bufferViews,
+    buffers: [{ byteLength: packed.bytes.length }],
+    ...more,
+  };
+}
+
+function glb(json, body) {
+  const text = Buffer.from(JSON.stringify(json), 'utf8');
+  const jsonChunk = Buffer.concat([text, Buffer.alloc((4 - (text.length % 4)) % 4, ' ')]);
+  const header = Buffer.alloc(20);
+  header.write('glTF', 0, 'latin1');
+  header.writeUInt32LE(2, 4);
+  header.writeUInt32LE(28 + jsonChunk.length + body.length, 8);
+  header.writeUInt32LE(jsonChunk.length, 12);
+  header.write('JSON', 16, 'latin1');
+  const bodyHeader = Buffer.alloc(8);
+  bodyHeader.writeUInt32LE(body.length, 0);
+  bodyHeader.write('BIN\0', 4, 'latin1');
+  return Buffer.concat([header, jsonChunk, bodyHeader, body]);
+}
+
+const write = (name, data) => writeFileSync(fixtures + name, data);
+const writeJson = (name, json) => write(name, `${JSON.stringify(json, null, 2)}\n`);
+const dataUri = (type, bytes) => `data:${type};base64,${bytes.toString('base64')}`;
+
+// -- good ------------------------------------------------------------------------------------------------------------
+
+const NEAREST_CLAMPED = { magFilter: 9728, minFilter: 9728, wrapS: 33071, wrapT: 33071 };
+const textured = (image) => ({
+  material: { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } },
+  more: { textures: [{ source: 0, sampler: 0 }], samplers: [NEAREST_CLAMPED], images: [image] },
+});
+const quadParts = {
+  attributes: { POSITION: 0, NORMAL: 1, TEXCOORD_0: 2 },
+  accessors: [
+    accessor(0, 'VEC3', 4),
+    accessor(1, 'VEC3', 4),
+    accessor(2, 'VEC2', 4),
+    accessor(3, 'SCALAR', 6, USHORT),
+  ],
+  indices: 3,
+};
+const quadBlobs = [quad.positions, quad.normals, quad.uvs, quad.indices];
+
+{
+  const packed = pack([...quadBlobs, texture]);
+  const json = document({ ...quadParts, ...textured({ bufferView: 4, mimeType: 'image/png' }), packed });
+  write('textured.glb', glb(json, packed.bytes));
+  // The last byte of the body is missing, the header still counts it.
+  write('truncated.glb', glb(json, packed.bytes).subarray(0, -1));
+  const wrong = Buffer.from(glb(json, packed.bytes));
+  wrong.write('glTX', 0, 'latin1');
+  write('wrong-magic.glb', wrong);
+}
+
+const packedQuad = pack(quadBlobs);
+function quadFile(image, uri) {
+  const json = document({ ...quadParts, ...textured(image), packed: packedQuad });
+  json.buffers[0].uri = uri;
+  return json;
+}
+writeJson(
+  'data-uris.gltf',
+  quadFile({ uri: dataUri('image/png', texture) }, dataUri('application/octet-stream', packedQuad.bytes)),
+);
+writeJson('beside/quad.gltf', quadFile({ uri: 'textures/four%20colours.png' }, 'quad.bin'));
+write('beside/quad.bin', packedQuad.bytes);
+mkdirSync(`${fixtures}beside/textures`, { recursive: true });
+write('beside/textures/four colours.png', texture);
+
+{
+  const packed = pack([quad.positions, quad.indices]);
+  const accessors = [accessor(0, 'VEC3', 4), accessor(1, 'SCALAR', 6, USHORT)];
+  write(
+    'no-normals.glb',
+    glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes),
+  );
+}
+{
+  // Bytes of linear light: 55 / 255 encodes to almost one half.
+  const colors = Buffer.from([255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 55, 55, 55, 128]);
+  const packed = pack([quad.positions, quad.normals, colors, quad.indices]);
+  const json = document({
+    attributes: { POSITION: 0, NORMAL: 1, COLOR_0: 2 },
+    accessors: [
+      accessor(0, 'VEC3', 4),
+      accessor(1, 'VEC3', 4),
+      accessor(2, 'VEC4', 4, UBYTE, { normalized: true }),
+      accessor(3, 'SCALAR', 6, USHORT),
+    ],
+    indices: 3,
+    material: { pbrMetallicRoughness: { baseColorFactor: [0.21404114, 1, 0.5, 1] } },
+    packed,
+  });
+  write('vertex-colours.glb', glb(json, packed.bytes));
+}
+{
+  const packed = pack([...quadBlobs, texture]);
+  const { material, more } = textured({ bufferView: 4, mimeType: 'image/png' });
+  const masked = { ...material, alphaMode: 'MASK', alphaCutoff: 0.6 };
+  write('mask.glb', glb(document({ ...quadParts, material: masked, more, packed }), packed.bytes));
+}
+
+// -- broken or refused -------------------------------------------------------------------------------------------------
+
+{
+  const packed = pack([quad.positions, quad.indices]);
+  const claims = (positions, indices) => [
+    accessor(0, 'VEC3', positions),
+    accessor(1, 'SCALAR', indices, USHORT),
+  ];
+  const make = (accessors) =>
+    glb(document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed }), packed.bytes);
+  write('claims-too-much.glb', make(claims(4_000_000_000, 6)));
+  const zeros = claims(4_000_000_000, 6);
+  delete zeros[0].bufferView;
+  write('claims-zeros.glb', make(zeros));
+  const loop = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
+  loop.nodes = [{ children: [1] }, { mesh: 0, children: [0] }];
+  write('node-loop.glb', glb(loop, packed.bytes));
+  const meshopt = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
+  meshopt.extensionsUsed = meshopt.extensionsRequired = ['EXT_meshopt_compression'];
+  write('meshopt.glb', glb(meshopt, packed.bytes));
+  const points = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), packed });
+  points.meshes[0].primitives[0].mode = 0;
+  write('points-only.glb', glb(points, packed.bytes));
+  const nan = pack([floats([NaN, 0, 0, 1, 0, 0, 0, 1, 0]), shorts([0, 1, 2])]);
+  const nanJson = document({ attributes: { POSITION: 0 }, accessors: claims(3, 3), indices: 1, packed: nan });
+  write('not-a-number.glb', glb(nanJson, nan.bytes));
+}
+{
+  const packed = pack(quadBlobs);
+  const { material, more } = textured({ uri: 'x.ktx2' });
+  more.textures = [{ sampler: 0, extensions: { KHR_texture_basisu: { source: 0 } } }];
+  const json = document({ ...quadParts, material, more, packed });
+  json.extensionsUsed = json.extensionsRequired = ['KHR_texture_basisu'];
+  write('ktx2.glb', glb(json, packed.bytes));
+}
+writeJson(
+  'other-origin.gltf',
+  quadFile({ uri: dataUri('image/png', texture) }, 'https://example.com/quad.bin'),
+);
+writeJson(
+  'folder-above.gltf',
+  quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'),
+);
+writeJson('missing-buffer.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'nowhere.bin'));

@@ -1,0 +1,61 @@
+// Which loader reads these bytes? Content decides; the name's extension only where content does not tell.
+// Another format is one more row: its loader is a chunk of its own, fetched with the first file that needs it.
+import { ModelError, type Model } from './model.js';
+
+export interface ModelSource {
+  readonly url: URL;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly signal: AbortSignal;
+  /** The bytes of a file that the model names, if it may name it. */
+  readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
+}
+
+/** Reads a whole model, or throws and leaves nothing behind. Errors that are no ModelError mean a broken file. */
+export type ModelReader = (source: ModelSource) => Promise<Model>;
+
+interface Format {
+  readonly name: string;
+  readonly extensions: readonly string[];
+  readonly matches: (bytes: Uint8Array) => boolean;
+  readonly reader: () => Promise<ModelReader>;
+}
+
+const FORMATS: readonly Format[] = [
+  {
+    name: 'glTF',
+    extensions: ['glb', 'gltf'],
+    matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
+    reader: async () => (await import('./gltf/read-gltf.js')).readGltf,
+  },
+];
+
+/** The format of a file, or a `bad-model` error that says what it seems to be. */
+export function formatOf(url: URL, bytes: Uint8Array): Format {
+  const byContent = FORMATS.find((format) => format.matches(bytes));
+  if (byContent) return byContent;
+  if (bytes.byteLength === 0) throw new ModelError('bad-model', `${nameOf(url)} is empty.`);
+  // A web page in a model's place is what many servers answer for a missing file.
+  if (firstCharacter(bytes) === '<') {
+    throw new ModelError(
+      'bad-model',
+      `${nameOf(url)} holds a web page or XML, not a model. Check the address.`,
+    );
+  }
+  const extension = /\.([a-z0-9]+)$/i.exec(url.pathname)?.[1]?.toLowerCase() ?? '';
+  const byName = FORMATS.find((format) => format.extensions.includes(extension));
+  if (byName) return byName;
+  const known = FORMATS.map((format) => `${format.name} (.${format.extensions.join(', .')})`).join(', ');
+  throw new ModelError('bad-model', `${nameOf(url)} is in no format that can be read: ${known}.`);
+}
+
+/** An address for messages; the data of a data: URI is left out. */
+export const nameOf = (url: URL): string => (url.protocol === 'data:' ? 'the data: URI' : url.href);
+
+function startsWith(bytes: Uint8Array, text: string): boolean {
+  return [...text].every((character, i) => bytes[i] === character.charCodeAt(0));
+}
+
+/** The first character that is neither white space nor a byte order mark, of a text in UTF-8. */
+function firstCharacter(bytes: Uint8Array): string {
+  return new TextDecoder().decode(bytes.subarray(0, 256)).trimStart().charAt(0);
+}

@@ -1,0 +1,81 @@
+// The bytes behind a glTF document's buffers, buffer views and images, each fetched or decoded once, when first asked
+// for. Must not know what they mean.
+import { decodeDataUri, isDataUri } from '../data-uri.js';
+import { BYTE_LIMIT } from '../fetch-bytes.js';
+import type { ModelSource } from '../format.js';
+import { ModelError } from '../model.js';
+import type { GltfDocument } from './document.js';
+import { indexAt, textAt } from './json.js';
+
+export interface GltfBytes {
+  /** A copy of the view's bytes, with room after the last element up to the view's stride. */
+  view(index: number): Promise<ArrayBuffer>;
+  /** An image's file. `type` is empty where the document does not say. */
+  image(index: number): Promise<{ readonly bytes: Uint8Array<ArrayBuffer>; readonly type: string }>;
+}
+
+export function gltfBytes(
+  document: GltfDocument,
+  body: Uint8Array<ArrayBuffer> | null,
+  source: ModelSource,
+): GltfBytes {
+  const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
+  let copied = 0;
+
+  const bytesOf = async (uri: string): Promise<Uint8Array<ArrayBuffer>> =>
+    isDataUri(uri) ? decodeDataUri(uri).bytes : source.linked(uri);
+
+  const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const buffer = document.buffers[index];
+    const bytes = buffer?.uri === undefined ? body : await bytesOf(buffer.uri);
+    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) {
+      throw new Error(`buffers[${String(index)}] has no bytes`);
+    }
+    if (bytes.byteLength >= buffer.byteLength) return bytes;
+    throw new Error(
+      `buffers[${String(index)}] is cut short: ` +
+        `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes are there`,
+    );
+  };
+
+  const buffer = (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const pending = buffers.get(index) ?? load(index);
+    buffers.set(index, pending);
+    return pending;
+  };
+
+  const slice = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const view = document.bufferViews[index];
+    if (!view) throw new Error(`bufferViews[${String(index)}] is missing`);
+    const bytes = await buffer(view.buffer);
+    const end = view.byteOffset + view.byteLength;
+    if (end > bytes.byteLength) throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
+    return bytes.subarray(view.byteOffset, end);
+  };
+
+  return {
+    view: async (index) => {
+      const bytes = await slice(index);
+      const size = bytes.byteLength + (document.bufferViews[index]?.byteStride ?? 0);
+      copied += size;
+      // Views may overlap, so that a small file can claim any amount.
+      if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 1 GiB.');
+      const copy = new Uint8Array(size);
+      copy.set(bytes);
+      return copy.buffer;
+    },
+    image: async (index) => {
+      const image = document.images[index] ?? {};
+      const uri = textAt(image['uri']);
+      const type = textAt(image['mimeType']);
+      if (isDataUri(uri)) return decodeDataUri(uri);
+      if (uri !== '') return { bytes: await bytesOf(uri), type };
+      const view = indexAt(
+        image['bufferView'],
+        document.bufferViews.length,
+        `images[${String(index)}].bufferView`,
+      );
+      return { bytes: await slice(view), type };
+    },
+  };
+}

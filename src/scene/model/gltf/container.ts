@@ -1,0 +1,49 @@
+// Takes a .glb or .gltf apart into its JSON and the binary chunk that comes with it. Lengths are checked against the
+// bytes that are there. Must not know what the JSON says.
+
+export interface Container {
+  readonly json: unknown;
+  /** The chunk that stands for the first buffer, or null. */
+  readonly body: Uint8Array<ArrayBuffer> | null;
+}
+
+const MAGIC = 0x46546c67;
+const CHUNK_JSON = 0x4e4f534a;
+const CHUNK_BIN = 0x004e4942;
+const HEADER = 12;
+const CHUNK_HEADER = 8;
+
+export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.byteLength < HEADER || view.getUint32(0, true) !== MAGIC) {
+    return { json: parseText(bytes), body: null };
+  }
+  const version = view.getUint32(4, true);
+  if (version !== 2) throw new Error(`it is a GLB of version ${String(version)}; version 2 can be read`);
+  const claimed = view.getUint32(8, true);
+  if (claimed > bytes.byteLength) {
+    throw new Error(`it is cut short: ${String(bytes.byteLength)} of ${String(claimed)} bytes are there`);
+  }
+  let json: unknown;
+  let body: Uint8Array<ArrayBuffer> | null = null;
+  for (let at = HEADER; at + CHUNK_HEADER <= claimed;) {
+    const size = view.getUint32(at, true);
+    const type = view.getUint32(at + 4, true);
+    const start = at + CHUNK_HEADER;
+    if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
+    const chunk = bytes.subarray(start, start + size);
+    if (type === CHUNK_JSON && json === undefined) json = parseText(chunk);
+    if (type === CHUNK_BIN && body === null) body = chunk;
+    at = start + size;
+  }
+  if (json === undefined) throw new Error('it has no JSON chunk');
+  return { json, body };
+}
+
+function parseText(bytes: Uint8Array): unknown {
+  try {
+    return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes)) as unknown;
+  } catch (cause) {
+    throw new Error('its JSON is broken', { cause });
+  }
+}

@@ -1,0 +1,114 @@
+// Draco-compressed triangles, decoded on this thread by plain JavaScript: a strict CSP allows neither blob: workers
+// nor WebAssembly. A chunk of its own, with half a megabyte of decoder behind it. Must not know what uses it.
+import { BufferAttribute, BufferGeometry } from 'three';
+import createDraco, { type Draco } from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
+
+type IdByName = Readonly<Record<string, number>>;
+
+/** What three's glTF loader asks of a Draco loader, and no more. */
+export interface DracoDoor {
+  preload(): void;
+  decodeDracoFile(
+    buffer: ArrayBuffer,
+    onLoad: (geometry: BufferGeometry) => void,
+    idByName: IdByName,
+    arrayTypeByName: Readonly<Record<string, string>>,
+    colorSpace: string,
+    onError: (error: unknown) => void,
+  ): void;
+}
+
+/** A decoder with a heap of its own, freed with the object. Nothing it prints reaches the console. */
+export async function createDracoDoor(): Promise<DracoDoor> {
+  const silent = (): void => undefined;
+  const draco = await createDraco({ print: silent, printErr: silent });
+  return {
+    preload: silent,
+    decodeDracoFile(buffer, onLoad, idByName, arrayTypeByName, _colorSpace, onError) {
+      try {
+        onLoad(decodeMesh(draco, new Int8Array(buffer), idByName, arrayTypeByName));
+      } catch (error) {
+        onError(error);
+      }
+    },
+  };
+}
+
+/**
+ * Decodes a mesh. Attributes are found by their Draco id and given under their name, as arrays of the named type.
+ * @throws Error where the bytes are no Draco mesh or lack an attribute.
+ */
+export function decodeMesh(
+  draco: Draco,
+  bytes: Int8Array,
+  idByName: IdByName,
+  arrayTypeByName: Readonly<Record<string, string>>,
+): BufferGeometry {
+  const decoder = new draco.Decoder();
+  const mesh = new draco.Mesh();
+  try {
+    if (decoder.GetEncodedGeometryType(bytes) !== draco.TRIANGULAR_MESH)
+      throw new Error('it holds no Draco mesh');
+    const status = decoder.DecodeArrayToMesh(bytes, bytes.byteLength, mesh);
+    if (!status.ok() || mesh.ptr === 0) throw new Error(`its Draco data is broken (${status.error_msg()})`);
+    const geometry = new BufferGeometry();
+    const corners = mesh.num_faces() * 3;
+    geometry.setIndex(
+      copyOut(draco, Uint32Array, corners, (size, pointer) =>
+        decoder.GetTrianglesUInt32Array(mesh, size, pointer),
+      ),
+    );
+    for (const [name, id] of Object.entries(idByName)) {
+      const attribute = decoder.GetAttributeByUniqueId(mesh, id);
+      const type = arrayTypes(draco)[arrayTypeByName[name] ?? ''];
+      if (attribute.ptr === 0 || !type) throw new Error(`its Draco data lacks the attribute ${name}`);
+      const items = attribute.num_components();
+      const values = copyOut(draco, type.array, mesh.num_points() * items, (size, pointer) =>
+        decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, type.id, size, pointer),
+      );
+      geometry.setAttribute(name, new BufferAttribute(values.array, items));
+    }
+    return geometry;
+  } finally {
+    draco.destroy(mesh);
+    draco.destroy(decoder);
+  }
+}
+
+type ArrayType =
+  | Int8ArrayConstructor
+  | Uint8ArrayConstructor
+  | Int16ArrayConstructor
+  | Uint16ArrayConstructor
+  | Int32ArrayConstructor
+  | Uint32ArrayConstructor
+  | Float32ArrayConstructor;
+
+const arrayTypes = (
+  draco: Draco,
+): Readonly<Record<string, { readonly array: ArrayType; readonly id: number }>> => ({
+  Int8Array: { array: Int8Array, id: draco.DT_INT8 },
+  Uint8Array: { array: Uint8Array, id: draco.DT_UINT8 },
+  Int16Array: { array: Int16Array, id: draco.DT_INT16 },
+  Uint16Array: { array: Uint16Array, id: draco.DT_UINT16 },
+  Int32Array: { array: Int32Array, id: draco.DT_INT32 },
+  Uint32Array: { array: Uint32Array, id: draco.DT_UINT32 },
+  Float32Array: { array: Float32Array, id: draco.DT_FLOAT32 },
+});
+
+/** Has the decoder write `count` numbers into its heap, and copies them out of it. */
+function copyOut(
+  draco: Draco,
+  type: ArrayType,
+  count: number,
+  write: (bytes: number, pointer: number) => boolean,
+): BufferAttribute {
+  const bytes = count * type.BYTES_PER_ELEMENT;
+  const pointer = draco._malloc(bytes);
+  try {
+    if (!write(bytes, pointer)) throw new Error('its Draco data cannot be read');
+    return new BufferAttribute(new type(draco.HEAPF32.buffer, pointer, count).slice(), 1);
+  } finally {
+    draco._free(pointer);
+  }
+}

@@ -1,0 +1,63 @@
+// glTF 2 and GLB through three's own loader, which is given only what is shown and no address to fetch: the document
+// is reduced and checked first, and bytes and images come from here by number. A chunk of its own.
+import type { BufferGeometry, Texture } from 'three';
+import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
+import type { ModelReader } from '../format.js';
+import { ModelError, type Model, type ModelPart } from '../model.js';
+import { gltfBytes } from './bytes.js';
+import { openContainer } from './container.js';
+import { readDocument } from './document.js';
+import { collectParts } from './parts.js';
+import { gltfTextures, type GltfTextures } from './textures.js';
+
+type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
+
+export const readGltf: ModelReader = async (source) => {
+  const { json, body } = openContainer(source.bytes);
+  const document = readDocument(json);
+  const bytes = gltfBytes(document, body, source);
+  const textures = gltfTextures(document, bytes);
+  const plugin: GLTFLoaderPlugin = {
+    name: 'phong_viewer_bytes',
+    loadBufferView: (index) => bytes.view(index),
+    loadTexture: (index) => textures.texture(index),
+  };
+  const loader = new GLTFLoader();
+  loader.register(() => plugin);
+  try {
+    if (document.usesDraco) loader.setDRACOLoader(await dracoDoor());
+    source.signal.throwIfAborted();
+    const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
+    source.signal.throwIfAborted();
+    return modelOf(collectParts(scene), textures);
+  } catch (error) {
+    void textures.close();
+    throw error;
+  }
+};
+
+async function dracoDoor(): Promise<DracoLoader> {
+  const module = await import('./draco.js').catch((cause: unknown) => {
+    throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
+      cause,
+    });
+  });
+  // The loader calls two methods of it; the class has many more.
+  return (await module.createDracoDoor()) as unknown as DracoLoader;
+}
+
+function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
+  const geometries = new Set<BufferGeometry>(parts.map(({ geometry }) => geometry));
+  const maps = new Set<Texture>(parts.flatMap(({ look }) => look.map ?? []));
+  let disposed = false;
+  return {
+    parts,
+    dispose() {
+      if (disposed) return;
+      disposed = true;
+      for (const geometry of geometries) geometry.dispose();
+      for (const map of maps) map.dispose();
+      void textures.close();
+    },
+  };
+}

@@ -1,0 +1,55 @@
+// From an address to a model: fetch, recognise, read. Every failure is a ModelError with a code and a sentence.
+// Works under a strict CSP: no blob: or data: is fetched, no worker, no eval. Must not know elements or the renderer.
+import { byteFetcher, type CrossOrigin } from './fetch-bytes.js';
+import { formatOf, nameOf, type ModelSource } from './format.js';
+import { linkedUrl } from './linked-url.js';
+import { ModelError, type Model } from './model.js';
+
+export { ModelError, type Model, type ModelErrorCode, type ModelLook, type ModelPart } from './model.js';
+export type { CrossOrigin } from './fetch-bytes.js';
+
+export interface LoadOptions {
+  /** Ends the load; the promise then rejects with the signal's reason. */
+  readonly signal: AbortSignal;
+  /** Bytes so far and in all, over all files of the model begun so far; `total` is 0 while it is unknown. */
+  readonly onProgress?: (loaded: number, total: number) => void;
+  /** Null: files that the model names must lie in its own folder or below. Else they may lie on any http(s) origin. */
+  readonly crossOrigin: CrossOrigin;
+}
+
+/**
+ * Loads the model at `url`, and what it names. `data:` addresses are decoded, not fetched.
+ * @throws ModelError, or the signal's reason after an abort. Nothing is left behind then.
+ */
+export async function loadModel(url: URL, options: LoadOptions): Promise<Model> {
+  const { signal, crossOrigin } = options;
+  const fetchBytes = byteFetcher(options);
+  const bytes = await fetchBytes(url, 'follow');
+  const format = formatOf(url, bytes);
+  const source: ModelSource = {
+    url,
+    bytes,
+    signal,
+    linked: async (uri) => {
+      const anywhere = crossOrigin !== null;
+      // A redirect could lead out of the folder; where any address is allowed it leads nowhere worse.
+      return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
+    },
+  };
+  const read = await format.reader().catch((cause: unknown) => {
+    throw new ModelError('load-failed', `The code that reads ${format.name} files could not be fetched.`, {
+      cause,
+    });
+  });
+  signal.throwIfAborted();
+  try {
+    return await read(source);
+  } catch (cause) {
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new ModelError('bad-model', `${nameOf(url)} is no readable ${format.name} file: ${reason}`, {
+      cause,
+    });
+  }
+}

@@ -1,0 +1,125 @@
+// Which addresses may a model name, what is in a data: URI, and what format is a file in?
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { decodeDataUri } from '../../src/scene/model/data-uri.js';
+import { formatOf } from '../../src/scene/model/format.js';
+import { linkedUrl } from '../../src/scene/model/linked-url.js';
+
+const MODEL = new URL('https://shop.example/models/chairs/one.gltf?v=2');
+
+describe('the files that a model names', () => {
+  it.each([
+    ['one.bin', 'https://shop.example/models/chairs/one.bin'],
+    ['./wood/oak.png', 'https://shop.example/models/chairs/wood/oak.png'],
+    ['wood/../one.bin', 'https://shop.example/models/chairs/one.bin'],
+    ['/models/chairs/one.bin?x#y', 'https://shop.example/models/chairs/one.bin?x#y'],
+    ['https://shop.example/models/chairs/a%20b.png', 'https://shop.example/models/chairs/a%20b.png'],
+  ])('may be %s', (uri, address) => {
+    expect(linkedUrl(uri, MODEL, false).href).toBe(address);
+  });
+
+  it.each([
+    '../one.bin',
+    '%2e%2e/one.bin',
+    '..%2Fone.bin',
+    'a%2f..%2f..%2fone.bin',
+    'a%5c..%5cone.bin',
+    '..\\one.bin',
+    '/one.bin',
+    '/models/chairs-old/one.bin',
+    '//other.example/models/chairs/one.bin',
+    'http://shop.example/models/chairs/one.bin',
+    'https://shop.example:8443/models/chairs/one.bin',
+    'https://user:secret@shop.example/models/chairs/one.bin',
+    'blob:https://shop.example/1234',
+    'javascript:alert(1)',
+    'file:///etc/passwd',
+  ])('may not be %s', (uri) => {
+    expect(() => linkedUrl(uri, MODEL, false)).toThrow(expect.objectContaining({ code: 'load-failed' }));
+  });
+
+  it('may lie anywhere on the web, and only there, where crossorigin widens it', () => {
+    expect(linkedUrl('//other.example/a.bin', MODEL, true).href).toBe('https://other.example/a.bin');
+    expect(linkedUrl('../a.bin', MODEL, true).href).toBe('https://shop.example/models/a.bin');
+    for (const uri of ['javascript:alert(1)', 'file:///etc/passwd', 'blob:https://shop.example/1']) {
+      expect(() => linkedUrl(uri, MODEL, true)).toThrow(/not in its own folder/);
+    }
+  });
+
+  it('stay in the folder whatever is written', () => {
+    fc.assert(
+      fc.property(
+        fc.array(fc.constantFrom('..', '/', '\\', '%2e', '%2f', 'a', ':', '?', '#', '//')),
+        (parts) => {
+          let url: URL;
+          try {
+            url = linkedUrl(parts.join(''), MODEL, false);
+          } catch {
+            return;
+          }
+          expect(url.href.startsWith('https://shop.example/models/chairs/')).toBe(true);
+        },
+      ),
+    );
+  });
+
+  it('are none where the model has no folder', () => {
+    for (const model of ['data:model/gltf+json,{}', 'blob:https://shop.example/1']) {
+      expect(() => linkedUrl('one.bin', new URL(model), false)).toThrow();
+    }
+  });
+});
+
+describe('data: URIs', () => {
+  const decoded = (uri: string): number[] => Array.from(decodeDataUri(uri).bytes);
+
+  it('give back any bytes that were encoded', () => {
+    fc.assert(
+      fc.property(fc.uint8Array(), (bytes) => {
+        const base64 = Buffer.from(bytes).toString('base64');
+        const percent = Array.from(bytes, (byte) => `%${byte.toString(16).padStart(2, '0')}`).join('');
+        const expected = Array.from(bytes);
+        expect(decoded(`data:application/octet-stream;base64,${base64}`)).toEqual(expected);
+        expect(decoded(`DATA:;BASE64,${base64.replace(/=+$/, '')}`)).toEqual(expected);
+        expect(decoded(`data:application/octet-stream,${percent}`)).toEqual(expected);
+      }),
+    );
+  });
+
+  it('tell their type, and take base64 that is percent-encoded', () => {
+    expect(decodeDataUri('data:Image/PNG;charset=x;base64,AA%3D%3D')).toEqual({
+      type: 'image/png',
+      bytes: new Uint8Array([0]),
+    });
+    expect(decodeDataUri('data:,a%20b').type).toBe('text/plain');
+  });
+
+  it('are bad-model where they are broken', () => {
+    for (const uri of ['data:image/png;base64', 'data:image/png;base64,*!', 'data:;base64,AAAAA']) {
+      expect(() => decodeDataUri(uri)).toThrow(expect.objectContaining({ code: 'bad-model' }));
+    }
+  });
+});
+
+describe('formats', () => {
+  const bytes = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
+  const url = (name: string): URL => new URL(name, 'https://shop.example/');
+
+  it.each([
+    ['glTF\u0002', 'x.bin'],
+    ['{"asset":{}}', 'x'],
+    ['\ufeff \n {"asset":{}}', 'x.txt'],
+    ['nonsense', 'x.GLB'],
+    ['nonsense', 'x.gltf?y=.obj'],
+  ])('take content %j of %s for glTF', (text, name) => {
+    expect(formatOf(url(name), bytes(text)).name).toBe('glTF');
+  });
+
+  it.each([
+    ['solid x', 'x.stl', /no format that can be read: glTF/],
+    ['', 'x.glb', /empty/],
+    ['<!doctype html>', 'x.glb', /web page/],
+  ])('refuse content %j of %s, and say why', (text, name, message) => {
+    expect(() => formatOf(url(name), bytes(text))).toThrow(message);
+  });
+});
