@@ -37,7 +37,11 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [dracoDecoder(), strippedGlsl(), copiedAssets()],
-  resolve: { alias: packageAliases },
+  resolve: {
+    alias: packageAliases,
+    // Lit's development build writes to the console of every page; the pages are to be quiet here too.
+    conditions: ['module', 'browser', 'production'],
+  },
   server: { fs: { allow: [repository] } },
   build: {
     outDir: output,

@@ -82,19 +82,20 @@ test.describe('the entries in Node', () => {
 });
 
 test.describe('dist/', () => {
-  const scripts = readdirSync(dist, { recursive: true, encoding: 'utf8' })
-    .filter((path) => path.endsWith('.js'))
-    .map((path) => ({ path, text: readFileSync(join(dist, path), 'utf8') }));
+  const scripts = (): { path: string; text: string }[] =>
+    readdirSync(dist, { recursive: true, encoding: 'utf8' })
+      .filter((path) => path.endsWith('.js'))
+      .map((path) => ({ path, text: readFileSync(join(dist, path), 'utf8') }));
 
   test('names no path of the machine that built it', () => {
-    const strays = scripts.filter(({ text }) => text.includes(repository));
+    const strays = scripts().filter(({ text }) => text.includes(repository));
     expect(strays.map(({ path }) => path)).toEqual([]);
   });
 
   test('keeps three, Lit and lil-gui out of the ES modules and inside the standalone file', () => {
     const statement = /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
     const imports = (text: string): string[] => Array.from(text.matchAll(statement), (match) => match[1]!);
-    for (const { path, text } of scripts) {
+    for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
       if (path.includes('standalone') || path.startsWith('chunks')) expect(bare, path).toEqual([]);
       else for (const name of bare) expect(name, path).toMatch(/^(three|lit|@lit\/|lil-gui)/);
