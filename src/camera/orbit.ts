@@ -1,0 +1,163 @@
+// Where is the eye? A point on a sphere about the target, by azimuth and polar angle, all in float64. Angles in degrees,
+// lengths in scene units, axes are the world's. The basis comes from the angles, never from an up vector, so it is
+// orthonormal at the poles too. Knows neither pointers nor pictures.
+
+import { cosDegrees, sinDegrees } from '../math/angle.js';
+import type { Vec3 } from '../math/vector.js';
+
+/** A place of the camera. Angles in degrees, lengths in scene units. */
+export interface Pose {
+  /** Azimuth about +y, any finite number; 0 looks from +z, 90 from +x. Kept as given: `wrapDegrees` for showing. */
+  readonly theta: number;
+  /** Polar angle from +y, 0 to 180. */
+  readonly phi: number;
+  /** Distance of the eye from the target, above 0, up to {@link LARGEST_LENGTH}. */
+  readonly radius: number;
+  /** What the eye looks at; each coordinate within ±{@link LARGEST_LENGTH}. */
+  readonly target: Vec3;
+}
+
+export type MutableVec3 = [number, number, number];
+
+/** Unit vectors of the camera's axes in world space: x, y and z of its picture, `back` pointing from target to eye. */
+export interface Basis {
+  readonly right: MutableVec3;
+  readonly up: MutableVec3;
+  readonly back: MutableVec3;
+}
+
+/** Beyond it products of coordinates would leave float32's range on the GPU. */
+export const LARGEST_LENGTH = 1e15;
+
+export const DEFAULT_POSE: Pose = Object.freeze({
+  theta: 30,
+  phi: 70,
+  radius: 4,
+  target: Object.freeze([0, 0, 0] as const),
+});
+
+export class Orbit {
+  #theta = DEFAULT_POSE.theta;
+  #phi = DEFAULT_POSE.phi;
+  #radius = DEFAULT_POSE.radius;
+  #target = DEFAULT_POSE.target;
+  #version = 0;
+  #pose: Pose | undefined;
+
+  constructor(start: Partial<Pose> = {}) {
+    this.set(start);
+    this.#version = 0;
+  }
+
+  /** Grows by one with every change of a value; a `set` to the values already held leaves it alone. */
+  get version(): number {
+    return this.#version;
+  }
+
+  get theta(): number {
+    return this.#theta;
+  }
+
+  get phi(): number {
+    return this.#phi;
+  }
+
+  get radius(): number {
+    return this.#radius;
+  }
+
+  /** Frozen. */
+  get target(): Vec3 {
+    return this.#target;
+  }
+
+  /** The camera as it is now: a frozen value that later changes do not touch. */
+  get pose(): Pose {
+    this.#pose ??= Object.freeze({
+      theta: this.#theta,
+      phi: this.#phi,
+      radius: this.#radius,
+      target: this.#target,
+    });
+    return this.#pose;
+  }
+
+  /**
+   * Moves the camera; what is left out stays. `phi`, large radii and coordinates are clamped to their ranges. Throws
+   * `RangeError`, and changes nothing, for a number that is not finite or a radius that is not above 0.
+   */
+  set(change: Partial<Pose>): void {
+    const { theta = this.#theta, phi = this.#phi, radius = this.#radius, target = this.#target } = change;
+    if (!Number.isFinite(theta) || !Number.isFinite(phi) || !Number.isFinite(radius) || !(radius > 0)) {
+      throw new RangeError('a camera needs finite angles and a finite radius above 0');
+    }
+    const nextTarget = target === this.#target ? target : reachableTarget(target, this.#target);
+    // Adding 0 turns -0 into 0, so that equal cameras print alike.
+    const nextTheta = theta + 0;
+    const nextPhi = Math.min(Math.max(phi, 0), 180) + 0;
+    const nextRadius = Math.min(radius, LARGEST_LENGTH);
+    const sameAngles = nextTheta === this.#theta && nextPhi === this.#phi;
+    if (sameAngles && nextRadius === this.#radius && nextTarget === this.#target) return;
+    this.#theta = nextTheta;
+    this.#phi = nextPhi;
+    this.#radius = nextRadius;
+    this.#target = nextTarget;
+    this.#pose = undefined;
+    this.#version += 1;
+  }
+
+  /** Eye minus target, in world axes: the eye itself in shading space, whose origin is the target. */
+  offset(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
+    backOf(this, out);
+    for (let i = 0; i < 3; i++) out[i]! *= this.#radius;
+    return out;
+  }
+
+  /** The eye in world space. */
+  eye(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
+    this.offset(out);
+    for (let i = 0; i < 3; i++) out[i]! += this.#target[i]!;
+    return out;
+  }
+
+  /** The camera's axes, orthonormal to 1e-15 at every angle; only 0 and ±1 at multiples of 90°. */
+  basis(out: Basis = newBasis()): Basis {
+    return basisOf(this, out);
+  }
+}
+
+export const newBasis = (): Basis => ({ right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] });
+
+/** The axes of a camera at these angles, written into `out`. */
+export function basisOf(angles: Pick<Pose, 'theta' | 'phi'>, out: Basis = newBasis()): Basis {
+  const { right, up } = out;
+  const sinTheta = sinDegrees(angles.theta);
+  const cosTheta = cosDegrees(angles.theta);
+  const cosPhi = cosDegrees(angles.phi);
+  // Subtracting from 0 gives 0, where a sign alone would give -0.
+  right[0] = cosTheta;
+  right[1] = 0;
+  right[2] = 0 - sinTheta;
+  up[0] = 0 - cosPhi * sinTheta;
+  up[1] = sinDegrees(angles.phi);
+  up[2] = 0 - cosPhi * cosTheta;
+  backOf(angles, out.back);
+  return out;
+}
+
+function backOf({ theta, phi }: Pick<Pose, 'theta' | 'phi'>, out: MutableVec3): void {
+  const sinPhi = sinDegrees(phi);
+  out[0] = sinPhi * sinDegrees(theta) + 0;
+  out[1] = cosDegrees(phi);
+  out[2] = sinPhi * cosDegrees(theta) + 0;
+}
+
+/** A frozen copy within the domain; the present target itself where the values are the same. */
+function reachableTarget(target: Vec3, present: Vec3): Vec3 {
+  if (!target.every(Number.isFinite)) throw new RangeError('a camera needs a finite target');
+  const next = [clampLength(target[0]), clampLength(target[1]), clampLength(target[2])] as const;
+  const same = next[0] === present[0] && next[1] === present[1] && next[2] === present[2];
+  return same ? present : Object.freeze(next);
+}
+
+export const clampLength = (x: number): number => Math.min(Math.max(x, -LARGEST_LENGTH), LARGEST_LENGTH) + 0;

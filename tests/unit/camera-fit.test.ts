@@ -1,0 +1,148 @@
+// Fitting the camera to a scene's bounding sphere: the auto radius, the limits of zooming, near and far.
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { depthRange, fitPose, fitRadius, zoomLimits } from '../../src/camera/fit.js';
+import { basisOf } from '../../src/camera/orbit.js';
+import type { Pose } from '../../src/camera/orbit.js';
+
+const fov = fc.double({ min: 1, max: 170, noNaN: true });
+const aspect = fc.double({ min: 0.05, max: 20, noNaN: true });
+/** Scene scales from a bacterium in metres to beyond the solar system. */
+const scale = fc.double({ min: -12, max: 15, noNaN: true }).map((power) => 10 ** power);
+
+describe('the auto radius', () => {
+  it('is 1.05 R / sin(half the field) on a wide picture, and of the horizontal field on a narrow one', () => {
+    expect(fitRadius(2, 45, 2)).toBeCloseTo(2.1 / Math.sin(Math.PI / 8), 13);
+    const half = Math.atan(Math.tan(Math.PI / 8) / 2);
+    expect(fitRadius(2, 45, 0.5)).toBeCloseTo(2.1 / Math.sin(half), 13);
+    expect(fitRadius(2, 45, 1)).toBeCloseTo(2.1 / Math.sin(Math.PI / 8), 13);
+  });
+
+  it('shows the whole sphere, and leaves little room', () => {
+    fc.assert(
+      fc.property(fov, aspect, (degrees, ratio) => {
+        const radius = fitRadius(1, degrees, ratio);
+        const vertical = (degrees * Math.PI) / 360;
+        const half = Math.min(vertical, Math.atan(Math.tan(vertical) * ratio));
+        expect(Math.asin(1 / radius)).toBeLessThan(half);
+        expect(radius * Math.sin(half)).toBeCloseTo(1.05, 12);
+      }),
+    );
+  });
+
+  it('sees an empty scene from 4 at the origin, and a single point from 4', () => {
+    expect(fitPose(null, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
+    expect(fitPose({ centre: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
+  });
+
+  it.each([NaN, 0, -1, Infinity])('takes an aspect of %d without harm', (ratio) => {
+    expect(fitRadius(1, 45, ratio)).toBeCloseTo(1.05 / Math.sin(Math.PI / 8), 13);
+  });
+
+  it('is finite, above 0 and within the domain, whatever goes in', () => {
+    fc.assert(
+      fc.property(fc.double(), fov, fc.double(), (sphereRadius, degrees, ratio) => {
+        const radius = fitRadius(sphereRadius, degrees, ratio);
+        expect(radius > 0 && radius <= 1e15).toBe(true);
+      }),
+    );
+  });
+});
+
+it('lets one zoom from 1e-3 to 1e3 of the scene, and around 1 where there is none', () => {
+  expect(zoomLimits({ centre: [0, 0, 0], radius: 5 })).toStrictEqual({ min: 5e-3, max: 5e3 });
+  expect(zoomLimits(null)).toStrictEqual({ min: 1e-3, max: 1e3 });
+  expect(zoomLimits({ centre: [0, 0, 0], radius: 0 })).toStrictEqual({ min: 1e-3, max: 1e3 });
+  expect(zoomLimits({ centre: [0, 0, 0], radius: 1e14 }).max).toBe(1e15);
+});
+
+describe('near and far', () => {
+  const unit = fc.double({ min: -1, max: 1, noNaN: true });
+  const scene = fc.record({
+    size: scale,
+    distance: fc.double({ min: -3, max: 3, noNaN: true }).map((power) => 10 ** power),
+    theta: fc.double({ min: -180, max: 180, noNaN: true }),
+    phi: fc.double({ min: 0, max: 180, noNaN: true }),
+    aside: fc.tuple(unit, unit, unit),
+  });
+
+  interface Scene {
+    pose: Pose;
+    sphere: { centre: readonly [number, number, number]; radius: number };
+    front: number;
+    back: number;
+  }
+
+  function build({
+    size,
+    distance,
+    theta,
+    phi,
+    aside,
+  }: typeof scene extends fc.Arbitrary<infer T> ? T : never): Scene {
+    const target = [aside[0] * size, aside[1] * size, aside[2] * size] as const;
+    const pose = { theta, phi, radius: size * distance, target };
+    const { back } = basisOf(pose);
+    const middle = pose.radius + target[0] * back[0] + target[1] * back[1] + target[2] * back[2];
+    return { pose, sphere: { centre: [0, 0, 0], radius: size }, front: middle - size, back: middle + size };
+  }
+
+  it('hold every depth of a sphere before the eye, at every scale', () => {
+    fc.assert(
+      fc.property(scene, (values) => {
+        const { pose, sphere, front, back } = build(values);
+        const { near, far } = depthRange(pose, sphere);
+        expect(far).toBeGreaterThanOrEqual(back);
+        if (front > far / 1000) expect(near).toBeLessThanOrEqual(front);
+        else expect(near).toBeLessThanOrEqual(far / 1000);
+        if (back > pose.radius) expect(near).toBeLessThan(pose.radius);
+      }),
+      { numRuns: 3000 },
+    );
+  });
+
+  it('stay within a ratio of 1000 unless that would cut the target off', () => {
+    fc.assert(
+      fc.property(scene, (values) => {
+        const { pose, sphere } = build(values);
+        const { near, far } = depthRange(pose, sphere);
+        expect(far / near).toBeLessThanOrEqual(Math.max(1000, (10 * far) / pose.radius) * (1 + 1e-12));
+      }),
+      { numRuns: 3000 },
+    );
+  });
+
+  it('never cut the target off, however near one zooms', () => {
+    const near = depthRange(
+      { theta: 0, phi: 90, radius: 1e-3, target: [0, 0, 0.9] },
+      { centre: [0, 0, 0], radius: 1 },
+    ).near;
+    expect(near).toBeLessThanOrEqual(1e-4);
+  });
+
+  it('are finite, above 0, in order, and no subnormals of float32, whatever goes in', () => {
+    const any = fc.double();
+    const anyBounds = fc.option(fc.record({ centre: fc.tuple(any, any, any), radius: any }), { nil: null });
+    const anyRadius = fc.double({ min: Number.MIN_VALUE, max: 1e15, noNaN: true });
+    fc.assert(
+      fc.property(
+        anyBounds,
+        anyRadius,
+        fc.double({ min: 0, max: 180, noNaN: true }),
+        (bounds, radius, phi) => {
+          const { near, far } = depthRange({ theta: 10, phi, radius, target: [1, 2, 3] }, bounds);
+          expect(near).toBeGreaterThan(1.2e-38);
+          expect(far).toBeLessThan(Infinity);
+          expect(Math.fround(far)).toBeGreaterThan(Math.fround(near));
+        },
+      ),
+      { numRuns: 3000 },
+    );
+  });
+
+  it('are written into the object that is given', () => {
+    const out = { near: 0, far: 0 };
+    expect(depthRange({ theta: 0, phi: 90, radius: 4, target: [0, 0, 0] }, null, out)).toBe(out);
+  });
+});

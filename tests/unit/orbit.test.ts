@@ -1,0 +1,163 @@
+// The orbit's state and its basis, against the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ).
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { LARGEST_LENGTH, Orbit } from '../../src/camera/orbit.js';
+import { cross, dot } from '../../src/math/vector.js';
+
+const anyTheta = fc.oneof(
+  fc.double({ min: -720, max: 720, noNaN: true }),
+  fc.double({ noNaN: true, noDefaultInfinity: true }),
+  fc.constantFrom(0, -0, 90, -90, 180, -180, 270, 360, 1e-300),
+);
+const anyPhi = fc.oneof(
+  fc.double({ min: 0, max: 180, noNaN: true }),
+  fc.constantFrom(0, 180, 90, 1e-12, 180 - 1e-12, 45),
+);
+
+describe('the basis', () => {
+  it('is orthonormal to 1e-15 at every angle, poles included', () => {
+    fc.assert(
+      fc.property(anyTheta, anyPhi, (theta, phi) => {
+        const { right, up, back } = new Orbit({ theta, phi }).basis();
+        for (const axis of [right, up, back])
+          expect(Math.abs(dot(axis, axis) - 1)).toBeLessThanOrEqual(1e-15);
+        expect(Math.abs(dot(right, up))).toBeLessThanOrEqual(1e-15);
+        expect(Math.abs(dot(up, back))).toBeLessThanOrEqual(1e-15);
+        expect(Math.abs(dot(back, right))).toBeLessThanOrEqual(1e-15);
+        cross(back, right).forEach((x, i) => expect(Math.abs(x - up[i]!)).toBeLessThanOrEqual(1e-15));
+      }),
+      { numRuns: 5000 },
+    );
+  });
+
+  it.each([
+    [0, 90, [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    [90, 90, [0, 0, -1], [0, 1, 0], [1, 0, 0]],
+    [180, 90, [-1, 0, 0], [0, 1, 0], [0, 0, -1]],
+    [-90, 90, [0, 0, 1], [0, 1, 0], [-1, 0, 0]],
+    [0, 0, [1, 0, 0], [0, 0, -1], [0, 1, 0]],
+    [0, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
+    [90, 0, [0, 0, -1], [-1, 0, 0], [0, 1, 0]],
+    [3600, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
+  ])('holds only 0 and ±1, and no -0, at θ = %d, φ = %d', (theta, phi, right, up, back) => {
+    const basis = new Orbit({ theta, phi }).basis();
+    expect(basis).toStrictEqual({ right, up, back });
+  });
+
+  it('turns smoothly over a pole: the azimuth survives at φ = 0', () => {
+    for (const phi of [0, 1e-13, 1e-9, 180 - 1e-9, 180]) {
+      const { right } = new Orbit({ theta: 30, phi }).basis();
+      expect(right[0]).toBeCloseTo(Math.cos(Math.PI / 6), 15);
+      expect(right[2]).toBeCloseTo(-0.5, 15);
+    }
+  });
+
+  it('turns by exactly 90° with θ', () => {
+    fc.assert(
+      fc.property(fc.integer({ min: -3600, max: 3600 }), anyPhi, (theta, phi) => {
+        const here = new Orbit({ theta, phi }).basis();
+        const there = new Orbit({ theta: theta + 90, phi }).basis();
+        for (const axis of ['right', 'up', 'back'] as const) {
+          const [x, y, z] = here[axis];
+          const turned = [z, y, 0 - x];
+          there[axis].forEach((value, i) =>
+            expect(Math.abs(value - turned[i]!)).toBeLessThanOrEqual(2.3e-16),
+          );
+        }
+      }),
+    );
+  });
+});
+
+describe('the eye', () => {
+  it('lies where the definition puts it', () => {
+    fc.assert(
+      fc.property(
+        fc.double({ min: -360, max: 360, noNaN: true }),
+        anyPhi,
+        fc.double({ min: 1e-3, max: 1e3, noNaN: true }),
+        (theta, phi, radius) => {
+          const rad = Math.PI / 180;
+          const orbit = new Orbit({ theta, phi, radius, target: [1, 2, 3] });
+          const expected = [
+            1 + radius * Math.sin(phi * rad) * Math.sin(theta * rad),
+            2 + radius * Math.cos(phi * rad),
+            3 + radius * Math.sin(phi * rad) * Math.cos(theta * rad),
+          ];
+          orbit
+            .eye()
+            .forEach((x, i) => expect(Math.abs(x - expected[i]!)).toBeLessThan(1e-14 * (radius + 10)));
+        },
+      ),
+    );
+  });
+
+  it('keeps its offset from a target far away, where the eye itself is rounded', () => {
+    const orbit = new Orbit({ theta: 0, phi: 90, radius: 1e-3, target: [0, 0, 1e15] });
+    expect(orbit.offset()).toStrictEqual([0, 0, 1e-3]);
+  });
+
+  it('is written into the array that is given', () => {
+    const orbit = new Orbit();
+    const out: [number, number, number] = [9, 9, 9];
+    expect(orbit.eye(out)).toBe(out);
+    expect(orbit.offset(out)).toBe(out);
+  });
+});
+
+describe('setting', () => {
+  it('starts at the documented defaults', () => {
+    expect(new Orbit().pose).toStrictEqual({ theta: 30, phi: 70, radius: 4, target: [0, 0, 0] });
+    expect(new Orbit({ theta: 5 }).version).toBe(0);
+  });
+
+  it('counts changes, and only changes', () => {
+    const orbit = new Orbit();
+    orbit.set({});
+    orbit.set({ theta: 30, target: [0, -0, 0] });
+    expect(orbit.version).toBe(0);
+    orbit.set({ theta: 31 });
+    expect(orbit.version).toBe(1);
+    orbit.set({ theta: 32, phi: 10, radius: 3, target: [1, 1, 1] });
+    expect(orbit.version).toBe(2);
+    const { target } = orbit;
+    orbit.set({ target: [1, 1, 1] });
+    expect(orbit.target).toBe(target);
+  });
+
+  it('keeps θ as given and clamps φ, large radii and coordinates', () => {
+    const orbit = new Orbit({ theta: 750, phi: -3, radius: 1e20, target: [1e300, -1e16, 2] });
+    expect(orbit.pose).toStrictEqual({
+      theta: 750,
+      phi: 0,
+      radius: LARGEST_LENGTH,
+      target: [LARGEST_LENGTH, -LARGEST_LENGTH, 2],
+    });
+    orbit.set({ phi: 181 });
+    expect(orbit.phi).toBe(180);
+  });
+
+  it.each([
+    { theta: NaN },
+    { phi: Infinity },
+    { radius: 0 },
+    { radius: -1 },
+    { radius: Infinity },
+    { target: [0, NaN, 0] as const },
+  ])('refuses %o and changes nothing', (change) => {
+    const orbit = new Orbit();
+    const before = orbit.pose;
+    expect(() => orbit.set({ theta: 1, ...change })).toThrow(RangeError);
+    expect(orbit.pose).toBe(before);
+  });
+
+  it('hands out poses that later changes do not touch', () => {
+    const orbit = new Orbit();
+    const { pose } = orbit;
+    expect(orbit.pose).toBe(pose);
+    orbit.set({ theta: 1, target: [1, 2, 3] });
+    expect(pose.theta).toBe(30);
+    expect(Object.isFrozen(pose) && Object.isFrozen(orbit.target)).toBe(true);
+  });
+});
