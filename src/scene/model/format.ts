@@ -52,7 +52,7 @@ export function formatOf(url: URL, bytes: Uint8Array): Format {
 export const nameOf = (url: URL): string => (url.protocol === 'data:' ? 'the data: URI' : url.href);
 
 function startsWith(bytes: Uint8Array, text: string): boolean {
-  return [...text].every((character, i) => bytes[i] === character.charCodeAt(0));
+  return Array.from(text).every((character, i) => bytes[i] === character.charCodeAt(0));
 }
 
 /** The first character that is neither white space nor a byte order mark, of a text in UTF-8. */

@@ -30,14 +30,18 @@ export function collectParts(scene: Object3D): readonly ModelPart[] {
     const { geometry, flat } = geometries.of(mesh, map);
     if (geometry.getAttribute('position').count === 0) return;
     const matrix = mesh.matrixWorld.clone();
-    if (!matrix.elements.every(Number.isFinite))
-      throw new Error('a node is moved or scaled beyond all numbers');
-    if (mesh instanceof SkinnedMesh) matrix.identity();
+    if (!matrix.elements.every(Number.isFinite)) throw new Error('a node is moved beyond all numbers');
+    if (isSkinned(mesh)) matrix.identity();
     parts.push({ name: nameOf(mesh), geometry, matrix, look: lookOf(mesh.material, geometry, flat) });
   });
   if (parts.length === 0) throw new Error('it has no triangles');
+  // Last, for parts may share a map, whose channel each of them has asked for above.
+  for (const { look } of parts) if (look.map) readPlainly(look.map);
   return parts;
 }
+
+// What `instanceof` narrows to has `any` in its type parameters.
+const isSkinned = (mesh: Mesh): mesh is SkinnedMesh => mesh instanceof SkinnedMesh;
 
 /** The file's name of the nearest node that has one; the loader's own names are made unique, and bent for it. */
 function nameOf(object: Object3D): string {
@@ -56,7 +60,6 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
   const vertexAlpha = geometry.hasAttribute('color') && geometry.getAttribute('color').itemSize === 4;
   const blends = transparent && (opacity < 1 || map !== null || vertexAlpha);
   const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
-  if (map) readPlainly(map);
   return {
     baseColor: [encode(color.r), encode(color.g), encode(color.b)],
     opacity: alphaMode === 'opaque' ? 1 : Math.min(Math.max(opacity, 0), 1),
@@ -88,7 +91,7 @@ class Geometries {
 
   of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>, map: Texture | null): Made {
     const uv = map ? (map.channel === 0 ? 'uv' : `uv${String(map.channel)}`) : '';
-    const skin = mesh instanceof SkinnedMesh ? mesh.uuid : '';
+    const skin = isSkinned(mesh) ? mesh.uuid : '';
     const key = `${mesh.geometry.uuid} ${uv} ${skin}`;
     const present = this.#made.get(key);
     if (present) return present;
@@ -105,7 +108,7 @@ class Geometries {
     let normal = source.hasAttribute('normal')
       ? this.#convert(source.getAttribute('normal'), unitNormals)
       : null;
-    if (mesh instanceof SkinnedMesh) {
+    if (isSkinned(mesh)) {
       ({ position, normal } = posed(mesh, position, normal));
       floatPositions(position);
     }
