@@ -38,6 +38,10 @@ export default defineConfig(
     rules: {
       // Indexed reads inside counted loops: the bound is the check.
       '@typescript-eslint/no-non-null-assertion': 'off',
+      // three.js objects are told apart by their flags (`isMesh`), not by their class.
+      '@typescript-eslint/no-unsafe-class-instance-assignment': 'off',
+      '@typescript-eslint/no-unnecessary-type-parameters': 'off',
+      '@typescript-eslint/no-extraneous-class': ['error', { allowEmpty: true }],
       '@typescript-eslint/restrict-template-expressions': [
         'error',
         { allowNumber: true, allowBoolean: true },
@@ -85,6 +89,13 @@ export default defineConfig(
         'error',
         ...domGlobals.map((name) => ({ name, message: 'This layer knows no DOM.' })),
       ],
+    },
+  },
+  {
+    files: ['src/element/**/*.ts'],
+    rules: {
+      // Accessors come from the table of fields; an interface of the same name tells TypeScript of them.
+      '@typescript-eslint/no-unsafe-declaration-merging': 'off',
     },
   },
   {

@@ -17,6 +17,7 @@ export default defineConfig({
       'tests/stress/**/*.test.ts',
       ...(release ? ['tests/release/**/*.test.ts'] : []),
     ],
+    setupFiles: ['tests/support/quiet-lit.ts'],
     passWithNoTests: true,
     maxWorkers: 2,
     testTimeout: 20_000,
