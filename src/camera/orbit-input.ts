@@ -23,6 +23,12 @@ const SECONDARY = 2;
 const MENU_DELAY = 300;
 
 /**
+ * How far a finger may go mainly up or down before it turns anything, CSS pixels. The browser takes such a stroke for scrolling
+ * within its own slop (15 in Chromium) and cancels the pointer: scrolling past must not tilt the picture.
+ */
+const SCROLL_SLOP = 32;
+
+/**
  * Connects a surface to an orbit. The surface holds the picture and nothing that wants pointers of its own (a panel lies
  * beside it); it is focusable, its CSS says `touch-action: pan-y` and `user-select: none`.
  */
@@ -33,6 +39,8 @@ export class OrbitInput {
   #listeners: AbortController | undefined;
   #button = PRIMARY;
   #touching = false;
+  /** Where a finger pressed that may yet scroll the page. */
+  #undecided: { readonly x: number; readonly y: number } | undefined;
   #menuUntil = -1;
 
   constructor(surface: HTMLElement, host: OrbitInputHost) {
@@ -99,6 +107,7 @@ export class OrbitInput {
     if (!this.#grip.press(event.pointerId, event.clientX, event.clientY, hold)) return;
     this.#button = event.button;
     this.#touching = touch;
+    this.#undecided = touch && begins ? { x: event.clientX, y: event.clientY } : undefined;
     this.#capture(event.pointerId);
     if (begins) this.#host.held?.(true);
   }
@@ -108,7 +117,17 @@ export class OrbitInput {
     // Its button was let go where no event told of it (over another window, under a menu, beside another button).
     const mask = this.#button === SECONDARY ? 2 : 1;
     if ((event.buttons & mask) === 0) this.#lift(event.pointerId);
+    else if (this.#mayScroll(event)) return;
     else if (this.#grip.move(event.pointerId, event.clientX, event.clientY)) this.#host.moved('pointer');
+  }
+
+  #mayScroll(event: PointerEvent): boolean {
+    if (this.#undecided === undefined) return false;
+    const across = Math.abs(event.clientX - this.#undecided.x);
+    const along = Math.abs(event.clientY - this.#undecided.y);
+    if (along > across && along < SCROLL_SLOP) return true;
+    this.#undecided = undefined;
+    return false;
   }
 
   #onLift(event: PointerEvent): void {

@@ -11,6 +11,8 @@ export interface Field<T> {
   readonly kind: FieldKind;
   /** A word that may stand instead of the value: `auto`. */
   readonly word?: string;
+  /** What an attribute without a value means, where that is a value: `crossorigin` alone is `anonymous`. */
+  readonly empty?: T;
   /** What stands where nothing, or nothing valid, is given. Frozen. */
   readonly fallback: T;
   /** The domain as a noun phrase, for warnings and errors: "a number from 0 to 180". */
@@ -188,6 +190,11 @@ export function subsetField<T extends string>(choices: readonly T[]): Field<read
       return Object.freeze(choices.filter((choice) => value.includes(choice)));
     },
   };
+}
+
+/** A value that may be left out: null where nothing is given. */
+export function optional<T>(field: Field<T>): Field<T | null> {
+  return { ...field, fallback: null, check: (value) => field.check(value) };
 }
 
 /** Another field's value, or a word that stands for it: `auto`. The word is the default. */

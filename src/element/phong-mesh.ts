@@ -1,0 +1,42 @@
+// <phong-mesh>: a mesh as markup. It renders nothing; its attributes and properties write into one state, which the
+// viewer around it picks up. Knows nothing of geometry or materials.
+import { Declared } from '../math/declared.js';
+import { MESH_FIELDS, type MeshValues } from '../scene/mesh-fields.js';
+import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
+
+/** Importing this file where there is no DOM does nothing. */
+const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+
+export interface PhongMesh extends MeshValues {
+  readonly localName: 'phong-mesh';
+}
+
+/**
+ * A mesh of the `<phong-viewer>` around it. Properties are those of {@link MeshValues}, under the attributes' names; bad
+ * attribute values give way to defaults with a warning, bad property values throw.
+ *
+ * @fires load - its `src` is shown
+ * @fires error - its `src` cannot be shown; `detail.code` and `detail.message` say why
+ */
+export class PhongMesh extends Base {
+  static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
+
+  readonly state = new Declared<MeshValues>(MESH_FIELDS);
+  readonly declared = new DeclaredElement<MeshValues>(this, this.state);
+
+  connectedCallback(): void {
+    this.declared.upgrade();
+  }
+
+  attributeChangedCallback(attribute: string, _old: string | null, text: string | null): void {
+    this.declared.attributeChanged(attribute, text);
+  }
+}
+
+defineProperties(PhongMesh.prototype, MESH_FIELDS, (mesh) => mesh.declared);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'phong-mesh': PhongMesh;
+  }
+}

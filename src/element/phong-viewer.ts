@@ -1,0 +1,376 @@
+// <phong-viewer>: the element. It translates: attributes and children into state for the picture, hands into camera
+// moves, what happens into events. It computes no light and draws nothing itself.
+import { html, LitElement, nothing, type PropertyValues } from 'lit';
+import { createRef, ref } from 'lit/directives/ref.js';
+import { LightSet } from '../light/light-set.js';
+import { Declared } from '../math/declared.js';
+import { NoWebGL2Error } from '../scene/stage.js';
+import { Viewport } from '../scene/viewport.js';
+import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
+import { Notices } from './notices.js';
+import type { PanelLoader } from './panel-door.js';
+import type { PhongLight } from './phong-light.js';
+import type { PhongMesh } from './phong-mesh.js';
+import { styles } from './phong-viewer.styles.js';
+import { pictureBlob, type PictureOptions } from './picture-blob.js';
+import { Readiness } from './readiness.js';
+import { cameraValues, givenAttributes, markup } from './to-html.js';
+import { type CameraSource, type CameraState, ViewerCamera } from './viewer-camera.js';
+import { ViewerChildren } from './viewer-children.js';
+import { VIEWER_FIELDS, type ViewerValues } from './viewer-fields.js';
+import { errorDetail, type ViewerErrorDetail, ViewerLoading } from './viewer-loading.js';
+import { ViewerPanel } from './viewer-panel.js';
+import { Visibility } from './visibility.js';
+
+/** A plain snapshot of what drawing costs; counts since the viewer was made unless said otherwise. */
+export interface ViewerStats {
+  readonly frames: number;
+  readonly lightsDeclared: number;
+  readonly lightsActive: number;
+  /** Lights that the shader loops over; the others bring ambient light only, or nothing. */
+  readonly lightsSent: number;
+  /** Programs of the page's WebGL context. */
+  readonly programs: number;
+  /** In the last frame. */
+  readonly drawCalls: number;
+  /** Of light data. */
+  readonly uploads: number;
+}
+
+export interface PhongViewer extends ViewerValues {
+  readonly localName: 'phong-viewer';
+}
+
+/**
+ * Shows a Phong-lit 3D scene. Lights and meshes are its children; properties are those of {@link ViewerValues}, under
+ * the attributes' names in camel case.
+ *
+ * @slot - `<phong-light>` and `<phong-mesh>` elements; nothing of them is shown as such
+ * @slot error - shown instead of the element's own message when something fails
+ * @csspart surface - the picture, without the panel
+ * @csspart poster - the image shown before the first picture
+ * @csspart notice - the element's own message when something fails
+ * @csspart panel - the control panel's place
+ * @fires load - a `src` is shown; `detail.url`
+ * @fires progress - bytes of models have come; `detail.totalProgress` from 0 to 1
+ * @fires error - `detail.code`, `detail.message`, `detail.url`
+ * @fires camera-change - the camera moved; `detail.source`
+ * @fires light-change - a light was written to (`detail.light`), or lights came, went or moved (`detail.light` null)
+ * @fires render - a frame was drawn
+ */
+export class PhongViewer extends LitElement {
+  static override readonly styles = styles;
+  static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
+  static override get observedAttributes(): string[] {
+    return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), 'aria-label'];
+  }
+
+  /** Fetches the control panel's code; handed in by the package's entry. */
+  static loadPanel: PanelLoader | null = null;
+
+  readonly state = new Declared<ViewerValues>(VIEWER_FIELDS);
+  readonly declared = new DeclaredElement<ViewerValues>(this, this.state, (key) => {
+    this.#camera.assigned(key);
+  });
+
+  readonly #holder = document.createElement('div');
+  readonly #surface = createRef<HTMLElement>();
+  readonly #panelPlace = createRef<HTMLElement>();
+  readonly #slot = createRef<HTMLSlotElement>();
+  readonly #notices = new Notices(this);
+  readonly #panel = new ViewerPanel(this);
+  readonly #readiness = new Readiness(() => this.#settled);
+  readonly #lightSet = new LightSet((light) => {
+    this.#viewport.invalidate();
+    const element = light === null ? null : this.#children.lightOf(light);
+    this.#notices.tell('light-change', { light: element });
+    this.#panel.changed(element === null ? 'lights' : 'light');
+  });
+  readonly #viewport = new Viewport(this.#holder, this.#lightSet, {
+    locate: () => {
+      this.#visibility.look();
+    },
+    beforeFrame: (now) => this.#camera.frame(now),
+    drawn: () => {
+      if (this.#viewport.stats.frames === 1) this.requestUpdate(); // the poster has done its work
+      this.dispatchEvent(new CustomEvent('render'));
+      this.#readiness.check();
+    },
+    fitted: () => {
+      this.#cameraMoved('auto');
+    },
+    contextLost: () => {
+      const message = 'The graphics context was lost. The picture comes back when the browser gives it back.';
+      this.#fail({ code: 'context-lost', message, url: null });
+      this.#readiness.check();
+    },
+    contextRestored: () => {
+      this.#failure = null;
+      this.requestUpdate();
+    },
+  });
+  readonly #loading = new ViewerLoading({
+    state: this.state,
+    viewport: this.#viewport,
+    notices: this.#notices,
+    elementOf: (mesh) => this.#children.elementOf(mesh),
+    childMeshes: () => this.#children.sceneMeshes,
+    fail: (detail) => {
+      this.#fail(detail);
+    },
+    ended: () => {
+      this.#readiness.check();
+    },
+  });
+  readonly #children: ViewerChildren = new ViewerChildren(
+    {
+      viewport: this.#viewport,
+      context: this.#loading.context,
+      meshEvents: this.#loading.events,
+      slot: () => this.#slot.value ?? null,
+      meshesChanged: () => {
+        this.#panel.changed('meshes');
+      },
+    },
+    this.#lightSet,
+  );
+  readonly #camera: ViewerCamera = new ViewerCamera({
+    values: this.state.values,
+    viewport: this.#viewport,
+    size: () => this.#visibility.size,
+    moved: (source) => {
+      this.#cameraMoved(source);
+    },
+  });
+  readonly #visibility = new Visibility(this, (sight) => {
+    if (sight.visible) this.#loading.seen();
+    else this.#camera.rest();
+    this.#viewport.resize(sight.pixelWidth, sight.pixelHeight);
+    this.#viewport.visible = sight.visible;
+    this.#camera.resized();
+    if (sight.visible && this.#camera.turning) this.#viewport.animate();
+    this.#readiness.check();
+  });
+  #attached = false;
+  #failure: ViewerErrorDetail | null = null;
+
+  constructor() {
+    super();
+    this.#holder.className = 'holder';
+    this.state.listen((key) => {
+      this.requestUpdate(key);
+    });
+    this.addController(this.#camera);
+    this.addController(this.#visibility);
+  }
+
+  /** The `<phong-light>` children, in order. Frozen; a new list when they change. */
+  get lights(): readonly PhongLight[] {
+    return this.#children.lights;
+  }
+
+  /** The `<phong-mesh>` children, in order. Frozen; a new list when they change. */
+  get meshes(): readonly PhongMesh[] {
+    return this.#children.meshes;
+  }
+
+  /** The camera as it is now, wherever hands, time or `auto` have brought it. */
+  get camera(): CameraState {
+    this.#bringInStep();
+    return this.#camera.state;
+  }
+
+  /** All models asked for are there. */
+  get loaded(): boolean {
+    return this.#loading.loaded;
+  }
+
+  /** The three.js scene, for objects of your own; call {@link requestRender} after changing it. */
+  get scene(): Viewport['scene'] {
+    return this.#viewport.scene;
+  }
+
+  get stats(): ViewerStats {
+    const { frames, lightsActive, lightsSent, programs, drawCalls, uploads } = this.#viewport.stats;
+    return {
+      frames,
+      lightsDeclared: this.lights.length,
+      lightsActive,
+      lightsSent,
+      programs,
+      drawCalls,
+      uploads,
+    };
+  }
+
+  /**
+   * Resolves, and never rejects, once all that was asked for is drawn, or loaded and drawable but not visible. Asked
+   * for again after a change it is a new promise.
+   */
+  get ready(): Promise<void> {
+    return this.#readiness.promise;
+  }
+
+  /** Draws a frame, soon: for changes to {@link scene} that the element cannot see. */
+  requestRender(): void {
+    this.#viewport.reshaped();
+  }
+
+  /** The picture now, at exactly `width` × `height` pixels. Bad sizes reject with `RangeError`. */
+  async toBlob(options: PictureOptions = {}): Promise<Blob> {
+    this.#bringInStep();
+    return pictureBlob(this.#viewport, options);
+  }
+
+  /** The scene as markup, with the camera as it is now: it gives the same picture back. */
+  toHTML(): string {
+    const viewer = givenAttributes(this.localName, this.state, cameraValues(this.camera));
+    return markup(viewer, [
+      ...this.meshes.map((mesh) => givenAttributes(mesh.localName, mesh.state)),
+      ...this.lights.map((light) => givenAttributes(light.localName, light.state)),
+    ]);
+  }
+
+  /** Back to the last declared camera. */
+  resetCamera(): void {
+    this.#camera.reset();
+  }
+
+  /** Camera properties assigned inside `write` count as moved by `source`: for control panels. */
+  moveFrom(source: CameraSource, write: () => void): void {
+    this.#camera.from(source, write);
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.declared.upgrade();
+    // At once rather than at the task's end: children and camera can be asked for right after.
+    this.performUpdate();
+    this.#children.collect();
+    this.#attach();
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#viewport.detach();
+    this.#attached = false;
+    this.#readiness.check();
+  }
+
+  override attributeChangedCallback(name: string, old: string | null, text: string | null): void {
+    super.attributeChangedCallback(name, old, text);
+    if (!this.declared.attributeChanged(name, text)) this.requestUpdate();
+  }
+
+  protected override render(): unknown {
+    const { alt, poster, orbit } = this.state.values;
+    const label = this.getAttribute('aria-label') ?? alt;
+    const showPoster = poster !== '' && this.#viewport.stats.frames === 0;
+    return html`
+      <div
+        ${ref(this.#surface)}
+        class=${orbit ? 'surface' : 'surface fixed'}
+        part="surface"
+        tabindex="0"
+        role=${label === '' ? nothing : 'img'}
+        aria-label=${label === '' ? nothing : label}
+      >
+        ${this.#holder}
+      </div>
+      ${showPoster ? html`<img class="poster" part="poster" src=${poster} alt="" />` : nothing}
+      ${
+        this.#failure === null
+          ? nothing
+          : html`<div class="message" role="alert">
+              <slot name="error"><p class="notice" part="notice">${this.#failure.message}</p></slot>
+            </div>`
+      }
+      <div ${ref(this.#panelPlace)} class="panel" part="panel"></div>
+      <slot
+        ${ref(this.#slot)}
+        @slotchange=${() => {
+          this.#children.collect();
+        }}
+      ></slot>
+    `;
+  }
+
+  protected override firstUpdated(): void {
+    const surface = this.#surface.value;
+    if (surface !== undefined) this.#camera.listenTo(surface);
+  }
+
+  protected override updated(changed: PropertyValues): void {
+    if (changed.size > 0) this.#apply(changed as ReadonlyMap<string, unknown>);
+  }
+
+  /** Values that were written are acted on. */
+  #apply(changed: { has(key: string): boolean }): void {
+    const { values } = this.state;
+    const viewport = this.#viewport;
+    viewport.fov = values.fov;
+    viewport.linear = values.colorInterpolation === 'linear';
+    if (['shading', 'reflection', 'terms'].some((key) => changed.has(key))) {
+      viewport.style = { shading: values.shading, reflection: values.reflection, terms: values.terms };
+    }
+    if (changed.has('src')) {
+      this.#readiness.supersede();
+      this.#clear('load-failed', 'bad-model', 'too-large', 'csp');
+    }
+    this.#loading.update();
+    if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
+    if (changed.has('gui'))
+      void this.#panel.toggle(values.gui, PhongViewer.loadPanel, this.#panelPlace.value);
+    this.#panel.changed('viewer');
+  }
+
+  /** Writes of this task that wait for its end are acted on now. */
+  #bringInStep(): void {
+    if (this.isUpdatePending && this.isConnected) this.performUpdate();
+    this.#children.flush();
+    this.#children.collect();
+  }
+
+  get #settled(): boolean {
+    this.#bringInStep();
+    if (!this.isConnected || !this.#attached) return true;
+    if (this.#loading.pending || !this.#visibility.known) return false;
+    return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
+  }
+
+  #attach(): void {
+    try {
+      this.#viewport.attach();
+      this.#attached = true;
+    } catch (error) {
+      if (!(error instanceof NoWebGL2Error)) throw error;
+      this.#fail(errorDetail(error, null));
+    }
+  }
+
+  #fail(detail: ViewerErrorDetail): void {
+    this.#failure = detail;
+    this.requestUpdate();
+    this.#notices.tell('error', detail);
+  }
+
+  #clear(...codes: ViewerErrorDetail['code'][]): void {
+    if (this.#failure === null || !codes.includes(this.#failure.code)) return;
+    this.#failure = null;
+    this.requestUpdate();
+  }
+
+  #cameraMoved(source: CameraSource): void {
+    // Where a camera begins is not a move.
+    if (this.hasUpdated) this.#notices.tell('camera-change', { source });
+    this.#panel.changed('camera');
+  }
+}
+
+defineProperties(PhongViewer.prototype, VIEWER_FIELDS, (viewer) => viewer.declared);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'phong-viewer': PhongViewer;
+  }
+}

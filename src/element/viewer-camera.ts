@@ -1,0 +1,184 @@
+// How a viewer's camera gets where it is: declared properties, hands on the picture, the turntable, and back. Knows
+// neither lights nor meshes.
+import type { ReactiveController } from 'lit';
+import { OrbitInput, type OrbitInputHost } from '../camera/orbit-input.js';
+import { newBasis } from '../camera/orbit.js';
+import { Turntable } from '../camera/turntable.js';
+import { wrapDegrees } from '../math/angle.js';
+import type { Vec3 } from '../math/vector.js';
+import type { Viewport } from '../scene/viewport.js';
+import type { CameraValues, ViewerValues } from './viewer-fields.js';
+
+export type CameraSource = 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto';
+
+/** The camera as it is now. Frozen. Angles in degrees, lengths in scene units, vectors in world space. */
+export interface CameraState {
+  readonly eye: Vec3;
+  readonly target: Vec3;
+  readonly up: Vec3;
+  /** In [-180, 180). */
+  readonly theta: number;
+  readonly phi: number;
+  readonly radius: number;
+}
+
+export interface CameraHost {
+  readonly values: Readonly<ViewerValues>;
+  readonly viewport: Viewport;
+  /** CSS pixels. */
+  size(): { readonly width: number; readonly height: number };
+  moved(source: CameraSource): void;
+}
+
+const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
+
+export class ViewerCamera implements ReactiveController {
+  readonly #host: CameraHost;
+  readonly #turntable = new Turntable();
+  readonly #stillness: MediaQueryList | null;
+  #input: OrbitInput | null = null;
+  #source: CameraSource = 'script';
+
+  constructor(host: CameraHost) {
+    this.#host = host;
+    this.#stillness =
+      typeof matchMedia === 'function' ? matchMedia('(prefers-reduced-motion: reduce)') : null;
+  }
+
+  /** The element that hands act on: the picture without the panel. */
+  listenTo(surface: HTMLElement): void {
+    this.#input = new OrbitInput(surface, this.#inputHost);
+    this.#input.connect();
+  }
+
+  hostConnected(): void {
+    this.#input?.connect();
+    this.#stillness?.addEventListener('change', this.#motionMayChange);
+  }
+
+  hostDisconnected(): void {
+    this.#input?.disconnect();
+    this.#turntable.rest();
+    this.#stillness?.removeEventListener('change', this.#motionMayChange);
+  }
+
+  get state(): CameraState {
+    const { viewport } = this.#host;
+    viewport.settle();
+    const { orbit } = viewport;
+    const { theta, phi, radius, target } = orbit.pose;
+    const { up } = orbit.basis(newBasis());
+    return Object.freeze({
+      eye: Object.freeze(orbit.eye()),
+      target,
+      up: Object.freeze(up),
+      theta: wrapDegrees(theta),
+      phi,
+      radius,
+    });
+  }
+
+  /** A property was assigned: whatever it says is where the camera goes, the same value too. */
+  assigned(key: string): void {
+    if (!CAMERA_KEYS.has(key)) return;
+    const { values, viewport } = this.#host;
+    const { theta, phi, radius, target } = values;
+    const { orbit } = viewport;
+    const before = orbit.version;
+    if (key === 'theta') orbit.set({ theta });
+    else if (key === 'phi') orbit.set({ phi });
+    else {
+      const { pose } = orbit;
+      const kept = viewport.framing ?? { radius: pose.radius, target: pose.target };
+      viewport.framing = key === 'radius' ? { ...kept, radius } : { ...kept, target };
+      viewport.settle();
+    }
+    this.#input?.renote();
+    if (orbit.version !== before) this.#told(this.#source);
+  }
+
+  /** Back to the declared camera. */
+  reset(source: CameraSource = 'script'): void {
+    const { values, viewport } = this.#host;
+    const { theta, phi, radius, target } = values;
+    const before = viewport.orbit.version;
+    viewport.orbit.set({ theta, phi });
+    viewport.framing = { radius, target };
+    viewport.settle();
+    this.#input?.renote();
+    if (viewport.orbit.version !== before) this.#told(source);
+  }
+
+  /** Whatever `write` assigns counts as moved by `source`. */
+  from(source: CameraSource, write: () => void): void {
+    const outer = this.#source;
+    this.#source = source;
+    try {
+      write();
+    } finally {
+      this.#source = outer;
+    }
+  }
+
+  /** The picture's size changed in mid-drag: the drag goes on from here. */
+  resized(): void {
+    this.#input?.renote();
+  }
+
+  /** A step of what moves by itself; true where it goes on. */
+  frame(now: number): boolean {
+    if (!this.turning) {
+      this.#turntable.rest();
+      return false;
+    }
+    const { viewport, values } = this.#host;
+    if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#told('auto');
+    return true;
+  }
+
+  /** Time that nobody sees does not turn the scene. */
+  rest(): void {
+    this.#turntable.rest();
+  }
+
+  get turning(): boolean {
+    return (
+      this.#host.values.autoRotate !== 0 &&
+      this.#stillness?.matches !== true &&
+      this.#input?.dragging !== true
+    );
+  }
+
+  readonly #motionMayChange = (): void => {
+    if (this.turning) this.#host.viewport.animate();
+  };
+
+  #told(source: CameraSource): void {
+    this.#host.viewport.invalidate();
+    this.#host.moved(source);
+  }
+
+  readonly #inputHost: OrbitInputHost = (() => {
+    const camera = this;
+    return {
+      get orbit() {
+        return camera.#host.viewport.orbit;
+      },
+      size: () => camera.#host.size(),
+      fov: () => camera.#host.viewport.fov,
+      radiusLimits: () => camera.#host.viewport.zoomLimits,
+      allows: () => ({ orbit: camera.#host.values.orbit, zoom: camera.#host.values.zoom }),
+      moved: (source: 'pointer' | 'wheel' | 'key') => {
+        // From now on the camera is the user's: nothing fits it to the scene any more.
+        camera.#host.viewport.framing = null;
+        camera.#told(source);
+      },
+      reset: () => {
+        camera.reset('key');
+      },
+      held: (dragging: boolean) => {
+        if (!dragging) camera.#motionMayChange();
+      },
+    };
+  })();
+}

@@ -1,0 +1,27 @@
+/**
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>` and `<phong-mesh>`. Importing it where there is no DOM does
+ * nothing; a second copy on a page leaves the first one's elements alone.
+ */
+import { PhongLight } from './element/phong-light.js';
+import { PhongMesh } from './element/phong-mesh.js';
+import { PhongViewer } from './element/phong-viewer.js';
+
+PhongViewer.loadPanel = () => import('./gui/panel.js');
+
+// Children first: they are upgraded when the viewer looks for them.
+if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
+  for (const [name, element] of [
+    ['phong-light', PhongLight],
+    ['phong-mesh', PhongMesh],
+    ['phong-viewer', PhongViewer],
+  ] as const) {
+    if (customElements.get(name) === undefined) customElements.define(name, element);
+  }
+}
+
+export { PhongLight, PhongMesh, PhongViewer };
+export type { PictureOptions } from './element/picture-blob.js';
+export type { CameraSource, CameraState } from './element/viewer-camera.js';
+export type { ViewerErrorCode, ViewerErrorDetail } from './element/viewer-loading.js';
+export type { ViewerStats } from './element/phong-viewer.js';
+export type { Vec3, Vec4 } from './math/vector.js';

@@ -1,0 +1,72 @@
+// Fetches what a mesh shows: a built-in shape or a loaded model, in one form. Knows neither materials nor elements.
+import { type BufferGeometry, Matrix4 } from 'three';
+import { type BaseLook, PLAIN_LOOK } from '../material/phong-material.js';
+import type { SurfaceValues } from '../material/material-values.js';
+import { acquireGeometry, type GeometryName, releaseGeometry } from './geometry.js';
+import type { LoadOptions, ModelLook } from './model/load-model.js';
+
+/** Geometry with everything a file, or a built-in shape, says of how it looks. */
+export interface ContentPart {
+  readonly name: string;
+  readonly geometry: BufferGeometry;
+  /** Part to mesh. */
+  readonly matrix: Matrix4;
+  readonly look: BaseLook;
+  /** What the file says of the surface; HTML's units. */
+  readonly surface: Partial<SurfaceValues>;
+}
+
+export interface Content {
+  readonly parts: readonly ContentPart[];
+  dispose(): void;
+}
+
+export const NOTHING: Content = { parts: [], dispose: () => undefined };
+
+/** A built-in shape; at once where its code is here, else a promise. */
+export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
+  const wanted = segments ?? undefined;
+  const geometry = acquireGeometry(name, wanted);
+  const content = (ready: BufferGeometry): Content => ({
+    parts: [{ name, geometry: ready, matrix: new Matrix4(), look: PLAIN_LOOK, surface: {} }],
+    dispose: once(() => {
+      releaseGeometry(name, wanted);
+    }),
+  });
+  return geometry instanceof Promise ? geometry.then(content) : content(geometry);
+}
+
+/** A model from its address. The code that reads models is fetched with the first one. */
+export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
+  const { loadModel } = await import('./model/load-model.js');
+  const model = await loadModel(url, options);
+  return {
+    parts: model.parts.map(({ name, geometry, matrix, look }) => ({
+      name,
+      geometry,
+      matrix,
+      look: { ...look, vertexColors: 'color' in geometry.attributes },
+      surface: surfaceOf(look),
+    })),
+    dispose: once(() => {
+      model.dispose();
+    }),
+  };
+}
+
+function surfaceOf({ ka, kd, ks, shininess }: ModelLook): Partial<SurfaceValues> {
+  const surface: Partial<SurfaceValues> = {};
+  if (ka !== undefined) surface.ka = [ka[0] * 255, ka[1] * 255, ka[2] * 255];
+  if (kd !== undefined) surface.kd = [kd[0] * 255, kd[1] * 255, kd[2] * 255];
+  if (ks !== undefined) surface.ks = [ks[0] * 255, ks[1] * 255, ks[2] * 255];
+  if (shininess !== undefined) surface.shininess = shininess;
+  return surface;
+}
+
+function once(action: () => void): () => void {
+  let done = false;
+  return () => {
+    if (!done) action();
+    done = true;
+  };
+}

@@ -1,0 +1,190 @@
+// One declared mesh in the scene: follows its values, loads what they name, and keeps what was shown until something
+// else can be. Knows neither elements nor frames.
+import { Group, Mesh } from 'three';
+import type { SurfaceValues } from '../material/material-values.js';
+import type { PhongLighting } from '../material/phong-lighting.js';
+import { PhongMaterial, type ShadingStyle } from '../material/phong-material.js';
+import type { Declared } from '../math/declared.js';
+import { radians } from '../math/angle.js';
+import { type Content, type ContentPart, modelContent, NOTHING, shapeContent } from './content.js';
+import { flatGeometry } from './flat-geometry.js';
+import type { MeshValues, ShapeValues } from './mesh-fields.js';
+import type { CrossOrigin } from './model/load-model.js';
+
+/** What a mesh reports to its picture. */
+export interface MeshEvents {
+  /** It looks different: draw again. */
+  changed(): void;
+  /** Its triangles or its place are different: measure again. */
+  reshaped(): void;
+  progress(mesh: SceneMesh, loaded: number, total: number): void;
+  /** A load that began has ended: with what it loaded, or why not. Not told of loads that were overtaken. */
+  ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
+}
+
+/** What of the picture a mesh depends on. */
+export interface MeshContext {
+  readonly lighting: PhongLighting;
+  readonly style: ShadingStyle;
+  readonly crossOrigin: CrossOrigin;
+  /** Loading may begin: false while a lazy viewer has not been seen. */
+  readonly mayLoad: boolean;
+}
+
+type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
+
+interface Part {
+  readonly mesh: Mesh;
+  readonly material: PhongMaterial;
+  readonly source: ContentPart;
+}
+
+const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const satisfies readonly (keyof SurfaceValues)[];
+
+export class SceneMesh {
+  readonly root = new Group();
+  readonly #state: Declared<ShapeValues> | Declared<MeshValues>;
+  readonly #context: MeshContext;
+  readonly #events: MeshEvents;
+  #content: Content = NOTHING;
+  #parts: readonly Part[] = [];
+  #loading: AbortController | null = null;
+  #asked: string | null = null;
+
+  constructor(state: Declared<ShapeValues> | Declared<MeshValues>, context: MeshContext, events: MeshEvents) {
+    this.#state = state;
+    this.#context = context;
+    this.#events = events;
+  }
+
+  get #values(): Values {
+    return this.#state.values;
+  }
+
+  /** Something is asked for that is not shown yet, and may still come. */
+  get loading(): boolean {
+    return this.#loading !== null;
+  }
+
+  /** Values were written: bring everything in step. Cheap where nothing changed. */
+  update(): void {
+    this.#load();
+    this.#place();
+    this.restyle();
+  }
+
+  /** Shading may differ: the mesh's own or the picture's. */
+  restyle(): void {
+    const { shading, reflection } = this.#values;
+    const { style } = this.#context;
+    const own = { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
+    for (const { mesh, material, source } of this.#parts) {
+      material.setStyle(own);
+      material.setSurface(this.#surfaceOf(source));
+      const geometry = own.shading === 'flat' ? flatGeometry(source.geometry) : source.geometry;
+      if (mesh.geometry !== geometry) mesh.geometry = geometry;
+    }
+    this.#events.changed();
+  }
+
+  /** Ends any load and frees everything. */
+  dispose(): void {
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#asked = null;
+    this.#show(NOTHING);
+    this.root.removeFromParent();
+  }
+
+  /** Attributes win, then what the file says, then the defaults. */
+  #surfaceOf(source: ContentPart): SurfaceValues {
+    const surface: Partial<Record<keyof SurfaceValues, unknown>> = {};
+    const state = this.#state as Declared<ShapeValues>;
+    for (const key of SURFACE_KEYS) {
+      surface[key] = state.given(key) ? state.values[key] : (source.surface[key] ?? state.values[key]);
+    }
+    return surface as SurfaceValues;
+  }
+
+  #place(): void {
+    const { position = [0, 0, 0], rotation = [0, 0, 0], scale = [1, 1, 1], name = '' } = this.#values;
+    const { root } = this;
+    root.name = name;
+    root.position.set(...position);
+    root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
+    root.scale.set(...scale);
+    this.#events.reshaped();
+  }
+
+  #load(): void {
+    const { src, geometry, segments } = this.#values;
+    const asked = src === '' ? `${geometry ?? ''} ${String(segments)}` : `src ${src}`;
+    if (asked === this.#asked || (src !== '' && !this.#context.mayLoad)) return;
+    this.#asked = asked;
+    this.#loading?.abort();
+    this.#loading = null;
+    if (src !== '') {
+      const url = addressOf(src);
+      this.#await(url, (signal) => this.#loadModel(url, src, signal));
+    } else if (geometry === null) {
+      this.#show(NOTHING);
+    } else {
+      const content = shapeContent(geometry, segments);
+      if (content instanceof Promise) this.#await(null, () => content);
+      else this.#show(content);
+    }
+  }
+
+  async #loadModel(url: URL | null, src: string, signal: AbortSignal): Promise<Content> {
+    if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
+    const onProgress = (loaded: number, total: number): void => {
+      this.#events.progress(this, loaded, total);
+    };
+    return modelContent(url, { signal, onProgress, crossOrigin: this.#context.crossOrigin });
+  }
+
+  #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
+    const loading = new AbortController();
+    this.#loading = loading;
+    load(loading.signal).then(
+      (content) => {
+        if (this.#loading !== loading) {
+          content.dispose();
+          return;
+        }
+        this.#loading = null;
+        this.#show(content);
+        this.#events.ended(this, url, null);
+      },
+      (error: unknown) => {
+        if (this.#loading !== loading) return;
+        this.#loading = null;
+        this.#events.ended(this, url, error);
+      },
+    );
+  }
+
+  #show(content: Content): void {
+    for (const { mesh, material } of this.#parts) {
+      mesh.removeFromParent();
+      material.dispose();
+    }
+    this.#content.dispose();
+    this.#content = content;
+    this.#parts = content.parts.map((source) => {
+      const material = new PhongMaterial(this.#context.lighting, source.look);
+      const mesh = new Mesh(source.geometry, material);
+      mesh.name = source.name;
+      mesh.matrixAutoUpdate = false;
+      mesh.matrix.copy(source.matrix);
+      this.root.add(mesh);
+      return { mesh, material, source };
+    });
+    this.restyle();
+    this.#events.reshaped();
+  }
+}
+
+function addressOf(src: string): URL | null {
+  return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
+}

@@ -1,0 +1,59 @@
+// The three.js camera that looks as the orbit says. Matrices are written from the orbit's own basis: no up vector, no
+// inverse, so poles and far-away targets lose nothing. Knows neither lights nor meshes.
+import { PerspectiveCamera } from 'three';
+import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
+import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
+import type { ShadingFrame } from '../material/phong-lighting.js';
+import { dot } from '../math/vector.js';
+import type { Region } from './stage.js';
+
+export class ViewCamera {
+  readonly camera = new PerspectiveCamera();
+  readonly #orbit: Orbit;
+  readonly #basis: Basis = newBasis();
+  readonly #eye: MutableVec3 = [0, 0, 0];
+  readonly #offset: MutableVec3 = [0, 0, 0];
+  readonly #depth: DepthRange = { near: 0.1, far: 100 };
+
+  constructor(orbit: Orbit) {
+    this.#orbit = orbit;
+    this.camera.matrixAutoUpdate = false;
+    this.camera.matrixWorldAutoUpdate = false;
+  }
+
+  /** Writes the matrices for a picture of `width` × `height`, or for a part of it. `fov` is vertical, in degrees. */
+  aim(fov: number, bounds: Bounds | null, width: number, height: number, part?: Region): void {
+    const { camera } = this;
+    const { right, up, back } = this.#orbit.basis(this.#basis);
+    const eye = this.#orbit.eye(this.#eye);
+    this.#orbit.offset(this.#offset);
+    camera.matrixWorld.set(
+      ...[right[0], up[0], back[0], eye[0]],
+      ...[right[1], up[1], back[1], eye[1]],
+      ...[right[2], up[2], back[2], eye[2]],
+      ...[0, 0, 0, 1],
+    );
+    camera.matrixWorldInverse.set(
+      ...[right[0], right[1], right[2], -dot(right, eye)],
+      ...[up[0], up[1], up[2], -dot(up, eye)],
+      ...[back[0], back[1], back[2], -dot(back, eye)],
+      ...[0, 0, 0, 1],
+    );
+    camera.matrix.copy(camera.matrixWorld);
+    // three.js's own helpers (raycasters, say) read place and turn from these.
+    camera.matrix.decompose(camera.position, camera.quaternion, camera.scale);
+    const { near, far } = depthRange(this.#orbit.pose, bounds, this.#depth);
+    camera.near = near;
+    camera.far = far;
+    camera.fov = fov;
+    camera.aspect = width / height;
+    if (part === undefined) camera.clearViewOffset();
+    else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
+    camera.updateProjectionMatrix();
+  }
+
+  /** The shading frame of what {@link aim} last wrote. */
+  get frame(): ShadingFrame {
+    return { origin: this.#orbit.target, eye: this.#offset, ...this.#basis };
+  }
+}

@@ -1,0 +1,294 @@
+// One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
+// Knows neither Lit nor attributes nor where input comes from.
+import { Scene, type WebGLRenderer } from 'three';
+import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
+import type { RadiusLimits } from '../camera/drag.js';
+import { Orbit } from '../camera/orbit.js';
+import { LightSet } from '../light/light-set.js';
+import { PhongLighting } from '../material/phong-lighting.js';
+import { type ShadingStyle } from '../material/phong-material.js';
+import { TERMS } from '../material/variant.js';
+import type { Vec3 } from '../math/vector.js';
+import { measure, NO_EXTENT, type Extent } from './extent.js';
+import { type Framed, frameLoop } from './frame-loop.js';
+import { SceneMesh } from './scene-mesh.js';
+import { type Region, stage, type StageClient } from './stage.js';
+import { ViewCamera } from './view-camera.js';
+
+export interface ViewportEvents {
+  /** Nobody knows yet whether the picture can be seen and how large it is: call `place`. */
+  locate(): void;
+  /** Before each frame; true asks for another one. `now` as animation frames have it, in milliseconds. */
+  beforeFrame(now: number): boolean;
+  drawn(): void;
+  /** `auto` found another target or radius. */
+  fitted(): void;
+  contextLost(): void;
+  contextRestored(): void;
+}
+
+/** What stands for `auto`, or the value that was given. */
+export interface Framing {
+  readonly target: Vec3 | 'auto';
+  readonly radius: number | 'auto';
+}
+
+export interface ViewportStats {
+  readonly frames: number;
+  readonly lightsActive: number;
+  readonly lightsSent: number;
+  readonly programs: number;
+  readonly drawCalls: number;
+  readonly uploads: number;
+}
+
+export class Viewport implements StageClient, Framed {
+  readonly holder: HTMLElement;
+  readonly scene = new Scene();
+  readonly orbit = new Orbit();
+  readonly lighting: PhongLighting;
+  readonly #events: ViewportEvents;
+  readonly #view = new ViewCamera(this.orbit);
+  readonly #meshes = new Set<SceneMesh>();
+  /** Device pixels. */
+  width = 0;
+  height = 0;
+  /** On screen; undefined until somebody has looked. */
+  #visible: boolean | undefined = undefined;
+  #attached = false;
+  #dirty = true;
+  #fov = 45;
+  #style: ShadingStyle = { shading: 'phong', reflection: 'phong', terms: TERMS };
+  #framing: Framing | null = { target: 'auto', radius: 'auto' };
+  #extent: Extent = NO_EXTENT;
+  #bounds: Bounds | null = null;
+  #extentStale = true;
+  #fitStale = true;
+  #frames = 0;
+  #drawCalls = 0;
+
+  /** `holder` is an element for the canvas alone. */
+  constructor(holder: HTMLElement, lights: LightSet, events: ViewportEvents) {
+    this.holder = holder;
+    this.lighting = new PhongLighting(lights);
+    this.#events = events;
+    this.scene.matrixWorldAutoUpdate = true;
+  }
+
+  /** Joins the page's stage; throws NoWebGL2Error. */
+  attach(): void {
+    stage.add(this);
+    this.#attached = true;
+    this.lighting.rows.restore();
+    this.invalidate();
+  }
+
+  detach(): void {
+    this.#attached = false;
+    this.#visible = undefined;
+    frameLoop.cancel(this);
+    stage.remove(this);
+  }
+
+  get fov(): number {
+    return this.#fov;
+  }
+
+  set fov(degrees: number) {
+    if (degrees === this.#fov) return;
+    this.#fov = degrees;
+    this.#fitStale = true;
+    this.invalidate();
+  }
+
+  get style(): ShadingStyle {
+    return this.#style;
+  }
+
+  set style(style: ShadingStyle) {
+    this.#style = style;
+    for (const mesh of this.#meshes) mesh.restyle();
+  }
+
+  set linear(linear: boolean) {
+    this.lighting.linear = linear;
+    this.invalidate();
+  }
+
+  /** How target and radius are found; null leaves them where the user has put them. */
+  get framing(): Framing | null {
+    return this.#framing;
+  }
+
+  set framing(framing: Framing | null) {
+    this.#framing = framing;
+    this.#fitStale = true;
+    this.invalidate();
+  }
+
+  /** Whether the picture can be seen. Until it can, nothing is drawn; what has changed is drawn when it can. */
+  set visible(visible: boolean) {
+    this.#visible = visible;
+    this.#wake();
+  }
+
+  /** In device pixels; a picture without any is not drawn. */
+  resize(width: number, height: number): void {
+    if (width === this.width && height === this.height) return;
+    this.width = width;
+    this.height = height;
+    this.#fitStale = true;
+    this.#dirty = true;
+    this.#wake();
+  }
+
+  add(mesh: SceneMesh): void {
+    this.#meshes.add(mesh);
+    this.scene.add(mesh.root);
+    this.reshaped();
+  }
+
+  remove(mesh: SceneMesh): void {
+    this.#meshes.delete(mesh);
+    mesh.dispose();
+    this.reshaped();
+  }
+
+  /** Meshes came, went, moved or changed their triangles. */
+  reshaped(): void {
+    this.#extentStale = true;
+    this.#fitStale = true;
+    this.invalidate();
+  }
+
+  /** A frame is coming, or would be if anything changed. */
+  get drawable(): boolean {
+    if (!this.#attached || stage.lost || this.#visible === false) return false;
+    return this.#visible === undefined || (this.width > 0 && this.height > 0);
+  }
+
+  /** What was drawn last is what would be drawn now. */
+  get upToDate(): boolean {
+    return !this.#dirty;
+  }
+
+  /** Something changed: draw once more, as soon as that can be seen. */
+  invalidate(): void {
+    this.#dirty = true;
+    if (this.drawable) frameLoop.request(this);
+  }
+
+  /** Motion begins that `beforeFrame` carries on. */
+  animate(): void {
+    if (this.drawable) frameLoop.request(this);
+  }
+
+  prepare(): void {
+    if (this.#visible === undefined) this.#events.locate();
+  }
+
+  frame(now: number): boolean {
+    if (!this.drawable) return false;
+    const again = this.#events.beforeFrame(now);
+    if (this.#dirty) this.redraw();
+    return again && this.drawable;
+  }
+
+  redraw(): void {
+    if (!this.drawable || this.#visible === undefined) return;
+    this.settle();
+    stage.draw(this, (renderer) => {
+      this.#render(renderer, this.width, this.height);
+    });
+    this.#dirty = false;
+    this.#frames += 1;
+    this.#events.drawn();
+  }
+
+  /** Brings the camera in step with the scene: `auto` is found anew where it has to be. */
+  settle(): void {
+    if (this.#extentStale) this.#measure();
+    if (!this.#fitStale) return;
+    this.#fitStale = false;
+    this.#fit();
+  }
+
+  /** How near and how far zooming may go. */
+  get zoomLimits(): RadiusLimits {
+    this.settle();
+    return zoomLimits(this.#bounds);
+  }
+
+  /** The picture now, at exactly this many pixels. Throws RangeError where no canvas can hold them. */
+  capture(width: number, height: number): HTMLCanvasElement {
+    this.settle();
+    return stage.capture({ width, height }, (renderer, part) => {
+      this.#render(renderer, width, height, part);
+    });
+  }
+
+  get stats(): ViewportStats {
+    const { packed, rows } = this.lighting;
+    return {
+      frames: this.#frames,
+      lightsActive: packed.active,
+      lightsSent: packed.sent,
+      programs: stage.programs,
+      drawCalls: this.#drawCalls,
+      uploads: rows.uploads,
+    };
+  }
+
+  contextLost(): void {
+    frameLoop.cancel(this);
+    this.#events.contextLost();
+  }
+
+  contextRestored(): void {
+    this.lighting.rows.restore();
+    this.invalidate();
+    this.#events.contextRestored();
+  }
+
+  dispose(): void {
+    this.detach();
+    for (const mesh of this.#meshes) mesh.dispose();
+    this.lighting.dispose();
+  }
+
+  /** Visibility, size or context changed: what waited for them is asked for, what cannot be shown is not. */
+  #wake(): void {
+    if (!this.drawable) frameLoop.cancel(this);
+    else if (this.#dirty) frameLoop.request(this);
+  }
+
+  #render(renderer: WebGLRenderer, width: number, height: number, part?: Region): void {
+    this.#view.aim(this.#fov, this.#bounds, width, height, part);
+    this.lighting.update(this.#view.frame);
+    renderer.render(this.scene, this.#view.camera);
+    this.#drawCalls = renderer.info.render.calls;
+  }
+
+  #measure(): void {
+    this.#extentStale = false;
+    this.scene.updateMatrixWorld();
+    this.#extent = measure(this.scene);
+    const { center } = this.#extent;
+    this.#bounds = this.#extent.empty ? null : { centre: center, radius: this.#extent.radiusAbout(center) };
+  }
+
+  #fit(): void {
+    if (this.#framing === null) return;
+    const { target, radius } = this.#framing;
+    const aspect = this.width > 0 && this.height > 0 ? this.width / this.height : 1;
+    const fitted = fitPose(this.#bounds, this.#fov, aspect);
+    const place = target === 'auto' ? fitted.target : target;
+    const distance =
+      target === 'auto' || this.#extent.empty
+        ? fitted.radius
+        : fitRadius(this.#extent.radiusAbout(target), this.#fov, aspect);
+    const before = this.orbit.version;
+    this.orbit.set({ target: place, radius: radius === 'auto' ? distance : radius });
+    if (this.orbit.version !== before) this.#events.fitted();
+  }
+}
