@@ -155,6 +155,20 @@ describe('the pointer', () => {
     expect(log).toStrictEqual(['held', 'pointer', 'pointer', 'let go']);
   });
 
+  it('waits whether a finger that goes up or down scrolls the page, and then turns by all of its travel', () => {
+    const { orbit, mouse } = setUp();
+    const finger = { pointerType: 'touch', pointerId: 5 };
+    mouse('pointerdown', 100, finger);
+    mouse('pointermove', 102, { ...finger, clientY: 20 });
+    mouse('pointercancel', 102, { ...finger, clientY: 20 });
+    expect(orbit.version).toBe(0);
+    mouse('pointerdown', 100, finger);
+    mouse('pointermove', 100, { ...finger, clientY: 40 });
+    expect(orbit.phi).toBe(52);
+    mouse('pointermove', 100, { ...finger, clientY: 20 });
+    expect(orbit.phi).toBe(61);
+  });
+
   it('takes no second mouse or pen into a drag', () => {
     const { input, mouse } = setUp();
     mouse('pointerdown', 100);
