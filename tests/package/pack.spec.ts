@@ -25,6 +25,7 @@ test.describe('the packed tarball @release', () => {
   let folder = '';
 
   test.beforeAll(() => {
+    test.setTimeout(300_000);
     folder = mkdtempSync(join(tmpdir(), 'phong-viewer-pack-'));
     const scripts = '--ignore-scripts --silent';
     execSync(`npm pack ${scripts} --pack-destination ${JSON.stringify(folder)}`, { cwd: repository });

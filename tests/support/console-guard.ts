@@ -44,7 +44,7 @@ export class ConsoleGuard {
     const faults = this.#strays.map((text) => `unexpected on the console: ${text}`);
     for (const { pattern, times, met } of this.#claims) {
       if (times === undefined ? met.length > 0 : met.length === times) continue;
-      faults.push(`${String(pattern)} was met ${met.length} times, not ${times ?? 'at all as it should'}`);
+      faults.push(`${String(pattern)} was met ${met.length} times, not ${times ?? 'once or more'}`);
     }
     if (faults.length > 0) throw new Error(faults.join('\n'));
   }

@@ -1,0 +1,85 @@
+// Do the browser tests' own instruments tell right from wrong? A guard that hears nothing would pass everything.
+
+import { EventEmitter } from 'node:events';
+import type { BrowserContext } from '@playwright/test';
+import { describe, expect, it } from 'vitest';
+import { ConsoleGuard } from '../support/console-guard.js';
+import { compare, pixelAt, type Picture } from '../support/picture.js';
+
+async function guarded(): Promise<{ guard: ConsoleGuard; say: (type: string, text: string) => void }> {
+  const context = Object.assign(new EventEmitter(), { addInitScript: () => Promise.resolve() });
+  const guard = new ConsoleGuard();
+  await guard.watch(context as unknown as BrowserContext);
+  const say = (type: string, text: string): void => {
+    context.emit('console', { type: () => type, text: () => text });
+  };
+  return { guard, say };
+}
+
+describe('ConsoleGuard', () => {
+  it('is content with silence', async () => {
+    const { guard } = await guarded();
+    expect(() => guard.check()).not.toThrow();
+  });
+
+  it.each(['log', 'info', 'warning', 'error', 'debug'])(
+    'fails on a stray console line of type %s',
+    async (type) => {
+      const { guard, say } = await guarded();
+      say(type, 'boo');
+      expect(() => guard.check()).toThrow(`${type}: boo`);
+    },
+  );
+
+  it('hands claimed lines to the test and lets the others fail', async () => {
+    const { guard, say } = await guarded();
+    const met = guard.allow(/cutoff/);
+    say('warning', 'cutoff="x"');
+    expect(() => guard.check()).not.toThrow();
+    say('warning', 'aperture="x"');
+    expect(met).toEqual(['warning: cutoff="x"']);
+    expect(() => guard.check()).toThrow('aperture');
+  });
+
+  it('fails where a claim was met never, or another number of times than it says', async () => {
+    const { guard, say } = await guarded();
+    guard.allow(/never/);
+    guard.allow(/twice/, 2);
+    say('log', 'twice');
+    expect(() => guard.check()).toThrow(/never[^]*twice.*met 1 times/);
+  });
+
+  it('lets a test claim that something is not said at all', async () => {
+    const { guard } = await guarded();
+    guard.allow(/nothing/, 0);
+    expect(() => guard.check()).not.toThrow();
+  });
+});
+
+describe('pictures', () => {
+  const picture = (...data: number[]): Picture => ({
+    width: data.length / 4,
+    height: 1,
+    data: new Uint8Array(data),
+  });
+
+  it('finds no difference between equal pictures', () => {
+    expect(compare(picture(1, 2, 3, 4), picture(1, 2, 3, 4))).toEqual({ max: 0, share: 0, rmse: 0 });
+  });
+
+  it('gives the largest difference, the share of channels beyond the tolerance, and the rmse', () => {
+    const a = picture(10, 20, 30, 255, 0, 0, 0, 255);
+    const b = picture(12, 20, 26, 255, 0, 0, 0, 255);
+    expect(compare(a, b)).toEqual({ max: 4, share: 2 / 8, rmse: Math.sqrt(20 / 8) });
+    expect(compare(a, b, 2).share).toBe(1 / 8);
+  });
+
+  it('refuses pictures of different sizes', () => {
+    expect(() => compare(picture(0, 0, 0, 0), picture(0, 0, 0, 0, 1, 1, 1, 1))).toThrow('sizes differ');
+  });
+
+  it('reads pixels by column and row, and none outside', () => {
+    expect(pixelAt(picture(1, 2, 3, 4, 5, 6, 7, 8), 1, 0)).toEqual([5, 6, 7, 8]);
+    expect(() => pixelAt(picture(1, 2, 3, 4), 1, 0)).toThrow(RangeError);
+  });
+});
