@@ -56,6 +56,7 @@ const ROUNDING = 1e-4;
 
 function insideGamut(color: Vec3): Vec3 | null {
   if (!color.every((c) => c >= -ROUNDING && c <= 1 + ROUNDING)) return null;
-  const byte = (c: number): number => 255 * Math.min(Math.max(c, 0), 1);
+  // Browsers give six decimals of 1: rounded to what they can tell apart, #fc8 is 255 204 136 again.
+  const byte = (c: number): number => Math.round(255e3 * Math.min(Math.max(c, 0), 1)) / 1e3;
   return [byte(color[0]), byte(color[1]), byte(color[2])];
 }
