@@ -111,12 +111,19 @@ async function mount(page: Page, site: Site, markup: string, options: MountOptio
   return viewer;
 }
 
-/** Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen does. */
+/**
+ * Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen does. Emulated:
+ * `devicePixelRatio` and `resolution` queries change, a `device-pixel-content-box` stays that of the real screen.
+ * Holds until the next screenshot or change of the viewport's size.
+ */
 export async function setPixelRatio(page: Page, deviceScaleFactor: number): Promise<void> {
   const { width, height } = page.viewportSize() ?? { width: 1000, height: 700 };
   const session = await page.context().newCDPSession(page);
-  const metrics = { width, height, deviceScaleFactor, mobile: false };
-  await session.send('Emulation.setDeviceMetricsOverride', metrics);
+  // Chromium tells the page's resolution queries only where the viewport's size changes too.
+  for (const tall of [height + 1, height]) {
+    const metrics = { width, height: tall, deviceScaleFactor, mobile: false };
+    await session.send('Emulation.setDeviceMetricsOverride', metrics);
+  }
 }
 
 async function defined(page: Page): Promise<void> {
