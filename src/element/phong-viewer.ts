@@ -1,7 +1,6 @@
 // <phong-viewer>: the element. It translates: attributes and children into state for the picture, hands into camera
 // moves, what happens into events. It computes no light and draws nothing itself.
 import { html, LitElement, nothing, type PropertyValues } from 'lit';
-import { createRef, ref } from 'lit/directives/ref.js';
 import { LightSet } from '../light/light-set.js';
 import { Declared } from '../math/declared.js';
 import { NoWebGL2Error } from '../scene/stage.js';
@@ -74,9 +73,6 @@ export class PhongViewer extends LitElement {
   });
 
   readonly #holder = document.createElement('div');
-  readonly #surface = createRef<HTMLElement>();
-  readonly #panelPlace = createRef<HTMLElement>();
-  readonly #slot = createRef<HTMLSlotElement>();
   readonly #notices = new Notices(this);
   readonly #panel = new ViewerPanel(this);
   readonly #readiness = new Readiness(() => this.#settled);
@@ -127,7 +123,7 @@ export class PhongViewer extends LitElement {
       viewport: this.#viewport,
       context: this.#loading.context,
       meshEvents: this.#loading.events,
-      slot: () => this.#slot.value ?? null,
+      slot: () => this.#part<HTMLSlotElement>('slot:not([name])'),
       meshesChanged: () => {
         this.#panel.changed('meshes');
       },
@@ -268,7 +264,6 @@ export class PhongViewer extends LitElement {
     const showPoster = poster !== '' && this.#viewport.stats.frames === 0;
     return html`
       <div
-        ${ref(this.#surface)}
         class=${orbit ? 'surface' : 'surface fixed'}
         part="surface"
         tabindex="0"
@@ -285,9 +280,8 @@ export class PhongViewer extends LitElement {
               <slot name="error"><p class="notice" part="notice">${this.#failure.message}</p></slot>
             </div>`
       }
-      <div ${ref(this.#panelPlace)} class="panel" part="panel"></div>
+      <div class="panel" part="panel"></div>
       <slot
-        ${ref(this.#slot)}
         @slotchange=${() => {
           this.#children.collect();
         }}
@@ -296,8 +290,8 @@ export class PhongViewer extends LitElement {
   }
 
   protected override firstUpdated(): void {
-    const surface = this.#surface.value;
-    if (surface !== undefined) this.#camera.listenTo(surface);
+    const surface = this.#part<HTMLElement>('.surface');
+    if (surface !== null) this.#camera.listenTo(surface);
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -319,8 +313,7 @@ export class PhongViewer extends LitElement {
     }
     this.#loading.update();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
-    if (changed.has('gui'))
-      void this.#panel.toggle(values.gui, PhongViewer.loadPanel, this.#panelPlace.value);
+    if (changed.has('gui')) void this.#panel.toggle(values.gui, PhongViewer.loadPanel, this.#part('.panel'));
     this.#panel.changed('viewer');
   }
 
@@ -346,6 +339,11 @@ export class PhongViewer extends LitElement {
       if (!(error instanceof NoWebGL2Error)) throw error;
       this.#fail(errorDetail(error, null));
     }
+  }
+
+  /** By looking, not by Lit's refs: those are empty while the element is out of the document. */
+  #part<E extends HTMLElement>(selector: string): E | null {
+    return this.shadowRoot?.querySelector<E>(selector) ?? null;
   }
 
   #fail(detail: ViewerErrorDetail): void {

@@ -13,14 +13,14 @@ export class ViewerPanel {
   }
 
   /** Shows it in `place`, as soon as its code is there, or takes it away. */
-  async toggle(wanted: boolean, loader: PanelLoader | null, place: HTMLElement | undefined): Promise<void> {
+  async toggle(wanted: boolean, loader: PanelLoader | null, place: HTMLElement | null): Promise<void> {
     this.#wanted = wanted;
     if (!wanted) {
       this.#panel?.dispose();
       this.#panel = null;
       return;
     }
-    if (loader === null || place === undefined) return;
+    if (loader === null || place === null) return;
     const { createPanel } = await loader();
     const root = place.getRootNode();
     if (!this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
