@@ -1,0 +1,351 @@
+// Do hands turn the scene as the camera's laws say? A real mouse and real fingers on a viewer of 600 × 400 CSS pixels:
+// one width is 360° of azimuth, one height 180° of polar angle.
+
+import { compare, expect, pixels, test } from '../support/test.js';
+import { assign, cameraOf, drag, Fingers, nextFrame, type PhongViewer, record } from './support.js';
+
+const box = '<phong-viewer geometry="box" theta="30" phi="70"></phong-viewer>';
+const odd = { theta: 12.345678901234567, phi: 71.30000000000001, radius: 3.3333333333333335 };
+const oddBox = `<phong-viewer geometry="box" theta="${odd.theta}" phi="${odd.phi}" radius="${odd.radius}"></phong-viewer>`;
+
+test.describe('a drag with the primary button', () => {
+  test('turns −36° for 60 px to the right on 600 px of width', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [60, 0]);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 70 });
+  });
+
+  test('lowers φ by 18° for 40 px down on 400 px of height, and raises it upwards', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [0, 40]);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 52 });
+    await drag(page, [300, 200], [0, -80]);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 88 });
+  });
+
+  test('turns while it goes on, before the button is let go', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [100, 100], [30, 10], { release: false });
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 12, phi: 65.5 });
+    await page.mouse.up();
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 12, phi: 65.5 });
+  });
+
+  test('depends on the total travel only, however it was reached', async ({ page, mount }) => {
+    const viewer = await mount(oddBox);
+    await drag(page, [300, 200], [37, 23], { steps: 1 });
+    const direct = await cameraOf(viewer);
+    await assign(viewer, odd);
+    await page.mouse.move(300, 200);
+    await page.mouse.down();
+    for (const [x, y] of [[512, 31], [7, 390], [301, 201], [337, 223]] as const) await page.mouse.move(x, y); // prettier-ignore
+    await page.mouse.up();
+    expect(await cameraOf(viewer)).toEqual(direct);
+  });
+
+  test('is exactly at the start when the pointer is back at the start', async ({ page, mount }) => {
+    const viewer = await mount(oddBox);
+    const start = await cameraOf(viewer);
+    const before = await pixels(viewer);
+    await drag(page, [300, 200], [173, -391], { steps: 7, release: false });
+    expect(await cameraOf(viewer)).not.toEqual(start);
+    await page.mouse.move(300, 200, { steps: 5 });
+    await page.mouse.up();
+    expect(await cameraOf(viewer)).toEqual(start);
+    expect(start).toMatchObject(odd);
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+  });
+
+  test('shows the picture that the same angles in markup give', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [60, 40]);
+    const dragged = await pixels(viewer);
+    const declared = await mount('<phong-viewer geometry="box" theta="-6" phi="52"></phong-viewer>');
+    expect(compare(dragged, await pixels(declared)).max).toBe(0);
+  });
+
+  test('stops at the poles and comes back from them as far as the pointer does', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 100], [0, 250], { release: false });
+    expect((await cameraOf(viewer)).phi).toBe(0);
+    await page.mouse.move(360, 350);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 0 });
+    await page.mouse.move(300, 140);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 52 });
+    await page.mouse.move(300, -280);
+    expect((await cameraOf(viewer)).phi).toBe(180);
+    await page.mouse.up();
+  });
+
+  test('goes on outside the element and outside the page', async ({ page, mount }) => {
+    const viewer = await mount(box, { width: 200, height: 200 });
+    await drag(page, [100, 100], [300, 0], { release: false });
+    expect((await cameraOf(viewer)).theta).toBe(30 - 540 + 360);
+    await page.mouse.move(-100, 100);
+    expect((await cameraOf(viewer)).theta).toBe(30 + 360 - 360);
+    await page.mouse.up();
+    await page.mouse.move(150, 150);
+    expect((await cameraOf(viewer)).theta).toBe(30);
+  });
+
+  test('starts anew with each press', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [100, 100], [60, 0]);
+    await drag(page, [500, 300], [60, 0]);
+    expect((await cameraOf(viewer)).theta).toBe(-42);
+  });
+
+  test('does nothing without a press, and nothing with the middle button', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await page.mouse.move(100, 100);
+    await page.mouse.move(300, 300);
+    await drag(page, [300, 200], [60, 40], { button: 'middle' });
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
+  });
+
+  test('leaves the declared angles and the markup alone', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [60, 40]);
+    const declared = await viewer.evaluate((element: PhongViewer) => [
+      element.theta,
+      element.phi,
+      element.radius,
+      element.getAttribute('theta'),
+    ]);
+    expect(declared).toEqual([30, 70, 'auto', '30']);
+  });
+
+  test('selects no text of the page', async ({ page, mount }) => {
+    await mount(`<p>Before</p>${box}<p>After</p>`);
+    await drag(page, [300, 200], [100, 350]);
+    expect(await page.evaluate(() => getSelection()?.toString())).toBe('');
+  });
+
+  test('does not turn where orbit is false', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await assign(viewer, { orbit: false });
+    await drag(page, [300, 200], [60, 40]);
+    await drag(page, [300, 200], [60, 40], { button: 'right' });
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70, target: [0, 0, 0] });
+    await assign(viewer, { orbit: true });
+    await drag(page, [300, 200], [60, 0]);
+    expect((await cameraOf(viewer)).theta).toBe(-6);
+  });
+});
+
+test.describe('what happens during a drag', () => {
+  test('a property set acts at once, and the drag goes on from there', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [60, 0], { release: false });
+    await assign(viewer, { theta: 100 });
+    expect((await cameraOf(viewer)).theta).toBe(100);
+    await page.mouse.move(420, 200);
+    expect((await cameraOf(viewer)).theta).toBe(64);
+    await page.mouse.up();
+  });
+
+  test('a property set after a drag acts, the value that it has already too', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [60, 40]);
+    await assign(viewer, { theta: 30 });
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 52 });
+    await viewer.evaluate((element) => element.setAttribute('phi', '70'));
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
+  });
+
+  test('a resize notes the camera anew', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [100, 100], [60, 0], { release: false });
+    await viewer.evaluate((element) => (element.style.width = '300px'));
+    await nextFrame(page);
+    expect((await cameraOf(viewer)).theta).toBe(-6);
+    await page.mouse.move(190, 100);
+    expect((await cameraOf(viewer)).theta).toBe(-42);
+    await page.mouse.up();
+  });
+
+  test('a turn of the wheel zooms and notes the camera anew', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    const { radius } = await cameraOf(viewer);
+    await drag(page, [300, 200], [60, 0], { release: false });
+    await page.mouse.wheel(0, 100);
+    await expect.poll(async () => (await cameraOf(viewer)).radius).toBeCloseTo(radius * Math.exp(0.1), 12);
+    await page.mouse.move(300, 200);
+    expect((await cameraOf(viewer)).theta).toBe(30);
+    await page.mouse.up();
+  });
+
+  for (const [what, end] of [
+    ['lostpointercapture', (surface: HTMLElement, id: number) => surface.releasePointerCapture(id)],
+    [
+      'pointercancel',
+      (surface: HTMLElement, id: number) =>
+        surface.dispatchEvent(new PointerEvent('pointercancel', { pointerId: id, bubbles: true })),
+    ],
+    ['blur of the window', () => window.dispatchEvent(new Event('blur'))],
+  ] as const) {
+    test(`${what} ends it`, async ({ page, mount }) => {
+      const viewer = await mount(box);
+      await viewer.evaluate((element: PhongViewer) => {
+        const surface = element.shadowRoot?.querySelector<HTMLElement>('[part=surface]');
+        surface?.addEventListener('pointerdown', ({ pointerId }) => Object.assign(window, { pointerId }));
+        Object.assign(window, { surface });
+      });
+      await drag(page, [300, 200], [60, 0], { release: false });
+      await page.evaluate(`(${end.toString()})(window.surface, window.pointerId)`);
+      await page.mouse.move(400, 300);
+      await page.mouse.move(200, 100);
+      expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 70 });
+      await page.mouse.up();
+    });
+  }
+
+  test('taking the viewer out of the document ends it', async ({ page, mount }) => {
+    const viewer = await mount(box);
+    await drag(page, [300, 200], [60, 0], { release: false });
+    await viewer.evaluate((element) => {
+      element.remove();
+      document.body.append(element);
+    });
+    await page.mouse.move(420, 200);
+    expect((await cameraOf(viewer)).theta).toBe(-6);
+    await page.mouse.up();
+  });
+});
+
+test.describe('shifting the target', () => {
+  // At the target's distance one CSS pixel is 2 r tan(fov/2) / height scene units; at θ = φ = 90° right is −z, up is +y.
+  const side = '<phong-viewer geometry="box" theta="90" phi="90" radius="5"></phong-viewer>';
+  const perPixel = (2 * 5 * Math.tan(Math.PI / 8)) / 400;
+
+  for (const [what, button, keys] of [
+    ['the secondary button', 'right', []],
+    ['Shift and a drag', 'left', ['Shift']],
+  ] as const) {
+    test(`${what} makes the scene follow the pointer`, async ({ page, mount }) => {
+      const viewer = await mount(side);
+      for (const key of keys) await page.keyboard.down(key);
+      await drag(page, [300, 200], [50, 20], { button });
+      for (const key of keys) await page.keyboard.up(key);
+      const { target, theta, phi, radius } = await cameraOf(viewer);
+      expect({ theta, phi, radius }).toEqual({ theta: 90, phi: 90, radius: 5 });
+      expect(target[0]).toBeCloseTo(0, 14);
+      expect(target[1]).toBeCloseTo(20 * perPixel, 14);
+      expect(target[2]).toBeCloseTo(50 * perPixel, 14);
+    });
+  }
+
+  test('is exactly at the start when the pointer is back at the start', async ({ page, mount }) => {
+    const viewer = await mount(oddBox);
+    const start = await cameraOf(viewer);
+    await drag(page, [300, 200], [50, 20], { button: 'right', release: false });
+    expect((await cameraOf(viewer)).target).not.toEqual(start.target);
+    await page.mouse.move(300, 200);
+    await page.mouse.up({ button: 'right' });
+    expect(await cameraOf(viewer)).toEqual(start);
+  });
+
+  test('keeps the menu away after a secondary drag, and leaves it to a secondary click', async ({
+    page,
+    mount,
+  }) => {
+    await mount(side);
+    await page.evaluate(() => {
+      const menus: boolean[] = [];
+      Object.assign(window, { menus });
+      addEventListener('contextmenu', (event) => {
+        menus.push(event.defaultPrevented);
+        event.preventDefault();
+      });
+    });
+    await drag(page, [300, 200], [50, 20], { button: 'right' });
+    expect(await page.evaluate('window.menus')).not.toContain(false);
+  });
+});
+
+test.describe('fingers', () => {
+  test.use({ hasTouch: true });
+  const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
+
+  test('one finger turns as the mouse does', async ({ page, mount }) => {
+    const viewer = await mount(near);
+    const fingers = await Fingers.on(page);
+    await fingers.down([300, 200]);
+    await fingers.move([330, 200]);
+    await fingers.move([360, 240]);
+    await fingers.up();
+    expect(await cameraOf(viewer)).toMatchObject({ theta: -6, phi: 52 });
+  });
+
+  test('two fingers zoom by the ratio of their distances', async ({ page, mount }) => {
+    const viewer = await mount(near);
+    const fingers = await Fingers.on(page);
+    await fingers.down([250, 200], [350, 200]);
+    await fingers.move([225, 200], [375, 200]);
+    await fingers.move([200, 200], [400, 200]);
+    expect((await cameraOf(viewer)).radius).toBeCloseTo(2.5, 12);
+    await fingers.move([250, 200], [350, 200]);
+    const back = await cameraOf(viewer);
+    await fingers.up();
+    expect(back).toMatchObject({ theta: 30, phi: 70, radius: 5, target: [0, 0, 0] });
+  });
+
+  test('two fingers side by side shift the target', async ({ page, mount }) => {
+    const viewer = await mount('<phong-viewer geometry="box" theta="90" phi="90" radius="5"></phong-viewer>');
+    const fingers = await Fingers.on(page);
+    await fingers.down([250, 200], [350, 200]);
+    await fingers.move([275, 210], [375, 210]);
+    await fingers.move([300, 220], [400, 220]);
+    await fingers.up();
+    const { target, radius, theta } = await cameraOf(viewer);
+    const perPixel = (2 * 5 * Math.tan(Math.PI / 8)) / 400;
+    expect({ radius, theta }).toEqual({ radius: 5, theta: 90 });
+    expect(target[1]).toBeCloseTo(20 * perPixel, 12);
+    expect(target[2]).toBeCloseTo(50 * perPixel, 12);
+  });
+
+  test('the finger that is left goes on turning from where it is', async ({ page, mount }) => {
+    const viewer = await mount(near);
+    const fingers = await Fingers.on(page);
+    await fingers.down([250, 200], [350, 200]);
+    await fingers.move([200, 200], [400, 200]);
+    await fingers.up([200, 200]);
+    const { theta, radius } = await cameraOf(viewer);
+    await fingers.move([260, 200]);
+    await fingers.up();
+    expect((await cameraOf(viewer)).theta).toBeCloseTo(theta - 36, 12);
+    expect((await cameraOf(viewer)).radius).toBe(radius);
+  });
+
+  test('pinching does nothing where zoom is false', async ({ page, mount }) => {
+    const viewer = await mount(near);
+    await assign(viewer, { zoom: false });
+    const fingers = await Fingers.on(page);
+    await fingers.down([250, 200], [350, 200]);
+    await fingers.move([200, 200], [400, 200]);
+    await fingers.up();
+    expect((await cameraOf(viewer)).radius).toBe(5);
+  });
+
+  test('a stroke down the picture scrolls the page and does not tilt it', async ({ page, mount }) => {
+    const viewer = await mount(`${near}<div class="tall"></div>`, { css: '.tall { height: 3000px }' });
+    const fingers = await Fingers.on(page);
+    await fingers.down([300, 350]);
+    for (let y = 345; y >= 150; y -= 5) await fingers.move([300, y]);
+    await fingers.up();
+    await expect.poll(() => page.evaluate(() => scrollY)).toBeGreaterThan(100);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
+  });
+});
+
+test('tells of the camera once a task, with the pointer as its source', async ({ page, mount }) => {
+  const viewer = await mount(box);
+  const events = await record(viewer, 'camera-change');
+  await drag(page, [300, 200], [60, 0], { steps: 1 });
+  expect(await events.take()).toEqual([{ type: 'camera-change', detail: { source: 'pointer' } }]);
+  await drag(page, [300, 200], [0, 0], { steps: 1 });
+  expect(await events.take()).toEqual([]);
+});

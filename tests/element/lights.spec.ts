@@ -1,0 +1,334 @@
+// Are lights what the markup says, however it comes about and changes? Pictures are compared with those of the same scene
+// written out from the start; they are small, seen straight down on a plane.
+
+import type { Locator } from '@playwright/test';
+import {
+  allReady,
+  compare,
+  expect,
+  pixelAt,
+  pixels,
+  test,
+  type Mount,
+  type Picture,
+} from '../support/test.js';
+import { assign, type PhongLight, type PhongViewer, record } from './support.js';
+
+const size = { width: 60, height: 40 };
+const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
+const red = '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
+const green =
+  '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
+const spot =
+  '<phong-light diffuse="90 90 255" position="0 1 0" axis="0 -1 0" aperture="20" cutoff="3"></phong-light>';
+const scene = (...lights: readonly string[]): string => `${open}${lights.join('')}</phong-viewer>`;
+
+/** What this markup shows, loaded on a page of its own. */
+async function shown(mount: Mount, markup: string): Promise<Picture> {
+  return pixels(await mount(markup, size));
+}
+
+const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
+const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(20);
+
+const names = (viewer: Locator): Promise<string[]> =>
+  viewer.evaluate((element: PhongViewer) => element.lights.map((light) => light.name));
+
+test.describe('changes', () => {
+  test('give what the same lights in markup give: added, removed, reordered and changed', async ({
+    mount,
+  }) => {
+    const wanted = {
+      both: await shown(mount, scene(red, green)),
+      one: await shown(mount, scene(green)),
+      three: await shown(mount, scene(red, green, spot)),
+      changed: await shown(mount, scene(red.replace('200 0 0', '0 0 250'), green)),
+    };
+    different(wanted.both, wanted.one);
+    different(wanted.both, wanted.three);
+    const viewer = await mount(scene(red, green), size);
+    await viewer.evaluate((element, html) => element.insertAdjacentHTML('beforeend', html), spot);
+    same(await pixels(viewer), wanted.three);
+    await viewer.evaluate((element: PhongViewer) => element.lights[2]?.remove());
+    same(await pixels(viewer), wanted.both);
+    await viewer.evaluate((element: PhongViewer) => element.append(element.lights[0]!));
+    expect(await names(viewer)).toEqual(['green', 'red']);
+    expect(compare(await pixels(viewer), wanted.both).max).toBeLessThanOrEqual(1);
+    await viewer.evaluate((element: PhongViewer) => element.lights[1]?.remove());
+    same(await pixels(viewer), wanted.one);
+    await viewer.evaluate((element, html) => (element.innerHTML = html), red + green);
+    same(await pixels(viewer), wanted.both);
+    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.diffuse = [0, 0, 250]));
+    same(await pixels(viewer), wanted.changed);
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]?.setAttribute('diffuse', '200 0 0'));
+    same(await pixels(viewer), wanted.both);
+  });
+
+  test('are in the next picture on the screen, not only in toBlob', async ({ page, mount }) => {
+    const viewer = await mount(scene(red), size);
+    const before = await viewer.screenshot();
+    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.diffuse = [0, 200, 0]));
+    await allReady(page);
+    expect(Buffer.compare(await viewer.screenshot(), before)).not.toBe(0);
+    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.diffuse = [200, 0, 0]));
+    await allReady(page);
+    expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
+  });
+
+  test('of active turn a light off and on, however it is written', async ({ mount }) => {
+    const [on, off] = [await shown(mount, scene(green, red)), await shown(mount, scene(green))];
+    const viewer = await mount(
+      scene(green, red.replace('<phong-light', '<phong-light active="false"')),
+      size,
+    );
+    same(await pixels(viewer), off);
+    for (const [active, wanted] of [
+      ['true', on],
+      ['FALSE', off],
+      ['', on],
+      [false, off],
+      [null, on],
+    ] as const) // prettier-ignore
+    {
+      await viewer.evaluate((element: PhongViewer, value) => {
+        const light = element.lights[1]!;
+        if (typeof value === 'string') light.setAttribute('active', value);
+        else Reflect.set(light, 'active', value);
+      }, active);
+      same(await pixels(viewer), wanted);
+    }
+  });
+
+  test('while the lights are all inactive leave the dark', async ({ mount }) => {
+    const viewer = await mount(scene(red, green), size);
+    await viewer.evaluate((element: PhongViewer) => {
+      for (const light of element.lights) light.active = false;
+    });
+    expect(pixelAt(await pixels(viewer), 30, 20)).toEqual([0, 0, 0, 255]);
+  });
+});
+
+test.describe('the head-light', () => {
+  test('shines exactly where there is no phong-light, and is in neither lights nor toHTML', async ({
+    mount,
+  }) => {
+    const head = '<phong-light space="camera" position="0 0 1 0"></phong-light>';
+    const wanted = await shown(mount, scene(head));
+    const viewer = await mount(scene(), size);
+    same(await pixels(viewer), wanted);
+    expect(
+      await viewer.evaluate((element: PhongViewer) => [element.lights.length, element.toHTML()]),
+    ).toEqual([0, expect.not.stringContaining('phong-light')]);
+    await viewer.evaluate((element, html) => (element.innerHTML = html), red);
+    same(await pixels(viewer), await shown(mount, scene(red)));
+    const again = await mount(scene(red), size);
+    await again.evaluate((element) => element.replaceChildren());
+    same(await pixels(again), wanted);
+  });
+
+  test('never flashes lights that are appended at once', async ({ page, mount }) => {
+    await mount('<main></main>');
+    const frames = await page.evaluate(async () => {
+      const element = document.createElement('phong-viewer');
+      element.geometry = 'plane';
+      const sent: number[] = [];
+      element.addEventListener('render', () => sent.push(element.stats.lightsActive));
+      document.querySelector('main')?.append(element);
+      element.append(
+        Object.assign(document.createElement('phong-light'), { active: false }),
+        Object.assign(document.createElement('phong-light'), { active: false }),
+      );
+      await element.ready;
+      return sent;
+    });
+    expect(frames).toEqual([0]);
+  });
+});
+
+test.describe('the order of upgrades does not matter', () => {
+  const inner = `${red}${green}<phong-mesh geometry="box" scale="0.3"></phong-mesh>`;
+  const markup = scene(inner);
+
+  test('when the definitions come long after the children, or before them', async ({ page, site, mount }) => {
+    const wanted = await shown(mount, markup);
+    await page.goto(site.page(markup, { css: 'phong-viewer { display: block; width: 60px; height: 40px }' }));
+    await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js' });
+    await page.evaluate(() => customElements.whenDefined('phong-viewer'));
+    await allReady(page);
+    same(await pixels(page.locator('phong-viewer')), wanted);
+
+    await mount('<main></main>', size);
+    await page.evaluate((html) => (document.querySelector('main')!.innerHTML = html), markup);
+    await allReady(page);
+    same(await pixels(page.locator('phong-viewer')), wanted);
+  });
+
+  for (const when of ['before', 'after', 'long after'] as const) {
+    test(`when children are appended ${when} the viewer is connected`, async ({ page, mount }) => {
+      const wanted = await shown(mount, markup);
+      await mount('<main></main>', size);
+      await page.evaluate(
+        async ({ html, order }) => {
+          const template = document.createElement('template');
+          template.innerHTML = html;
+          const pattern = template.content.firstElementChild!;
+          const element = document.createElement('phong-viewer');
+          for (const { name, value } of pattern.attributes) element.setAttribute(name, value);
+          const main = document.querySelector('main');
+          if (order !== 'before') main?.append(element);
+          if (order === 'long after') await element.ready;
+          // From a template's document: inert until they are adopted.
+          element.append(...pattern.children);
+          if (order === 'before') main?.append(element);
+        },
+        { html: markup, order: when },
+      );
+      await allReady(page);
+      same(await pixels(page.locator('phong-viewer')), wanted);
+    });
+  }
+
+  test('when properties were set before the upgrade', async ({ page, site, mount }) => {
+    const wanted = await shown(mount, markup);
+    await page.goto(
+      site.page(markup.replace('diffuse="200 0 0"', '').replace('geometry="plane"', ''), {
+        css: 'phong-viewer { display: block; width: 60px; height: 40px }',
+      }),
+    );
+    await assign(page.locator('phong-light').first(), { diffuse: [200, 0, 0] });
+    await assign(page.locator('phong-viewer'), { geometry: 'plane' });
+    await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js' });
+    await page.evaluate(() => customElements.whenDefined('phong-viewer'));
+    await allReady(page);
+    same(await pixels(page.locator('phong-viewer')), wanted);
+    await page
+      .locator('phong-light')
+      .first()
+      .evaluate((light: PhongLight) => (light.diffuse = [1, 2, 3]));
+    different(await pixels(page.locator('phong-viewer')), wanted);
+  });
+});
+
+test.describe('moving the viewer in the document', () => {
+  for (const [what, move] of [
+    ['within its parent', (viewer: Element) => viewer.parentElement?.prepend(viewer)],
+    ['into another parent', (viewer: Element) => document.querySelector('aside')?.append(viewer)],
+    [
+      'into a detached tree and back, with a change on the way',
+      (viewer: PhongViewer) => {
+        document.createElement('div').append(viewer);
+        viewer.meshes[0]!.scale = [0.1, 0.1, 0.1];
+        viewer.lights[0]!.diffuse = [1, 2, 3];
+        viewer.lights[0]!.diffuse = [200, 0, 0];
+        viewer.meshes[0]!.scale = [0.3, 0.3, 0.3];
+        document.querySelector('aside')?.append(viewer);
+      },
+    ],
+    [
+      'out of the document for a while',
+      async (viewer: Element) => {
+        viewer.remove();
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        document.body.append(viewer);
+      },
+    ],
+    [
+      'into the shadow tree of another element',
+      (viewer: Element) => document.querySelector('aside')?.attachShadow({ mode: 'open' }).append(viewer),
+    ],
+    [
+      'among the children of another viewer and back',
+      (viewer: Element) => {
+        const other = document.createElement('phong-viewer');
+        document.body.append(other);
+        other.append(viewer);
+        document.body.append(viewer);
+        other.remove();
+      },
+    ],
+  ] as const) {
+    test(`${what} loses nothing`, async ({ page, mount }) => {
+      const markup = `<p>Text</p>${scene(red, green, '<phong-mesh geometry="box" scale="0.3"></phong-mesh>')}<aside></aside>`;
+      const viewer = await mount(markup, size);
+      const before = await pixels(viewer);
+      await viewer.evaluate(move as (element: PhongViewer) => unknown);
+      const moved = page.locator('phong-viewer').first();
+      const facts = await moved.evaluate(async (element: PhongViewer) => {
+        await element.ready;
+        return [element.lights.length, element.meshes.length, element.isConnected];
+      });
+      expect(facts).toEqual([2, 1, true]);
+      same(await pixels(moved, size), before);
+    });
+  }
+});
+
+test('three hundred lights render, none dropped', async ({ mount }) => {
+  // Each adds the same hundredth: 300 of them make three times what 100 make.
+  const light = '<phong-light position="0 1 0 0" diffuse="0.6 0.3 0.15" specular="0"></phong-light>';
+  const viewer = await mount(scene(light.repeat(300)), size);
+  const [r, g, b] = pixelAt(await pixels(viewer), 30, 20);
+  for (const [got, wanted] of [
+    [r, 180],
+    [g, 90],
+    [b, 45],
+  ] as const)
+    // prettier-ignore
+    expect(Math.abs(got - wanted)).toBeLessThanOrEqual(1);
+  expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({
+    lightsDeclared: 300,
+    lightsActive: 300,
+  });
+});
+
+test.describe('lights', () => {
+  test('lists the direct children in order, frozen, at once after a change', async ({ mount }) => {
+    const viewer = await mount(scene(red, `<div>${spot}</div>`, green, '<p>Text</p>'), size);
+    const facts = await viewer.evaluate((element: PhongViewer) => {
+      const before = element.lights;
+      const again = element.lights === before;
+      const added = document.createElement('phong-light');
+      element.prepend(added);
+      const { lights } = element;
+      return {
+        again,
+        frozen: Object.isFrozen(lights),
+        first: lights[0] === added,
+        counts: [before.length, lights.length],
+      };
+    });
+    expect(facts).toEqual({ again: true, frozen: true, first: true, counts: [2, 3] });
+  });
+
+  test('deeper in the markup are none of the viewer', async ({ mount }) => {
+    const wanted = await shown(mount, scene(red));
+    same(await shown(mount, scene(red, `<div>${green}</div>`)), wanted);
+  });
+
+  test('without a name are called by their number', async ({ mount }) => {
+    const plain = '<phong-light></phong-light>';
+    const viewer = await mount(scene(plain, red, '<phong-mesh></phong-mesh>', plain), size);
+    expect(await names(viewer)).toEqual(['light 1', 'red', 'light 3']);
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove());
+    expect(await names(viewer)).toEqual(['red', 'light 2']);
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]?.removeAttribute('name'));
+    expect(await names(viewer)).toEqual(['light 1', 'light 2']);
+  });
+});
+
+test('light-change tells of the light that was written to, or of none when lights come and go', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene(red, green), size);
+  const events = await record(viewer, 'light-change');
+  const change = { type: 'light-change' };
+  await viewer.evaluate((element: PhongViewer) => {
+    element.lights[0]!.cutoff = 3;
+    element.lights[0]!.aperture = 30;
+  });
+  expect(await events.take()).toEqual([{ ...change, detail: { light: '<phong-light>' } }]);
+  await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.cutoff = 3));
+  expect(await events.take()).toEqual([]);
+  await viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove());
+  await expect.poll(() => events.take()).toEqual([{ ...change, detail: { light: null } }]);
+});

@@ -1,0 +1,107 @@
+// What the element's browser tests share: the viewer as it is typed inside the page, its camera and events read from
+// outside, and the hands (mouse, fingers) that act on it. Positions are CSS pixels of the page.
+
+import type { CDPSession, Locator, Page } from '@playwright/test';
+import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../src/index.js';
+
+export type { CameraState, PhongLight, PhongMesh, PhongViewer };
+
+/** The camera as the viewer tells it now. */
+export const cameraOf = (viewer: Locator): Promise<CameraState> =>
+  viewer.evaluate((element: PhongViewer) => element.camera);
+
+/** Assigns properties in one task, in the given order, as a script that knows no types would. */
+export async function assign(element: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
+  await element.evaluate((target, given) => {
+    for (const [key, value] of Object.entries(given)) Reflect.set(target, key, value);
+  }, values);
+}
+
+export interface Heard {
+  readonly type: string;
+  readonly detail: unknown;
+}
+
+export interface Recording {
+  /** What was dispatched since the last call. */
+  take(): Promise<Heard[]>;
+}
+
+/** Writes down the element's events of these types. Elements and other objects in a detail become their tag or type. */
+export async function record(element: Locator, ...types: string[]): Promise<Recording> {
+  const heard = await element.evaluateHandle((target, names) => {
+    const list: Heard[] = [];
+    const plain = (value: unknown): unknown => {
+      if (value instanceof Element) return `<${value.localName}>`;
+      if (typeof value !== 'object' || value === null) return value;
+      return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, plain(inner)]));
+    };
+    for (const type of names) {
+      target.addEventListener(type, (event) =>
+        list.push({ type, detail: plain((event as CustomEvent<unknown>).detail) }),
+      );
+    }
+    return list;
+  }, types);
+  return { take: () => heard.evaluate((list) => list.splice(0)) };
+}
+
+/** Waits until the page has shown what was asked of it so far. */
+export async function nextFrame(page: Page): Promise<void> {
+  await page.evaluate(
+    () =>
+      new Promise<void>((resolve) =>
+        requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),
+      ),
+  );
+}
+
+/** Waits for the viewer to have drawn, or to be drawable, with all that was asked of it. */
+export const settled = (viewer: Locator): Promise<void> =>
+  viewer.evaluate((element: PhongViewer) => element.ready);
+
+export interface DragOptions {
+  readonly button?: 'left' | 'right' | 'middle';
+  readonly steps?: number;
+  /** false: the button stays down. */
+  readonly release?: boolean;
+}
+
+/** Presses at `from` and travels by `by`, both in CSS pixels. */
+export async function drag(
+  page: Page,
+  from: readonly [number, number],
+  by: readonly [number, number],
+  { button = 'left', steps = 4, release = true }: DragOptions = {},
+): Promise<void> {
+  await page.mouse.move(...from);
+  await page.mouse.down({ button });
+  await page.mouse.move(from[0] + by[0], from[1] + by[1], { steps });
+  if (release) await page.mouse.up({ button });
+}
+
+type Place = readonly [x: number, y: number];
+
+/** Fingers on the page, by Chromium's own input: all of them at each call. */
+export class Fingers {
+  readonly #session: CDPSession;
+
+  constructor(session: CDPSession) {
+    this.#session = session;
+  }
+
+  static async on(page: Page): Promise<Fingers> {
+    return new Fingers(await page.context().newCDPSession(page));
+  }
+
+  down = (...places: readonly Place[]): Promise<void> => this.#send('touchStart', places);
+  move = (...places: readonly Place[]): Promise<void> => this.#send('touchMove', places);
+  /** Lifts all fingers, or all but the first ones, which stay where they are said to be. */
+  up = (...left: readonly Place[]): Promise<void> =>
+    this.#send(left.length === 0 ? 'touchEnd' : 'touchMove', left);
+
+  async #send(type: 'touchStart' | 'touchMove' | 'touchEnd', places: readonly Place[]): Promise<void> {
+    const touchPoints = places.map(([x, y], id) => ({ x, y, id }));
+    await this.#session.send('Input.dispatchTouchEvent', { type, touchPoints });
+  }
+}
