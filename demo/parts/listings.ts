@@ -1,0 +1,97 @@
+// Listings: the markup of viewers on this page, read from the live elements, so that it is always what is shown.
+// `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then whichever of
+// them was last taken hold of; `data-source` marks listings whose text the page fills in itself. Figures get a
+// listing of their own, folded.
+import { markupOf } from './markup.js';
+
+export function showListings(root: ParentNode): void {
+  for (const figure of root.querySelectorAll('.aside, .wide')) {
+    const viewers = figure.querySelectorAll('phong-viewer');
+    if (viewers.length > 0) figure.append(folded([...viewers]));
+  }
+  for (const place of root.querySelectorAll<HTMLElement>('.listing[data-of]')) {
+    const viewers = [...root.querySelectorAll(place.dataset['of'] ?? '')];
+    follow(viewers, listing(place, place.dataset['title'] ?? 'The markup of this picture'));
+  }
+}
+
+/** Fills `place` with a caption, a button that copies, and a `<pre>`, which is handed back. */
+export function listing(place: HTMLElement, title: string): HTMLPreElement {
+  const text = document.createElement('pre');
+  text.translate = false;
+  if (place.classList.contains('tall')) {
+    text.tabIndex = 0;
+    text.setAttribute('role', 'region');
+    text.setAttribute('aria-label', title);
+  }
+  const caption = document.createElement('div');
+  caption.className = 'caption';
+  const words = document.createElement('span');
+  words.textContent = title;
+  caption.append(words, copyButton(text, title));
+  place.append(caption, text);
+  return text;
+}
+
+function folded(viewers: readonly Element[]): HTMLElement {
+  const details = document.createElement('details');
+  details.className = 'source';
+  const summary = document.createElement('summary');
+  summary.textContent = 'markup';
+  const place = document.createElement('div');
+  place.className = 'listing';
+  details.append(summary, place);
+  const title = viewers.length > 1 ? 'The picture last touched' : 'This picture';
+  follow(viewers, listing(place, title));
+  return details;
+}
+
+/** Keeps `text` the markup of one of the viewers, through every change of it. */
+function follow(viewers: readonly Element[], text: HTMLElement): void {
+  let [shown] = viewers;
+  const write = (): void => {
+    if (shown !== undefined) text.replaceChildren(...markupOf(shown).map(span));
+  };
+  const observer = new MutationObserver(write);
+  for (const viewer of viewers) {
+    observer.observe(viewer, { attributes: true, childList: true, subtree: true });
+    viewer.addEventListener('focusin', () => {
+      shown = viewer;
+      write();
+    });
+  }
+  write();
+}
+
+function span({ kind, text }: { readonly kind: string; readonly text: string }): Node {
+  if (kind === 'plain') return document.createTextNode(text);
+  const element = document.createElement('span');
+  element.className = kind;
+  element.textContent = text;
+  return element;
+}
+
+function copyButton(text: HTMLElement, title: string): HTMLButtonElement {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = 'Copy';
+  button.setAttribute('aria-label', `Copy: ${title}`);
+  button.addEventListener('click', () => {
+    void copy(text).then((done) => {
+      button.textContent = done ? 'Copied' : 'Selected';
+      setTimeout(() => (button.textContent = 'Copy'), 1500);
+    });
+  });
+  return button;
+}
+
+/** Where the clipboard is out of reach (a page without HTTPS), the text is selected instead. */
+async function copy(text: HTMLElement): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text.textContent);
+    return true;
+  } catch {
+    getSelection()?.selectAllChildren(text);
+    return false;
+  }
+}
