@@ -42,9 +42,13 @@ export class Declared<V extends object> {
     this.#listener?.(key);
   }
 
-  /** Gives several values. All are checked before the first is written. */
+  /** Gives several values, as {@link set} does each. All are checked before the first is written. */
   assign(values: Partial<V>): void {
-    for (const key in values) this.fields[key].check(values[key] ?? this.fields[key].fallback);
+    for (const key in values) {
+      if (!Object.hasOwn(this.fields, key)) throw new TypeError(`there is no value named ${key}`);
+      const value = values[key];
+      if (value !== undefined && value !== null) this.fields[key].check(value);
+    }
     for (const key in values) this.set(key, values[key]);
   }
 
