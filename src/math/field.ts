@@ -184,10 +184,12 @@ export function subsetField<T extends string>(choices: readonly T[]): Field<read
     fallback: Object.freeze([...choices]),
     expected,
     check(value) {
-      if (!Array.isArray(value)) throw wrong(expected, value);
-      const stray: unknown = value.find((item) => !(choices as readonly unknown[]).includes(item));
+      // Spread first: holes count as what they are, no words.
+      const words: readonly unknown[] | null = Array.isArray(value) ? [...(value as unknown[])] : null;
+      if (words?.every((word) => typeof word === 'string') !== true) throw wrong(expected, value);
+      const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
       if (stray !== undefined) throw new RangeError(`expected ${expected}, got ${show(stray)}`);
-      return Object.freeze(choices.filter((choice) => value.includes(choice)));
+      return Object.freeze(choices.filter((choice) => words.includes(choice)));
     },
   };
 }
@@ -205,6 +207,15 @@ export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T |
     word,
     fallback: word,
     expected,
-    check: (value) => (value === word ? word : field.check(value)),
+    check(value) {
+      if (value === word) return word;
+      try {
+        return field.check(value);
+      } catch (error) {
+        // The field alone does not know of the word.
+        if (error instanceof RangeError) throw new RangeError(`expected ${expected}, got ${show(value)}`);
+        throw wrong(expected, value);
+      }
+    },
   };
 }
