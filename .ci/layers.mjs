@@ -24,7 +24,7 @@ export const layers = {
     layers: ['core', 'scene', 'material', 'camera', 'light', 'math'],
     lazy: ['reference'],
     packages: ['lit'],
-    types: ['three'],
+    types: ['three', 'react'],
   },
   gui: { layers: ['element', 'scene', 'material', 'camera', 'light', 'math'], packages: ['lil-gui'] },
   core: { layers: ['material', 'camera', 'light', 'math'], packages: ['three'] },

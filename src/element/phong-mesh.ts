@@ -3,20 +3,21 @@
 import { Declared } from '../math/declared.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh-fields.js';
 import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
+import type { Listen, PhongMeshEventMap } from './events.js';
 
 /** Importing this file where there is no DOM does nothing. */
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
 
 export interface PhongMesh extends MeshValues {
   readonly localName: 'phong-mesh';
+  addEventListener: Listen<this, PhongMeshEventMap>;
+  removeEventListener: Listen<this, PhongMeshEventMap>;
 }
 
 /**
  * A mesh of the `<phong-viewer>` around it. Properties are those of {@link MeshValues}, under the attributes' names; bad
- * attribute values give way to defaults with a warning, bad property values throw.
- *
- * @fires load - its `src` is shown
- * @fires error - its `src` cannot be shown; `detail.code` and `detail.message` say why
+ * attribute values give way to defaults with a warning, bad property values throw. Events are those of
+ * {@link PhongMeshEventMap}.
  */
 export class PhongMesh extends Base {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
