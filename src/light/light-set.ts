@@ -5,6 +5,7 @@ import type { LightState } from './light-state.js';
 /** The lights of one picture, in order. */
 export class LightSet {
   readonly #lights: LightState[] = [];
+  readonly #listeners = new Map<LightState, () => void>();
   readonly #changed: (light: LightState | null) => void;
   #version = 0;
 
@@ -22,17 +23,14 @@ export class LightSet {
     return this.#lights;
   }
 
-  /** Makes these the lights, in this order. */
+  /** Makes these the lights, in this order. A light tells the set that took it last. */
   assign(lights: readonly LightState[]): void {
     if (lights.length === this.#lights.length && lights.every((light, i) => light === this.#lights[i]))
       return;
-    for (const light of this.#lights) light.listen(null);
+    for (const [light, listener] of this.#listeners) light.unlisten(listener);
+    this.#listeners.clear();
     this.#lights.splice(0, this.#lights.length, ...lights);
-    for (const light of lights) {
-      light.listen(() => {
-        this.#bump(light);
-      });
-    }
+    for (const light of lights) this.#listen(light);
     this.#bump(null);
   }
 
@@ -42,6 +40,14 @@ export class LightSet {
 
   remove(light: LightState): void {
     this.assign(this.#lights.filter((other) => other !== light));
+  }
+
+  #listen(light: LightState): void {
+    const listener = (): void => {
+      this.#bump(light);
+    };
+    light.listen(listener);
+    this.#listeners.set(light, listener);
   }
 
   #bump(light: LightState | null): void {

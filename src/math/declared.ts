@@ -56,6 +56,11 @@ export class Declared<V extends object> {
   listen(listener: ((key: keyof V) => void) | null): void {
     this.#listener = listener;
   }
+
+  /** Ends this listener; one that has taken its place since stays. */
+  unlisten(listener: (key: keyof V) => void): void {
+    if (this.#listener === listener) this.#listener = null;
+  }
 }
 
 /** Equal numbers, strings and flags, and lists of such. */

@@ -165,6 +165,20 @@ describe('the listener', () => {
   });
 });
 
+it('ends a listener only while it is the one that listens', () => {
+  const one = lamp();
+  const first = vi.fn();
+  const second = vi.fn();
+  one.listen(first);
+  one.listen(second);
+  one.unlisten(first);
+  one.set('power', 5);
+  expect(second).toHaveBeenCalledTimes(1);
+  one.unlisten(second);
+  one.set('power', 6);
+  expect(second).toHaveBeenCalledTimes(1);
+});
+
 it('compares numbers, words, flags and lists by what they hold', () => {
   expect(sameValue([1, 2], [1, 2])).toBe(true);
   expect(sameValue([1, 2], [1, 3])).toBe(false);

@@ -1,0 +1,127 @@
+// Which lights a picture has: their order, its version, and who is told of changes.
+
+import { describe, expect, it, vi } from 'vitest';
+import { LightSet } from '../../src/light/light-set.js';
+import { LightState } from '../../src/light/light-state.js';
+
+const three = (): [LightState, LightState, LightState] => [
+  new LightState({ name: 'a' }),
+  new LightState({ name: 'b' }),
+  new LightState({ name: 'c' }),
+];
+const names = (set: LightSet): string => set.lights.map(({ values }) => values.name).join('');
+
+describe('a set of lights', () => {
+  it('begins empty', () => {
+    const set = new LightSet();
+    expect(set.lights).toStrictEqual([]);
+    expect(set.version).toBe(0);
+  });
+
+  it('keeps the order in which lights are given', () => {
+    const [a, b, c] = three();
+    const set = new LightSet();
+    set.add(b);
+    set.add(a);
+    set.add(c);
+    expect(names(set)).toBe('bac');
+    set.assign([a, b, c]);
+    expect(names(set)).toBe('abc');
+    set.remove(b);
+    expect(names(set)).toBe('ac');
+    set.assign([]);
+    expect(names(set)).toBe('');
+  });
+
+  it('goes up by one version and tells once for lights that come, go or move', () => {
+    const [a, b, c] = three();
+    const told = vi.fn();
+    const set = new LightSet(told);
+    set.assign([a, b, c]);
+    set.assign([c, b, a]);
+    set.remove(b);
+    expect(set.version).toBe(3);
+    expect(told.mock.calls).toStrictEqual([[null], [null], [null]]);
+  });
+
+  it('goes up and tells which light was written to', () => {
+    const [a, b] = three();
+    const told = vi.fn();
+    const set = new LightSet(told);
+    set.assign([a, b]);
+    told.mockClear();
+    b.set('cutoff', 12);
+    expect(set.version).toBe(2);
+    expect(told).toHaveBeenCalledExactlyOnceWith(b);
+  });
+
+  it('stays as it is where nothing changes', () => {
+    const [a, b, c] = three();
+    const told = vi.fn();
+    const set = new LightSet(told);
+    set.assign([a, b]);
+    told.mockClear();
+    set.assign([a, b]);
+    set.remove(c);
+    a.set('name', 'a');
+    expect(() => {
+      a.set('cutoff', -1);
+    }).toThrow();
+    expect(set.version).toBe(1);
+    expect(told).not.toHaveBeenCalled();
+  });
+
+  it('hears nothing more of a light that has left', () => {
+    const [a, b] = three();
+    const set = new LightSet();
+    set.assign([a, b]);
+    set.remove(a);
+    const { version } = set;
+    a.set('cutoff', 3);
+    expect(set.version).toBe(version);
+    b.set('cutoff', 3);
+    expect(set.version).toBe(version + 1);
+  });
+
+  it('hears of a light that came back', () => {
+    const [a] = three();
+    const set = new LightSet();
+    set.add(a);
+    set.remove(a);
+    set.add(a);
+    const { version } = set;
+    a.set('cutoff', 3);
+    expect(set.version).toBe(version + 1);
+  });
+
+  it('is not affected by what becomes of the list that it was given', () => {
+    const [a, b, c] = three();
+    const list = [a, b];
+    const set = new LightSet();
+    set.assign(list);
+    list.push(c);
+    expect(names(set)).toBe('ab');
+  });
+
+  it('keeps a light that it took over from another set, whichever is told first', () => {
+    const [a] = three();
+    const from = new LightSet();
+    const to = new LightSet();
+    from.add(a);
+    to.add(a);
+    from.remove(a);
+    const { version } = to;
+    a.set('cutoff', 3);
+    expect(to.version).toBe(version + 1);
+  });
+
+  it('counts a light that stands in it twice as one change', () => {
+    const [a] = three();
+    const set = new LightSet();
+    set.assign([a, a]);
+    a.set('cutoff', 3);
+    expect(set.version).toBe(2);
+    set.remove(a);
+    expect(set.lights).toStrictEqual([]);
+  });
+});
