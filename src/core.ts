@@ -13,4 +13,4 @@ export { PhongLighting, type ShadingFrame } from './material/phong-lighting.js';
 export { type BaseLook, PhongMaterial, type ShadingStyle } from './material/phong-material.js';
 export { LIGHT_LOOP_GLSL } from './material/shader-source.js';
 export type { Vec3, Vec4 } from './math/vector.js';
-export { flatGeometry } from './scene/flat-geometry.js';
+export { flatGeometry } from './material/flat-geometry.js';

@@ -19,7 +19,7 @@ function parseNumbers(text: string): readonly number[] | undefined {
     .trim()
     .split(/\s*,\s*|\s+/)
     .map(parseNumber);
-  return numbers.includes(undefined) ? undefined : (numbers as number[]);
+  return numbers.includes(undefined) ? undefined : (numbers as readonly number[]);
 }
 
 function parseFlag(text: string): boolean | undefined {
@@ -56,7 +56,7 @@ export function parseText(text: string, field: Field<unknown>): unknown {
 export function formatValue(value: unknown, field: Field<unknown>): string | null {
   if (field.kind === 'presence') return value === true ? '' : null;
   if (value === null || value === undefined) return null;
-  return Array.isArray(value) ? value.join(' ') : String(value as string | number | boolean);
+  return Array.isArray(value) ? value.join(' ') : `${value as string | number | boolean}`;
 }
 
 /** `autoRotate` is written `auto-rotate`; `crossOrigin` as HTML has it. */

@@ -34,10 +34,10 @@ function ask(text: string): Vec3 | null {
 function read(canvas: CanvasRenderingContext2D, color: string): Vec3 | null {
   canvas.fillStyle = '#010203';
   canvas.fillStyle = color;
-  const first = String(canvas.fillStyle);
+  const first = canvas.fillStyle;
   canvas.fillStyle = '#040506';
   canvas.fillStyle = color;
-  return first === String(canvas.fillStyle) ? fromSerialized(first) : null;
+  return first === canvas.fillStyle ? fromSerialized(first) : null;
 }
 
 /** The three forms in which browsers give sRGB colours back. */

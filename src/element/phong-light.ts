@@ -4,7 +4,7 @@ import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state
 import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
 
 /** Importing this file where there is no DOM does nothing. */
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
 
 export interface PhongLight extends Omit<LightValues, 'name'> {
   readonly localName: 'phong-light';

@@ -6,7 +6,7 @@ import { attributesOf, DeclaredElement, defineProperties } from './declared-elem
 import type { Listen, PhongMeshEventMap } from './events.js';
 
 /** Importing this file where there is no DOM does nothing. */
-const Base = globalThis.HTMLElement ?? (class {} as typeof HTMLElement);
+const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
 
 export interface PhongMesh extends MeshValues {
   readonly localName: 'phong-mesh';

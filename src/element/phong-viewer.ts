@@ -1,9 +1,8 @@
 // <phong-viewer>: the element. It translates: attributes and children into state for the picture, hands into camera
 // moves, what happens into events. It computes no light and draws nothing itself.
-import { html, LitElement, nothing, type PropertyValues } from 'lit';
+import { LitElement, type PropertyValues } from 'lit';
 import { LightSet } from '../light/light-set.js';
 import { Declared } from '../math/declared.js';
-import { NoWebGL2Error } from '../scene/stage.js';
 import { Viewport } from '../scene/viewport.js';
 import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
@@ -18,24 +17,12 @@ import { cameraValues, givenAttributes, markup } from './to-html.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer-camera.js';
 import { ViewerChildren } from './viewer-children.js';
 import { VIEWER_FIELDS, type ViewerValues } from './viewer-fields.js';
-import { errorDetail, type ViewerErrorDetail, ViewerLoading } from './viewer-loading.js';
+import { ViewerFailure } from './viewer-failure.js';
+import { ViewerLoading } from './viewer-loading.js';
 import { ViewerPanel } from './viewer-panel.js';
+import type { ViewerStats } from './viewer-stats.js';
+import { viewerTemplate } from './viewer-template.js';
 import { Visibility } from './visibility.js';
-
-/** A plain snapshot of what drawing costs; counts since the viewer was made unless said otherwise. */
-export interface ViewerStats {
-  readonly frames: number;
-  readonly lightsDeclared: number;
-  readonly lightsActive: number;
-  /** Lights that the shader loops over; the others bring ambient light only, or nothing. */
-  readonly lightsSent: number;
-  /** Programs of the page's WebGL context. */
-  readonly programs: number;
-  /** In the last frame. */
-  readonly drawCalls: number;
-  /** Of light data. */
-  readonly uploads: number;
-}
 
 export interface PhongViewer extends ViewerValues {
   readonly localName: 'phong-viewer';
@@ -72,6 +59,7 @@ export class PhongViewer extends LitElement {
   readonly #holder = document.createElement('div');
   readonly #notices = new Notices(this);
   readonly #panel = new ViewerPanel(this);
+  readonly #failure = new ViewerFailure(this, this.#notices);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
     this.#viewport.invalidate();
@@ -93,13 +81,11 @@ export class PhongViewer extends LitElement {
       this.#cameraMoved('auto');
     },
     contextLost: () => {
-      const message = 'The graphics context was lost. The picture comes back when the browser gives it back.';
-      this.#fail({ code: 'context-lost', message, url: null });
+      this.#failure.contextLost();
       this.#readiness.check();
     },
     contextRestored: () => {
-      this.#failure = null;
-      this.requestUpdate();
+      this.#failure.contextRestored();
     },
   });
   readonly #loading = new ViewerLoading({
@@ -109,7 +95,7 @@ export class PhongViewer extends LitElement {
     elementOf: (mesh) => this.#children.elementOf(mesh),
     childMeshes: () => this.#children.sceneMeshes,
     fail: (detail) => {
-      this.#fail(detail);
+      this.#failure.tell(detail);
     },
     ended: () => {
       this.#readiness.check();
@@ -145,7 +131,6 @@ export class PhongViewer extends LitElement {
     this.#readiness.check();
   });
   #attached = false;
-  #failure: ViewerErrorDetail | null = null;
 
   constructor() {
     super();
@@ -184,16 +169,7 @@ export class PhongViewer extends LitElement {
   }
 
   get stats(): ViewerStats {
-    const { frames, lightsActive, lightsSent, programs, drawCalls, uploads } = this.#viewport.stats;
-    return {
-      frames,
-      lightsDeclared: this.lights.length,
-      lightsActive,
-      lightsSent,
-      programs,
-      drawCalls,
-      uploads,
-    };
+    return { lightsDeclared: this.lights.length, ...this.#viewport.stats };
   }
 
   /**
@@ -240,7 +216,9 @@ export class PhongViewer extends LitElement {
     // At once rather than at the task's end: children and camera can be asked for right after.
     this.performUpdate();
     this.#children.collect();
-    this.#attach();
+    this.#attached = this.#failure.needsWebGL2(() => {
+      this.#viewport.attach();
+    });
   }
 
   override disconnectedCallback(): void {
@@ -257,33 +235,16 @@ export class PhongViewer extends LitElement {
 
   protected override render(): unknown {
     const { alt, poster, orbit } = this.state.values;
-    const label = this.getAttribute('aria-label') ?? alt;
-    const showPoster = poster !== '' && this.#viewport.stats.frames === 0;
-    return html`
-      <div
-        class=${orbit ? 'surface' : 'surface fixed'}
-        part="surface"
-        tabindex="0"
-        role=${label === '' ? nothing : 'img'}
-        aria-label=${label === '' ? nothing : label}
-      >
-        ${this.#holder}
-      </div>
-      ${showPoster ? html`<img class="poster" part="poster" src=${poster} alt="" />` : nothing}
-      ${
-        this.#failure === null
-          ? nothing
-          : html`<div class="message" role="alert">
-              <slot name="error"><p class="notice" part="notice">${this.#failure.message}</p></slot>
-            </div>`
-      }
-      <div class="panel" part="panel"></div>
-      <slot
-        @slotchange=${() => {
-          this.#children.collect();
-        }}
-      ></slot>
-    `;
+    return viewerTemplate({
+      label: this.getAttribute('aria-label') ?? alt,
+      poster: this.#viewport.stats.frames === 0 ? poster : '',
+      fixed: !orbit,
+      notice: this.#failure.message,
+      holder: this.#holder,
+      slotchange: () => {
+        this.#children.collect();
+      },
+    });
   }
 
   protected override firstUpdated(): void {
@@ -306,7 +267,7 @@ export class PhongViewer extends LitElement {
     }
     if (changed.has('src')) {
       this.#readiness.supersede();
-      this.#clear('load-failed', 'bad-model', 'too-large', 'csp');
+      this.#failure.loadingAgain();
     }
     this.#loading.update();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
@@ -328,31 +289,9 @@ export class PhongViewer extends LitElement {
     return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
   }
 
-  #attach(): void {
-    try {
-      this.#viewport.attach();
-      this.#attached = true;
-    } catch (error) {
-      if (!(error instanceof NoWebGL2Error)) throw error;
-      this.#fail(errorDetail(error, null));
-    }
-  }
-
   /** By looking, not by Lit's refs: those are empty while the element is out of the document. */
   #part<E extends HTMLElement>(selector: string): E | null {
     return this.shadowRoot?.querySelector<E>(selector) ?? null;
-  }
-
-  #fail(detail: ViewerErrorDetail): void {
-    this.#failure = detail;
-    this.requestUpdate();
-    this.#notices.tell('error', detail);
-  }
-
-  #clear(...codes: ViewerErrorDetail['code'][]): void {
-    if (this.#failure === null || !codes.includes(this.#failure.code)) return;
-    this.#failure = null;
-    this.requestUpdate();
   }
 
   #cameraMoved(source: CameraSource): void {

@@ -26,7 +26,7 @@ export interface CameraHost {
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
   /** CSS pixels. */
-  size(): { readonly width: number; readonly height: number };
+  readonly size: () => { readonly width: number; readonly height: number };
   moved(source: CameraSource): void;
 }
 
@@ -47,7 +47,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** The element that hands act on: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
-    this.#input = new OrbitInput(surface, this.#inputHost);
+    this.#input = new OrbitInput(surface, this.#inputHost());
     this.#input.connect();
   }
 
@@ -158,27 +158,25 @@ export class ViewerCamera implements ReactiveController {
     this.#host.moved(source);
   }
 
-  readonly #inputHost: OrbitInputHost = (() => {
-    const camera = this;
+  #inputHost(): OrbitInputHost {
+    const { viewport, values, size } = this.#host;
     return {
-      get orbit() {
-        return camera.#host.viewport.orbit;
-      },
-      size: () => camera.#host.size(),
-      fov: () => camera.#host.viewport.fov,
-      radiusLimits: () => camera.#host.viewport.zoomLimits,
-      allows: () => ({ orbit: camera.#host.values.orbit, zoom: camera.#host.values.zoom }),
-      moved: (source: 'pointer' | 'wheel' | 'key') => {
+      orbit: viewport.orbit,
+      size,
+      fov: () => viewport.fov,
+      radiusLimits: () => viewport.zoomLimits,
+      allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
+      moved: (source) => {
         // From now on the camera is the user's: nothing fits it to the scene any more.
-        camera.#host.viewport.framing = null;
-        camera.#told(source);
+        viewport.framing = null;
+        this.#told(source);
       },
       reset: () => {
-        camera.reset('key');
+        this.reset('key');
       },
-      held: (dragging: boolean) => {
-        if (!dragging) camera.#motionMayChange();
+      held: (dragging) => {
+        if (!dragging) this.#motionMayChange();
       },
     };
-  })();
+  }
 }

@@ -21,10 +21,10 @@ export class ViewerPanel {
       return;
     }
     if (loader === null || place === null) return;
-    const { createPanel } = await loader();
+    const door = await fetched(loader);
     const root = place.getRootNode();
-    if (!this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
-    this.#panel = createPanel(this.#viewer, place, root);
+    if (door === null || !this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
+    this.#panel = door.createPanel(this.#viewer, place, root);
   }
 
   /** Brings the panel in step at the task's end. */
@@ -39,4 +39,15 @@ export class ViewerPanel {
     this.#changes.clear();
     for (const change of changes) this.#panel?.update(change);
   };
+}
+
+async function fetched(loader: PanelLoader): Promise<Awaited<ReturnType<PanelLoader>> | null> {
+  try {
+    return await loader();
+  } catch {
+    console.warn(
+      '<phong-viewer> gui: the control panel could not be fetched; the picture goes on without it.',
+    );
+    return null;
+  }
 }

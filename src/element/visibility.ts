@@ -44,12 +44,12 @@ export class Visibility implements ReactiveController {
     this.#intersection.observe(this.#element);
     this.#resize = new ResizeObserver(this.#onResize);
     try {
-      // Whole device pixels, exactly; it also tells when the window moves to a screen of another ratio.
+      // Whole device pixels, exactly.
       this.#resize.observe(this.#element, { box: 'device-pixel-content-box' });
     } catch {
       this.#resize.observe(this.#element);
-      this.#watchRatio(signal);
     }
+    this.#watchRatio(signal);
   }
 
   hostDisconnected(): void {
@@ -85,13 +85,19 @@ export class Visibility implements ReactiveController {
     this.#measure(width, height);
     // Absent where the browser does not know the box, whatever the types say.
     const box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
-    if (box !== undefined) {
-      const upright = getComputedStyle(this.#element).writingMode.startsWith('horizontal');
-      this.#size.pixelWidth = upright ? box.inlineSize : box.blockSize;
-      this.#size.pixelHeight = upright ? box.blockSize : box.inlineSize;
-    }
+    if (box !== undefined) this.#refine(box);
     this.#tell();
   };
+
+  /** The browser's own whole pixels, where they round what was measured: an emulated ratio does not reach the box. */
+  #refine(box: ResizeObserverSize): void {
+    const upright = getComputedStyle(this.#element).writingMode.startsWith('horizontal');
+    const width = upright ? box.inlineSize : box.blockSize;
+    const height = upright ? box.blockSize : box.inlineSize;
+    if (Math.abs(width - this.#size.pixelWidth) > 1 || Math.abs(height - this.#size.pixelHeight) > 1) return;
+    this.#size.pixelWidth = width;
+    this.#size.pixelHeight = height;
+  }
 
   #measure(width: number, height: number): void {
     const ratio = window.devicePixelRatio;
@@ -103,7 +109,7 @@ export class Visibility implements ReactiveController {
     };
   }
 
-  /** For browsers whose observers do not tell of another ratio. A query matches one ratio: each change makes the next. */
+  /** Observers do not always tell of another ratio. A query matches one ratio: each change makes the next. */
   #watchRatio(signal: AbortSignal): void {
     const query = matchMedia(`(resolution: ${String(window.devicePixelRatio)}dppx)`);
     const changed = (): void => {

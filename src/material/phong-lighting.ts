@@ -33,7 +33,7 @@ export class PhongLighting {
   /** Shade in linear light: colours decoded first, the sum encoded last. */
   linear = false;
   #origin: Vec3 = [0, 0, 0];
-  #packed: PackedLights = emptyPack();
+  readonly #packed: PackedLights = emptyPack();
   #packedFor = { version: -1, linear: false, origin: this.#origin };
   #factsVersion = -1;
   readonly #worldToShading = identity();

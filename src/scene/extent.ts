@@ -1,12 +1,6 @@
 // How large a scene is: the box of all its vertices in world space and the farthest of them from a point, in float64.
 // Knows nothing of cameras.
-import {
-  type BufferAttribute,
-  type InterleavedBufferAttribute,
-  type Mesh,
-  type Object3D,
-  Vector3,
-} from 'three';
+import { type Mesh, type Object3D, Vector3 } from 'three';
 import type { Vec3 } from '../math/vector.js';
 
 /** Box and vertices of what a scene shows; `empty` where it shows nothing. */
@@ -59,7 +53,7 @@ export function measure(root: Object3D): Extent {
 const vertex = new Vector3();
 
 function forEachVertex(mesh: Mesh, visit: (place: Vector3) => void): void {
-  const positions = mesh.geometry.getAttribute('position') as BufferAttribute | InterleavedBufferAttribute;
+  const positions = mesh.geometry.getAttribute('position');
   for (let i = 0; i < positions.count; i++)
     visit(vertex.fromBufferAttribute(positions, i).applyMatrix4(mesh.matrixWorld));
 }

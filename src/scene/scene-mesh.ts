@@ -7,7 +7,7 @@ import { PhongMaterial, type ShadingStyle } from '../material/phong-material.js'
 import type { Declared } from '../math/declared.js';
 import { radians } from '../math/angle.js';
 import { type Content, type ContentPart, modelContent, NOTHING, shapeContent } from './content.js';
-import { flatGeometry } from './flat-geometry.js';
+import { flatGeometry } from '../material/flat-geometry.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { CrossOrigin } from './model/load-model.js';
 

@@ -4,14 +4,14 @@ import { Scene, type WebGLRenderer } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
-import { LightSet } from '../light/light-set.js';
+import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/phong-lighting.js';
-import { type ShadingStyle } from '../material/phong-material.js';
+import type { ShadingStyle } from '../material/phong-material.js';
 import { TERMS } from '../material/variant.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
-import { SceneMesh } from './scene-mesh.js';
+import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
 

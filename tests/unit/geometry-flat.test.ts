@@ -8,7 +8,7 @@ import {
   SphereGeometry,
 } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { flatGeometry } from '../../src/scene/flat-geometry.js';
+import { flatGeometry } from '../../src/material/flat-geometry.js';
 
 const TRIANGLE = [0, 0, 0, 2, 0, 0, 0, 3, 0];
 

@@ -11,7 +11,7 @@ import {
   type Texture,
 } from 'three';
 import { srgbEncode } from '../../../math/color.js';
-import { flatGeometry } from '../../flat-geometry.js';
+import { flatGeometry } from '../../../material/flat-geometry.js';
 import { ModelError, type ModelLook, type ModelPart } from '../model.js';
 import { encodedColors, floatPositions, floatUvs, unitNormals, type Attribute } from './attributes.js';
 import { posed } from './pose.js';

@@ -1,0 +1,16 @@
+// What a viewer tells of its own cost. Types only.
+
+/** A plain snapshot of what drawing costs; counts since the viewer was made unless said otherwise. */
+export interface ViewerStats {
+  readonly frames: number;
+  readonly lightsDeclared: number;
+  readonly lightsActive: number;
+  /** Lights that the shader loops over; the others bring ambient light only, or nothing. */
+  readonly lightsSent: number;
+  /** Programs of the page's WebGL context. */
+  readonly programs: number;
+  /** In the last frame. */
+  readonly drawCalls: number;
+  /** Of light data. */
+  readonly uploads: number;
+}
