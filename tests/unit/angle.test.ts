@@ -1,0 +1,110 @@
+// Degrees: wrapping without loss, and sines and cosines that are exact at the quarter turns.
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { cosDegrees, radians, sinDegrees, wrapDegrees } from '../../src/math/angle.js';
+
+const degrees = fc.oneof(
+  fc.double({ min: -1e6, max: 1e6, noNaN: true }),
+  fc.integer({ min: -100_000, max: 100_000 }),
+  fc.double({ noNaN: true, noDefaultInfinity: true }),
+);
+
+it('turns 180 degrees into pi', () => {
+  expect(radians(180)).toBe(Math.PI);
+  expect(radians(-90)).toBe(-Math.PI / 2);
+  expect(radians(0)).toBe(0);
+});
+
+describe('wrapping degrees', () => {
+  it.each([
+    [0, 0],
+    [179.5, 179.5],
+    [180, -180],
+    [-180, -180],
+    [-180.5, 179.5],
+    [190, -170],
+    [540, -180],
+    [-540, -180],
+    [720, 0],
+    [3601, 1],
+  ])('turns %d into %d', (from, to) => {
+    expect(wrapDegrees(from)).toBe(to);
+  });
+
+  it('lands in [-180, 180), and a second time changes nothing', () => {
+    fc.assert(
+      fc.property(degrees, (d) => {
+        const wrapped = wrapDegrees(d);
+        expect(wrapped >= -180 && wrapped < 180).toBe(true);
+        expect(wrapDegrees(wrapped)).toBe(wrapped);
+      }),
+    );
+  });
+
+  it('leaves what is inside bit for bit', () => {
+    fc.assert(
+      fc.property(fc.double({ min: -180, max: 180, maxExcluded: true, noNaN: true }), (d) => {
+        expect(wrapDegrees(d)).toBe(d);
+      }),
+    );
+  });
+
+  it('takes off whole turns and nothing else', () => {
+    fc.assert(
+      fc.property(fc.integer({ min: -180 * 8, max: 180 * 8 - 1 }), fc.integer(), (eighths, turns) => {
+        expect(wrapDegrees(eighths / 8 + 360 * turns) + 0).toBe(eighths / 8);
+      }),
+    );
+  });
+});
+
+describe('sine and cosine of degrees', () => {
+  it.each([
+    [0, 0, 1],
+    [90, 1, 0],
+    [180, 0, -1],
+    [270, -1, 0],
+    [-90, -1, 0],
+    [-180, 0, -1],
+    [360, 0, 1],
+    [1e6 * 360 + 90, 1, 0],
+  ])('are exact at %d', (d, sine, cosine) => {
+    expect(sinDegrees(d) + 0).toBe(sine);
+    expect(cosDegrees(d) + 0).toBe(cosine);
+  });
+
+  it('agree with the built-in functions to a few roundings', () => {
+    fc.assert(
+      fc.property(fc.double({ min: -180, max: 180, noNaN: true }), (d) => {
+        expect(Math.abs(sinDegrees(d) - Math.sin(radians(d)))).toBeLessThan(5e-16);
+        expect(Math.abs(cosDegrees(d) - Math.cos(radians(d)))).toBeLessThan(5e-16);
+      }),
+    );
+  });
+
+  it('lie on the unit circle for any number of degrees', () => {
+    fc.assert(
+      fc.property(degrees, (d) => {
+        expect(Math.abs(Math.hypot(sinDegrees(d), cosDegrees(d)) - 1)).toBeLessThan(5e-16);
+      }),
+    );
+  });
+
+  it('keep the symmetries of sine and cosine exactly', () => {
+    fc.assert(
+      fc.property(fc.integer({ min: -2880, max: 2880 }), (eighths) => {
+        const d = eighths / 8;
+        expect(sinDegrees(-d)).toBe(-sinDegrees(d));
+        expect(cosDegrees(-d)).toBe(cosDegrees(d));
+        expect(sinDegrees(d + 180) + 0).toBe(-sinDegrees(d) + 0);
+        expect(sinDegrees(90 - d) + 0).toBe(cosDegrees(d) + 0);
+      }),
+    );
+  });
+
+  it('keep the precision of small angles', () => {
+    expect(sinDegrees(1e-300)).toBe(radians(1e-300));
+    expect(cosDegrees(90 - 2 ** -40)).toBeCloseTo(radians(2 ** -40), 25);
+  });
+});

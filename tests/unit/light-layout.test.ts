@@ -1,0 +1,88 @@
+// Do the GLSL's defines and the packing's offsets come from one table, and does the table hold together?
+
+import { describe, expect, it } from 'vitest';
+import {
+  BLOCK_ROWS,
+  HEADER,
+  layoutDefines,
+  LEAST_EXPONENT,
+  LIMIT_OPEN,
+  NEAREST,
+  ROWS,
+  TEXTURE_ROWS_LOG2,
+} from '../../src/light/light-layout.js';
+
+const defines = new Map(
+  layoutDefines()
+    .split('\n')
+    .map((line) => {
+      const match = /^#define ([A-Z][A-Z_0-9]*) (\S+)$/.exec(line);
+      if (match === null) throw new Error(`not a define: ${line}`);
+      return [match[1]!, match[2]!] as const;
+    }),
+);
+
+describe('the defines of the layout', () => {
+  it('name each thing once', () => {
+    expect(defines.size).toBe(layoutDefines().split('\n').length);
+  });
+
+  it('carry every offset of the table, and no other', () => {
+    const offsets = Object.entries(ROWS).flatMap(([kind, rows]) =>
+      Object.entries(rows).map(([row, offset]) => [`${kind}_${row}`.toUpperCase(), String(offset)]),
+    );
+    const header = Object.entries(HEADER).map(([row, offset]) => [
+      `HEADER_${row.toUpperCase()}`,
+      String(offset),
+    ]);
+    const others = ['LIMIT_OPEN', 'BLOCK_ROWS', 'TEXTURE_ROWS_LOG2', 'NEAREST_SQUARED'];
+    expect(Object.fromEntries([...defines].filter(([name]) => !others.includes(name)))).toStrictEqual(
+      Object.fromEntries([...header, ...offsets]),
+    );
+    expect(defines.size).toBe(header.length + offsets.length + others.length);
+  });
+
+  it('write whole numbers as ints and real ones as floats, as GLSL tells them apart', () => {
+    expect(defines.get('BLOCK_ROWS')).toBe('1024');
+    expect(defines.get('TEXTURE_ROWS_LOG2')).toBe('10');
+    expect(defines.get('LIMIT_OPEN')).toBe('4.0');
+    expect(defines.get('NEAREST_SQUARED')).toMatch(/[.e]/);
+    expect(Number(defines.get('NEAREST_SQUARED'))).toBeCloseTo(1e-30, 44);
+  });
+});
+
+describe('the layout', () => {
+  it.each(Object.entries(ROWS))(
+    'gives the rows of a %s light distinct places that fill it',
+    (_, { rows, ...offsets }) => {
+      const places = Object.values(offsets).sort((a, b) => a - b);
+      expect(places).toStrictEqual(Array.from({ length: rows }, (_row, i) => i));
+    },
+  );
+
+  it('has its header before the first light', () => {
+    expect([HEADER.counts, HEADER.ambient].sort()).toStrictEqual([0, 1]);
+    expect(HEADER.rows).toBe(2);
+  });
+
+  it('begins a spot as a point light, so that one writer serves both', () => {
+    const { rows: _rows, ...point } = ROWS.point;
+    expect(ROWS.spot).toMatchObject(point);
+  });
+
+  it('fills 16 KiB, which every device has, and texture rows by a shift', () => {
+    expect(BLOCK_ROWS * 16).toBe(16384);
+    expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);
+  });
+
+  it('keeps its thresholds normal float32 numbers', () => {
+    const normal = 2 ** -126;
+    for (const n of [NEAREST, NEAREST * NEAREST, LEAST_EXPONENT])
+      expect(Math.fround(n)).toBeGreaterThan(normal);
+  });
+
+  it('opens a cone by a limit that no chord reaches and float32 holds exactly', () => {
+    expect(LIMIT_OPEN).toBeGreaterThan(1);
+    expect(Math.fround(LIMIT_OPEN)).toBe(LIMIT_OPEN);
+  });
+});
