@@ -1,0 +1,288 @@
+// What stands in each row of packed lights, and which lights get none.
+
+import { describe, expect, it } from 'vitest';
+import { HEADER, LIMIT_OPEN } from '../../src/light/light-layout.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { srgbDecode } from '../../src/math/color.js';
+import { light } from './arbitraries.js';
+import { pack, type PackedLight, read, WORLD } from './packed-reader.js';
+
+const f = Math.fround;
+const floats = (...numbers: number[]): number[] => numbers.map(f);
+/** A light's rows as lists of four. */
+const rows = (packed: PackedLight | undefined): Record<string, number[]> =>
+  Object.fromEntries(Object.entries(packed ?? {}).map(([name, { xyz, w }]) => [name, [...xyz, w]]));
+
+const colors = { ambient: [51, 102, 153], diffuse: [255, 128, 0], specular: [510, 0, 1] } as const;
+const lamp = { ...colors, position: [1, 2, 3, 1] } as const satisfies Partial<LightValues>;
+const spot = { ...lamp, axis: [0, -3, -4], aperture: 60, cutoff: 12 } as const satisfies Partial<LightValues>;
+
+describe('the rows of a light', () => {
+  it('of kind directional hold the unit vector to it and its colours', () => {
+    const { directional, ambient, counts } = read(pack([light({ ...colors, position: [0, 3, 4, 0] })]));
+    expect(counts).toStrictEqual([1, 0, 0]);
+    expect(ambient).toStrictEqual(floats(0.2, 0.4, 0.6));
+    expect(rows(directional[0])).toStrictEqual({
+      direction: floats(0, 0.6, 0.8, 0),
+      diffuse: floats(1, 128 / 255, 0, 0),
+      specular: floats(2, 0, 1 / 255, 0),
+    });
+  });
+
+  it('of kind point hold its place, its colours and its attenuation', () => {
+    const { point, ambient, counts } = read(pack([light({ ...lamp, attenuation: [1.5, 0.25, 0.1] })]));
+    expect(counts).toStrictEqual([0, 1, 0]);
+    expect(ambient).toStrictEqual(floats(0.2, 0.4, 0.6));
+    expect(rows(point[0])).toStrictEqual({
+      position: floats(1, 2, 3, 1.5),
+      diffuse: floats(1, 128 / 255, 0, 0.25),
+      specular: floats(2, 0, 1 / 255, 0.1),
+    });
+  });
+
+  it('of kind spot hold its axis, cutoff, ambient colour and cone too', () => {
+    const { spot: spots, ambient, counts } = read(pack([light({ ...spot, attenuation: [1, 2, 3] })]));
+    expect(counts).toStrictEqual([0, 0, 1]);
+    expect(ambient).toStrictEqual([0, 0, 0]);
+    const { ambient: last, ...others } = rows(spots[0]);
+    expect(others).toStrictEqual({
+      position: floats(1, 2, 3, 1),
+      diffuse: floats(1, 128 / 255, 0, 2),
+      specular: floats(2, 0, 1 / 255, 3),
+      axis: floats(0, -0.6, -0.8, 12),
+    });
+    expect(last!.slice(0, 3)).toStrictEqual(floats(0.2, 0.4, 0.6));
+    expect(last![3]).toBeCloseTo(0.25, 7); // sin²(30°)
+  });
+
+  it('give a spot without a cone the limit that lets all through, and one without decay the exponent 0', () => {
+    const open = rows(read(pack([light({ ...spot, aperture: 180 })])).spot[0]);
+    expect(open['ambient']![3]).toBe(LIMIT_OPEN);
+    const even = rows(read(pack([light({ ...spot, cutoff: 9e-7 })])).spot[0]);
+    expect(even['axis']![3]).toBe(0);
+  });
+});
+
+describe('the order of lights', () => {
+  it('is by kind, and within a kind as declared', () => {
+    const at = (x: number, more: Partial<LightValues> = {}): LightValues =>
+      light({ position: [x, 0, 0, 1], ...more });
+    const cone = { aperture: 20 };
+    const toward = (y: number): LightValues => light({ position: [0, y, 0, 0] });
+    const packed = pack([at(1, cone), at(2), toward(1), at(3), at(4, cone), toward(-1)]);
+    const all = read(packed);
+    expect(all.counts).toStrictEqual([2, 2, 2]);
+    expect(all.directional.map((one) => one['direction']!.xyz[1])).toStrictEqual([1, -1]);
+    expect(all.point.map((one) => one['position']!.xyz[0])).toStrictEqual([2, 3]);
+    expect(all.spot.map((one) => one['position']!.xyz[0])).toStrictEqual([1, 4]);
+    expect(packed.sent).toBe(6);
+  });
+});
+
+describe('a light is left out of the loop', () => {
+  it.each<[string, Partial<LightValues>, number]>([
+    ['switched off', { active: false, ambient: [255, 0, 0] }, 0],
+    ['black', { diffuse: [0, 0, 0], specular: [0, 0, 0] }, 0],
+    [
+      'a lamp with ambient colour only',
+      { position: [1, 2, 3, 1], diffuse: [0, 0, 0], specular: [0, 0, 0], ambient: [255, 0, 0] },
+      1,
+    ],
+    ['a black spot', { ...spot, ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] }, 0],
+    ['directional without a direction', { position: [0, 0, 0, 0], ambient: [255, 0, 0] }, 1],
+    [
+      'directional and out of its own cone',
+      { position: [0, 1, 0, 0], axis: [0, 1, 0], aperture: 170, ambient: [255, 0, 0] },
+      0,
+    ],
+    [
+      'directional, behind its own decay',
+      { position: [0, 1, 0, 0], axis: [0, 1, 0], cutoff: 1, ambient: [255, 0, 0] },
+      0,
+    ],
+  ])('that is %s', (_, values, ambient) => {
+    const packed = pack([light(values)]);
+    expect(packed.rows).toBe(HEADER.rows);
+    expect(packed.sent).toBe(0);
+    expect(read(packed)).toMatchObject({ counts: [0, 0, 0], ambient: [ambient, 0, 0] });
+    expect(packed.active).toBe(values.active === false ? 0 : 1);
+  });
+
+  it('but not one with a single colour left, nor a spot whose ambient light alone is cut out by its cone', () => {
+    expect(pack([light({ diffuse: [0, 0, 0], specular: [0, 0, 5e-3] })]).sent).toBe(1);
+    expect(pack([light({ ...spot, diffuse: [0, 0, 0], specular: [0, 0, 0] })]).sent).toBe(1);
+  });
+});
+
+describe('ambient light', () => {
+  it('is summed over lights that reach everywhere, spots aside', () => {
+    const packed = pack([
+      light({ ambient: [51, 0, 0] }),
+      light({ ambient: [0, 51, 0], position: [1, 2, 3, 1] }),
+      light({ ambient: [0, 0, 51], position: [0, 0, 0, 0] }),
+      light({ ...spot, ambient: [255, 255, 255] }),
+      light({ ambient: [255, 0, 0], active: false }),
+    ]);
+    expect(read(packed).ambient).toStrictEqual(floats(0.2, 0.2, 0.2));
+  });
+
+  it('is summed in float64, so that many faint lights are not lost beside a bright one', () => {
+    const faint = Array.from({ length: 1000 }, () => light({ ambient: [255e-6, 0, 0] }));
+    const [sum] = read(pack([light({ ambient: [255_000, 0, 0] }), ...faint])).ambient;
+    expect(sum).toBe(f(1000.001));
+  });
+});
+
+describe('the cone and decay of a directional light', () => {
+  const toward = (degrees: number, more: Partial<LightValues>): LightValues => {
+    const angle = (degrees * Math.PI) / 180;
+    return light({
+      position: [Math.sin(angle), Math.cos(angle), 0, 0],
+      axis: [0, -2, 0],
+      ambient: [255, 0, 0],
+      ...more,
+    });
+  };
+
+  it('multiply all of its colours', () => {
+    const { ambient, directional } = read(pack([toward(60, { cutoff: 2 })]));
+    const decay = 0.75 ** 2; // ((1 + cos 60°)/2)²
+    expect(ambient[0]).toBeCloseTo(decay, 7);
+    expect(directional[0]!['diffuse']!.xyz[2]).toBeCloseTo(decay, 7);
+    expect(directional[0]!['specular']!.xyz[0]).toBeCloseTo(decay, 7);
+  });
+
+  it.each([1e-3, 0.5, 10, 45, 89, 91, 120, 179, 179.999])('end at %d degrees', (aperture) => {
+    expect(pack([toward(aperture * (1 - 1e-9), { aperture })]).sent).toBe(1);
+    expect(pack([toward(aperture * (1 + 1e-9), { aperture })]).sent).toBe(0);
+  });
+
+  it.each<[number, readonly [number, number, number], readonly [number, number, number]]>([
+    [0, [1, 2, 3], [-1, -2, -3]],
+    [0, [1, 2, 3], [-0.1, -0.2, -0.3]],
+    [45, [1, 1, 0], [-1, 0, 0]],
+    [45, [1, 1, 0], [0, -7, 0]],
+    [60, [1, Math.sqrt(3), 0], [-1, 0, 0]],
+    [90, [0, 0, 5], [-1, -3, 0]],
+    [135, [1, 1, 0], [1, 0, 0]],
+  ])('take a direction exactly at the edge of %d degrees in', (aperture, [x, y, z], axis) => {
+    expect(pack([light({ position: [x, y, z, 0], axis, aperture })]).sent).toBe(1);
+  });
+
+  it('of no width take only what is on the axis', () => {
+    const off = (x: number): LightValues => light({ position: [x, 1, 0, 0], axis: [0, -1, 0], aperture: 0 });
+    expect(pack([off(0)]).sent).toBe(1);
+    expect([1e-3, 1e-8, 1e-10, 1e-14].map((x) => pack([off(x)]).sent)).toStrictEqual([0, 0, 0, 0]);
+  });
+
+  it('almost as wide as can be leave out what is right behind', () => {
+    const behind = (x: number): LightValues =>
+      light({ position: [x, 1, 0, 0], axis: [0, 1, 0], aperture: 180 - 1e-9 });
+    expect([0, 1e-12].map((x) => pack([behind(x)]).sent)).toStrictEqual([0, 0]);
+    expect([1e-10, 1e-3].map((x) => pack([behind(x)]).sent)).toStrictEqual([1, 1]);
+  });
+
+  it('need an axis and a direction', () => {
+    const open = { aperture: 0, cutoff: 9, ambient: [255, 0, 0] } as const;
+    expect(read(pack([light({ ...open, axis: [0, 0, 0] })])).directional[0]!['diffuse']!.xyz[0]).toBe(1);
+    expect(read(pack([light({ ...open, position: [0, 0, 0, 0] })])).ambient[0]).toBe(1);
+  });
+});
+
+describe('spaces', () => {
+  const world = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -100, 0, 0, 1];
+  // The eye at (0, 0, 5) of shading space looks along −x: right is −z, back is +x.
+  const camera = [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 5, 1];
+  const space = { worldToShading: world, cameraToShading: camera, linear: false };
+
+  it('bring places by matrix and translation, directions and axes by rotation alone', () => {
+    const { directional, spot: spots } = read(
+      pack([light({ position: [3, 0, 0, 0] }), light({ ...spot, axis: [2, 0, 0] })], space),
+    );
+    expect(directional[0]!['direction']!.xyz).toStrictEqual([1, 0, 0]);
+    expect(spots[0]!['position']!.xyz).toStrictEqual([-99, 2, 3]);
+    expect(spots[0]!['axis']!.xyz).toStrictEqual([1, 0, 0]);
+  });
+
+  it('turn lights of camera space with the eye', () => {
+    const inCamera = { space: 'camera' } as const;
+    const {
+      directional,
+      point,
+      spot: spots,
+    } = read(
+      pack(
+        [
+          light({ position: [0, 0, 1, 0], ...inCamera }),
+          light({ position: [1, 2, -3, 1], ...inCamera }),
+          light({ ...spot, axis: [0, 0, -1], ...inCamera }),
+        ],
+        space,
+      ),
+    );
+    expect(directional[0]!['direction']!.xyz.map((x) => x + 0)).toStrictEqual([1, 0, 0]);
+    expect(point[0]!['position']!.xyz).toStrictEqual([-3, 2, 4]);
+    expect(spots[0]!['axis']!.xyz.map((x) => x + 0)).toStrictEqual([-1, 0, 0]);
+  });
+
+  it('far from the origin lose nothing: the difference is taken before rounding', () => {
+    const far = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1e8, 0, 0, 1];
+    const { point } = read(
+      pack([light({ position: [1e8 + 0.125, 2, 3, 1] })], { ...space, worldToShading: far }),
+    );
+    expect(point[0]!['position']!.xyz).toStrictEqual([0.125, 2, 3]);
+  });
+});
+
+describe('linear colours', () => {
+  it('are decoded by the sRGB curve before anything else, its continuation above full included', () => {
+    const linear = { ...WORLD, linear: true };
+    const decoded = (code: number): number => f(srgbDecode(code / 255));
+    const { point, ambient } = read(pack([light(lamp)], linear));
+    expect(point[0]!['diffuse']!.xyz).toStrictEqual([1, decoded(128), 0]);
+    expect(point[0]!['specular']!.xyz).toStrictEqual([decoded(510), 0, decoded(1)]);
+    expect(ambient).toStrictEqual([51, 102, 153].map(decoded));
+  });
+
+  it('decay after decoding', () => {
+    const half = light({ position: [1, 0, 0, 0], axis: [0, -1, 0], cutoff: 1, diffuse: [128, 0, 0] });
+    const { directional } = read(pack([half], { ...WORLD, linear: true }));
+    expect(directional[0]!['diffuse']!.xyz[0]).toBeCloseTo(srgbDecode(128 / 255) / 2, 7);
+  });
+});
+
+describe('a pack that is used again', () => {
+  const many = Array.from({ length: 100 }, (_, i) => light({ position: [i, 0, 0, 1] }));
+
+  it('grows as it must and never shrinks', () => {
+    const into = emptyPack();
+    packLights(many, WORLD, into);
+    expect(into.rows).toBe(HEADER.rows + 300);
+    const { length } = into.data;
+    expect(length).toBeGreaterThanOrEqual(into.rows * 4);
+    const { data } = into;
+    packLights([], WORLD, into);
+    expect(into.rows).toBe(HEADER.rows);
+    expect(into.data).toBe(data);
+    expect(into.data.length).toBe(length);
+  });
+
+  it('holds the same as a fresh one, whatever it held before', () => {
+    const into = emptyPack();
+    packLights(
+      [...many, light({ ...spot, ambient: [255, 255, 255] }), light({ ambient: [9, 9, 9] })],
+      WORLD,
+      into,
+    );
+    const lights = [light(lamp), light(spot), light()];
+    packLights(lights, WORLD, into);
+    const fresh = pack(lights);
+    expect(into).toMatchObject({ rows: fresh.rows, active: 3, sent: 3 });
+    expect(into.data.slice(0, into.rows * 4)).toStrictEqual(fresh.data.slice(0, fresh.rows * 4));
+  });
+
+  it('begins as an empty picture', () => {
+    expect(read(emptyPack())).toStrictEqual({ ...read(pack([])) });
+  });
+});
