@@ -122,9 +122,8 @@ function chord(a: Vec3, b: Vec3): number {
 /** An aperture in degrees as the one float the shader compares with; see LIMIT_OPEN. */
 export function coneLimit(aperture: number): number {
   if (aperture >= 180) return LIMIT_OPEN;
-  const half = radians(aperture) / 2;
-  // Beyond 90° the chord to the far side is the short one, and precise.
-  return aperture <= 90 ? Math.sin(half) ** 2 : -(Math.cos(half) ** 2);
+  // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
+  return aperture <= 90 ? Math.sin(radians(aperture) / 2) ** 2 : -(Math.sin(radians(180 - aperture) / 2) ** 2);
 }
 
 type Writer = (data: Float32Array, at: number, light: Values, colors: LightColors, space: PackSpace) => void;
