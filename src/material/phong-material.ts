@@ -98,7 +98,6 @@ export class PhongMaterial extends ShaderMaterial {
     });
     this.#lighting = lighting;
     this.#look = look;
-    this.uniformsGroups = [lighting.rows.group];
     this.#writeSurface();
   }
 
@@ -159,6 +158,8 @@ export class PhongMaterial extends ShaderMaterial {
     if (key === this.#programKey) return;
     this.#programKey = key;
     this.defines = defines;
+    // A group that the program has no block for is an error to WebGL.
+    this.uniformsGroups = lighting.rows.storage === 'block' ? [lighting.rows.group] : [];
     this.needsUpdate = true;
     this.#writeSurface(); // linear or not may be what changed
   }

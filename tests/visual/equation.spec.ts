@@ -1,6 +1,7 @@
 // Do whole pictures follow the equation? Random scenes on a plane, pixel by pixel against float64, by markup alone.
 import { expect, type Mount, pixels, test, type Picture } from '../support/test.js';
-import { randomScene, sceneMarkup } from './random-scene.js';
+import type { Vec3 } from '../../src/math/vector.js';
+import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 import { caster, type CastScene } from './ray-cast.js';
 
 const SIZE = { width: 200, height: 140 };
@@ -82,4 +83,31 @@ test('shades random boxes, turned and mirrored, within one code', async ({ mount
 test('shades flat faces with the triangles’ own normals within one code', async ({ mount }) => {
   test.setTimeout(600_000);
   await holds(mount, 'box', Math.ceil(SCENES / 6), 'flat');
+});
+
+test('sums as many lights as there are, more than any uniforms hold', async ({ mount }) => {
+  test.setTimeout(120_000);
+  const small = { width: 60, height: 42 };
+  const scene = randomScene(4);
+  const dice = new Dice(7);
+  const lights = Array.from({ length: 400 }, () => {
+    const light = randomLight(dice);
+    // Dim, so that the sum stays in range; rounded, as an author would write it.
+    const dim = (c: Vec3): Vec3 => [Math.round(c[0]) / 100, Math.round(c[1]) / 100, Math.round(c[2]) / 100];
+    return {
+      ...light,
+      // No cones: so many would leave no pixel away from every edge.
+      aperture: 180,
+      ambient: dim(light.ambient),
+      diffuse: dim(light.diffuse),
+      specular: dim(light.specular),
+    };
+  });
+  for (const count of [200, 400]) {
+    const crowd: CastScene = { ...scene, lights: lights.slice(0, count) };
+    const viewer = await mount(sceneMarkup(crowd), small);
+    const errors = compareWithReference(await pixels(viewer, small), crowd);
+    expect.soft(errors.max, `${count} lights, ${errors.at}`).toBeLessThanOrEqual(1);
+    expect(errors.compared).toBeGreaterThan(1000);
+  }
 });
