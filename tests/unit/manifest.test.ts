@@ -1,0 +1,132 @@
+// Do the files for editors say what the elements are? Generated in memory from the source as it is.
+
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { Ajv } from 'ajv';
+import type { CustomElementDeclaration } from 'custom-elements-manifest';
+import { describe, expect, it } from 'vitest';
+import { describeElements } from '../../.ci/manifest/elements.mjs';
+import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
+import * as tables from '../../.ci/manifest/tables.js';
+import type { SingleNumber } from '../../src/element/jsx.js';
+import { PhongLight } from '../../src/element/phong-light.js';
+import { PhongMesh } from '../../src/element/phong-mesh.js';
+
+const elements = describeElements(tables);
+const manifest = customElementsManifest(elements);
+const declarations = manifest.modules[0]!.declarations as CustomElementDeclaration[];
+const declared = (tag: string): CustomElementDeclaration => declarations.find((d) => d.tagName === tag)!;
+const attributes = declarations.flatMap(({ tagName, attributes = [] }) =>
+  attributes.map((attribute) => ({ ...attribute, title: `${tagName!} ${attribute.name}` })),
+);
+const fieldOf = (title: string) => {
+  const [tag = '', name] = title.split(' ');
+  return Object.entries(tables.fields[tag]!).find(([key]) => tables.attributeOf(key) === name)![1];
+};
+
+describe('the custom elements manifest', () => {
+  it('keeps to the published schema', () => {
+    const path = createRequire(import.meta.url).resolve('custom-elements-manifest/schema.json');
+    const validate = new Ajv({ strict: false }).compile(JSON.parse(readFileSync(path, 'utf8')) as object);
+    validate(manifest);
+    expect(validate.errors).toBeNull();
+  });
+
+  it('has every attribute that the elements observe, in their order, and no other', () => {
+    const names = (tag: string) => declared(tag).attributes!.map(({ name }) => name);
+    expect(names('phong-light')).toEqual(PhongLight.observedAttributes);
+    expect(names('phong-mesh')).toEqual(PhongMesh.observedAttributes);
+    expect(names('phong-viewer')).toEqual(
+      Object.keys(tables.fields['phong-viewer']!).map(tables.attributeOf),
+    );
+  });
+
+  it.each(attributes)('describes $title with words, a type and its property', (attribute) => {
+    expect(attribute.description).toMatch(/^\S.{10}/);
+    expect(attribute.type!.text).toMatch(/^(string|boolean|number( \| 'auto')?|'[\w-]+'( \| '[\w-]+')+)$/);
+    expect(tables.attributeOf(attribute.fieldName!)).toBe(attribute.name);
+  });
+
+  it.each(attributes)('gives $title the default that its absence has', ({ title, default: text }) => {
+    const { fallback, kind } = fieldOf(title);
+    if (fallback === null) expect(text).toBeUndefined();
+    else if (kind === 'presence') expect(text).toBe('false');
+    else expect(text).toBe(tables.formatValue(fallback, fieldOf(title)));
+  });
+
+  it('spells the choices out', () => {
+    const type = (tag: string, name: string) =>
+      declared(tag).attributes!.find((attribute) => attribute.name === name)!.type!.text;
+    expect(type('phong-light', 'space')).toBe("'world' | 'camera'");
+    expect(type('phong-mesh', 'shading')).toBe("'phong' | 'gouraud' | 'flat'");
+    expect(type('phong-viewer', 'radius')).toBe("number | 'auto'");
+  });
+
+  it('lists what scripts may call and read on the viewer, and nothing inner', () => {
+    const members = declared('phong-viewer').members!.map(({ name }) => name);
+    const offered = ['camera', 'lights', 'meshes', 'loaded', 'scene', 'stats', 'ready'];
+    offered.push('toBlob', 'toHTML', 'resetCamera', 'requestRender', 'autoRotate');
+    expect(members).toEqual(expect.arrayContaining(offered));
+    expect(members.filter((name) => /^#|Callback$|^(state|declared|render|updated)$/.test(name))).toEqual([]);
+    for (const member of declared('phong-viewer').members!)
+      expect(member.description, member.name).toBeTruthy();
+  });
+
+  it('lists the events with their details, the slots and the parts', () => {
+    const { events, slots, cssParts } = declared('phong-viewer');
+    const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'render'];
+    expect(events!.map(({ name }) => name).sort()).toEqual(names.sort());
+    expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
+    expect(slots!.map(({ name }) => name)).toEqual(['', 'error']);
+    expect(cssParts!.map(({ name }) => name)).toEqual(expect.arrayContaining(['surface', 'panel']));
+    expect(declared('phong-mesh').events!.map(({ name }) => name)).toEqual(['load', 'error']);
+  });
+});
+
+describe("JetBrains' web-types and VS Code's data", () => {
+  const { elements: tags } = webTypes(elements, { name: 'x', version: '1.0.0' }).contributions.html;
+  const data = vsCodeHtmlData(elements).tags;
+
+  it('name the same tags and attributes as the manifest', () => {
+    const expected = declarations.map((d) => [d.tagName, d.attributes!.map(({ name }) => name)]);
+    expect(tags.map((tag) => [tag.name, tag.attributes.map(({ name }) => name)])).toEqual(expected);
+    expect(data.map((tag) => [tag.name, tag.attributes.map(({ name }) => name)])).toEqual(expected);
+  });
+
+  it('offer the values that an editor can complete', () => {
+    const attribute = (tag: string, name: string) =>
+      data.find((entry) => entry.name === tag)!.attributes.find((entry) => entry.name === name);
+    const values = (tag: string, name: string) => {
+      const found = attribute(tag, name)!;
+      return 'values' in found ? found.values.map((value) => value.name) : [];
+    };
+    expect(values('phong-light', 'active')).toEqual(['true', 'false']);
+    expect(values('phong-mesh', 'geometry')).toContain('torus-knot');
+    expect(values('phong-viewer', 'target')).toEqual(['auto']);
+    expect(attribute('phong-viewer', 'gui')).toMatchObject({ valueSet: 'v' });
+  });
+});
+
+describe('the JSX types', () => {
+  it('take one number where the property takes it for three', () => {
+    const typed: Record<SingleNumber, true> = {
+      ambient: true,
+      diffuse: true,
+      specular: true,
+      ka: true,
+      kd: true,
+      ks: true,
+      scale: true,
+    };
+    const found = Object.values(tables.fields)
+      .flatMap((fields) => Object.entries(fields))
+      .filter(([, { check }]) => {
+        try {
+          return Array.isArray(check(1));
+        } catch {
+          return false;
+        }
+      });
+    expect(new Set(found.map(([key]) => key))).toEqual(new Set(Object.keys(typed)));
+  });
+});
