@@ -123,7 +123,9 @@ function chord(a: Vec3, b: Vec3): number {
 export function coneLimit(aperture: number): number {
   if (aperture >= 180) return LIMIT_OPEN;
   // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
-  return aperture <= 90 ? Math.sin(radians(aperture) / 2) ** 2 : -(Math.sin(radians(180 - aperture) / 2) ** 2);
+  return aperture <= 90
+    ? Math.sin(radians(aperture) / 2) ** 2
+    : -(Math.sin(radians(180 - aperture) / 2) ** 2);
 }
 
 type Writer = (data: Float32Array, at: number, light: Values, colors: LightColors, space: PackSpace) => void;

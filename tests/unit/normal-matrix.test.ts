@@ -1,0 +1,187 @@
+// Normals from model to shading space, for every scale that a mesh may have.
+
+import fc from 'fast-check';
+import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { normalMatrix } from '../../src/material/normal-matrix.js';
+import { plainVector, triple } from './arbitraries.js';
+
+function place(rotation: readonly number[], scale: readonly number[]): Matrix4 {
+  const [x = 0, y = 0, z = 0] = rotation;
+  const turn = new Quaternion().setFromEuler(new Euler(x, y, z));
+  const [sx = 1, sy = 1, sz = 1] = scale;
+  return new Matrix4().compose(new Vector3(5, -6, 7), turn, new Vector3(sx, sy, sz));
+}
+
+const normals = (model: Matrix4): Matrix3 => {
+  const out = new Matrix3();
+  normalMatrix(model, out);
+  return out;
+};
+
+const through = (model: Matrix4, normal: readonly [number, number, number]): Vector3 =>
+  new Vector3(...normal).applyMatrix3(normals(model)).normalize();
+
+const angles = triple(fc.double({ min: -4, max: 4, noNaN: true }));
+const factor = fc.oneof(
+  fc.double({ min: 0.01, max: 100, noNaN: true }),
+  fc.double({ min: -100, max: -0.01, noNaN: true }),
+);
+const near = (a: Vector3, b: Vector3): void => {
+  expect(a.distanceTo(b)).toBeLessThan(1e-9);
+};
+
+describe('the normal matrix', () => {
+  it('turns normals as it turns the mesh, and moves them nowhere', () => {
+    near(through(place([0, 0, Math.PI / 2], [1, 1, 1]), [1, 0, 0]), new Vector3(0, 1, 0));
+    near(through(place([0, 0, 0], [1, 1, 1]), [0, 0, 1]), new Vector3(0, 0, 1));
+  });
+
+  it('tilts normals against a stretch', () => {
+    near(through(place([0, 0, 0], [2, 1, 1]), [1, 1, 0]), new Vector3(0.5, 1, 0).normalize());
+  });
+
+  it.each([[[-1, 1, 1]], [[1, -1, 1]], [[-1, -1, -1]], [[-2, 3, 0.5]], [[-1, -1, 1]]])(
+    'keeps outside outside where the scale is %j',
+    (scale) => {
+      const model = place([0.3, 0.4, 0.5], scale);
+      // A sphere's normal leads outward: the point a little along it must stay farther from the centre's image.
+      const centre = new Vector3().applyMatrix4(model);
+      for (const normal of [
+        [1, 0, 0],
+        [0, 1, 0],
+        [0, 0, 1],
+        [1, 1, 1],
+        [-1, 2, -0.5],
+      ] as const) {
+        const outward = new Vector3(...normal).applyMatrix4(model).sub(centre);
+        expect(through(model, normal).dot(outward)).toBeGreaterThan(0);
+      }
+    },
+  );
+
+  it('agrees with the inverse transpose for every regular matrix', () => {
+    fc.assert(
+      fc.property(angles, fc.tuple(factor, factor, factor), plainVector, (rotation, scale, normal) => {
+        const model = place(rotation, scale);
+        const inverse = new Matrix3().setFromMatrix4(model).invert().transpose();
+        near(through(model, normal), new Vector3(...normal).applyMatrix3(inverse).normalize());
+      }),
+    );
+  });
+
+  it('keeps normals at right angles to what they stood on', () => {
+    fc.assert(
+      fc.property(
+        angles,
+        fc.tuple(factor, factor, factor),
+        plainVector,
+        plainVector,
+        (rotation, scale, a, b) => {
+          const normal = new Vector3(...a).cross(new Vector3(...b));
+          fc.pre(normal.length() > 1e-3);
+          const model = place(rotation, scale);
+          const got = through(model, [normal.x, normal.y, normal.z]);
+          for (const edge of [a, b]) {
+            const turned = new Vector3(...edge).transformDirection(model);
+            expect(Math.abs(got.dot(turned))).toBeLessThan(1e-9);
+          }
+        },
+      ),
+    );
+  });
+
+  it('has a largest entry of 1, whatever the scale, so that float32 holds it', () => {
+    const power = fc.integer({ min: -12, max: 12 });
+    fc.assert(
+      fc.property(angles, fc.tuple(power, power, power), (rotation, powers) => {
+        const scale = powers.map((p) => 10 ** p);
+        const entries = normals(place(rotation, scale)).elements.map(Math.abs);
+        expect(Math.max(...entries)).toBeCloseTo(1, 14);
+      }),
+    );
+  });
+
+  it.each([1e12, 1e-12, -1e12, -1e-12])('gives at scale %d what it gives at scale 1 or −1', (s) => {
+    const one = normals(place([1, 2, 3], [Math.sign(s), Math.sign(s), Math.sign(s)])).elements;
+    normals(place([1, 2, 3], [s, s, s])).elements.forEach((x, i) => {
+      expect(Math.abs(x - one[i]!)).toBeLessThan(1e-14);
+    });
+  });
+
+  it('gives the direction of normals at the two ends of the domain at once', () => {
+    const model = place([0.3, 0.4, 0.5], [1e12, 1e-12, 1e12]);
+    const axis = new Vector3(0, 1, 0).transformDirection(place([0.3, 0.4, 0.5], [1, 1, 1]));
+    for (const normal of [
+      [0, 1, 0],
+      [1, 1, 1],
+      [1e-3, -1, 0],
+    ] as const) {
+      near(through(model, normal), axis.clone().multiplyScalar(Math.sign(normal[1])));
+    }
+  });
+});
+
+describe('the normal matrix of a flattened mesh', () => {
+  it.each([
+    [
+      [0, 2, 3],
+      [1, 0, 0],
+    ],
+    [
+      [2, 0, 3],
+      [0, 1, 0],
+    ],
+    [
+      [2, 3, 0],
+      [0, 0, 1],
+    ],
+    [
+      [-2, 3, 0],
+      [0, 0, 1],
+    ],
+  ] as const)('by scale %j leaves the normals along %j alone', (scale, axis) => {
+    fc.assert(
+      fc.property(angles, plainVector, (rotation, normal) => {
+        const along = normal[axis.indexOf(1)]!;
+        const got = new Vector3(...normal).applyMatrix3(normals(place(rotation, scale)));
+        if (along === 0) {
+          expect(got.length()).toBe(0);
+          return;
+        }
+        const turned = new Vector3(...axis).transformDirection(place(rotation, [1, 1, 1]));
+        // The cofactors of the two scales that are left have their sign: it is the side that the triangles face.
+        const side =
+          Math.sign(along) * Math.sign(scale.reduce((product, s) => (s === 0 ? product : product * s), 1));
+        near(got.normalize(), turned.multiplyScalar(side));
+      }),
+    );
+  });
+
+  it('to a line or a point is zero, never NaN', () => {
+    for (const scale of [
+      [1, 0, 0],
+      [0, 0, 1],
+      [0, 0, 0],
+    ]) {
+      fc.assert(
+        fc.property(angles, (rotation) => {
+          expect(normals(place(rotation, scale)).elements.every((x) => x === 0)).toBe(true);
+        }),
+        { numRuns: 50 },
+      );
+    }
+  });
+
+  it('is finite for anything that a matrix may hold', () => {
+    const entry = fc.oneof(
+      fc.double({ min: -1e27, max: 1e27, noNaN: true }),
+      fc.constantFrom(0, 1, -1, 5e-324, 1e-30),
+    );
+    fc.assert(
+      fc.property(fc.array(entry, { minLength: 16, maxLength: 16 }), (entries) => {
+        expect(normals(new Matrix4().fromArray(entries)).elements.every(Number.isFinite)).toBe(true);
+      }),
+    );
+  });
+});

@@ -1,0 +1,196 @@
+// The programs' text: every chunk where it belongs, once, and no shared number written a second time by hand.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { layoutDefines } from '../../src/light/light-layout.js';
+import { FRAGMENT_SHADER, LIGHT_LOOP_GLSL, VERTEX_SHADER } from '../../src/material/shader-source.js';
+
+const folder = new URL('../../shaders/', import.meta.url);
+const chunks = new Map(
+  readdirSync(folder)
+    .filter((name) => name.endsWith('.glsl'))
+    .map((name) => [name, readFileSync(new URL(name, folder), 'utf8')]),
+);
+const chunk = (name: string): string => chunks.get(`${name}.glsl`)!;
+
+const withoutComments = (glsl: string): string => glsl.replace(/\/\*[^]*?\*\/|\/\/.*/g, '');
+
+const count = (text: string, part: string): number => text.split(part).length - 1;
+
+const defined = [...VERTEX_SHADER.matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, value]) => ({
+  name: name!,
+  value: value!,
+}));
+
+/** What is left of a program under some defines: `#ifdef`, `#ifndef`, `#else`, `#endif` only, as all chunks use. */
+function preprocess(glsl: string, on: ReadonlySet<string>): string {
+  const taken: boolean[] = [];
+  const lines = withoutComments(glsl)
+    .split('\n')
+    .filter((line) => {
+      const [, directive, name = ''] = /^\s*#(ifdef|ifndef|if|else|endif)\b\s*(\w*)/.exec(line) ?? [];
+      if (directive === undefined) return taken.every(Boolean);
+      if (directive === 'ifdef') taken.push(on.has(name));
+      else if (directive === 'ifndef') taken.push(!on.has(name));
+      else if (directive === 'if') taken.push(on.has('LIGHT_STORAGE_BLOCK'));
+      else if (directive === 'else') taken.push(!(taken.pop() ?? false));
+      else taken.pop();
+      return false;
+    });
+  expect(taken).toStrictEqual([]);
+  return lines.join('\n');
+}
+
+const BLOCK = 'LIGHT_STORAGE_BLOCK';
+
+describe('the chunks', () => {
+  it.each([...chunks.keys()])('%s is in the programs', (name) => {
+    const text = chunks.get(name)!;
+    expect(VERTEX_SHADER.includes(text) || FRAGMENT_SHADER.includes(text)).toBe(true);
+  });
+
+  it.each([
+    'guard',
+    'power',
+    'attenuation',
+    'spot',
+    'diffuse_lobe',
+    'light_rows',
+    'light_loop',
+    'specular_phong',
+    'specular_blinn_phong',
+  ])('%s is in the light loop once', (name) => {
+    expect(count(LIGHT_LOOP_GLSL, chunk(name))).toBe(1);
+  });
+
+  it('are declared before they are used, whichever lobe is chosen', () => {
+    for (const on of [[BLOCK], [BLOCK, 'REFLECTION_BLINN_PHONG']]) {
+      const text = preprocess(LIGHT_LOOP_GLSL, new Set([...on, 'HAS_SPOT', 'HAS_POINT', 'HAS_SPECULAR']));
+      for (const name of [
+        'unitOrZero',
+        'powerNearOne',
+        'attenuation',
+        'insideCone',
+        'specularLobe',
+        'lightRow',
+      ]) {
+        const declaration = text.search(new RegExp(`(float|vec3|vec4|bool) ${name}\\(`));
+        expect(declaration).toBeGreaterThanOrEqual(0);
+        expect(text.indexOf(`${name}(`)).toBeGreaterThanOrEqual(declaration);
+      }
+    }
+  });
+
+  const stages = [
+    ['vertex', VERTEX_SHADER],
+    ['fragment', FRAGMENT_SHADER],
+  ] as const;
+  const variants = [
+    [],
+    ['SHADING_GOURAUD'],
+    ['REFLECTION_BLINN_PHONG', 'IS_LINEAR'],
+    ['SHADING_GOURAUD', 'REFLECTION_BLINN_PHONG', 'IS_LINEAR'],
+  ];
+  it.each(stages)('define no function twice in the %s stage, and one main', (_, source) => {
+    for (const variant of variants) {
+      const text = preprocess(source, new Set([BLOCK, ...variant]));
+      const functions = [
+        ...text.matchAll(/^(?:void|float|vec[34]|bool|LightSums) (\w+)\(([^)]*)\)\s*{/gm),
+      ].map(([, name]) => name!);
+      expect(functions).toContain('main');
+      expect(new Set(functions).size).toBe(functions.length);
+    }
+  });
+
+  it('sum the lights in one stage only', () => {
+    const has = (source: string, on: string[]): boolean =>
+      preprocess(source, new Set(on)).includes('lightSums(');
+    expect(has(VERTEX_SHADER, [])).toBe(false);
+    expect(has(FRAGMENT_SHADER, [])).toBe(true);
+    expect(has(VERTEX_SHADER, ['SHADING_GOURAUD'])).toBe(true);
+    expect(has(FRAGMENT_SHADER, ['SHADING_GOURAUD'])).toBe(false);
+  });
+
+  it('declare uniforms in the programs and the storage of lights only', () => {
+    const declaring = [...chunks].filter(([, text]) => /\buniform\b/.test(withoutComments(text)));
+    expect(declaring.map(([name]) => name).sort()).toStrictEqual([
+      'light_rows.glsl',
+      'phong.frag.glsl',
+      'phong.vert.glsl',
+    ]);
+  });
+
+  it.each([...chunks])('%s closes every condition that it opens', (_, text) => {
+    expect(() => preprocess(text, new Set())).not.toThrow();
+  });
+
+  it.each([...chunks])('%s asks for no precision below highp and trusts no NaN', (_, text) => {
+    expect(withoutComments(text)).not.toMatch(/\b(mediump|lowp|isnan|isinf)\b/);
+  });
+});
+
+describe('numbers that TypeScript and GLSL share', () => {
+  it('stand before everything in the loop, each once', () => {
+    expect(LIGHT_LOOP_GLSL.startsWith(layoutDefines())).toBe(true);
+    const names = defined.map(({ name }) => name);
+    expect(new Set(names).size).toBe(names.length);
+  });
+
+  it('are real numbers where GLSL calculates with floats', () => {
+    for (const { name, value } of defined) {
+      if (/^(SRGB_|LIMIT_|NEAREST)/.test(name)) expect(value).toMatch(/^[\d.]+(e[+-]?\d+)?$/);
+      if (/^(SRGB_|LIMIT_|NEAREST)/.test(name)) expect(value).toMatch(/[.e]/);
+      else expect(value).toMatch(/^\d+$/);
+    }
+  });
+
+  it.each([...chunks])('%s defines none of them itself', (_, text) => {
+    for (const { name } of defined) {
+      expect(text).not.toMatch(new RegExp(`#define ${name}\\b|const \\w+ ${name}\\b`));
+    }
+  });
+
+  it.each([...chunks])('%s writes none of their values by hand', (_, text) => {
+    // Small whole numbers mean many things; every other shared value would be a copy.
+    const numbers = (withoutComments(text).match(/(?<![\w.])\d+\.?\d*(e[+-]?\d+)?/gi) ?? []).map(Number);
+    const shared = defined.map(({ value }) => Number(value)).filter((n) => !Number.isInteger(n) || n > 10);
+    for (const n of shared) expect(numbers).not.toContain(n);
+  });
+
+  it('index rows by name alone', () => {
+    for (const [, text] of chunks) {
+      expect(withoutComments(text)).not.toMatch(/lightRow\([^)]*\d/);
+      expect(withoutComments(text)).not.toMatch(/\brow \+ \d|uLightRows\[\d/);
+    }
+  });
+
+  it('name every row that the loop reads, and the loop reads every row', () => {
+    const loop = chunk('light_loop');
+    const rows = defined
+      .map(({ name }) => name)
+      .filter((name) => /^(DIRECTIONAL|POINT|SPOT|HEADER)_/.test(name));
+    for (const name of rows) expect(loop).toMatch(new RegExp(`\\b${name}\\b`));
+    const used = new Set(loop.match(/\b(DIRECTIONAL|POINT|SPOT|HEADER)_[A-Z]+\b/g));
+    expect([...used].sort()).toStrictEqual([...rows].sort());
+  });
+});
+
+describe('code for what no light has', () => {
+  const loopWith = (...on: string[]): string => preprocess(LIGHT_LOOP_GLSL, new Set([BLOCK, ...on]));
+
+  it.each([
+    ['HAS_DIRECTIONAL', 'row + DIRECTIONAL_DIRECTION'],
+    ['HAS_POINT', 'row + POINT_POSITION'],
+    ['HAS_SPOT', 'insideCone(toAxis'],
+    ['HAS_ATTENUATION', 'attenuation(vec3('],
+    ['HAS_AMBIENT', 'HEADER_AMBIENT)'],
+    ['HAS_DIFFUSE', 'sums.diffuse +='],
+    ['HAS_SPECULAR', 'sums.specular +='],
+  ])('without %s is not in the loop', (fact, code) => {
+    const others = ['DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION', 'AMBIENT', 'DIFFUSE', 'SPECULAR']
+      .map((name) => `HAS_${name}`)
+      .filter((name) => name !== fact);
+    expect(loopWith(...others).includes(code)).toBe(false);
+    expect(loopWith(...others, fact).includes(code)).toBe(true);
+  });
+});
