@@ -19,5 +19,5 @@ export function remove() {
 }
 
 export function toggle() {
-  for (const light of lights) light.active = !light.active;
+  for (const light of lights) light.setAttribute('active', String(!light.active));
 }
