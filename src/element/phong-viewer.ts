@@ -73,7 +73,7 @@ export class PhongViewer extends LitElement {
     },
     beforeFrame: (now) => this.#camera.frame(now),
     drawn: () => {
-      if (this.#viewport.stats.frames === 1) this.requestUpdate(); // the poster has done its work
+      this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));
       this.#readiness.check();
     },
@@ -121,7 +121,7 @@ export class PhongViewer extends LitElement {
       this.#cameraMoved(source);
     },
   });
-  readonly #visibility = new Visibility(this, (sight) => {
+  readonly #visibility = new Visibility(this.#holder, (sight) => {
     if (sight.visible) this.#loading.seen();
     else this.#camera.rest();
     this.#viewport.resize(sight.pixelWidth, sight.pixelHeight);
@@ -131,6 +131,7 @@ export class PhongViewer extends LitElement {
     this.#readiness.check();
   });
   #attached = false;
+  #revealed = false;
 
   constructor() {
     super();
@@ -237,7 +238,7 @@ export class PhongViewer extends LitElement {
     const { alt, poster, orbit } = this.state.values;
     return viewerTemplate({
       label: this.getAttribute('aria-label') ?? alt,
-      poster: this.#viewport.stats.frames === 0 ? poster : '',
+      poster: this.#revealed ? '' : poster,
       fixed: !orbit,
       notice: this.#failure.message,
       holder: this.#holder,
@@ -287,6 +288,13 @@ export class PhongViewer extends LitElement {
     if (!this.isConnected || !this.#attached) return true;
     if (this.#loading.pending || !this.#visibility.known) return false;
     return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
+  }
+
+  /** The first picture of all that was asked for is drawn: the poster has done its work. */
+  #reveal(): void {
+    if (this.#revealed || this.#loading.pending) return;
+    this.#revealed = true;
+    this.requestUpdate();
   }
 
   /** By looking, not by Lit's refs: those are empty while the element is out of the document. */

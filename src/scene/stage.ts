@@ -34,6 +34,7 @@ class Stage {
   readonly #clients = new Set<StageClient>();
   readonly #copies = new WeakMap<StageClient, HTMLCanvasElement>();
   #renderer: WebGLRenderer | null = null;
+  #maxSize = Infinity;
 
   /** Throws {@link NoWebGL2Error}. */
   add(client: StageClient): void {
@@ -62,12 +63,9 @@ class Stage {
     return this.#renderer?.info.programs?.length ?? 0;
   }
 
-  /** The largest side of one drawing, in pixels. */
+  /** The largest side of one drawing, in pixels; without limit while nothing draws. */
   get maxSize(): number {
-    const gl = this.#need().getContext();
-    const viewport = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
-    const buffer = gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number;
-    return Math.min(viewport[0] ?? 0, viewport[1] ?? 0, buffer);
+    return this.#maxSize;
   }
 
   /** Draws one client's picture by `render` and shows it. */
@@ -100,12 +98,13 @@ class Stage {
     picture.width = width;
     picture.height = height;
     const context = picture.getContext('2d');
-    if (context === null || picture.width !== width || picture.height !== height) {
+    if (context === null || !holds(context, width, height)) {
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
     const borrowed = this.#renderer === null;
     const renderer = (this.#renderer ??= this.#createRenderer());
     const canvas = renderer.domElement;
+    const before = { width: canvas.width, height: canvas.height };
     const step = Math.min(this.maxSize, LARGEST_PART);
     for (let y = 0; y < height; y += step) {
       for (let x = 0; x < width; x += step) {
@@ -120,6 +119,7 @@ class Stage {
     }
     // The drawing went over what the one picture of the page was showing.
     if (this.#clients.size === 1) for (const client of this.#clients) client.redraw();
+    else this.#resize(renderer, before.width, before.height); // a large one would stay large
     if (borrowed) queueMicrotask(this.#closeIfEmpty);
     return picture;
   }
@@ -172,6 +172,7 @@ class Stage {
     if (context === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context');
     canvas.addEventListener('webglcontextlost', this.#lost);
     canvas.addEventListener('webglcontextrestored', this.#restored);
+    this.#maxSize = maxSizeOf(context);
     const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
     renderer.setPixelRatio(1); // sizes here are device pixels already
     renderer.setClearColor(0x000000, 0);
@@ -208,6 +209,25 @@ export interface Region {
 
 /** Larger pictures are drawn in parts: four times the memory of this many pixels squared is lent by every GPU. */
 const LARGEST_PART = 4096;
+
+/** Browsers hand out canvases that they have no memory for: only what was drawn on one tells. */
+function holds(context: CanvasRenderingContext2D, width: number, height: number): boolean {
+  if (context.canvas.width !== width || context.canvas.height !== height) return false;
+  const corner = [width - 1, height - 1, 1, 1] as const;
+  try {
+    context.fillRect(...corner);
+    const drawn = context.getImageData(...corner).data[3] === 255;
+    context.clearRect(...corner);
+    return drawn;
+  } catch {
+    return false;
+  }
+}
+
+function maxSizeOf(gl: WebGL2RenderingContext): number {
+  const viewport = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
+  return Math.min(viewport[0] ?? 0, viewport[1] ?? 0, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
+}
 
 function show(client: StageClient, canvas: HTMLCanvasElement): void {
   if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);

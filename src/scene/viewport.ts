@@ -1,6 +1,6 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import { Scene, type WebGLRenderer } from 'three';
+import { type Mesh, Scene, type ShaderMaterial, Texture, type WebGLRenderer } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
@@ -64,6 +64,10 @@ export class Viewport implements StageClient, Framed {
   #bounds: Bounds | null = null;
   #extentStale = true;
   #fitStale = true;
+  /** Width over height of the last size that was not nothing: a hidden picture keeps its camera. */
+  #aspect = 1;
+  /** Whose GPU memory holds the lights: another renderer is sent all of them. */
+  #renderer: WebGLRenderer | null = null;
   #frames = 0;
   #drawCalls = 0;
 
@@ -79,7 +83,6 @@ export class Viewport implements StageClient, Framed {
   attach(): void {
     stage.add(this);
     this.#attached = true;
-    this.lighting.rows.restore();
     this.invalidate();
   }
 
@@ -88,6 +91,10 @@ export class Viewport implements StageClient, Framed {
     this.#visible = undefined;
     frameLoop.cancel(this);
     stage.remove(this);
+    // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
+    queueMicrotask(() => {
+      if (!this.#attached) this.#release();
+    });
   }
 
   get fov(): number {
@@ -132,11 +139,15 @@ export class Viewport implements StageClient, Framed {
     this.#wake();
   }
 
-  /** In device pixels; a picture without any is not drawn. */
-  resize(width: number, height: number): void {
+  /** In device pixels, fewer where the GPU draws no more; a picture without any is not drawn. */
+  resize(wantedWidth: number, wantedHeight: number): void {
+    const fit = Math.min(1, stage.maxSize / Math.max(wantedWidth, wantedHeight, 1));
+    const width = Math.floor(wantedWidth * fit);
+    const height = Math.floor(wantedHeight * fit);
     if (width === this.width && height === this.height) return;
     this.width = width;
     this.height = height;
+    if (width > 0 && height > 0) this.#aspect = width / height;
     this.#fitStale = true;
     this.#dirty = true;
     this.#wake();
@@ -195,7 +206,10 @@ export class Viewport implements StageClient, Framed {
   }
 
   redraw(): void {
-    if (!this.drawable || this.#visible === undefined) return;
+    if (!this.drawable || this.#visible === undefined) {
+      this.#dirty = true;
+      return;
+    }
     this.settle();
     stage.draw(this, (renderer) => {
       this.#render(renderer, this.width, this.height);
@@ -256,6 +270,21 @@ export class Viewport implements StageClient, Framed {
     this.lighting.dispose();
   }
 
+  /** Frees what the GPU holds of this picture. Nothing is lost: drawing again sends it again. */
+  #release(): void {
+    this.scene.traverse((object) => {
+      const { geometry, material } = object as Partial<Mesh>;
+      geometry?.dispose();
+      for (const one of [material ?? []].flat()) {
+        one.dispose();
+        for (const value of Object.values((one as Partial<ShaderMaterial>).uniforms ?? {})) {
+          if (value.value instanceof Texture) value.value.dispose();
+        }
+      }
+    });
+    this.lighting.dispose();
+  }
+
   /** Visibility, size or context changed: what waited for them is asked for, what cannot be shown is not. */
   #wake(): void {
     if (!this.drawable) frameLoop.cancel(this);
@@ -263,6 +292,8 @@ export class Viewport implements StageClient, Framed {
   }
 
   #render(renderer: WebGLRenderer, width: number, height: number, part?: Region): void {
+    if (renderer !== this.#renderer) this.lighting.rows.restore();
+    this.#renderer = renderer;
     this.#view.aim(this.#fov, this.#bounds, width, height, part);
     this.lighting.update(this.#view.frame);
     renderer.render(this.scene, this.#view.camera);
@@ -280,13 +311,12 @@ export class Viewport implements StageClient, Framed {
   #fit(): void {
     if (this.#framing === null) return;
     const { target, radius } = this.#framing;
-    const aspect = this.width > 0 && this.height > 0 ? this.width / this.height : 1;
-    const fitted = fitPose(this.#bounds, this.#fov, aspect);
+    const fitted = fitPose(this.#bounds, this.#fov, this.#aspect);
     const place = target === 'auto' ? fitted.target : target;
     const distance =
       target === 'auto' || this.#extent.empty
         ? fitted.radius
-        : fitRadius(this.#extent.radiusAbout(target), this.#fov, aspect);
+        : fitRadius(this.#extent.radiusAbout(target), this.#fov, this.#aspect);
     const before = this.orbit.version;
     this.orbit.set({ target: place, radius: radius === 'auto' ? distance : radius });
     if (this.orbit.version !== before) this.#events.fitted();
