@@ -77,9 +77,7 @@ export class PhongViewer extends LitElement {
       this.dispatchEvent(new CustomEvent('render'));
       this.#readiness.check();
     },
-    fitted: () => {
-      this.#cameraMoved('auto');
-    },
+    fitted: () => this.#cameraMoved('auto'),
     contextLost: () => {
       this.#failure.contextLost();
       this.#readiness.check();
@@ -117,9 +115,7 @@ export class PhongViewer extends LitElement {
     values: this.state.values,
     viewport: this.#viewport,
     size: () => this.#visibility.size,
-    moved: (source) => {
-      this.#cameraMoved(source);
-    },
+    moved: (source) => this.#cameraMoved(source),
   });
   readonly #visibility = new Visibility(this.#holder, (sight) => {
     if (sight.visible) this.#loading.seen();

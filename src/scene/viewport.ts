@@ -1,6 +1,6 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import { type Mesh, Scene, type ShaderMaterial, Texture, type WebGLRenderer } from 'three';
+import { Scene, type WebGLRenderer } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
@@ -11,6 +11,7 @@ import { TERMS } from '../material/variant.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
+import { releaseGpu } from './release-gpu.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
@@ -93,7 +94,9 @@ export class Viewport implements StageClient, Framed {
     stage.remove(this);
     // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
     queueMicrotask(() => {
-      if (!this.#attached) this.#release();
+      if (this.#attached) return;
+      releaseGpu(this.scene);
+      this.lighting.dispose();
     });
   }
 
@@ -267,21 +270,6 @@ export class Viewport implements StageClient, Framed {
   dispose(): void {
     this.detach();
     for (const mesh of this.#meshes) mesh.dispose();
-    this.lighting.dispose();
-  }
-
-  /** Frees what the GPU holds of this picture. Nothing is lost: drawing again sends it again. */
-  #release(): void {
-    this.scene.traverse((object) => {
-      const { geometry, material } = object as Partial<Mesh>;
-      geometry?.dispose();
-      for (const one of [material ?? []].flat()) {
-        one.dispose();
-        for (const value of Object.values((one as Partial<ShaderMaterial>).uniforms ?? {})) {
-          if (value.value instanceof Texture) value.value.dispose();
-        }
-      }
-    });
     this.lighting.dispose();
   }
 
