@@ -1,3 +1,148 @@
-// placeholder until the panel is there
-import type { CreatePanel } from '../element/panel-door.js';
-export const createPanel: CreatePanel = () => ({ update: () => undefined, dispose: () => undefined });
+// The control panel: which folders there are, and what brings which of them in step. It writes through the elements' own
+// properties only, and asks for no frame. Fetched on demand; must not know how anything is drawn.
+import { GUI } from 'lil-gui';
+import type { CreatePanel, Panel, PanelChange } from '../element/panel-door.js';
+import type { PhongLight } from '../element/phong-light.js';
+import type { PhongMesh } from '../element/phong-mesh.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+import { CameraFolder } from './camera-folder.js';
+import { ChildFolders } from './child-folders.js';
+import { CopyButton } from './copy-html.js';
+import { addGroup, atOnce, type Folder } from './folder.js';
+import { LightFolder } from './light-folder.js';
+import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
+import { newLight } from './new-light.js';
+import { adoptStyles } from './panel-styles.js';
+import { addButton } from './rows.js';
+import { SceneRange } from './scene-range.js';
+import { shadingFolder } from './shading-folder.js';
+
+/** Viewers narrower than this, in CSS pixels, begin with the panel closed: it would hide the picture. */
+const WIDE = 480;
+
+export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
+
+class ControlPanel implements Panel {
+  readonly #viewer: PhongViewer;
+  readonly #gui: GUI;
+  readonly #range: SceneRange;
+  readonly #lightGroup: GUI;
+  readonly #lights: ChildFolders<PhongLight>;
+  readonly #meshGroup: GUI;
+  readonly #meshes: ChildFolders<PhongMesh>;
+  readonly #camera: CameraFolder;
+  readonly #shading: Folder;
+  readonly #surface: ReturnType<typeof ownSurfaceFolder>;
+  readonly #copy: CopyButton;
+  readonly #dropStyles: () => void;
+  #meshList: readonly PhongMesh[] = [];
+
+  constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
+    this.#viewer = viewer;
+    this.#dropStyles = adoptStyles(root);
+    const gui = newRoot(place);
+    this.#gui = gui;
+    this.#range = new SceneRange(viewer);
+    this.#lightGroup = addGroup(gui, 'Lights');
+    addButton(this.#lightGroup, 'add light', () => {
+      this.#addLight();
+    });
+    this.#lights = new ChildFolders(this.#lightGroup, (light) => this.#lightFolder(light));
+    this.#camera = new CameraFolder(gui, viewer, this.#range);
+    this.#shading = shadingFolder(gui, viewer);
+    this.#surface = ownSurfaceFolder(gui, viewer);
+    this.#meshGroup = addGroup(gui, 'Meshes').close();
+    this.#meshes = new ChildFolders(
+      this.#meshGroup,
+      (mesh) => new MeshFolder(this.#meshGroup, mesh, this.#range),
+    );
+    this.#copy = new CopyButton(gui, () => viewer.toHTML());
+    for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.update(change);
+    gui.onOpenClose(() => {
+      this.#settle();
+    });
+    viewer.addEventListener('load', this.#loaded);
+    if (isNarrow(viewer)) gui.close();
+  }
+
+  update(change: PanelChange): void {
+    if (change === 'light' || change === 'lights') this.#lights.update(this.#viewer.lights);
+    else if (change === 'mesh' || change === 'meshes') this.#updateMeshes();
+    else this.#camera.update();
+    if (change !== 'viewer') return;
+    this.#shading.update();
+    this.#surface.update();
+  }
+
+  dispose(): void {
+    this.#viewer.removeEventListener('load', this.#loaded);
+    this.#copy.dispose();
+    this.#gui.destroy();
+    this.#dropStyles();
+  }
+
+  /** Something was opened: what could not be seen until now is brought in step. */
+  #settle(): void {
+    this.#lights.settle();
+    this.#meshes.settle();
+    for (const folder of [this.#camera.folder, this.#shading, this.#surface.folder]) folder.settle();
+  }
+
+  #updateMeshes(): void {
+    const { meshes } = this.#viewer;
+    if (meshes !== this.#meshList) this.#range.expire();
+    this.#meshList = meshes;
+    this.#meshGroup.show(meshes.length > 0);
+    this.#meshes.update(meshes);
+  }
+
+  readonly #loaded = (): void => {
+    this.#range.expire();
+    this.#lights.update(this.#viewer.lights);
+    this.#camera.update();
+    this.#updateMeshes();
+  };
+
+  #lightFolder(light: PhongLight): LightFolder {
+    return new LightFolder(this.#lightGroup, light, this.#viewer, this.#range, () => {
+      this.#removeLight(light);
+    });
+  }
+
+  /** Appends a light and shows its folder, open. */
+  #addLight(): void {
+    const light = document.createElement('phong-light');
+    Object.assign(light, newLight(this.#viewer.lights.length, this.#range.center, this.#range.reach));
+    this.#viewer.append(light);
+    this.update('lights');
+    const folder = this.#lights.folderOf(light);
+    if (folder === undefined) return;
+    folder.gui.open();
+    folder.gui.$title.focus({ preventScroll: true });
+    const list = this.#gui.$children;
+    list.scrollTop += folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;
+  }
+
+  /** The keyboard goes on from the next light's title, or the last one's. */
+  #removeLight(light: PhongLight): void {
+    const at = this.#viewer.lights.indexOf(light);
+    light.remove();
+    this.update('lights');
+    const { lights } = this.#viewer;
+    const next = lights[at] ?? lights.at(-1);
+    const folder = next === undefined ? this.#lightGroup : this.#lights.folderOf(next)?.gui;
+    folder?.$title.focus({ preventScroll: true });
+  }
+}
+
+function newRoot(place: HTMLElement): GUI {
+  const gui = atOnce(new GUI({ container: place, injectStyles: false, title: 'Controls' }));
+  // A press beside the controls is the panel's: without this the picture would take the focus, and with it the keys.
+  gui.domElement.tabIndex = -1;
+  gui.domElement.setAttribute('role', 'group');
+  gui.domElement.setAttribute('aria-label', 'Controls');
+  return gui;
+}
+
+/** A viewer without a width yet is judged by its window. */
+const isNarrow = (viewer: HTMLElement): boolean => (viewer.clientWidth || window.innerWidth) < WIDE;

@@ -1,0 +1,80 @@
+// A bright colour as a colour to pick and an intensity to turn, and back. 255 = full; an intensity of 1 is the picked
+// colour itself. Numbers only: knows neither controls nor whose colour it is.
+import { LIMITS } from '../light/light-state.js';
+import { sameValue } from '../math/declared.js';
+import type { Vec3 } from '../math/vector.js';
+
+export interface Tint {
+  /** 0–255 a channel, unrounded. */
+  readonly color: Vec3;
+  /** >= 0; colour times intensity is the value. */
+  readonly intensity: number;
+}
+
+const BLACK: Vec3 = [0, 0, 0];
+const WHITE: Vec3 = [255, 255, 255];
+
+/**
+ * Splits a value as it was put together here, if it was; else so that the largest channel is full. A value that turns
+ * black keeps the last colour, with intensity 0.
+ */
+export class ColorMix {
+  #last: Tint | null = null;
+
+  split(value: Vec3): Tint {
+    if (this.#last !== null && sameValue(joined(this.#last), value)) return this.#last;
+    const largest = Math.max(...value);
+    if (largest === 0) return { color: this.#last?.color ?? BLACK, intensity: 0 };
+    const full = (channel: number): number => (channel * 255) / largest;
+    const tint: Tint = {
+      color: [full(value[0]), full(value[1]), full(value[2])],
+      intensity: largest / 255,
+    };
+    this.#last = tint;
+    return tint;
+  }
+
+  /** The value with another colour and the same intensity; 1 where it was black and no colour known. */
+  recolor(value: Vec3, color: Vec3): Vec3 {
+    const { intensity } = this.split(value);
+    return this.#join({ color, intensity: this.#knowsNone(value) ? 1 : intensity });
+  }
+
+  /** The value with another intensity and the same colour; white where it was black and no colour known. */
+  intensify(value: Vec3, intensity: number): Vec3 {
+    const { color } = this.split(value);
+    return this.#join({ color: this.#knowsNone(value) ? WHITE : color, intensity });
+  }
+
+  #knowsNone(value: Vec3): boolean {
+    return this.#last === null && sameValue(value, BLACK);
+  }
+
+  #join(tint: Tint): Vec3 {
+    this.#last = tint;
+    return joined(tint);
+  }
+}
+
+/** Six digits: finer than any screen, and short in markup. */
+function joined({ color, intensity }: Tint): Vec3 {
+  const channel = (c: number): number => Math.min(Number((c * intensity).toPrecision(6)), LIMITS.color);
+  return [channel(color[0]), channel(color[1]), channel(color[2])];
+}
+
+/** `#rrggbb`, channels rounded. */
+export const hexOf = (color: Vec3): string =>
+  `#${color
+    .map((c) =>
+      Math.round(Math.min(Math.max(c, 0), 255))
+        .toString(16)
+        .padStart(2, '0'),
+    )
+    .join('')}`;
+
+/** The channels of `#rrggbb`. */
+export const colorOf = (hex: string): Vec3 => [
+  parseInt(hex.slice(1, 3), 16),
+  parseInt(hex.slice(3, 5), 16),
+  parseInt(hex.slice(5, 7), 16),
+];

@@ -1,0 +1,182 @@
+// A light's folder: every attribute of <phong-light>, written through the element's own properties. Units as in HTML.
+// Knows neither the other lights nor the panel around it.
+import type { GUI } from 'lil-gui';
+import type { PhongLight } from '../element/phong-light.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+import { isSpot, kindOf } from '../light/light-kind.js';
+import { LIGHT_SPACES } from '../light/light-state.js';
+import type { Vec3 } from '../math/vector.js';
+import type { ChildFolder } from './child-folders.js';
+import { Folder } from './folder.js';
+import { KIND_RULE, KindChoice, LIGHT_KINDS } from './kind-choice.js';
+import {
+  addButton,
+  addChoice,
+  addColor,
+  addFlag,
+  addNumber,
+  addText,
+  addVector,
+  axesOf,
+  named,
+} from './rows.js';
+import type { SceneRange } from './scene-range.js';
+import { linear, logarithmic } from './travel.js';
+
+/** Where the intensity's slider ends at first. */
+const USUAL_INTENSITY = 4;
+
+export class LightFolder implements ChildFolder {
+  readonly folder: Folder;
+  readonly #light: PhongLight;
+  readonly #viewer: PhongViewer;
+  readonly #range: SceneRange;
+  readonly #remove: () => void;
+  readonly #kind = new KindChoice();
+  readonly #switch = document.createElement('input');
+  #index = -1;
+  #named = '';
+  #title = '';
+
+  constructor(group: GUI, light: PhongLight, viewer: PhongViewer, range: SceneRange, remove: () => void) {
+    this.#light = light;
+    this.#viewer = viewer;
+    this.#range = range;
+    this.#remove = remove;
+    this.folder = new Folder(group, '', (gui) => this.#build(gui));
+    this.#addSwitch();
+  }
+
+  update(index: number): void {
+    const { name, active } = this.#light.state.values;
+    if (index !== this.#index || name !== this.#named) this.#entitle(index, name);
+    this.#switch.checked = active;
+    this.folder.gui.domElement.classList.toggle('off', !active);
+    this.folder.update();
+  }
+
+  #entitle(index: number, name: string): void {
+    this.#index = index;
+    this.#named = name;
+    // The element's own words for it, without its look at all siblings: with hundreds of lights that is a long one.
+    const title = name === '' ? `light ${String(index + 1)}` : name;
+    this.#title = title;
+    this.folder.gui.title(title);
+    this.#switch.setAttribute('aria-label', `${title} active`);
+  }
+
+  /** On and off without opening the folder. */
+  #addSwitch(): void {
+    this.#switch.type = 'checkbox';
+    this.#switch.className = 'switch';
+    this.#switch.addEventListener('change', () => {
+      this.#light.active = this.#switch.checked;
+    });
+    this.folder.gui.$title.after(this.#switch);
+  }
+
+  #build(gui: GUI): () => void {
+    const light = this.#light;
+    const { values } = light.state;
+    const name = addText(
+      gui,
+      'name',
+      () => values.name,
+      (text) => (light.name = text),
+    );
+    addFlag(
+      gui,
+      'active',
+      () => values.active,
+      (active) => (light.active = active),
+    );
+    const kind = addChoice(
+      gui,
+      'kind',
+      named(LIGHT_KINDS),
+      () => kindOf(values),
+      (choice) => {
+        Object.assign(light, this.#kind.writesFor(values, choice, light.state.given('axis'), this.#target));
+      },
+    );
+    kind.domElement.title = KIND_RULE;
+    for (const key of ['ambient', 'diffuse', 'specular'] as const) {
+      addColor(
+        gui,
+        key,
+        USUAL_INTENSITY,
+        () => values[key],
+        (color) => (light[key] = color),
+      );
+    }
+    const position = addVector(
+      gui,
+      axesOf('position'),
+      () => this.#range.vector(),
+      () => [values.position[0], values.position[1], values.position[2]],
+      ([x, y, z]) => (light.position = [x, y, z, values.position[3]]),
+    );
+    const spot = this.#addSpot(gui);
+    const attenuation = addVector(
+      gui,
+      ['kc constant', 'kl linear', 'kq quadratic'],
+      () => linear(0, 2, 0.01),
+      () => values.attenuation,
+      (factors) => (light.attenuation = factors),
+    );
+    addChoice(
+      gui,
+      'space',
+      named(LIGHT_SPACES),
+      () => values.space,
+      (space) => (light.space = space),
+    );
+    addButton(gui, 'remove', this.#remove);
+    return () => {
+      name.$input.placeholder = this.#title;
+      const placed = values.position[3] === 1;
+      for (const row of attenuation) row.show(placed);
+      // A row must not go while it is being used to open the cone.
+      const cone = isSpot(values) || spot.some((row) => row.domElement.matches(':focus-within'));
+      for (const row of spot) row.show(cone);
+      const inWorld = placed && values.space === 'world';
+      position.forEach((row, axis) => {
+        row.travel = inWorld ? this.#range.place(axis as 0 | 1 | 2) : this.#range.vector();
+      });
+    };
+  }
+
+  #addSpot(gui: GUI) {
+    const light = this.#light;
+    const { values } = light.state;
+    return [
+      ...addVector(
+        gui,
+        axesOf('axis'),
+        () => linear(-1, 1, 0.01),
+        () => values.axis,
+        (axis) => (light.axis = axis),
+      ),
+      addNumber(
+        gui,
+        'aperture °',
+        linear(0, 180, 0.5),
+        () => values.aperture,
+        (aperture) => (light.aperture = aperture),
+      ),
+      addNumber(
+        gui,
+        'cutoff',
+        logarithmic(1, 1000),
+        () => values.cutoff,
+        (cutoff) => (light.cutoff = cutoff),
+      ),
+    ];
+  }
+
+  /** What a new spot is aimed at, in the light's own space. */
+  get #target(): Vec3 {
+    const { target, radius } = this.#viewer.camera;
+    return this.#light.space === 'camera' ? [0, 0, -radius] : target;
+  }
+}

@@ -1,0 +1,28 @@
+// What does a light look like that somebody adds by a button? A point light beside the scene, each one somewhere else.
+// World space, scene units. Numbers only.
+import type { LightValues } from '../light/light-state.js';
+import type { Vec3 } from '../math/vector.js';
+
+/** Turned on by this, points about a circle never come close to one another. */
+const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
+
+/** Dimmer than the default: a scene that is lit already shall not go white. */
+const GREY: Vec3 = [140, 140, 140];
+
+/** `count`: the lights that are there already; `reach`: how far sliders go about `center`. */
+export function newLight(count: number, center: Vec3, reach: number): Partial<LightValues> {
+  const angle = GOLDEN_ANGLE * (count + 1);
+  const distance = reach / 2;
+  const near = (offset: number, middle: number): number =>
+    Number((middle + distance * offset).toPrecision(3));
+  return {
+    position: [
+      near(0.8 * Math.sin(angle), center[0]),
+      near(0.6, center[1]),
+      near(0.8 * Math.cos(angle), center[2]),
+      1,
+    ],
+    diffuse: GREY,
+    specular: GREY,
+  };
+}

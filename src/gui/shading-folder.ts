@@ -1,0 +1,51 @@
+// The folder of what holds for the whole picture: shading, lobe, terms, colour arithmetic. Knows no light or mesh.
+import type { GUI } from 'lil-gui';
+import type { PhongViewer } from '../element/phong-viewer.js';
+import { REFLECTIONS, SHADINGS, TERMS } from '../material/variant.js';
+import { Folder } from './folder.js';
+import { addChoice, addFlag, addNumber, named } from './rows.js';
+import { linear } from './travel.js';
+
+export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
+  return new Folder(root, 'Shading', (gui) => {
+    addChoice(
+      gui,
+      'shading',
+      named(SHADINGS),
+      () => viewer.shading,
+      (shading) => (viewer.shading = shading),
+    );
+    addChoice(
+      gui,
+      'reflection',
+      named(REFLECTIONS),
+      () => viewer.reflection,
+      (reflection) => (viewer.reflection = reflection),
+    );
+    for (const term of TERMS) {
+      addFlag(
+        gui,
+        `${term} term`,
+        () => viewer.terms.includes(term),
+        (wanted) => {
+          viewer.terms = TERMS.filter((other) => (other === term ? wanted : viewer.terms.includes(other)));
+        },
+      );
+    }
+    addChoice(
+      gui,
+      'colour space',
+      named(['srgb', 'linear'] as const),
+      () => viewer.colorInterpolation,
+      (space) => (viewer.colorInterpolation = space),
+    );
+    addNumber(
+      gui,
+      'error budget',
+      linear(0, 4, 0.05),
+      () => viewer.errorBudget,
+      (budget) => (viewer.errorBudget = budget),
+    );
+    return undefined;
+  });
+}

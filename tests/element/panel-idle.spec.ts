@@ -1,0 +1,118 @@
+// What an open panel costs while nothing happens, and while something does that it need not show.
+
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/test.js';
+import { assign, type PhongViewer } from './support.js';
+import { field, folderOf, opened } from './panel-rows.js';
+
+declare global {
+  interface Window {
+    asked: string[];
+  }
+}
+
+const scene = `<phong-viewer gui geometry="box">
+  <phong-light name="sun" position="1 2 1 0"></phong-light>
+  <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
+</phong-viewer>`;
+
+/** Writes down every frame and timer that the page asks for. */
+async function watch(page: Page): Promise<void> {
+  await page.addInitScript(() => {
+    window.asked = [];
+    for (const name of [
+      'requestAnimationFrame',
+      'setTimeout',
+      'setInterval',
+      'requestIdleCallback',
+    ] as const) {
+      const original = window[name].bind(window) as (...args: unknown[]) => number;
+      Object.assign(window, {
+        [name]: (...args: unknown[]) => {
+          window.asked.push(name);
+          return original(...args);
+        },
+      });
+    }
+  });
+}
+
+const asked = (page: Page): Promise<string[]> => page.evaluate(() => window.asked.splice(0));
+
+test('asks for no frame and no timer while nothing changes, folders open', async ({ page, mount }) => {
+  await watch(page);
+  const viewer = await mount(scene);
+  for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Material']) await opened(viewer, title);
+  await page.mouse.move(10, 390);
+  await page.waitForTimeout(300);
+  await asked(page);
+  await page.waitForTimeout(1000);
+  expect(await asked(page)).toEqual([]);
+});
+
+test('opens folders without asking for a frame', async ({ page, mount }) => {
+  await watch(page);
+  const viewer = await mount(scene);
+  await opened(viewer, 'Camera');
+  await asked(page);
+  await opened(viewer, 'spot');
+  expect(await asked(page)).toEqual([]);
+});
+
+test('touches no row of a closed folder when its light changes', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'sun');
+  await folder.locator('> .lil-title').click();
+  const touched = await viewer.evaluate(async (element: PhongViewer) => {
+    let count = 0;
+    const root = element.shadowRoot!;
+    const observer = new MutationObserver((records) => (count += records.length));
+    observer.observe(root, { subtree: true, childList: true, attributes: true, characterData: true });
+    element.lights[0]!.position = [4, 5, 6, 0];
+    await element.ready;
+    count += observer.takeRecords().filter(({ target }) => !(target instanceof HTMLCanvasElement)).length;
+    return count;
+  });
+  expect(touched).toBe(0);
+  await opened(viewer, 'sun');
+  await expect(field(folder, 'position x')).toHaveValue('4');
+});
+
+test('takes one bringing in step for many writes of one task', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'sun');
+  const reads = await viewer.evaluate(async (element: PhongViewer) => {
+    const light = element.lights[0]!;
+    const place = element.shadowRoot!.querySelector('.lil-root')!;
+    let changes = 0;
+    const observer = new MutationObserver((records) => (changes += records.length));
+    observer.observe(place, { subtree: true, attributes: true, attributeFilter: ['aria-valuetext'] });
+    for (let i = 0; i < 100; i++) light.position = [i, 0, 0, 0];
+    await Promise.resolve();
+    await Promise.resolve();
+    await element.ready;
+    return changes;
+  });
+  expect(reads).toBeLessThan(6);
+  await expect(field(folder, 'position x')).toHaveValue('99');
+});
+
+test('keeps up with a light that moves in every frame', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'sun');
+  await viewer.evaluate(
+    (element: PhongViewer) =>
+      new Promise<void>((resolve) => {
+        let frame = 0;
+        const step = (): void => {
+          element.lights[0]!.position = [++frame, 0, 0, 0];
+          if (frame < 30) requestAnimationFrame(step);
+          else resolve();
+        };
+        step();
+      }),
+  );
+  await expect(field(folder, 'position x')).toHaveValue('30');
+  await assign(viewer.locator('phong-light').first(), { name: 'moon' });
+  await expect(folderOf(viewer, 'moon')).toBeVisible();
+});

@@ -1,0 +1,53 @@
+// How the panel's tests find folders and rows, as a reader does: by what they are called.
+
+import type { Locator } from '@playwright/test';
+
+const quoted = (text: string): string => JSON.stringify(text);
+
+/** The whole panel. */
+export const panelOf = (viewer: Locator): Locator => viewer.locator('.lil-root');
+
+/** What scrolls. */
+export const listOf = (viewer: Locator): Locator => viewer.locator('.lil-root > .lil-children');
+
+export const titleOf = (viewer: Locator, title: string): Locator =>
+  viewer.locator(`.lil-title:text-is(${quoted(title)})`);
+
+export const folderOf = (viewer: Locator, title: string): Locator =>
+  viewer.locator(`.lil-gui:has(> .lil-title:text-is(${quoted(title)}))`);
+
+/** Opens a folder, unless it is open, and gives it. */
+export async function opened(viewer: Locator, title: string): Promise<Locator> {
+  const button = titleOf(viewer, title);
+  if ((await button.getAttribute('aria-expanded')) === 'false') await button.click();
+  return folderOf(viewer, title);
+}
+
+export const row = (folder: Locator, name: string): Locator =>
+  folder.locator(`.lil-controller:has(.lil-name:text-is(${quoted(name)}))`);
+
+export const field = (folder: Locator, name: string): Locator =>
+  folder.getByRole('textbox', { name, exact: true });
+
+export const slider = (folder: Locator, name: string): Locator =>
+  folder.getByRole('slider', { name, exact: true });
+
+export const flag = (folder: Locator, name: string): Locator =>
+  folder.getByRole('checkbox', { name, exact: true });
+
+export const choice = (folder: Locator, name: string): Locator =>
+  folder.getByRole('combobox', { name, exact: true });
+
+export const button = (folder: Locator, name: string): Locator =>
+  folder.getByRole('button', { name, exact: true });
+
+/** The picker of a colour row; its code is the row's text field. */
+export const picker = (folder: Locator, name: string): Locator =>
+  row(folder, name).locator('input[type=color]');
+
+/** The code of a colour row. */
+export const code = (folder: Locator, name: string): Locator => row(folder, name).locator('input[type=text]');
+
+/** Titles of the folders in a folder, from the top. */
+export const titlesIn = (folder: Locator): Promise<string[]> =>
+  folder.locator('> .lil-children > .lil-gui > .lil-title').allTextContents();

@@ -1,0 +1,245 @@
+// The panel as a whole: fetched when wanted, styled under a strict policy, out of the picture's way, taken away again.
+
+import { AxeBuilder } from '@axe-core/playwright';
+import { expect, test } from '../support/test.js';
+import { assign, cameraOf, type PhongViewer, record } from './support.js';
+import { button, field, listOf, opened, panelOf, slider, titleOf, titlesIn } from './panel-rows.js';
+
+const light = (name: string): string => `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
+const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
+  `<phong-viewer geometry="box" theta="20" phi="60" ${attributes}>${lights.map(light).join('')}</phong-viewer>`;
+
+test('fetches its code when it is first wanted, and not before', async ({ page, mount }) => {
+  const fetched: string[] = [];
+  page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
+  const viewer = await mount(scene(''));
+  expect(fetched.filter((path) => path.includes('panel'))).toEqual([]);
+  await assign(viewer, { gui: true });
+  await expect(panelOf(viewer)).toBeVisible();
+  expect(fetched.filter((path) => path.includes('panel'))).toHaveLength(1);
+});
+
+test('has a folder for lights, camera, shading and material, and one for meshes where there are any', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene('gui', 'sun', 'lamp'));
+  expect(await titlesIn(panelOf(viewer))).toEqual(['Lights', 'Camera', 'Shading', 'Material', 'Meshes']);
+  await expect(titleOf(viewer, 'Material')).toBeVisible();
+  await expect(titleOf(viewer, 'Meshes')).toBeHidden();
+  await viewer.evaluate((element: PhongViewer) => {
+    element.geometry = null;
+    element.append(document.createElement('phong-mesh'));
+  });
+  await expect(titleOf(viewer, 'Material')).toBeHidden();
+  await expect(titleOf(viewer, 'Meshes')).toBeVisible();
+});
+
+test('lies at the top right inside the viewer and scrolls there', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'a', 'b'), { width: 600, height: 300 });
+  await opened(viewer, 'a');
+  const outer = (await viewer.boundingBox())!;
+  const inner = (await panelOf(viewer).boundingBox())!;
+  expect(inner.x + inner.width).toBeLessThanOrEqual(outer.x + outer.width);
+  expect(inner.x).toBeGreaterThan(outer.x + outer.width / 2);
+  expect(inner.y + inner.height).toBeLessThanOrEqual(outer.y + outer.height);
+  await page.mouse.move(inner.x + 40, inner.y + 150);
+  await page.mouse.wheel(0, 200);
+  await expect.poll(() => listOf(viewer).evaluate((list) => list.scrollTop)).toBeGreaterThan(100);
+  await expect(titleOf(viewer, 'Controls')).toBeInViewport();
+});
+
+test('opens and closes by pointer and by keys', async ({ page, mount }) => {
+  const viewer = await mount(scene());
+  const title = titleOf(viewer, 'Controls');
+  await expect(title).toHaveAttribute('aria-expanded', 'true');
+  await title.click();
+  await expect(title).toHaveAttribute('aria-expanded', 'false');
+  await expect(listOf(viewer)).toBeHidden();
+  await title.focus();
+  await page.keyboard.press('Enter');
+  await expect(listOf(viewer)).toBeVisible();
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Space');
+  await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
+});
+
+test('begins closed on a viewer as narrow as a phone and leaves the picture free', async ({
+  page,
+  mount,
+}) => {
+  await page.setViewportSize({ width: 360, height: 640 });
+  const viewer = await mount(scene('gui', 'sun'), { width: 360, height: 640 });
+  await expect(titleOf(viewer, 'Controls')).toHaveAttribute('aria-expanded', 'false');
+  expect((await panelOf(viewer).boundingBox())!.width).toBeLessThan(130);
+  await titleOf(viewer, 'Controls').click();
+  await opened(viewer, 'sun');
+  const { x, width } = (await panelOf(viewer).boundingBox())!;
+  expect(x).toBeGreaterThanOrEqual(0);
+  expect(x + width).toBeLessThanOrEqual(360);
+});
+
+test('never grows wider than the viewer', async ({ mount }) => {
+  const viewer = await mount(scene(), { width: 200, height: 300 });
+  await titleOf(viewer, 'Controls').click();
+  const { x, width } = (await panelOf(viewer).boundingBox())!;
+  expect(x).toBeGreaterThanOrEqual(0);
+  expect(width).toBeLessThanOrEqual(200);
+});
+
+test('never turns or zooms the camera by what is done on it', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'sun'));
+  await opened(viewer, 'sun');
+  const before = await cameraOf(viewer);
+  const moves = await record(viewer, 'camera-change');
+  const panel = (await panelOf(viewer).boundingBox())!;
+  // On a title, a label, a slider, a field, and beside everything.
+  for (const y of [15, 50, 150, 200, 260, 300]) {
+    for (const x of [20, 60, 150, 240]) {
+      await page.mouse.move(panel.x + x, panel.y + y);
+      await page.mouse.down();
+      await page.mouse.move(panel.x - 150, panel.y + y + 60, { steps: 3 });
+      await page.mouse.up();
+      await page.mouse.wheel(0, 50);
+    }
+  }
+  expect(await moves.take()).toEqual([]);
+  expect(await cameraOf(viewer)).toEqual(before);
+});
+
+test('keeps the keys after a press beside its controls', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'sun'));
+  const folder = await opened(viewer, 'sun');
+  const before = await cameraOf(viewer);
+  await folder.getByText('position x', { exact: true }).click();
+  for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Home', 'PageDown']) await page.keyboard.press(key);
+  expect(await cameraOf(viewer)).toEqual(before);
+});
+
+test('is still gone over by a drag begun on the picture', async ({ page, mount }) => {
+  const viewer = await mount(scene());
+  await page.mouse.move(100, 200);
+  await page.mouse.down();
+  await page.mouse.move(500, 50, { steps: 4 });
+  await page.mouse.up();
+  expect((await cameraOf(viewer)).theta).toBeCloseTo(20 - (400 / 600) * 360 + 360, 6);
+});
+
+test('takes everything with it when gui goes, and comes back', async ({ mount }) => {
+  const viewer = await mount(scene('', 'sun'));
+  const census = () =>
+    viewer.evaluate((element) => {
+      const root = element.shadowRoot!;
+      return {
+        sheets: root.adoptedStyleSheets.length,
+        nodes: root.querySelectorAll('*').length,
+        styled: document.querySelectorAll('head style').length,
+        body: document.body.outerHTML.length,
+      };
+    });
+  const without = await census();
+  for (let round = 0; round < 3; round++) {
+    await assign(viewer, { gui: true });
+    await opened(viewer, 'sun');
+    await expect(field(viewer, 'name')).toHaveValue('sun');
+    expect((await census()).sheets).toBe(without.sheets + 1);
+    await assign(viewer, { gui: false });
+    await expect(panelOf(viewer)).toHaveCount(0);
+    expect(await census()).toEqual(without);
+  }
+});
+
+test('ends as asked last when gui is switched faster than its code comes', async ({ mount }) => {
+  const viewer = await mount(scene(''));
+  await viewer.evaluate(async (element: PhongViewer) => {
+    for (const gui of [true, false, true, true]) {
+      element.gui = gui;
+      await element.updateComplete;
+    }
+  });
+  await expect(panelOf(viewer)).toHaveCount(1);
+});
+
+test('keeps two viewers on a page apart', async ({ page, mount }) => {
+  await mount(scene('gui id="a"', 'one') + scene('gui id="b"', 'two'), { height: 340 });
+  const [a, b] = [page.locator('#a'), page.locator('#b')];
+  await opened(a, 'one');
+  await opened(b, 'two');
+  await field(b, 'name').fill('three');
+  await expect(titleOf(b, 'three')).toBeVisible();
+  await expect(titleOf(a, 'one')).toBeVisible();
+  await assign(a, { gui: false });
+  await expect(panelOf(a)).toHaveCount(0);
+  const sheets = await b.evaluate((element) => element.shadowRoot!.adoptedStyleSheets.length);
+  expect(sheets).toBe(2);
+  await slider(b, 'position x').fill('0.5');
+  expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
+});
+
+test('goes with its viewer to another place of the page', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'sun'));
+  await opened(viewer, 'sun');
+  await page.evaluate(() => {
+    const section = document.body.appendChild(document.createElement('section'));
+    section.append(document.querySelector('phong-viewer')!);
+  });
+  await expect(panelOf(viewer)).toHaveCount(1);
+  await field(viewer, 'name').fill('moon');
+  expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]?.name)).toBe('moon');
+});
+
+test('says so and leaves the picture where its code cannot be fetched', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  await page.route('**/panel-*.js', (route) => route.abort());
+  consoleGuard.allow(/Failed to load resource/, 1);
+  const said = consoleGuard.allow(/control panel could not be fetched/, 1);
+  const viewer = await mount(scene(''));
+  await assign(viewer, { gui: true });
+  await expect.poll(() => said.length).toBe(1);
+  await expect(panelOf(viewer)).toHaveCount(0);
+});
+
+test('can be read, by eye and by ear', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'sun') + '<main></main>', { width: 900, height: 650 });
+  for (const title of ['sun', 'Camera', 'Shading', 'Material']) {
+    await opened(viewer, title);
+    const { violations } = await new AxeBuilder({ page })
+      .include({ fromShadowDom: ['phong-viewer', '.panel'] })
+      .analyze();
+    expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([]);
+    await titleOf(viewer, title).click();
+  }
+});
+
+test.describe('copy HTML', () => {
+  const copied = (viewer: Parameters<typeof button>[0]) =>
+    viewer.getByRole('textbox', { name: "The scene's HTML" });
+
+  test('puts the scene on the clipboard and says so', async ({ page, mount, context }) => {
+    await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+    const viewer = await mount(scene('gui', 'sun'));
+    await button(panelOf(viewer), 'copy HTML').click();
+    await expect(button(panelOf(viewer), 'copied ✓')).toBeVisible();
+    const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+    expect(await page.evaluate(() => navigator.clipboard.readText())).toBe(html);
+    await expect(button(panelOf(viewer), 'copy HTML')).toBeVisible();
+  });
+
+  test('shows the markup, selected, where the clipboard is refused', async ({ page, mount }) => {
+    await page.addInitScript(() => {
+      Object.defineProperty(navigator, 'clipboard', { value: undefined });
+    });
+    const viewer = await mount(scene('gui', 'sun'));
+    await button(panelOf(viewer), 'copy HTML').click();
+    const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+    await expect(copied(viewer)).toHaveValue(html);
+    await expect(copied(viewer)).toBeFocused();
+    const selected = await copied(viewer).evaluate((area: HTMLTextAreaElement) => [
+      area.selectionStart,
+      area.selectionEnd,
+    ]);
+    expect(selected).toEqual([0, html.length]);
+  });
+});

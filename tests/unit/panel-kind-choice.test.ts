@@ -1,0 +1,69 @@
+// Is a light of the kind that was chosen, with nothing lost on the way?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { KindChoice, LIGHT_KINDS } from '../../src/gui/kind-choice.js';
+import { kindOf } from '../../src/light/light-kind.js';
+import { LightState, type LightValues } from '../../src/light/light-state.js';
+import type { Vec3 } from '../../src/math/vector.js';
+
+const coordinate = fc.double({ min: -1e15, max: 1e15, noNaN: true });
+const place: fc.Arbitrary<Vec3> = fc.tuple(coordinate, coordinate, coordinate);
+const anyLight: fc.Arbitrary<Partial<LightValues>> = fc.record(
+  {
+    position: fc.tuple(coordinate, coordinate, coordinate, fc.constantFrom(0, 1)),
+    axis: place,
+    aperture: fc.constantFrom(0, 20, 90, 180),
+    cutoff: fc.constantFrom(0, 1e-9, 12, 1e6),
+  },
+  { requiredKeys: [] },
+);
+
+function choose(
+  light: LightState,
+  choice: KindChoice,
+  kind: (typeof LIGHT_KINDS)[number],
+  target: Vec3,
+): void {
+  light.assign(choice.writesFor(light.values, kind, light.given('axis'), target));
+}
+
+describe('KindChoice', () => {
+  it('makes any light the kind that was chosen, in its place', () => {
+    fc.assert(
+      fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), place, (values, kinds, target) => {
+        const light = new LightState(values);
+        const choice = new KindChoice();
+        const before = light.values.position.slice(0, 3);
+        for (const kind of kinds) {
+          choose(light, choice, kind, target);
+          expect(kindOf(light.values)).toBe(kind);
+        }
+        expect(light.values.position.slice(0, 3)).toEqual(before);
+      }),
+    );
+  });
+
+  it('gives a spot back as it was, whatever it has been in between', () => {
+    fc.assert(
+      fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), (values, kinds) => {
+        const light = new LightState(values);
+        fc.pre(kindOf(light.values) === 'spot');
+        const before = { ...light.values };
+        const choice = new KindChoice();
+        for (const kind of [...kinds, 'spot' as const]) choose(light, choice, kind, [0, 0, 0]);
+        expect(light.values).toEqual(before);
+      }),
+    );
+  });
+
+  it('writes nothing where the light is of that kind', () => {
+    const light = new LightState({ position: [0, 1, 0, 1] });
+    expect(new KindChoice().writesFor(light.values, 'point', false, [0, 0, 0])).toEqual({});
+  });
+
+  it('points a spot without a place to aim at straight down', () => {
+    const light = new LightState({ position: [1, 2, 3, 1] });
+    expect(new KindChoice().writesFor(light.values, 'spot', false, [1, 2, 3]).axis).toEqual([0, -1, 0]);
+  });
+});

@@ -1,0 +1,90 @@
+// Do sliders reach what they should, and do numbers read as a person would write them?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { linear, logarithmic, niceCeil, numberText } from '../../src/gui/travel.js';
+
+const positive = fc.double({ min: 1e-12, max: 1e15, noNaN: true });
+
+describe('niceCeil', () => {
+  it('gives 1, 2 or 5 times a power of ten, at least as large and at most 2.5 times', () => {
+    fc.assert(
+      fc.property(positive, (n) => {
+        const nice = niceCeil(n);
+        expect(nice).toBeGreaterThanOrEqual(n * (1 - 1e-8));
+        expect(nice).toBeLessThanOrEqual(2.5 * n * (1 + 1e-8));
+        expect(nice.toPrecision(3)).toMatch(/^[0.]*[125][0.]*(e[+-]\d+)?$/);
+      }),
+    );
+  });
+
+  it('takes a nice number as it is, stray digits or not', () => {
+    for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) expect(niceCeil(n)).toBe(n);
+    expect(niceCeil(0.1 + 0.1)).toBe(0.2);
+  });
+});
+
+describe.each([
+  ['linear', linear(-5, 5)],
+  ['logarithmic', logarithmic(1, 1e6)],
+])('a %s travel', (_name, travel) => {
+  it('leads from place to value and back within a step', () => {
+    fc.assert(
+      fc.property(fc.double({ min: travel.start, max: travel.end, noNaN: true }), (place) => {
+        expect(Math.abs(travel.place(travel.value(place)) - place)).toBeLessThanOrEqual(travel.step);
+      }),
+    );
+  });
+
+  it('grows to hold any value, and stays as it is where it does', () => {
+    fc.assert(
+      fc.property(positive, (value) => {
+        const wide = travel.reaching(value);
+        expect(wide.place(value)).toBeLessThanOrEqual(wide.end * (1 + 1e-12));
+        expect(wide.reaching(value)).toBe(wide);
+        expect((wide.end - wide.start) / wide.step).toBeGreaterThan(20);
+      }),
+    );
+    expect(travel.reaching(travel.value(travel.end))).toBe(travel);
+  });
+});
+
+describe('linear', () => {
+  it('grows downwards as well', () => {
+    const wide = linear(-1, 1).reaching(-30);
+    expect([wide.start, wide.end]).toEqual([-50, 1]);
+  });
+});
+
+describe('logarithmic', () => {
+  it('begins at exactly 0 and ends at exactly its maximum', () => {
+    const travel = logarithmic(1, 1e6);
+    expect(travel.value(0)).toBe(0);
+    expect(travel.value(1)).toBe(1e6);
+  });
+
+  it('steps by about a tenth of what there is', () => {
+    const { stepAt } = logarithmic(1, 1e6);
+    expect([0, 0.5, 3, 32, 320, 65536].map(stepAt)).toEqual([0.1, 0.01, 0.1, 1, 10, 1000]);
+  });
+});
+
+describe('numberText', () => {
+  it('writes numbers without stray digits', () => {
+    expect([0.1 + 0.2, 1 / 3, 1e6, 65536, -0, 1e-7, 1e15, 400 / 255].map((n) => numberText(n))).toEqual([
+      '0.3',
+      '0.333333',
+      '1000000',
+      '65536',
+      '0',
+      '1e-7',
+      '1000000000000000',
+      '1.56863',
+    ]);
+  });
+
+  it('writes the noise of a sum as the zero it is', () => {
+    expect(numberText(6.1e-17, 4)).toBe('0');
+    expect(numberText(1e-7, 4)).toBe('1e-7');
+  });
+});
