@@ -6,7 +6,8 @@ import { cssColor } from './css-color.js';
 
 type Parser = (text: string) => unknown;
 
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+// Each digit can be taken in one way only: a long text that is no number after all is refused in linear time.
+const NUMBER = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 function parseNumber(text: string): number | undefined {
   const trimmed = text.trim();
