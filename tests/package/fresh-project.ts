@@ -1,0 +1,103 @@
+// A fresh project somewhere else, with the packed tarball installed as a user would: from dist/ as the build step left
+// it, other packages from the registry at the versions that this repository develops with.
+
+import { execSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+
+export interface FreshProject {
+  readonly folder: string;
+  write(path: string, text: string): void;
+  /** Gives what the command printed; throws with all of it where the command fails. */
+  run(command: string): string;
+  /** Makes dist/ from index.html with this body and the scripts that it names; gives the folder. */
+  build(body: string): string;
+  remove(): void;
+}
+
+/** @param packages names as this repository has them, or `name@range`. */
+export function freshProject(packages: readonly string[]): FreshProject {
+  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-fresh-'));
+  const project: FreshProject = {
+    folder,
+    write(path, text) {
+      mkdirSync(dirname(join(folder, path)), { recursive: true });
+      writeFileSync(join(folder, path), text);
+    },
+    run: (command) => run(command, folder),
+    build(body) {
+      const head = '<meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">';
+      project.write(
+        'index.html',
+        `<!doctype html><html lang="en"><head>${head}</head><body>${body}</body></html>`,
+      );
+      project.run('npx vite build --base ./ --logLevel warn');
+      return join(folder, 'dist');
+    },
+    remove: () => rmSync(folder, { recursive: true, force: true }),
+  };
+  project.write('package.json', JSON.stringify({ name: 'fresh', private: true, type: 'module' }));
+  const wanted = [pack(folder), ...packages.map(versioned)].map((name) => JSON.stringify(name));
+  project.run(`npm install --no-audit --no-fund ${wanted.join(' ')}`);
+  return project;
+}
+
+/** Options of a strict project that checks libraries too. */
+export const strictOptions = {
+  strict: true,
+  noEmit: true,
+  target: 'ES2022',
+  module: 'ESNext',
+  moduleResolution: 'bundler',
+  exactOptionalPropertyTypes: true,
+  skipLibCheck: false,
+  types: [],
+};
+
+/** The first block of code under a heading of the README. */
+export function readmeSample(heading: string): string {
+  const text = readFileSync(join(repository, 'README.md'), 'utf8');
+  const [, section = ''] = text.split(`\n### ${heading}\n`);
+  const sample = /```(?:js|jsx)\n([^]*?)```/.exec(section)?.[1];
+  if (sample === undefined) throw new Error(`README.md has no code under "${heading}"`);
+  return sample;
+}
+
+/** Packs in a folder of its own: dist/ may be elsewhere than beside package.json. */
+function pack(folder: string): string {
+  const staged = join(folder, 'packed');
+  mkdirSync(staged);
+  for (const name of ['package.json', 'README.md', 'LICENSE', 'CHANGELOG.md'])
+    if (existsSync(join(repository, name))) cpSync(join(repository, name), join(staged, name));
+  cpSync(outputFolder('dist'), join(staged, 'dist'), { recursive: true });
+  run(`npm pack --ignore-scripts --pack-destination ${JSON.stringify(folder)}`, staged);
+  rmSync(staged, { recursive: true });
+  const { version } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+    version: string;
+  };
+  return `./phong-viewer-${version}.tgz`;
+}
+
+function versioned(name: string): string {
+  if (name.lastIndexOf('@') > 0) return name;
+  const { devDependencies } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+    devDependencies: Readonly<Record<string, string>>;
+  };
+  const range = devDependencies[name];
+  if (range === undefined) throw new Error(`${name} is no devDependency: give a range`);
+  return `${name}@${range}`;
+}
+
+function run(command: string, cwd: string): string {
+  try {
+    return execSync(command, { cwd, encoding: 'utf8', stdio: 'pipe', timeout: 240_000 });
+  } catch (error) {
+    const { stdout, stderr } = error as { stdout: string; stderr: string };
+    throw new Error(`${command}\n${stdout}\n${stderr}`, { cause: error });
+  }
+}

@@ -1,0 +1,129 @@
+// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript: typed props and events, a list of
+// lights by state? Installs from the registry, so it is slow: @release.
+
+import { startSite } from '../support/site.js';
+import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
+import { freshProject, readmeSample, strictOptions, type FreshProject } from './fresh-project.js';
+
+const app = `
+import { StrictMode, useRef, useState } from 'react';
+import { createRoot } from 'react-dom/client';
+import 'phong-viewer';
+import type { PhongLightProps, PhongViewer } from 'phong-viewer';
+
+interface Lamp extends PhongLightProps {
+  readonly number: number;
+}
+
+const red: Lamp = { number: 1, position: [0, 0, 1, 0], diffuse: [200, 0, 0], specular: 0 };
+const blue: Lamp = { number: 2, position: '0 0 1 0', diffuse: '0 0 200', specular: [0, 0, 0] };
+
+function App() {
+  const viewer = useRef<PhongViewer>(null);
+  const [lamps, setLamps] = useState<readonly Lamp[]>([red]);
+  const [dim, setDim] = useState(false);
+  const [source, setSource] = useState('nothing');
+  return (
+    <>
+      <button onClick={() => setLamps([red, blue])}>add</button>
+      <button onClick={() => setLamps([blue])}>remove</button>
+      <button onClick={() => setDim(!dim)}>dim</button>
+      <output>{source} {viewer.current?.camera.theta}</output>
+      <phong-viewer
+        ref={viewer}
+        className="picture"
+        style={{ display: 'block', width: 300, height: 200 }}
+        alt="A sphere"
+        geometry="sphere"
+        theta={0}
+        phi="90"
+        error-budget={0}
+        oncamera-change={(event) => setSource(event.detail.source)}
+      >
+        {lamps.map(({ number, ...props }) => (
+          <phong-light key={number} {...props} active={!dim} />
+        ))}
+      </phong-viewer>
+    </>
+  );
+}
+
+createRoot(document.getElementById('root')!).render(<StrictMode><App /></StrictMode>);
+`;
+
+const refusals = `
+import 'phong-viewer';
+export const unknown = [
+  // @ts-expect-error an angle is no flag
+  <phong-viewer theta={true} />,
+  // @ts-expect-error there is no such geometry
+  <phong-mesh geometry="cube" />,
+  // @ts-expect-error one number is no position
+  <phong-mesh position={2} />,
+  // @ts-expect-error React's own onLoad never fires here
+  <phong-viewer onLoad={() => undefined} />,
+  // @ts-expect-error there is no such attribute
+  <phong-light strength={2} />,
+  // @ts-expect-error the event is another one
+  <phong-viewer oncamera-change={(event: MouseEvent) => event} />,
+];
+export const known = [
+  <phong-mesh scale={2} rotation="0 10 0" ka={128} onload={(event) => event.detail.url} aria-hidden />,
+  <phong-viewer radius="auto" target={[0, 1, 2]} terms={['ambient']} crossOrigin={null} color-interpolation="linear" />,
+  <phong-light position={[1, 2, 3]} active="false" space="camera" aperture={undefined} />,
+];
+`;
+
+test.describe('the packed tarball in a fresh React project @release', () => {
+  test.describe.configure({ mode: 'serial', timeout: 300_000 });
+  let project: FreshProject;
+
+  test.beforeAll(() => {
+    test.setTimeout(300_000);
+    const react = ['react@^19', 'react-dom@^19', '@types/react', '@types/react-dom@^19'];
+    project = freshProject(['three', '@types/three', 'typescript', 'vite', ...react]);
+    project.write('app.tsx', app);
+    project.write('refusals.tsx', refusals);
+    project.write('readme.jsx', readmeSample('With React 19'));
+    const compilerOptions = { ...strictOptions, jsx: 'react-jsx', allowJs: true, checkJs: true };
+    project.write(
+      'tsconfig.json',
+      JSON.stringify({ compilerOptions, files: ['app.tsx', 'refusals.tsx', 'readme.jsx'] }),
+    );
+  });
+
+  test.afterAll(() => project.remove());
+
+  test('types what JSX writes on the elements, and refuses what they would not take', () => {
+    project.run('npx tsc -p .');
+  });
+
+  test('draws, follows state, and tells events', async ({ page }) => {
+    const site = await startSite({
+      '/': project.build('<div id="root"></div><script type="module" src="./app.tsx"></script>'),
+    });
+    await page.goto(`${site.origin}/`);
+    const viewer = page.locator('phong-viewer');
+    const middle = async (): Promise<readonly number[]> => {
+      await allReady(page);
+      return pixelAt(await pixels(viewer, { width: 64, height: 64 }), 32, 32);
+    };
+    expect(await middle()).toEqual([200, 0, 0, 255]);
+    await page.getByText('add').click();
+    expect(await middle()).toEqual([200, 0, 200, 255]);
+    await page.getByText('remove').click();
+    expect(await middle()).toEqual([0, 0, 200, 255]);
+    await page.getByText('dim').click();
+    expect(await middle()).toEqual([0, 0, 0, 255]);
+    await page.getByText('dim').click();
+    expect(await middle()).toEqual([0, 0, 200, 255]);
+
+    const { x, y } = (await viewer.boundingBox())!;
+    await page.mouse.move(x + 200, y + 100);
+    await page.mouse.down();
+    await page.mouse.move(x + 170, y + 100);
+    await page.mouse.up();
+    await expect(page.locator('output')).toHaveText('pointer 36');
+    await site.close();
+  });
+});

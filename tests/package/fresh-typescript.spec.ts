@@ -1,0 +1,126 @@
+// Does the packed tarball work in a fresh TypeScript project with Vite and three.js, and in Node? Elements, `core` and
+// types; React is absent. Installs from the registry, so it is slow: @release.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { PNG } from 'pngjs';
+import { startSite } from '../support/site.js';
+import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
+import { freshProject, readmeSample, strictOptions, type FreshProject } from './fresh-project.js';
+
+const scripts = (folder: string): string =>
+  readdirSync(join(folder, 'assets'))
+    .filter((name) => name.endsWith('.js'))
+    .map((name) => readFileSync(join(folder, 'assets', name), 'utf8'))
+    .join('\n');
+
+test.describe('the packed tarball in a fresh TypeScript project @release', () => {
+  test.describe.configure({ mode: 'serial', timeout: 300_000 });
+  let project: FreshProject;
+
+  test.beforeAll(() => {
+    test.setTimeout(300_000);
+    project = freshProject(['three', '@types/three', 'typescript', 'vite']);
+  });
+
+  test.afterAll(() => project.remove());
+
+  test('gives every entry types that a strict project accepts, bundled or in Node', () => {
+    project.write(
+      'entries.ts',
+      `import * as elements from 'phong-viewer';
+      import * as core from 'phong-viewer/core';
+      import * as reference from 'phong-viewer/reference';
+      import * as standalone from 'phong-viewer/standalone';
+      export const entries: readonly object[] = [elements, core, reference, standalone];
+      `,
+    );
+    project.write(
+      'typed.ts',
+      `import 'phong-viewer';
+      const viewer = document.querySelector('phong-viewer')!;
+      viewer.addEventListener('camera-change', (event) => {
+        const source: 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto' = event.detail.source;
+        console.log(source, event.currentTarget);
+      });
+      viewer.addEventListener('error', (event) => console.log(event.detail.code === 'csp', event.detail.url?.length));
+      viewer.addEventListener('light-change', function (event) {
+        this.theta += event.detail.light?.aperture ?? 0;
+      });
+      viewer.addEventListener('click', (event) => console.log(event.clientX));
+      viewer.addEventListener('anything', (event: Event) => console.log(event.type), { once: true });
+      viewer.meshes[0]?.addEventListener('load', (event) => console.log(event.detail.url));
+      // @ts-expect-error there is no such source
+      viewer.addEventListener('camera-change', (event) => event.detail.source === 'mouse');
+      // @ts-expect-error there is no such geometry
+      document.createElement('phong-mesh').geometry = 'cube';
+      export const elements: HTMLElement[] = [viewer, document.createElement('phong-light')];
+      `,
+    );
+    for (const [moduleResolution, module] of [
+      ['bundler', 'ESNext'],
+      ['node16', 'node16'],
+    ]) {
+      const compilerOptions = { ...strictOptions, moduleResolution, module };
+      project.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['entries.ts', 'typed.ts'] }));
+      project.run('npx tsc -p .');
+    }
+  });
+
+  test('draws in a page that Vite built', async ({ page }) => {
+    project.write('main.ts', "import 'phong-viewer';\n");
+    const site = await startSite({
+      '/': project.build(
+        '<script type="module" src="./main.ts"></script>' +
+          '<phong-viewer geometry="sphere" phi="90" theta="0">' +
+          '<phong-light position="0 0 1 0" diffuse="255 128 0" specular="0"></phong-light></phong-viewer>',
+      ),
+    });
+    await page.goto(`${site.origin}/`);
+    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+    await allReady(page);
+    const picture = await pixels(page.locator('phong-viewer'), { width: 64, height: 64 });
+    const [r, g, b, a] = pixelAt(picture, 32, 32);
+    expect([r, b, a]).toEqual([255, 0, 255]);
+    expect(Math.abs(g - 128)).toBeLessThanOrEqual(1);
+    await site.close();
+  });
+
+  test('draws with plain three.js as the README says, without elements and without Lit', async ({ page }) => {
+    project.write('core.js', readmeSample('With plain three.js'));
+    const folder = project.build(
+      '<canvas width="300" height="200"></canvas><script type="module" src="./core.js"></script>',
+    );
+    const site = await startSite({ '/': folder });
+    await page.goto(`${site.origin}/`);
+    const png = PNG.sync.read(await page.locator('canvas').screenshot());
+    const middle = 4 * (100 * png.width + 150);
+    const [r = 0, g = 0, b = 0] = png.data.subarray(middle, middle + 3);
+    expect(r).toBeGreaterThan(60);
+    expect(r).toBeGreaterThan(2 * Math.max(g, b));
+    expect(scripts(folder)).not.toMatch(/customElements|litHtmlVersions|phong-viewer/);
+    await site.close();
+  });
+
+  test('adds nothing but what is used of core', () => {
+    project.write(
+      'light.js',
+      "import { LightState } from 'phong-viewer/core';\nconsole.log(new LightState({ cutoff: 2 }).values);\n",
+    );
+    const code = scripts(project.build('<script type="module" src="./light.js"></script>'));
+    expect(code).not.toMatch(/customElements|litHtmlVersions|WebGLRenderer/);
+    expect(code.length).toBeLessThan(20_000);
+  });
+
+  test('does nothing and fails nothing in Node', () => {
+    const code =
+      "for (const e of ['', '/core', '/reference']) await import('phong-viewer' + e); console.log('done')";
+    expect(project.run(`node --input-type=module -e ${JSON.stringify(code)}`)).toBe('done\n');
+    for (const name of ['custom-elements', 'web-types', 'vscode.html-custom-data']) {
+      const read = `import d from 'phong-viewer/${name}.json' with { type: 'json' }; console.log(typeof d)`;
+      expect(project.run(`node --no-warnings --input-type=module -e ${JSON.stringify(read)}`)).toBe(
+        'object\n',
+      );
+    }
+  });
+});
