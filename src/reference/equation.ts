@@ -182,7 +182,8 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   return {
     c,
     insideCone: light.aperture >= 180 || angle <= radians(light.aperture),
-    decay: power((1 + c) / 2, halfChord(L, away) / 2, light.cutoff),
+    // Both chords: (1 + c)/2 from the cosine would keep no digits right behind the spot, where small exponents need them.
+    decay: power(halfChord(L, A) / 2, halfChord(L, away) / 2, light.cutoff),
   };
 }
 
