@@ -1,5 +1,6 @@
 // Telling others what happened, once a task: events of one kind become one with the last one's detail. Knows nothing
 // of what the events mean.
+import type { PhongViewerEventMap } from './events.js';
 
 export class Notices {
   readonly #element: EventTarget;
@@ -10,7 +11,7 @@ export class Notices {
   }
 
   /** Dispatches a `CustomEvent` at the task's end. */
-  tell(type: string, detail: unknown): void {
+  tell<K extends keyof PhongViewerEventMap>(type: K, detail: PhongViewerEventMap[K]['detail']): void {
     if (this.#events.size === 0) queueMicrotask(this.#dispatch);
     this.#events.set(type, detail);
   }
