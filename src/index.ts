@@ -25,5 +25,5 @@ export type { PhongLightProps, PhongMeshProps, PhongViewerProps } from './elemen
 export type { PictureOptions } from './element/picture-blob.js';
 export type { CameraSource, CameraState } from './element/viewer-camera.js';
 export type { ViewerErrorCode, ViewerErrorDetail } from './element/viewer-loading.js';
-export type { ViewerStats } from './element/phong-viewer.js';
+export type { ViewerStats } from './element/viewer-stats.js';
 export type { Vec3, Vec4 } from './math/vector.js';
