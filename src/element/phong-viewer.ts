@@ -16,7 +16,7 @@ import { Readiness } from './readiness.js';
 import { cameraValues, givenAttributes, markup } from './to-html.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer-camera.js';
 import { ViewerChildren } from './viewer-children.js';
-import { VIEWER_FIELDS, type ViewerValues } from './viewer-fields.js';
+import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './viewer-fields.js';
 import { ViewerFailure } from './viewer-failure.js';
 import { ViewerLoading } from './viewer-loading.js';
 import { ViewerPanel } from './viewer-panel.js';
@@ -266,7 +266,7 @@ export class PhongViewer extends LitElement {
       this.#readiness.supersede();
       this.#failure.loadingAgain();
     }
-    this.#loading.update();
+    if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, PhongViewer.loadPanel, this.#part('.panel'));
     this.#panel.changed('viewer');
@@ -274,7 +274,7 @@ export class PhongViewer extends LitElement {
 
   /** Writes of this task that wait for its end are acted on now. */
   #bringInStep(): void {
-    if (this.isUpdatePending && this.isConnected) this.performUpdate();
+    if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
     this.#children.flush();
     this.#children.collect();
   }
