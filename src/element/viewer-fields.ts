@@ -98,3 +98,6 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   errorBudget: numberField(0, { min: 0, max: 255 }),
   gui: presenceField(),
 };
+
+/** What the viewer's own mesh, and the loading of all of them, depend on. */
+export const LOADING_KEYS: readonly string[] = [...Object.keys(SHAPE_FIELDS), 'loading', 'crossOrigin'];

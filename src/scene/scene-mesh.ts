@@ -4,7 +4,7 @@ import { Group, Mesh } from 'three';
 import type { SurfaceValues } from '../material/material-values.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
 import { PhongMaterial, type ShadingStyle } from '../material/phong-material.js';
-import type { Declared } from '../math/declared.js';
+import { type Declared, sameValue } from '../math/declared.js';
 import { radians } from '../math/angle.js';
 import { type Content, type ContentPart, modelContent, NOTHING, shapeContent } from './content.js';
 import { flatGeometry } from '../material/flat-geometry.js';
@@ -50,6 +50,8 @@ export class SceneMesh {
   #parts: readonly Part[] = [];
   #loading: AbortController | null = null;
   #asked: string | null = null;
+  /** Position, rotation and scale as last written to the scene: measuring it anew costs a pass over all vertices. */
+  #placed: readonly number[] = [];
 
   constructor(state: Declared<ShapeValues> | Declared<MeshValues>, context: MeshContext, events: MeshEvents) {
     this.#state = state;
@@ -110,6 +112,9 @@ export class SceneMesh {
     const { position = [0, 0, 0], rotation = [0, 0, 0], scale = [1, 1, 1], name = '' } = this.#values;
     const { root } = this;
     root.name = name;
+    const place = [...position, ...rotation, ...scale];
+    if (sameValue(place, this.#placed)) return;
+    this.#placed = place;
     root.position.set(...position);
     root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
     root.scale.set(...scale);

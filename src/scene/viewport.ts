@@ -121,8 +121,8 @@ export class Viewport implements StageClient, Framed {
   }
 
   set linear(linear: boolean) {
+    if (linear !== this.lighting.linear) this.invalidate();
     this.lighting.linear = linear;
-    this.invalidate();
   }
 
   /** How target and radius are found; null leaves them where the user has put them. */
