@@ -1,18 +1,9 @@
 // Are lights what the markup says, however it comes about and changes? Pictures are compared with those of the same scene
 // written out from the start; they are small, seen straight down on a plane.
 
-import type { Locator } from '@playwright/test';
-import {
-  allReady,
-  compare,
-  expect,
-  pixelAt,
-  pixels,
-  test,
-  type Mount,
-  type Picture,
-} from '../support/test.js';
-import { assign, type PhongLight, type PhongViewer, record } from './support.js';
+import type { Locator, Page } from '@playwright/test';
+import { allReady, compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
+import { assign, type PhongLight, type PhongViewer, record, shownBy } from './support.js';
 
 const size = { width: 60, height: 40 };
 const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
@@ -23,10 +14,7 @@ const spot =
   '<phong-light diffuse="90 90 255" position="0 1 0" axis="0 -1 0" aperture="20" cutoff="3"></phong-light>';
 const scene = (...lights: readonly string[]): string => `${open}${lights.join('')}</phong-viewer>`;
 
-/** What this markup shows, loaded on a page of its own. */
-async function shown(mount: Mount, markup: string): Promise<Picture> {
-  return pixels(await mount(markup, size));
-}
+const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
 
 const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(20);
@@ -36,17 +24,18 @@ const names = (viewer: Locator): Promise<string[]> =>
 
 test.describe('changes', () => {
   test('give what the same lights in markup give: added, removed, reordered and changed', async ({
+    page,
     mount,
   }) => {
+    const viewer = await mount(scene(red, green), size);
     const wanted = {
-      both: await shown(mount, scene(red, green)),
-      one: await shown(mount, scene(green)),
-      three: await shown(mount, scene(red, green, spot)),
-      changed: await shown(mount, scene(red.replace('200 0 0', '0 0 250'), green)),
+      both: await shown(page, scene(red, green)),
+      one: await shown(page, scene(green)),
+      three: await shown(page, scene(red, green, spot)),
+      changed: await shown(page, scene(red.replace('200 0 0', '0 0 250'), green)),
     };
     different(wanted.both, wanted.one);
     different(wanted.both, wanted.three);
-    const viewer = await mount(scene(red, green), size);
     await viewer.evaluate((element, html) => element.insertAdjacentHTML('beforeend', html), spot);
     same(await pixels(viewer), wanted.three);
     await viewer.evaluate((element: PhongViewer) => element.lights[2]?.remove());
@@ -75,12 +64,12 @@ test.describe('changes', () => {
     expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
   });
 
-  test('of active turn a light off and on, however it is written', async ({ mount }) => {
-    const [on, off] = [await shown(mount, scene(green, red)), await shown(mount, scene(green))];
+  test('of active turn a light off and on, however it is written', async ({ page, mount }) => {
     const viewer = await mount(
       scene(green, red.replace('<phong-light', '<phong-light active="false"')),
       size,
     );
+    const [on, off] = [await shown(page, scene(green, red)), await shown(page, scene(green))];
     same(await pixels(viewer), off);
     for (const [active, wanted] of [
       ['true', on],
@@ -110,20 +99,20 @@ test.describe('changes', () => {
 
 test.describe('the head-light', () => {
   test('shines exactly where there is no phong-light, and is in neither lights nor toHTML', async ({
+    page,
     mount,
   }) => {
     const head = '<phong-light space="camera" position="0 0 1 0"></phong-light>';
-    const wanted = await shown(mount, scene(head));
     const viewer = await mount(scene(), size);
+    const wanted = await shown(page, scene(head));
     same(await pixels(viewer), wanted);
     expect(
       await viewer.evaluate((element: PhongViewer) => [element.lights.length, element.toHTML()]),
     ).toEqual([0, expect.not.stringContaining('phong-light')]);
     await viewer.evaluate((element, html) => (element.innerHTML = html), red);
-    same(await pixels(viewer), await shown(mount, scene(red)));
-    const again = await mount(scene(red), size);
-    await again.evaluate((element) => element.replaceChildren());
-    same(await pixels(again), wanted);
+    same(await pixels(viewer), await shown(page, scene(red)));
+    await viewer.evaluate((element) => element.replaceChildren());
+    same(await pixels(viewer), wanted);
   });
 
   test('never flashes lights that are appended at once', async ({ page, mount }) => {
@@ -150,23 +139,20 @@ test.describe('the order of upgrades does not matter', () => {
   const markup = scene(inner);
 
   test('when the definitions come long after the children, or before them', async ({ page, site, mount }) => {
-    const wanted = await shown(mount, markup);
+    const wanted = await pixels(await mount(markup, size));
     await page.goto(site.page(markup, { css: 'phong-viewer { display: block; width: 60px; height: 40px }' }));
     await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js' });
     await page.evaluate(() => customElements.whenDefined('phong-viewer'));
     await allReady(page);
     same(await pixels(page.locator('phong-viewer')), wanted);
 
-    await mount('<main></main>', size);
-    await page.evaluate((html) => (document.querySelector('main')!.innerHTML = html), markup);
-    await allReady(page);
-    same(await pixels(page.locator('phong-viewer')), wanted);
+    same(await shown(page, markup), wanted);
   });
 
   for (const when of ['before', 'after', 'long after'] as const) {
     test(`when children are appended ${when} the viewer is connected`, async ({ page, mount }) => {
-      const wanted = await shown(mount, markup);
       await mount('<main></main>', size);
+      const wanted = await shown(page, markup);
       await page.evaluate(
         async ({ html, order }) => {
           const template = document.createElement('template');
@@ -189,7 +175,7 @@ test.describe('the order of upgrades does not matter', () => {
   }
 
   test('when properties were set before the upgrade', async ({ page, site, mount }) => {
-    const wanted = await shown(mount, markup);
+    const wanted = await pixels(await mount(markup, size));
     await page.goto(
       site.page(markup.replace('diffuse="200 0 0"', '').replace('geometry="plane"', ''), {
         css: 'phong-viewer { display: block; width: 60px; height: 40px }',
@@ -251,7 +237,7 @@ test.describe('moving the viewer in the document', () => {
       const markup = `<p>Text</p>${scene(red, green, '<phong-mesh geometry="box" scale="0.3"></phong-mesh>')}<aside></aside>`;
       const viewer = await mount(markup, size);
       const before = await pixels(viewer);
-      await viewer.evaluate(move as (element: PhongViewer) => unknown);
+      await viewer.evaluate(move);
       const moved = page.locator('phong-viewer').first();
       const facts = await moved.evaluate(async (element: PhongViewer) => {
         await element.ready;
@@ -300,9 +286,9 @@ test.describe('lights', () => {
     expect(facts).toEqual({ again: true, frozen: true, first: true, counts: [2, 3] });
   });
 
-  test('deeper in the markup are none of the viewer', async ({ mount }) => {
-    const wanted = await shown(mount, scene(red));
-    same(await shown(mount, scene(red, `<div>${green}</div>`)), wanted);
+  test('deeper in the markup are none of the viewer', async ({ page, mount }) => {
+    const viewer = await mount(scene(red, `<div>${green}</div>`), size);
+    same(await pixels(viewer), await shown(page, scene(red)));
   });
 
   test('without a name are called by their number', async ({ mount }) => {

@@ -3,6 +3,7 @@
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../src/index.js';
+import { pixels, type Picture } from '../support/test.js';
 
 export type { CameraState, PhongLight, PhongMesh, PhongViewer };
 
@@ -15,6 +16,23 @@ export async function assign(element: Locator, values: Readonly<Record<string, u
   await element.evaluate((target, given) => {
     for (const [key, value] of Object.entries(given)) Reflect.set(target, key, value);
   }, values);
+}
+
+/** What this viewer's markup shows on the page at hand, as a second viewer that goes again. */
+export async function shownBy(
+  page: Page,
+  markup: string,
+  size: { readonly width: number; readonly height: number },
+): Promise<Picture> {
+  await page.evaluate((html) => {
+    const place = document.createElement('section');
+    place.innerHTML = html;
+    document.body.append(place);
+    return place.querySelector('phong-viewer')?.ready;
+  }, markup);
+  const picture = await pixels(page.locator('section:last-of-type > phong-viewer'), size);
+  await page.evaluate(() => document.querySelector('section:last-of-type')?.remove());
+  return picture;
 }
 
 export interface Heard {

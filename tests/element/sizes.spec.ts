@@ -1,0 +1,131 @@
+// Does the canvas follow the element's size and the screen's pixels, exactly and live? A canvas's own size is in device
+// pixels; everything else in CSS pixels.
+
+import type { Locator } from '@playwright/test';
+import { compare, expect, pixels, setPixelRatio, test } from '../support/test.js';
+import { assign, nextFrame, type PhongViewer, record } from './support.js';
+
+const light = '<phong-light position="1 2 3 0"></phong-light>';
+const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
+
+const canvasSize = (viewer: Locator): Promise<number[]> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const canvas = element.shadowRoot?.querySelector('canvas');
+    return [canvas?.width ?? -1, canvas?.height ?? -1];
+  });
+
+const style = (viewer: Locator, css: string): Promise<string> =>
+  viewer.evaluate((element, text) => (element.style.cssText = text), css);
+
+test('is 300 × 150 where CSS says nothing, and as large as CSS says otherwise', async ({ page, mount }) => {
+  const viewer = await mount(box, { css: 'phong-viewer { width: revert-layer; height: revert-layer }' });
+  await page.evaluate(
+    () => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true),
+  );
+  await expect.poll(() => canvasSize(viewer)).toEqual([300, 150]);
+  for (const [css, width, height] of [
+    ['width: 211px; height: 97px', 211, 97],
+    ['width: 50%; height: 40vh; position: absolute', 500, 280],
+    ['width: 100px; height: 60px; padding: 10px; border: 5px solid red', 120, 80],
+  ] as const) {
+    await style(viewer, css);
+    await expect.poll(() => canvasSize(viewer), { message: css }).toEqual([width, height]);
+  }
+});
+
+for (const count of [1, 2]) {
+  test(`has the screen's own pixels at ratios of 1, 1.5, 2 and 3, live, with ${count} on the page`, async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(box.repeat(count), { width: 121, height: 77 });
+    for (const ratio of [1, 1.5, 2, 3, 1]) {
+      await setPixelRatio(page, ratio);
+      const wanted = await viewer.evaluate((element) => {
+        const { left, right, top, bottom } = element.getBoundingClientRect();
+        const snap = (x: number): number => Math.round(x * devicePixelRatio);
+        return [snap(right) - snap(left), snap(bottom) - snap(top)];
+      });
+      await expect.poll(() => canvasSize(viewer), { message: `ratio ${ratio}` }).toEqual(wanted);
+    }
+  });
+}
+
+test('shows at a ratio of 2 what toBlob draws at twice the size', async ({ mount }) => {
+  const viewer = await mount(box, { width: 100, height: 60, deviceScaleFactor: 2 });
+  expect(await canvasSize(viewer)).toEqual([200, 120]);
+  const own = await pixels(viewer);
+  expect(compare(own, await pixels(viewer, { width: 200, height: 120 })).max).toBe(0);
+});
+
+for (const [what, hidden] of [
+  ['0 × 0', 'width: 0; height: 0'],
+  ['not displayed', 'display: none'],
+  ['of no height', 'height: 0'],
+] as const) {
+  test(`is right when it was ${what} and is shown again`, async ({ page, mount }) => {
+    const viewer = await mount(box, { width: 90, height: 60 });
+    const before = await viewer.screenshot();
+    const renders = await record(viewer, 'render');
+    await style(viewer, hidden);
+    await nextFrame(page);
+    await assign(viewer, { theta: 99 });
+    await assign(viewer, { theta: 30 });
+    await nextFrame(page);
+    expect(await renders.take()).toEqual([]);
+    await style(viewer, '');
+    await expect.poll(() => canvasSize(viewer)).toEqual([90, 60]);
+    await nextFrame(page);
+    expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
+  });
+
+  test(`is right when it begins ${what}`, async ({ mount }) => {
+    const viewer = await mount(box, { width: 90, height: 60, css: `.gone { ${hidden} !important }` });
+    const before = await viewer.screenshot();
+    const other = await mount(box.replace('<phong-viewer', '<phong-viewer class="gone"'), {
+      width: 90,
+      height: 60,
+      css: `phong-viewer.gone { ${hidden} }`,
+    });
+    await other.evaluate((element) => element.removeAttribute('class'));
+    await expect.poll(() => canvasSize(other)).toEqual([90, 60]);
+    expect(Buffer.compare(await other.screenshot(), before)).toBe(0);
+  });
+}
+
+test('draws once when it is scrolled into sight, however much changed before', async ({ page, mount }) => {
+  const viewer = await mount(`<div class="tall"></div>${box}`, {
+    width: 90,
+    height: 60,
+    css: '.tall { height: 5000px }',
+  });
+  const renders = await record(viewer, 'render');
+  for (let theta = 1; theta < 5; theta++) await assign(viewer, { theta });
+  await nextFrame(page);
+  expect(await renders.take()).toEqual([]);
+  await viewer.scrollIntoViewIfNeeded();
+  await expect.poll(async () => (await renders.take()).length).toBe(1);
+  await nextFrame(page);
+  await page.evaluate(() => scrollTo(0, 0));
+  await nextFrame(page);
+  await viewer.scrollIntoViewIfNeeded();
+  await nextFrame(page);
+  expect(await renders.take()).toEqual([]);
+});
+
+test('follows a size that changes in every frame, and never stretches a picture', async ({ page, mount }) => {
+  const viewer = await mount(box, { width: 100, height: 60 });
+  const stretched = await viewer.evaluate(async (element: PhongViewer) => {
+    const wrong: number[][] = [];
+    for (let width = 100; width < 120; width += 3) {
+      element.style.width = `${width}px`;
+      // Observers are told after layout, in the frame that shows the new size; its picture comes by the one after.
+      for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      if (canvas.width !== width) wrong.push([width, canvas.width]);
+    }
+    return wrong;
+  });
+  expect(stretched).toEqual([]);
+  await nextFrame(page);
+});
