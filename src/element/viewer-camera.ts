@@ -85,9 +85,11 @@ export class ViewerCamera implements ReactiveController {
     const { theta, phi, radius, target } = values;
     const { orbit } = viewport;
     const before = orbit.version;
-    if (key === 'theta') orbit.set({ theta });
-    else if (key === 'phi') orbit.set({ phi });
-    else {
+    if (key === 'theta' || key === 'phi') {
+      orbit.set(key === 'theta' ? { theta } : { phi });
+      // A hand on the panel is a hand as well: nothing fits the camera to the scene any more.
+      if (this.#source === 'panel') viewport.framing = null;
+    } else {
       const { pose } = orbit;
       const kept = viewport.framing ?? { radius: pose.radius, target: pose.target };
       viewport.framing = key === 'radius' ? { ...kept, radius } : { ...kept, target };

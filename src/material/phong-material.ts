@@ -62,6 +62,10 @@ const DEFAULT_SURFACE: SurfaceValues = {
   shininess: SURFACE_FIELDS.shininess.fallback,
 };
 
+/**
+ * Draws opaque or blended 8-bit colour: the sum is clamped to 0–1 and rounded to the nearest code, whatever the target.
+ * Update the {@link PhongLighting} it was made with before each frame.
+ */
 export class PhongMaterial extends ShaderMaterial {
   readonly #lighting: PhongLighting;
   readonly #look: BaseLook;
