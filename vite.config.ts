@@ -35,12 +35,24 @@ function copiedAssets(): Plugin {
 export default defineConfig({
   root: demo,
   base: './',
+  // No page stands in for one that is not there.
+  appType: 'mpa',
   publicDir: false,
   plugins: [dracoDecoder(), strippedGlsl(), copiedAssets()],
   resolve: {
     alias: packageAliases,
     // Lit's development build writes to the console of every page; the pages are to be quiet here too.
     conditions: ['module', 'browser', 'production'],
+  },
+  optimizeDeps: {
+    // What only models and rare shapes need is found late: bundled then, it would reload the page and bring a second three.
+    include: [
+      'three',
+      'three/addons/loaders/GLTFLoader.js',
+      'three/addons/geometries/TeapotGeometry.js',
+      'lit',
+      'lil-gui',
+    ],
   },
   server: { fs: { allow: [repository] } },
   build: {

@@ -24,6 +24,7 @@ export class ViewerChildren {
   readonly #lightSet: LightSet;
   readonly #headLight = headLight();
   readonly #meshes = new Map<PhongMesh, SceneMesh>();
+  readonly #listeners = new WeakMap<SceneMesh, () => void>();
   #lights: readonly PhongLight[] = Object.freeze([]);
   #meshList: readonly PhongMesh[] = Object.freeze([]);
 
@@ -77,7 +78,8 @@ export class ViewerChildren {
     const { viewport, context, meshEvents } = this.#host;
     for (const [element, mesh] of this.#meshes) {
       if (meshes.includes(element)) continue;
-      element.state.listen(null);
+      // Another viewer may have taken it over already, and listens now.
+      element.state.unlisten(this.#listeners.get(mesh) ?? (() => undefined));
       viewport.remove(mesh);
       this.#meshes.delete(element);
     }
@@ -88,9 +90,11 @@ export class ViewerChildren {
       this.#meshes.set(element, mesh);
       viewport.add(mesh);
       mesh.update();
-      element.state.listen(() => {
+      const listener = (): void => {
         this.#written(mesh);
-      });
+      };
+      this.#listeners.set(mesh, listener);
+      element.state.listen(listener);
     }
     this.#host.meshesChanged();
   }

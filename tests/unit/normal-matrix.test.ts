@@ -174,7 +174,7 @@ describe('the normal matrix of a flattened mesh', () => {
   });
 
   it('is finite for entries of any size and sign, mixed at will', () => {
-    const size = fc.double({ min: 1e-150, max: 1e27, noNaN: true });
+    const size = fc.double({ min: 5e-324, max: 1e27, noNaN: true });
     const entry = fc.oneof(
       size,
       size.map((x) => -x),
