@@ -122,6 +122,7 @@ export class PhongViewer extends LitElement {
     else this.#camera.rest();
     this.#viewport.resize(sight.pixelWidth, sight.pixelHeight);
     this.#viewport.visible = sight.visible;
+    if (sight.printing) this.#viewport.redraw();
     this.#camera.resized();
     if (sight.visible && this.#camera.turning) this.#viewport.animate();
     this.#readiness.check();

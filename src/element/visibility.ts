@@ -4,6 +4,8 @@ import type { ReactiveController } from 'lit';
 
 export interface Sight {
   readonly visible: boolean;
+  /** Only the picture of this very moment will be seen. */
+  readonly printing: boolean;
   /** CSS pixels. */
   readonly width: number;
   readonly height: number;
@@ -40,6 +42,7 @@ export class Visibility implements ReactiveController {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
     document.addEventListener('visibilitychange', this.#tell, { signal });
+    window.addEventListener('beforeprint', this.#onPrint, { signal });
     this.#intersection = new IntersectionObserver(this.#onIntersection);
     this.#intersection.observe(this.#element);
     this.#resize = new ResizeObserver(this.#onResize);
@@ -72,6 +75,13 @@ export class Visibility implements ReactiveController {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     this.#tell();
   }
+
+  /** Paper has no below the fold: everything is seen for a moment. */
+  readonly #onPrint = (): void => {
+    this.#measure(this.#element.clientWidth, this.#element.clientHeight);
+    this.#seen({ visible: true, printing: true, ...this.#size });
+    this.#tell();
+  };
 
   readonly #onIntersection = (entries: readonly IntersectionObserverEntry[]): void => {
     this.#onScreen = entries.at(-1)?.isIntersecting ?? false;
@@ -123,6 +133,6 @@ export class Visibility implements ReactiveController {
   readonly #tell = (): void => {
     if (this.#onScreen === null) return;
     const visible = this.#onScreen && document.visibilityState === 'visible';
-    this.#seen({ visible, ...this.#size });
+    this.#seen({ visible, printing: false, ...this.#size });
   };
 }
