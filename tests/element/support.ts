@@ -100,7 +100,7 @@ export async function drag(
 
 type Place = readonly [x: number, y: number];
 
-/** Fingers on the page, by Chromium's own input: all of them at each call. */
+/** Fingers on the page, by Chromium's own input: all that are down, at each call. */
 export class Fingers {
   readonly #session: CDPSession;
 
@@ -114,12 +114,17 @@ export class Fingers {
 
   down = (...places: readonly Place[]): Promise<void> => this.#send('touchStart', places);
   move = (...places: readonly Place[]): Promise<void> => this.#send('touchMove', places);
-  /** Lifts all fingers, or all but the first ones, which stay where they are said to be. */
-  up = (...left: readonly Place[]): Promise<void> =>
-    this.#send(left.length === 0 ? 'touchEnd' : 'touchMove', left);
+  up = (): Promise<void> => this.#send('touchEnd', []);
 
-  async #send(type: 'touchStart' | 'touchMove' | 'touchEnd', places: readonly Place[]): Promise<void> {
-    const touchPoints = places.map(([x, y], id) => ({ x, y, id }));
+  /** Lifts one finger, counted from 0, from where it is; the others stay. */
+  lift = (id: number, place: Place): Promise<void> => this.#send('touchEnd', [place], id);
+
+  async #send(
+    type: 'touchStart' | 'touchMove' | 'touchEnd',
+    places: readonly Place[],
+    firstId = 0,
+  ): Promise<void> {
+    const touchPoints = places.map(([x, y], i) => ({ x, y, id: firstId + i }));
     await this.#session.send('Input.dispatchTouchEvent', { type, touchPoints });
   }
 }
