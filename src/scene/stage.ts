@@ -93,6 +93,7 @@ class Stage {
     size: { readonly width: number; readonly height: number },
     render: (renderer: WebGLRenderer, part: Region) => void,
   ): HTMLCanvasElement {
+    if (this.lost) throw new Error('the graphics context is lost: there is no picture until it comes back');
     const { width, height } = size;
     const picture = document.createElement('canvas');
     picture.width = width;

@@ -21,6 +21,9 @@ test('a lost context is told of, and comes back with everything in it', async ({
   const notice = viewer.locator('[part=notice]');
   await expect(notice).toBeVisible();
   expect(await viewer.evaluate((element: PhongViewer) => element.ready.then(() => 'ready'))).toBe('ready');
+  // No picture is better than an empty one.
+  const taken = viewer.evaluate((element: PhongViewer) => element.toBlob().catch((e: unknown) => String(e)));
+  expect(await taken).toContain('context is lost');
   // Changes of the meantime are not forgotten.
   await assign(viewer, { kd: '1 2 3' });
   await assign(viewer, { kd: '200 40 40' });
