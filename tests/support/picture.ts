@@ -46,7 +46,7 @@ export async function pixels(
       reader.readAsDataURL(blob);
     });
   }, size);
-  return decode(Buffer.from(base64, 'base64'));
+  return decodePng(Buffer.from(base64, 'base64'));
 }
 
 /** The codes of one pixel, x to the right and y down from the top left. */
@@ -91,7 +91,7 @@ export function expectPicture(name: string, actual: Picture): void {
     const path = write(base.info().outputPath(`${name}-actual.png`), actual);
     throw new Error(`No baseline ${name}.png. If ${path} is right, run again with UPDATE_PICTURES=1.`);
   }
-  const expected = decode(readFileSync(baseline));
+  const expected = decodePng(readFileSync(baseline));
   expect(`${actual.width}×${actual.height}`, `size of ${name}`).toBe(`${expected.width}×${expected.height}`);
   const difference = compare(actual, expected, baselineTolerance.codes);
   if (difference.share <= baselineTolerance.share) return;
@@ -112,7 +112,7 @@ function differencePicture(a: Picture, b: Picture): Picture {
   return { width: a.width, height: a.height, data };
 }
 
-function decode(png: Buffer): Picture {
+export function decodePng(png: Buffer): Picture {
   const { width, height, data } = PNG.sync.read(png);
   return { width, height, data };
 }

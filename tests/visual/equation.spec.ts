@@ -1,52 +1,14 @@
 // Do whole pictures follow the equation? Random scenes on a plane, pixel by pixel against float64, by markup alone.
-import { expect, type Mount, pixels, test, type Picture } from '../support/test.js';
+import { expect, type Mount, pixels, test } from '../support/test.js';
+import { compareWithReference } from './against-reference.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
-import { caster, type CastScene } from './ray-cast.js';
+import type { CastScene } from './ray-cast.js';
 
 const SIZE = { width: 200, height: 140 };
-/** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
-const CONE_EDGE = 3e-3;
-
-interface Errors {
-  /** Largest difference of a channel in 1/255, and where. */
-  max: number;
-  at: string;
-  compared: number;
-  exact: number;
-}
-
-/** Pixels whose neighbours all hit the same face: their insides are one sample each. */
-function compareWithReference(picture: Picture, scene: CastScene): Errors {
-  const { width, height } = picture;
-  const cast = caster(scene, width, height);
-  const hits = Array.from({ length: width * height }, (_, i) => cast(i % width, Math.floor(i / width)));
-  const errors: Errors = { max: 0, at: '', compared: 0, exact: 0 };
-  for (let y = 2; y < height - 2; y++) {
-    for (let x = 2; x < width - 2; x++) {
-      const hit = hits[y * width + x];
-      const inside = [-2, 0, 2].every((dy) =>
-        [-2, 0, 2].every((dx) => hits[(y + dy) * width + x + dx]?.face === hit?.face),
-      );
-      if (!hit || !inside || hit.coneMargin < CONE_EDGE) continue;
-      for (let channel = 0; channel < 3; channel++) {
-        const expected = Math.round(hit.shaded.color[channel]! * 255);
-        const actual = picture.data[4 * (y * width + x) + channel]!;
-        const error = Math.abs(expected - actual);
-        errors.compared += 1;
-        if (error === 0) errors.exact += 1;
-        if (error > errors.max) {
-          errors.max = error;
-          errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${hit.shaded.color[channel]! * 255}`;
-        }
-      }
-    }
-  }
-  return errors;
-}
-
 /** More scenes, or others: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? 30);
+const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 30));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 async function holds(
@@ -71,17 +33,17 @@ async function holds(
 }
 
 test('shades random scenes on a plane within one code of the equation in float64', async ({ mount }) => {
-  test.setTimeout(600_000);
+  test.setTimeout(1_800_000);
   await holds(mount, 'plane', SCENES);
 });
 
 test('shades random boxes, turned and mirrored, within one code', async ({ mount }) => {
-  test.setTimeout(600_000);
+  test.setTimeout(1_800_000);
   await holds(mount, 'box', Math.ceil(SCENES / 3));
 });
 
 test('shades flat faces with the triangles’ own normals within one code', async ({ mount }) => {
-  test.setTimeout(600_000);
+  test.setTimeout(1_800_000);
   await holds(mount, 'box', Math.ceil(SCENES / 6), 'flat');
 });
 
