@@ -54,6 +54,7 @@ export class PhongViewer extends LitElement {
   readonly state = new Declared<ViewerValues>(VIEWER_FIELDS);
   readonly declared = new DeclaredElement<ViewerValues>(this, this.state, (key) => {
     this.#camera.assigned(key);
+    if (key === 'src') this.requestUpdate('src'); // the same address again tries again what has failed
   });
 
   readonly #holder = document.createElement('div');
@@ -64,27 +65,26 @@ export class PhongViewer extends LitElement {
   readonly #lightSet = new LightSet((light) => {
     this.#viewport.invalidate();
     const element = light === null ? null : this.#children.lightOf(light);
-    this.#notices.tell('light-change', { light: element });
+    this.#notices.tell('light-change', { light: element }, element);
     this.#panel.changed(element === null ? 'lights' : 'light');
   });
   readonly #viewport = new Viewport(this.#holder, this.#lightSet, {
-    locate: () => {
-      this.#visibility.look();
-    },
+    locate: () => this.#visibility.look(),
     beforeFrame: (now) => this.#camera.frame(now),
     drawn: () => {
       this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));
-      this.#readiness.check();
     },
-    fitted: () => this.#cameraMoved('auto'),
+    tried: () => this.#readiness.check(),
+    fitted: () => {
+      // Where a camera begins is not a move.
+      if (this.#viewport.stats.frames > 0) this.#cameraMoved('auto');
+    },
     contextLost: () => {
       this.#failure.contextLost();
       this.#readiness.check();
     },
-    contextRestored: () => {
-      this.#failure.contextRestored();
-    },
+    contextRestored: () => this.#failure.contextRestored(),
   });
   readonly #loading = new ViewerLoading({
     state: this.state,
@@ -92,12 +92,14 @@ export class PhongViewer extends LitElement {
     notices: this.#notices,
     elementOf: (mesh) => this.#children.elementOf(mesh),
     childMeshes: () => this.#children.sceneMeshes,
-    fail: (detail) => {
-      this.#failure.tell(detail);
+    fail: (mesh, detail) => this.#failure.tell(mesh, detail),
+    mended: (mesh) => {
+      this.#failure.mended(mesh);
+      queueMicrotask(() => {
+        this.#readiness.check();
+      });
     },
-    ended: () => {
-      this.#readiness.check();
-    },
+    ended: () => this.#readiness.check(),
   });
   readonly #children: ViewerChildren = new ViewerChildren(
     {
@@ -105,16 +107,14 @@ export class PhongViewer extends LitElement {
       context: this.#loading.context,
       meshEvents: this.#loading.events,
       slot: () => this.#part<HTMLSlotElement>('slot:not([name])'),
-      meshesChanged: () => {
-        this.#panel.changed('meshes');
-      },
+      meshesChanged: () => this.#panel.changed('meshes'),
     },
     this.#lightSet,
   );
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.state.values,
     viewport: this.#viewport,
-    size: () => this.#visibility.size,
+    size: () => this.#holder.getBoundingClientRect(),
     moved: (source) => this.#cameraMoved(source),
   });
   readonly #visibility = new Visibility(this.#holder, (sight) => {
@@ -239,9 +239,7 @@ export class PhongViewer extends LitElement {
       fixed: !orbit,
       notice: this.#failure.message,
       holder: this.#holder,
-      slotchange: () => {
-        this.#children.collect();
-      },
+      slotchange: () => this.#children.collect(),
     });
   }
 
@@ -263,10 +261,7 @@ export class PhongViewer extends LitElement {
     if (['shading', 'reflection', 'terms'].some((key) => changed.has(key))) {
       viewport.style = { shading: values.shading, reflection: values.reflection, terms: values.terms };
     }
-    if (changed.has('src')) {
-      this.#readiness.supersede();
-      this.#failure.loadingAgain();
-    }
+    if (changed.has('src')) this.#readiness.supersede();
     if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, PhongViewer.loadPanel, this.#part('.panel'));
@@ -276,6 +271,8 @@ export class PhongViewer extends LitElement {
   /** Writes of this task that wait for its end are acted on now. */
   #bringInStep(): void {
     if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
+    else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to bring in step
+    if (this.isConnected && !this.#visibility.looked) this.#visibility.look();
     this.#children.flush();
     this.#children.collect();
   }
@@ -289,7 +286,7 @@ export class PhongViewer extends LitElement {
 
   /** The first picture of all that was asked for is drawn: the poster has done its work. */
   #reveal(): void {
-    if (this.#revealed || this.#loading.pending) return;
+    if (this.#revealed || this.#loading.pending || this.#failure.message !== null) return;
     this.#revealed = true;
     this.requestUpdate();
   }

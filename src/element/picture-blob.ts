@@ -21,7 +21,7 @@ export async function pictureBlob(viewport: Viewport, options: PictureOptions = 
     throw new RangeError(`toBlob: quality must be from 0 to 1, got ${String(quality)}`);
   }
   const picture = viewport.capture(width, height);
-  if (type === 'image/jpeg') fillBehind(picture, 'white');
+  if (type.toLowerCase() === 'image/jpeg') fillBehind(picture, 'white');
   return new Promise((resolve, reject) => {
     picture.toBlob(
       (blob) => {

@@ -13,6 +13,7 @@ export class Readiness {
 
   /** The current promise; a new one where something has been asked for since the last was kept. */
   get promise(): Promise<void> {
+    this.check();
     if (this.#resolve === null && !this.#settled()) this.#renew();
     return this.#promise;
   }

@@ -36,4 +36,4 @@ export function markup(viewer: Part, children: readonly Part[]): string {
 const startTag = ({ tag, attributes }: Part): string =>
   `<${tag}${attributes.map(([name, value]) => (value === '' ? ` ${name}` : ` ${name}="${escape(value)}"`)).join('')}>`;
 
-const escape = (text: string): string => text.replace(/[&"<>]/g, (c) => `&#${String(c.charCodeAt(0))};`);
+const escape = (text: string): string => text.replace(/[&"<>\r]/g, (c) => `&#${String(c.charCodeAt(0))};`);

@@ -94,6 +94,7 @@ export class ViewerCamera implements ReactiveController {
       const kept = viewport.framing ?? { radius: pose.radius, target: pose.target };
       viewport.framing = key === 'radius' ? { ...kept, radius } : { ...kept, target };
       viewport.settle();
+      if (this.#source === 'panel' && values[key as 'radius' | 'target'] !== 'auto') viewport.framing = null;
     }
     this.#input?.renote();
     if (orbit.version !== before) this.#told(this.#source);

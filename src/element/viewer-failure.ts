@@ -2,58 +2,58 @@
 import type { ReactiveControllerHost } from 'lit';
 import { NoWebGL2Error } from '../scene/stage.js';
 import type { Notices } from './notices.js';
-import { errorDetail, type ViewerErrorCode, type ViewerErrorDetail } from './viewer-loading.js';
+import { errorDetail, type ViewerErrorDetail } from './viewer-loading.js';
 
-const OF_LOADING: readonly ViewerErrorCode[] = ['load-failed', 'bad-model', 'too-large', 'csp'];
+/** Stands for the graphics context among what can fail; models stand for themselves. */
+const CONTEXT = {};
 
 export class ViewerFailure {
   readonly #host: Pick<ReactiveControllerHost, 'requestUpdate'>;
   readonly #notices: Notices;
-  #present: ViewerErrorDetail | null = null;
+  readonly #present = new Map<object, ViewerErrorDetail>();
 
   constructor(host: Pick<ReactiveControllerHost, 'requestUpdate'>, notices: Notices) {
     this.#host = host;
     this.#notices = notices;
   }
 
-  /** For the page's reader; null where nothing has failed. */
+  /** For the page's reader: the newest of what has failed; null where nothing has. */
   get message(): string | null {
-    return this.#present?.message ?? null;
+    return [...this.#present.values()].at(-1)?.message ?? null;
   }
 
-  tell(detail: ViewerErrorDetail): void {
-    this.#show(detail);
-    this.#notices.tell('error', detail);
+  /** `subject` has failed. */
+  tell(subject: object, detail: ViewerErrorDetail): void {
+    this.#present.delete(subject);
+    this.#present.set(subject, detail);
+    this.#host.requestUpdate();
+    this.#notices.tell('error', detail, detail);
+  }
+
+  /** `subject` works, or is no more. */
+  mended(subject: object): void {
+    if (this.#present.delete(subject)) this.#host.requestUpdate();
   }
 
   /** Does `start`; false where there is no WebGL 2, which is told. */
   needsWebGL2(start: () => void): boolean {
     try {
       start();
+      this.contextRestored();
       return true;
     } catch (error) {
       if (!(error instanceof NoWebGL2Error)) throw error;
-      this.tell(errorDetail(error, null));
+      this.tell(CONTEXT, errorDetail(error, null));
       return false;
     }
   }
 
   contextLost(): void {
     const message = 'The graphics context was lost. The picture comes back when the browser gives it back.';
-    this.tell({ code: 'context-lost', message, url: null });
+    this.tell(CONTEXT, { code: 'context-lost', message, url: null });
   }
 
   contextRestored(): void {
-    if (this.#present?.code === 'context-lost') this.#show(null);
-  }
-
-  /** Something else is being loaded. */
-  loadingAgain(): void {
-    if (this.#present !== null && OF_LOADING.includes(this.#present.code)) this.#show(null);
-  }
-
-  #show(detail: ViewerErrorDetail | null): void {
-    this.#present = detail;
-    this.#host.requestUpdate();
+    this.mended(CONTEXT);
   }
 }

@@ -37,8 +37,10 @@ export interface LoadingHost {
   /** The child that a mesh stands for; undefined for the viewer's own. */
   elementOf(mesh: SceneMesh): HTMLElement | undefined;
   childMeshes(): Iterable<SceneMesh>;
-  fail(detail: ViewerErrorDetail): void;
-  /** A load ended, well or not. */
+  fail(mesh: SceneMesh, detail: ViewerErrorDetail): void;
+  /** A load ended well, or is asked for no more: nothing of it has failed any longer. */
+  mended(mesh: SceneMesh): void;
+  /** Something that was waited for ended, whichever way. */
   ended(): void;
 }
 
@@ -50,7 +52,6 @@ export class ViewerLoading {
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
   #seen = false;
-  #models = 0;
 
   constructor(host: LoadingHost) {
     this.#host = host;
@@ -81,6 +82,10 @@ export class ViewerLoading {
       ended: (mesh, url, error) => {
         this.#ended(mesh, url, error);
       },
+      dropped: (mesh) => {
+        this.#progress.end(mesh);
+        host.mended(mesh);
+      },
     };
     this.ownMesh = new SceneMesh(host.state as unknown as Declared<ShapeValues>, this.context, this.events);
     host.viewport.add(this.ownMesh);
@@ -92,7 +97,7 @@ export class ViewerLoading {
 
   /** At least one model is there and none is on its way. */
   get loaded(): boolean {
-    return this.#models > 0 && !this.pending;
+    return !this.pending && this.#meshes().some((mesh) => mesh.showsModel);
   }
 
   /** The viewer can be seen: lazy loading begins. */
@@ -116,13 +121,12 @@ export class ViewerLoading {
     if (error !== null) {
       const detail = errorDetail(error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
-      this.#host.fail(detail);
+      this.#host.fail(mesh, detail);
     } else if (url !== null) {
-      this.#models += 1;
       const detail = { url: url.href };
       this.#host.notices.tell('progress', { totalProgress: this.#progress.share });
       child?.dispatchEvent(new CustomEvent('load', { detail }));
-      this.#host.notices.tell('load', detail);
+      this.#host.notices.tell('load', detail, detail);
     }
     this.#host.ended();
   }

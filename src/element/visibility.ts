@@ -38,6 +38,11 @@ export class Visibility implements ReactiveController {
     return this.#onScreen !== null || document.visibilityState === 'hidden';
   }
 
+  /** {@link look} has been called, or an observer has answered, since the element was connected. */
+  get looked(): boolean {
+    return this.#onScreen !== null;
+  }
+
   hostConnected(): void {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
@@ -110,7 +115,9 @@ export class Visibility implements ReactiveController {
   }
 
   #measure(width: number, height: number): void {
-    const ratio = window.devicePixelRatio;
+    // CSS zoom is in neither: an element inside zoom: 2 covers twice the pixels that its own CSS pixels say.
+    const ratio =
+      window.devicePixelRatio * ((this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1);
     this.#size = {
       width,
       height,

@@ -15,12 +15,10 @@ export function flatGeometry(source: BufferGeometry): BufferGeometry {
   if (present) return present;
   const flat = separateTriangles(source);
   made.set(source, flat);
-  const onDispose = (): void => {
-    source.removeEventListener('dispose', onDispose);
-    made.delete(source);
+  // It stays the source's copy: a source disposed of may be drawn again, and so may its copy.
+  source.addEventListener('dispose', () => {
     flat.dispose();
-  };
-  source.addEventListener('dispose', onDispose);
+  });
   return flat;
 }
 

@@ -81,9 +81,11 @@ export class LightRows {
     if (this.texture.value !== null) this.texture.value.needsUpdate = true;
   }
 
+  /** Frees what the GPU holds; drawing again sends it again. */
   dispose(): void {
     this.group.dispose();
     this.texture.value?.dispose();
+    this.restore();
   }
 
   #writeBlock({ data, rows }: PackedLights): boolean {

@@ -20,6 +20,8 @@ export interface MeshEvents {
   progress(mesh: SceneMesh, loaded: number, total: number): void;
   /** A load that began has ended: with what it loaded, or why not. Not told of loads that were overtaken. */
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
+  /** What it had asked for, loading or failed, is asked for no more. */
+  dropped(mesh: SceneMesh): void;
 }
 
 /** What of the picture a mesh depends on. */
@@ -50,6 +52,7 @@ export class SceneMesh {
   #parts: readonly Part[] = [];
   #loading: AbortController | null = null;
   #asked: string | null = null;
+  #showsModel = false;
   /** Position, rotation and scale as last written to the scene: measuring it anew costs a pass over all vertices. */
   #placed: readonly number[] = [];
 
@@ -66,6 +69,11 @@ export class SceneMesh {
   /** Something is asked for that is not shown yet, and may still come. */
   get loading(): boolean {
     return this.#loading !== null;
+  }
+
+  /** Its `src` is what it shows. */
+  get showsModel(): boolean {
+    return this.#showsModel && this.#asked !== null && !this.loading;
   }
 
   /** Values were written: bring everything in step. Cheap where nothing changed. */
@@ -91,8 +99,7 @@ export class SceneMesh {
 
   /** Ends any load and frees everything. */
   dispose(): void {
-    this.#loading?.abort();
-    this.#loading = null;
+    this.#drop();
     this.#asked = null;
     this.#show(NOTHING);
     this.root.removeFromParent();
@@ -123,11 +130,11 @@ export class SceneMesh {
 
   #load(): void {
     const { src, geometry, segments } = this.#values;
-    const asked = src === '' ? `${geometry ?? ''} ${String(segments)}` : `src ${src}`;
-    if (asked === this.#asked || (src !== '' && !this.#context.mayLoad)) return;
+    const { mayLoad, crossOrigin } = this.#context;
+    const asked = src === '' ? `${geometry ?? ''} ${String(segments)}` : `src ${src} ${crossOrigin ?? ''}`;
+    if (asked === this.#asked || (src !== '' && !mayLoad)) return;
+    this.#drop();
     this.#asked = asked;
-    this.#loading?.abort();
-    this.#loading = null;
     if (src !== '') {
       const url = addressOf(src);
       this.#await(url, (signal) => this.#loadModel(url, src, signal));
@@ -159,17 +166,26 @@ export class SceneMesh {
         }
         this.#loading = null;
         this.#show(content);
+        this.#showsModel = url !== null;
         this.#events.ended(this, url, null);
       },
       (error: unknown) => {
         if (this.#loading !== loading) return;
         this.#loading = null;
+        this.#asked = null; // asked for again, it is tried again
         this.#events.ended(this, url, error);
       },
     );
   }
 
+  #drop(): void {
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#events.dropped(this);
+  }
+
   #show(content: Content): void {
+    this.#showsModel = false;
     for (const { mesh, material } of this.#parts) {
       mesh.removeFromParent();
       material.dispose();

@@ -12,6 +12,7 @@ export interface StageClient {
   invalidate(): void;
   /** Draw again now, before the browser shows the page. */
   redraw(): void;
+  /** Let go of everything that the GPU held. */
   contextLost(): void;
   /** The context is back; everything has to be sent again. */
   contextRestored(): void;
@@ -174,17 +175,22 @@ class Stage {
     canvas.addEventListener('webglcontextlost', this.#lost);
     canvas.addEventListener('webglcontextrestored', this.#restored);
     this.#maxSize = maxSizeOf(context);
-    const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
-    renderer.setPixelRatio(1); // sizes here are device pixels already
-    renderer.setClearColor(0x000000, 0);
-    return renderer;
+    return rendererOf(canvas, context);
   }
 
-  readonly #lost = (): void => {
+  // three.js would write both to the console. It need not know: a restored context gets a new renderer.
+  readonly #lost = (event: Event): void => {
+    event.stopImmediatePropagation();
+    event.preventDefault(); // else it is never restored
     for (const client of this.#clients) client.contextLost();
+    // While the context is lost: what is deleted after it has come back is not its own, and that is an error.
+    this.#renderer?.dispose();
   };
 
-  readonly #restored = (): void => {
+  readonly #restored = (event: Event): void => {
+    event.stopImmediatePropagation();
+    const old = this.#need();
+    this.#renderer = rendererOf(old.domElement, old.getContext() as WebGL2RenderingContext);
     for (const client of this.#clients) client.contextRestored();
   };
 
@@ -223,6 +229,13 @@ function holds(context: CanvasRenderingContext2D, width: number, height: number)
   } catch {
     return false;
   }
+}
+
+function rendererOf(canvas: HTMLCanvasElement, context: WebGL2RenderingContext): WebGLRenderer {
+  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  renderer.setPixelRatio(1); // sizes here are device pixels already
+  renderer.setClearColor(0x000000, 0);
+  return renderer;
 }
 
 function maxSizeOf(gl: WebGL2RenderingContext): number {

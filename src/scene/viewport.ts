@@ -15,18 +15,7 @@ import { releaseGpu } from './release-gpu.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
-
-export interface ViewportEvents {
-  /** Nobody knows yet whether the picture can be seen and how large it is: call `place`. */
-  locate(): void;
-  /** Before each frame; true asks for another one. `now` as animation frames have it, in milliseconds. */
-  beforeFrame(now: number): boolean;
-  drawn(): void;
-  /** `auto` found another target or radius. */
-  fitted(): void;
-  contextLost(): void;
-  contextRestored(): void;
-}
+import type { ViewportEvents } from './viewport-events.js';
 
 /** What stands for `auto`, or the value that was given. */
 export interface Framing {
@@ -94,9 +83,7 @@ export class Viewport implements StageClient, Framed {
     stage.remove(this);
     // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
     queueMicrotask(() => {
-      if (this.#attached) return;
-      releaseGpu(this.scene);
-      this.lighting.dispose();
+      if (!this.#attached) this.#release();
     });
   }
 
@@ -213,13 +200,18 @@ export class Viewport implements StageClient, Framed {
       this.#dirty = true;
       return;
     }
-    this.settle();
-    stage.draw(this, (renderer) => {
-      this.#render(renderer, this.width, this.height);
-    });
+    // Before drawing: what cannot be drawn is not tried again until something changes.
     this.#dirty = false;
-    this.#frames += 1;
-    this.#events.drawn();
+    try {
+      this.settle();
+      stage.draw(this, (renderer) => {
+        this.#render(renderer, this.width, this.height);
+      });
+      this.#frames += 1;
+      this.#events.drawn();
+    } finally {
+      this.#events.tried();
+    }
   }
 
   /** Brings the camera in step with the scene: `auto` is found anew where it has to be. */
@@ -258,18 +250,17 @@ export class Viewport implements StageClient, Framed {
 
   contextLost(): void {
     frameLoop.cancel(this);
+    this.#release();
     this.#events.contextLost();
   }
 
   contextRestored(): void {
-    this.lighting.rows.restore();
     this.invalidate();
     this.#events.contextRestored();
   }
 
-  dispose(): void {
-    this.detach();
-    for (const mesh of this.#meshes) mesh.dispose();
+  #release(): void {
+    releaseGpu(this.scene);
     this.lighting.dispose();
   }
 

@@ -7,8 +7,7 @@ const size = { width: 90, height: 60 };
 const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
 const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>`;
 
-test('a lost context is told of, and comes back with everything in it', async ({ mount, consoleGuard }) => {
-  consoleGuard.allow(/log: THREE.WebGLRenderer: Context (Lost|Restored)/);
+test('a lost context is told of, and comes back with everything in it', async ({ mount }) => {
   const viewer = await mount(box.replace('</phong-viewer>', '<phong-mesh src="/fixtures/models/textured.glb" position="1 0 0"></phong-mesh></phong-viewer>'), size); // prettier-ignore
   const before = await pixels(viewer);
   const onScreen = await viewer.screenshot();

@@ -16,7 +16,8 @@ export function decodeDataUri(uri: string): DataUri {
     throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
   const [type, ...parameters] = uri.slice('data:'.length, comma).split(';');
   const base64 = parameters.at(-1)?.trim().toLowerCase() === 'base64';
-  const body = uri.slice(comma + 1);
+  // A fragment is the page's business, not the data's.
+  const [body = ''] = uri.slice(comma + 1).split('#', 1);
   // Percent signs cannot occur in base64, and a model's data is long: look before unescaping.
   const octets = body.includes('%') ? unescapeOctets(body) : body;
   return {
