@@ -25,9 +25,11 @@ export class Readiness {
 
   /** After anything that may have settled it. */
   check(): void {
-    if (this.#resolve === null || !this.#settled()) return;
-    this.#resolve();
-    this.#resolve = null;
+    const resolve = this.#resolve;
+    if (resolve === null || !this.#settled()) return;
+    resolve();
+    // Finding out may have brought loads to their end, and those check as well.
+    if (this.#resolve === resolve) this.#resolve = null;
   }
 
   #renew(): void {

@@ -88,7 +88,7 @@ test('@release loads the bunny and its panel in Firefox under a strict policy', 
   await page.waitForFunction(() => {
     const viewer = document.querySelector('phong-viewer') as (HTMLElement & { loaded?: boolean }) | null;
     return (
-      viewer?.loaded === true && viewer.shadowRoot?.querySelector('.panel')?.textContent?.includes('Camera')
+      viewer?.loaded === true && viewer.shadowRoot?.querySelector('.panel')?.textContent.includes('Camera')
     );
   });
   expect(said).toEqual([]);
