@@ -1,6 +1,7 @@
 // Does the element hold in a second browser, on a second GL? Firefox with Mesa's software renderer, under Xvfb; driven by
 // puppeteer because Playwright's own Firefox is a build of its own.
 import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
+import { existsSync } from 'node:fs';
 import { expect, test } from '@playwright/test';
 import puppeteer, { type Browser } from 'puppeteer-core';
 import { decodePng } from '../support/picture.js';
@@ -10,12 +11,16 @@ import { randomScene, sceneMarkup } from '../visual/random-scene.js';
 
 const SIZE = { width: 160, height: 120 };
 const SCENES = 60;
-const DISPLAY = ':97';
+/** A display of this run's own: another run may have the next one. */
+const SCREEN = 100 + (process.pid % 800);
 const NEEDED = ['firefox-esr', 'xvfb', 'libegl1', 'libgl1-mesa-dri'];
 
-let site: Site;
-let screen: ChildProcess;
-let browser: Browser;
+let site: Site | undefined;
+let screen: ChildProcess | undefined;
+let browser: Browser | undefined;
+
+// One worker, and so one Firefox and one screen.
+test.describe.configure({ mode: 'serial' });
 
 function has(command: string): boolean {
   try {
@@ -35,24 +40,26 @@ test.beforeAll(async () => {
     execFileSync('apt-get', ['install', '-y', '-qq', ...NEEDED]);
   }
   site = await startSite(testMounts);
-  screen = spawn('Xvfb', [DISPLAY, '-screen', '0', '1000x700x24'], { stdio: 'ignore' });
+  screen = spawn('Xvfb', [`:${SCREEN}`, '-screen', '0', '1000x700x24'], { stdio: 'ignore' });
+  await expect.poll(() => existsSync(`/tmp/.X11-unix/X${SCREEN}`)).toBe(true);
   browser = await puppeteer.launch({
     browser: 'firefox',
     executablePath: execFileSync('which', ['firefox-esr'], { encoding: 'utf8' }).trim(),
     headless: false,
-    env: { ...process.env, DISPLAY },
+    env: { ...process.env, DISPLAY: `:${SCREEN}` },
     extraPrefsFirefox: { 'webgl.force-enabled': true },
   });
 });
 
 test.afterAll(async () => {
-  await browser.close();
-  screen.kill();
-  await site.close();
+  await browser?.close();
+  screen?.kill();
+  await site?.close();
 });
 
 test('@release draws the equation in Firefox within one code of float64', async () => {
   test.setTimeout(900_000);
+  if (browser === undefined || site === undefined) throw new Error('Firefox did not start');
   const page = await browser.newPage();
   const said: string[] = [];
   page.on('console', (message) => said.push(message.text()));
@@ -80,6 +87,7 @@ test('@release draws the equation in Firefox within one code of float64', async 
 
 test('@release loads the bunny and its panel in Firefox under a strict policy', async () => {
   test.setTimeout(120_000);
+  if (browser === undefined || site === undefined) throw new Error('Firefox did not start');
   const page = await browser.newPage();
   const said: string[] = [];
   page.on('console', (message) => said.push(message.text()));
