@@ -130,3 +130,34 @@ test('a drag turns by the width that is seen, inside a scaled page too', async (
   await page.mouse.up();
   expect((await cameraOf(viewer)).theta).toBeCloseTo(-36, 9);
 });
+
+test('changes of two lights in one task are told apart, and each once', async ({ mount, page }) => {
+  const viewer = await mount(
+    '<phong-viewer><phong-light name="a"></phong-light><phong-light name="b"></phong-light></phong-viewer>',
+  );
+  const told = await viewer.evaluate(async (element: PhongViewer) => {
+    const names: string[] = [];
+    element.addEventListener('light-change', (event) => names.push(event.detail.light?.name ?? 'none'));
+    const [a, b] = element.lights;
+    if (a === undefined || b === undefined) return [];
+    a.cutoff = 1;
+    b.cutoff = 2;
+    a.cutoff = 3;
+    await new Promise((resolve) => setTimeout(resolve));
+    return names;
+  });
+  expect(told).toEqual(['a', 'b']);
+  await nextFrame(page);
+});
+
+test('the picture has the pixels that it covers inside CSS zoom', async ({ mount }) => {
+  const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', {
+    ...SMALL,
+    css: 'phong-viewer { zoom: 2 }',
+  });
+  const size = await viewer.evaluate((element) => {
+    const canvas = element.shadowRoot?.querySelector('canvas');
+    return [canvas?.width, canvas?.height];
+  });
+  expect(size).toEqual([2 * SMALL.width, 2 * SMALL.height]);
+});
