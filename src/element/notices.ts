@@ -2,15 +2,10 @@
 // the last detail. Knows nothing of what the events mean.
 import type { PhongViewerEventMap } from './events.js';
 
-interface Notice {
-  readonly type: string;
-  readonly subject: unknown;
-  detail: unknown;
-}
-
 export class Notices {
   readonly #element: EventTarget;
-  #waiting: Notice[] = [];
+  /** Type to subject to detail. */
+  #waiting = new Map<string, Map<unknown, unknown>>();
 
   constructor(element: EventTarget) {
     this.#element = element;
@@ -22,18 +17,16 @@ export class Notices {
     detail: PhongViewerEventMap[K]['detail'],
     subject: unknown = null,
   ): void {
-    const same = this.#waiting.find((notice) => notice.type === type && notice.subject === subject);
-    if (same !== undefined) {
-      same.detail = detail;
-      return;
-    }
-    if (this.#waiting.length === 0) queueMicrotask(this.#dispatch);
-    this.#waiting.push({ type, subject, detail });
+    if (this.#waiting.size === 0) queueMicrotask(this.#dispatch);
+    const subjects = this.#waiting.get(type) ?? new Map<unknown, unknown>();
+    this.#waiting.set(type, subjects.set(subject, detail));
   }
 
   readonly #dispatch = (): void => {
-    const notices = this.#waiting;
-    this.#waiting = [];
-    for (const { type, detail } of notices) this.#element.dispatchEvent(new CustomEvent(type, { detail }));
+    const waiting = this.#waiting;
+    this.#waiting = new Map();
+    for (const [type, subjects] of waiting) {
+      for (const detail of subjects.values()) this.#element.dispatchEvent(new CustomEvent(type, { detail }));
+    }
   };
 }

@@ -26,6 +26,7 @@ export class ViewerChildren {
   readonly #meshes = new Map<PhongMesh, SceneMesh>();
   readonly #listeners = new WeakMap<SceneMesh, () => void>();
   #lights: readonly PhongLight[] = Object.freeze([]);
+  #elements: ReadonlyMap<LightState, PhongLight> = new Map();
   #meshList: readonly PhongMesh[] = Object.freeze([]);
 
   constructor(host: ChildrenHost, lightSet: LightSet) {
@@ -50,7 +51,7 @@ export class ViewerChildren {
 
   /** The element of a light; null for the head-light. */
   lightOf(state: LightState): PhongLight | null {
-    return this.#lights.find((light) => light.state === state) ?? null;
+    return this.#elements.get(state) ?? null;
   }
 
   elementOf(mesh: SceneMesh): PhongMesh | undefined {
@@ -67,6 +68,7 @@ export class ViewerChildren {
   #collectLights(lights: readonly PhongLight[]): void {
     if (sameList(lights, this.#lights)) return;
     this.#lights = Object.freeze(lights);
+    this.#elements = new Map(lights.map((light) => [light.state, light]));
     // A light set before its element was connected lies in its own properties until then.
     for (const light of lights) light.declared.upgrade();
     this.#lightSet.assign(lights.length === 0 ? [this.#headLight] : lights.map((light) => light.state));

@@ -155,7 +155,7 @@ class LoadProgress {
     let total = 0;
     for (const transfer of this.#transfers.values()) {
       if (transfer.total > 0) loaded += Math.min(transfer.loaded, transfer.total);
-      total += Math.max(transfer.total, transfer.total > 0 ? 0 : transfer.loaded);
+      total += transfer.total > 0 ? transfer.total : transfer.loaded;
     }
     return total > 0 ? loaded / total : 1;
   }

@@ -36,6 +36,8 @@ export class PhongLighting {
   readonly #packed: PackedLights = emptyPack();
   #packedFor = { version: -1, linear: false, origin: this.#origin };
   #factsVersion = -1;
+  #programVersion = 0;
+  #storage = this.rows.storage;
   readonly #worldToShading = identity();
   readonly #cameraToShading = identity();
 
@@ -48,6 +50,11 @@ export class PhongLighting {
     return this.#origin;
   }
 
+  /** Goes up when materials may need other programs: what lights need, the colour space or the storage has changed. */
+  get programVersion(): number {
+    return this.#programVersion;
+  }
+
   /** The lights as last packed: how many took part, how many were sent. */
   get packed(): Readonly<PackedLights> {
     return this.#packed;
@@ -57,8 +64,10 @@ export class PhongLighting {
   update(frame: ShadingFrame): void {
     this.#origin = frame.origin;
     this.eye.value.set(frame.eye[0], frame.eye[1], frame.eye[2]);
-    this.#gather();
+    if (this.#gather() || this.linear !== this.#packedFor.linear) this.#programVersion += 1;
     if (this.#mustPack(frame)) this.#pack(frame);
+    if (this.rows.storage !== this.#storage) this.#programVersion += 1;
+    this.#storage = this.rows.storage;
     this.rows.prepare();
   }
 
@@ -66,10 +75,13 @@ export class PhongLighting {
     this.rows.dispose();
   }
 
-  #gather(): void {
-    if (this.#factsVersion === this.lights.version) return;
+  /** True where the lights need something of a program that none has needed before. */
+  #gather(): boolean {
+    if (this.#factsVersion === this.lights.version) return false;
     this.#factsVersion = this.lights.version;
+    const before = countTrue(this.facts);
     for (const light of this.lights.lights) gatherFacts(light.values, this.facts);
+    return countTrue(this.facts) !== before;
   }
 
   #mustPack({ origin }: ShadingFrame): boolean {
@@ -113,3 +125,5 @@ function setColumns(m: Float64Array, x: Vec3, y: Vec3, z: Vec3, place: Vec3): vo
   m.set(z, 8);
   m.set(place, 12);
 }
+
+const countTrue = (facts: LightFacts): number => Object.values(facts).filter(Boolean).length;

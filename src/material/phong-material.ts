@@ -72,6 +72,8 @@ export class PhongMaterial extends ShaderMaterial {
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
   #programKey = '';
+  /** The lighting's version that the program was last chosen for; -1 after a change of its own. */
+  #chosenFor = -1;
   readonly #model = new Matrix4();
 
   constructor(lighting: PhongLighting, look: BaseLook = PLAIN_LOOK) {
@@ -114,16 +116,18 @@ export class PhongMaterial extends ShaderMaterial {
       ks: SURFACE_FIELDS.ks.check(ks),
       shininess: SURFACE_FIELDS.shininess.check(shininess),
     };
+    this.#chosenFor = -1;
     this.#writeSurface();
   }
 
   setStyle(style: Partial<ShadingStyle>): void {
     this.#style = { ...this.#style, ...style };
+    this.#chosenFor = -1;
   }
 
   /** three.js calls this before each mesh that it draws with this material. */
   override onBeforeRender(...[, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
-    this.#writeVariant();
+    if (this.#chosenFor !== this.#lighting.programVersion) this.#writeVariant();
     this.#writePlace(object);
     this.uniformsNeedUpdate = true;
   }
@@ -145,6 +149,7 @@ export class PhongMaterial extends ShaderMaterial {
 
   #writeVariant(): void {
     const lighting = this.#lighting;
+    this.#chosenFor = lighting.programVersion;
     const look = this.#look;
     const defines = variantDefines(
       {

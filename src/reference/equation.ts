@@ -1,5 +1,6 @@
 // The shading equation in float64, written to be read: what the picture is measured against. World space throughout;
 // colours in HTML's units (255 = 1) come in, colours where 1 is full go out. Knows neither GLSL nor three.js.
+import { LEAST_EXPONENT, NEAREST } from '../light/light-layout.js';
 import type { LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';
@@ -82,11 +83,6 @@ export interface Shaded {
   /** A share for each light in order; null for those that are not active. */
   readonly shares: readonly (LightShare | null)[];
 }
-
-/** Nearer than this a light has no direction. */
-const NEAREST = 1e-15;
-/** Exponents below this are 0. */
-const LEAST_EXPONENT = 1e-6;
 
 const BLACK: Vec3 = [0, 0, 0];
 

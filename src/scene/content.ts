@@ -18,6 +18,7 @@ export interface ContentPart {
 
 export interface Content {
   readonly parts: readonly ContentPart[];
+  /** Called once, by whoever shows it or has no use for it any more. */
   dispose(): void;
 }
 
@@ -29,9 +30,9 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
   const geometry = acquireGeometry(name, wanted);
   const content = (ready: BufferGeometry): Content => ({
     parts: [{ name, geometry: ready, matrix: new Matrix4(), look: PLAIN_LOOK, surface: {} }],
-    dispose: once(() => {
+    dispose: () => {
       releaseGeometry(name, wanted);
-    }),
+    },
   });
   return geometry instanceof Promise ? geometry.then(content) : content(geometry);
 }
@@ -48,9 +49,9 @@ export async function modelContent(url: URL, options: LoadOptions): Promise<Cont
       look: { ...look, vertexColors: 'color' in geometry.attributes },
       surface: surfaceOf(look),
     })),
-    dispose: once(() => {
+    dispose: () => {
       model.dispose();
-    }),
+    },
   };
 }
 
@@ -61,12 +62,4 @@ function surfaceOf({ ka, kd, ks, shininess }: ModelLook): Partial<SurfaceValues>
   if (ks !== undefined) surface.ks = [ks[0] * 255, ks[1] * 255, ks[2] * 255];
   if (shininess !== undefined) surface.shininess = shininess;
   return surface;
-}
-
-function once(action: () => void): () => void {
-  let done = false;
-  return () => {
-    if (!done) action();
-    done = true;
-  };
 }

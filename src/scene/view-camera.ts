@@ -9,6 +9,8 @@ import type { Region } from './stage.js';
 
 export class ViewCamera {
   readonly camera = new PerspectiveCamera();
+  /** The shading frame of what {@link aim} last wrote. */
+  readonly frame: ShadingFrame;
   readonly #orbit: Orbit;
   readonly #basis: Basis = newBasis();
   readonly #eye: MutableVec3 = [0, 0, 0];
@@ -17,6 +19,13 @@ export class ViewCamera {
 
   constructor(orbit: Orbit) {
     this.#orbit = orbit;
+    this.frame = {
+      get origin() {
+        return orbit.target;
+      },
+      eye: this.#offset,
+      ...this.#basis,
+    };
     this.camera.matrixAutoUpdate = false;
     this.camera.matrixWorldAutoUpdate = false;
   }
@@ -50,10 +59,5 @@ export class ViewCamera {
     if (part === undefined) camera.clearViewOffset();
     else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
     camera.updateProjectionMatrix();
-  }
-
-  /** The shading frame of what {@link aim} last wrote. */
-  get frame(): ShadingFrame {
-    return { origin: this.#orbit.target, eye: this.#offset, ...this.#basis };
   }
 }

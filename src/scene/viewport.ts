@@ -66,7 +66,6 @@ export class Viewport implements StageClient, Framed {
     this.holder = holder;
     this.lighting = new PhongLighting(lights);
     this.#events = events;
-    this.scene.matrixWorldAutoUpdate = true;
   }
 
   /** Joins the page's stage; throws NoWebGL2Error. */
