@@ -1,0 +1,90 @@
+// Is the camera's basis orthonormal wherever the eye can be? A million random angles, and the quarter turns with the
+// doubles that lie beside them, down to the smallest. How it is defined is tested with the orbit.
+
+import { describe, expect, it } from 'vitest';
+import { type Basis, basisOf, newBasis } from '../../src/camera/orbit.js';
+import { cross, dot } from '../../src/math/vector.js';
+import { seeded } from '../visual/random-scene.js';
+
+const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+/** How far the basis is from being orthonormal and right-handed: the largest entry of what should be zero. */
+function defect({ right, up, back }: Basis): number {
+  let worst = Math.max(Math.abs(dot(right, up)), Math.abs(dot(up, back)), Math.abs(dot(back, right)));
+  for (const axis of [right, up, back]) worst = Math.max(worst, Math.abs(dot(axis, axis) - 1));
+  const [x, y, z] = cross(back, right);
+  return Math.max(worst, Math.abs(x - up[0]), Math.abs(y - up[1]), Math.abs(z - up[2]));
+}
+
+/** The smallest double, the smallest normal one, and every power of ten between them and 1. */
+const TINY = [5e-324, 2 ** -1022, ...Array.from({ length: 308 }, (_, i) => 10 ** -(i + 1))];
+
+/** The angle itself and doubles on both sides of it, from the nearest one on. */
+function around(angle: number): number[] {
+  const ulp = 2 ** (Math.floor(Math.log2(Math.max(Math.abs(angle), 1))) - 52);
+  const beside = [...TINY, ulp, 2 * ulp].flatMap((step) => [angle - step, angle + step]);
+  return [...new Set([angle, ...beside])];
+}
+
+const POLAR = [0, 45, 90, 135, 180].flatMap(around).filter((phi) => phi >= 0 && phi <= 180);
+const AZIMUTHS = [-180, -90, -45, 0, 30, 90, 180, 270].flatMap(around);
+
+describe('the basis', () => {
+  it(`is orthonormal and right-handed to 1e-15 at a million random angles (seed ${SEED})`, () => {
+    const coarse = seeded(SEED);
+    const next = (): number => coarse() + coarse() * 2 ** -32; // all the bits of a double
+    const basis = newBasis();
+    const worst = { defect: 0, theta: 0, phi: 0 };
+    for (let i = 0; i < 1e6; i++) {
+      const theta = 720 * (next() - 0.5);
+      // One in four within a millionth of a degree of a pole, on a scale where every power of ten is as likely.
+      const fromPole = 10 ** (-6 - 14 * next());
+      const phi = i % 4 > 0 ? 180 * next() : i % 8 > 0 ? fromPole : 180 - fromPole;
+      const d = defect(basisOf({ theta, phi }, basis));
+      if (d > worst.defect) Object.assign(worst, { defect: d, theta, phi });
+    }
+    // Measured: 4.4e-16, two roundings of 1.
+    expect(worst.defect, `seed ${SEED}, θ = ${worst.theta}, φ = ${worst.phi}`).toBeLessThanOrEqual(1e-15);
+  });
+
+  it('is so at the poles, at the quarter turns and at every double beside them that a power of ten leads to', () => {
+    const basis = newBasis();
+    let worst = 0;
+    let at = '';
+    for (const phi of POLAR) {
+      for (const theta of AZIMUTHS) {
+        const d = defect(basisOf({ theta, phi }, basis));
+        if (d > worst) at = `θ = ${theta}, φ = ${phi}`;
+        worst = Math.max(worst, d);
+      }
+    }
+    expect(POLAR.length).toBeGreaterThan(300);
+    expect(worst, at).toBeLessThanOrEqual(1e-15);
+  });
+
+  it('moves no farther than its angles do, also onto a pole and past a quarter turn', () => {
+    const RADIANS = Math.PI / 180;
+    for (const theta of [0, 30, 90, -180]) {
+      for (const middle of [0, 45, 90, 135, 180]) {
+        const here = basisOf({ theta, phi: middle });
+        for (const phi of around(middle).filter((p) => p >= 0 && p <= 180)) {
+          const there = basisOf({ theta, phi });
+          for (const axis of ['right', 'up', 'back'] as const) {
+            const travel = Math.hypot(...there[axis].map((x, i) => x - here[axis][i]!));
+            // The roundings of both.
+            expect(travel).toBeLessThanOrEqual(RADIANS * Math.abs(phi - middle) + 4 * Number.EPSILON);
+          }
+        }
+      }
+    }
+  });
+
+  it('keeps the eye’s way off the axis at a pole, however small the polar angle is', () => {
+    const RADIANS = Math.PI / 180;
+    for (const phi of TINY.filter((p) => p < 1e-8)) {
+      const { back } = basisOf({ theta: 90, phi });
+      expect(back[1]).toBe(1);
+      expect(back[0]).toBe(phi * RADIANS);
+    }
+  });
+});
