@@ -3,7 +3,7 @@ import type { Picture } from '../support/picture.js';
 import { caster, type CastScene } from './ray-cast.js';
 
 /** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
-const CONE_EDGE = 3e-3;
+export const CONE_EDGE = 3e-3;
 
 export interface Errors {
   /** Largest difference of a channel in 1/255, and where. */

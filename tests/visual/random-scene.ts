@@ -112,7 +112,7 @@ export function randomScene(seed: number, geometry: CastMesh['geometry'] = 'plan
 export function sceneMarkup({ pose, fov, meshes, lights, options }: CastScene, shading = 'phong'): string {
   const list = (v: readonly number[]): string => v.join(' ');
   const mesh = (m: CastMesh): string =>
-    `<phong-mesh geometry="${m.geometry}" position="${list(m.position)}" rotation="${list(m.rotation)}" scale="${list(m.scale)}" ` +
+    `<phong-mesh geometry="${m.geometry}" ${m.segments === undefined ? '' : `segments="${m.segments}" `}position="${list(m.position)}" rotation="${list(m.rotation)}" scale="${list(m.scale)}" ` +
     `ka="${list(m.ka)}" kd="${list(m.kd)}" ks="${list(m.ks)}" shininess="${String(m.shininess)}"></phong-mesh>`;
   const light = (l: LightValues): string =>
     `<phong-light active="${String(l.active)}" ambient="${list(l.ambient)}" diffuse="${list(l.diffuse)}" ` +

@@ -11,6 +11,8 @@ export interface CastMesh extends Surface {
   readonly position: Vec3;
   readonly rotation: Vec3;
   readonly scale: Vec3;
+  /** As the attribute; none means the shape's own. The rays here meet the ideal shape whatever it says. */
+  readonly segments?: number;
 }
 
 export interface CastScene {
@@ -38,14 +40,10 @@ export function caster(
   width: number,
   height: number,
 ): (x: number, y: number) => Hit | null {
-  const { right, up, back } = basisOf(scene.pose);
-  const axes = { right: [...right] as Vec3, up: [...up] as Vec3, back: [...back] as Vec3 };
-  const eyeOffset = scale(axes.back, scene.pose.radius);
-  const tan = Math.tan(radians(scene.fov) / 2);
+  const { axes, eyeOffset, plane } = lens(scene, width, height);
   const placed = scene.meshes.map(placement);
   return (x, y) => {
-    const sx = (((x + 0.5) / width) * 2 - 1) * tan * (width / height);
-    const sy = (1 - ((y + 0.5) / height) * 2) * tan;
+    const [sx, sy] = plane(x, y);
     const ray = subtract(add(scale(axes.right, sx), scale(axes.up, sy)), axes.back);
     let nearest: Nearest | undefined;
     for (const [mesh, place] of placed.entries()) {
@@ -67,7 +65,24 @@ export function caster(
   };
 }
 
-function coneMargin(lights: readonly LightValues[], { shares }: Shaded): number {
+/** The camera's axes, the eye seen from the target, and where the plane at distance 1 is met through a pixel's centre. */
+export function lens({ pose, fov }: CastScene, width: number, height: number) {
+  const { right, up, back } = basisOf(pose);
+  const axes = { right: [...right] as Vec3, up: [...up] as Vec3, back: [...back] as Vec3 };
+  const tan = Math.tan(radians(fov) / 2);
+  return {
+    axes,
+    eyeOffset: scale(axes.back, pose.radius),
+    /** What one pixel spans in that plane. */
+    pixel: (2 * tan) / height,
+    plane: (x: number, y: number): readonly [number, number] => [
+      (((x + 0.5) / width) * 2 - 1) * tan * (width / height),
+      (1 - ((y + 0.5) / height) * 2) * tan,
+    ],
+  };
+}
+
+export function coneMargin(lights: readonly LightValues[], { shares }: Shaded): number {
   let least = Infinity;
   shares.forEach((share, i) => {
     const light = lights[i]!;
@@ -79,12 +94,14 @@ function coneMargin(lights: readonly LightValues[], { shares }: Shaded): number 
 }
 
 /** Rotation order XYZ: the x rotation is applied last. */
-function placement({ position, rotation, scale: s }: CastMesh) {
+export function placement({ position, rotation, scale: s }: CastMesh) {
   const [rx, ry, rz] = rotation.map(radians) as [number, number, number];
   const turn = (v: Vec3): Vec3 => about(0, rx, about(1, ry, about(2, rz, v)));
   const back = (v: Vec3): Vec3 => about(2, -rz, about(1, -ry, about(0, -rx, v)));
   return {
     position,
+    /** From the mesh's own space to the world's axes, about the mesh's place. */
+    outward: (v: Vec3): Vec3 => turn([v[0] * s[0], v[1] * s[1], v[2] * s[2]]),
     inward: (v: Vec3): Vec3 => {
       const u = back(v);
       return [u[0] / s[0], u[1] / s[1], u[2] / s[2]];

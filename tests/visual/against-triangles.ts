@@ -1,0 +1,124 @@
+// How far is a picture from its own triangles in float64, and how far are those from the ideal shape? The first is the
+// arithmetic's error, the second the tessellation's. In 8-bit codes.
+import type { Picture } from '../support/picture.js';
+import { length, cross, dot, type Vec3 } from '../../src/math/vector.js';
+import { CONE_EDGE } from './against-reference.js';
+import { caster, type CastScene } from './ray-cast.js';
+import { castTriangles } from './triangle-cast.js';
+
+/**
+ * Farther than this from every edge of its triangle, in pixels, a pixel is of one sample: its corners lie within, also
+ * where the edges are snapped to the coarsest grid that OpenGL ES allows, 1/16 of a pixel.
+ */
+const WHOLE = Math.SQRT1_2 + 1 / 16;
+
+export interface TriangleErrors {
+  /** Largest difference of a channel inside triangles, and where. */
+  max: number;
+  at: string;
+  /** Channels inside triangles, those exactly right, and those a code or more off only because vertices are snapped. */
+  compared: number;
+  exact: number;
+  snapped: number;
+  /** The same on edges between triangles, where up to four samples of several triangles are mixed. */
+  edges: { max: number; compared: number; exact: number };
+}
+
+/**
+ * Rasterisers move vertices to a grid of `1 / 2^subpixelBits` pixels, so what is interpolated is that of a point up to
+ * half a step away on each axis. A channel more than a code off is held against the range of colours among which that is.
+ */
+export function compareWithTriangles(
+  picture: Picture,
+  scene: CastScene,
+  shading: string,
+  subpixelBits: number,
+): TriangleErrors {
+  const { width, height, data } = picture;
+  const hits = castTriangles(scene, width, height, shading);
+  const errors: TriangleErrors = {
+    max: 0,
+    at: '',
+    compared: 0,
+    exact: 0,
+    snapped: 0,
+    edges: { max: 0, compared: 0, exact: 0 },
+  };
+  const reach = 2 ** -subpixelBits / 2;
+  for (let y = 1; y < height - 1; y++) {
+    for (let x = 1; x < width - 1; x++) {
+      const i = y * width + x;
+      const hit = hits[i];
+      if (!hit || hit.coneMargin < CONE_EDGE) continue;
+      const inside = hit.edge >= WHOLE;
+      const onOutline = [-1, 0, 1].some((dy) => [-1, 0, 1].some((dx) => !hits[i + dy * width + dx]));
+      if (!inside && onOutline) continue;
+      const found = inside ? errors : errors.edges;
+      for (let channel = 0; channel < 3; channel++) {
+        const actual = data[4 * i + channel]!;
+        let error = Math.abs(actual - code(hit.color, channel));
+        found.compared += 1;
+        if (error === 0) found.exact += 1;
+        if (inside && error > 1) {
+          const near = [-reach, reach].flatMap((dx) => [-reach, reach].map((dy) => hit.beside(dx, dy)));
+          const codes = [...near, hit.color].map((color) => code(color, channel));
+          error = Math.max(Math.min(...codes) - actual, actual - Math.max(...codes), 0);
+          errors.snapped += 1;
+        }
+        if (inside && error > errors.max)
+          errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${255 * hit.color[channel]!}`;
+        found.max = Math.max(found.max, error);
+      }
+    }
+  }
+  return errors;
+}
+
+const code = (color: Vec3, channel: number): number => Math.round(color[channel]! * 255);
+
+export interface TessellationErrors {
+  /** Of channels, in codes, not rounded. */
+  readonly rmse: number;
+  readonly percentile999: number;
+  readonly max: number;
+  /** Angle between the two normals, degrees: half of the pixels have less. */
+  readonly medianNormal: number;
+  readonly pixels: number;
+  /** Pixels that only one of the two covers, which are in none of the above. */
+  readonly outline: number;
+}
+
+/** The triangles of `segments` against the ideal shape, both in float64, wherever both are seen. */
+export function compareWithIdeal(
+  scene: CastScene,
+  segments: number,
+  size: { readonly width: number; readonly height: number },
+): TessellationErrors {
+  const { width, height } = size;
+  const coarse = { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, segments })) };
+  const ideal = caster(scene, width, height);
+  const errors: number[] = [];
+  const angles: number[] = [];
+  let outline = 0;
+  castTriangles(coarse, width, height).forEach((hit, i) => {
+    const whole = ideal(i % width, Math.floor(i / width));
+    if (hit === null || whole === null) {
+      if (hit !== null || whole !== null) outline += 1;
+      return;
+    }
+    hit.color.forEach((x, c) => errors.push(255 * Math.abs(x - whole.shaded.color[c]!)));
+    const { N } = whole.shaded;
+    angles.push((Math.atan2(length(cross(hit.normal, N)), dot(hit.normal, N)) * 180) / Math.PI);
+  });
+  errors.sort((a, b) => a - b);
+  angles.sort((a, b) => a - b);
+  const at = (list: readonly number[], share: number): number => list[Math.floor(share * (list.length - 1))]!;
+  return {
+    rmse: Math.sqrt(errors.reduce((sum, e) => sum + e * e, 0) / errors.length),
+    percentile999: at(errors, 0.999),
+    max: at(errors, 1),
+    medianNormal: at(angles, 0.5),
+    pixels: angles.length,
+    outline,
+  };
+}
