@@ -25,6 +25,7 @@ export default defineConfig(
     ignores: [
       'dist/',
       'dist-demo/',
+      'dist-harness/',
       'test-results/',
       'playwright-report/',
       'tests/fixtures/',

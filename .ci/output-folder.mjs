@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
 /**
- * @param {'dist' | 'dist-demo' | 'test-results'} name
+ * @param {'dist' | 'dist-demo' | 'dist-harness' | 'test-results'} name
  * @returns {string} absolute path
  */
 export function outputFolder(name) {

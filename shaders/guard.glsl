@@ -1,11 +1,24 @@
 // Unit vectors of anything: zero, tiny and huge included.
 
-/** The unit vector along v, or zero where v is zero. Any finite v: scaled by its largest component before squaring. */
+/**
+ * A unit vector that inversesqrt has left up to 2 ULP too long or too short, as it may, to about half an ULP: one step of
+ * Newton's. Zero stays zero.
+ */
+vec3 refined(vec3 unit) {
+  return unit * (1.5 - 0.5 * dot(unit, unit));
+}
+
+/** The unit vector along v, or zero where v is zero. Any finite v; denormal ones as far as the device keeps them. */
 vec3 unitOrZero(vec3 v) {
   vec3 a = abs(v);
   float largest = max(a.x, max(a.y, a.z));
-  // Below the smallest normal float32 a device may flush to zero: no direction is left to speak of.
-  if (!(largest >= 1.17549435e-38)) return vec3(0.0);
-  vec3 s = v / largest;
-  return s * inversesqrt(dot(s, s));
+  // Squares must neither overflow nor lose small components to flushed denormals: a power of two, which rounds nothing,
+  // brings the largest component between 2^-63 and 2^62 first.
+  float s = largest > 1.152921504606847e18 ? 1.3552527156068805e-20 // > 2^60: by 2^-66
+    : largest < 9.094947017729282e-13 ? 7.737125245533627e25 // < 2^-40: by 2^86
+    : 1.0;
+  vec3 u = v * s;
+  float squared = dot(u, u);
+  // Zero, or flushed to zero by the device: no direction is left to speak of.
+  return squared >= LEAST_NORMAL ? refined(u * inversesqrt(squared)) : vec3(0.0);
 }

@@ -36,7 +36,7 @@ vec3 towardLight(vec3 place, vec3 p, out float d) {
 
 /**
  * Sums all lights at point p with unit normal N (or zero: then only ambient light stays), unit view vector V toward
- * the eye, and specular exponent n >= 0, where below 1e-6 must be given as 0.
+ * the eye, and specular exponent n >= 0.
  */
 LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0));

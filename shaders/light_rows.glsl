@@ -1,4 +1,5 @@
-// Where packed lights are read from: lightRow(i) gives row i. The layout's defines say what stands in a row.
+// Where packed lights are read from: lightRow(i) gives row i. The layout's defines say what stands in a row. With
+// STORAGE_OWN the program has a lightRow of its own, before this text.
 
 #if LIGHT_STORAGE == STORAGE_BLOCK
 layout(std140) uniform LightRows {
@@ -7,7 +8,7 @@ layout(std140) uniform LightRows {
 vec4 lightRow(int i) {
   return uLightRows[i];
 }
-#else
+#elif LIGHT_STORAGE == STORAGE_TEXTURE
 uniform highp sampler2D uLightTexture;
 vec4 lightRow(int i) {
   return texelFetch(uLightTexture, ivec2(i & ((1 << TEXTURE_ROWS_LOG2) - 1), i >> TEXTURE_ROWS_LOG2), 0);

@@ -61,16 +61,11 @@ void main() {
 #ifdef SHADING_GOURAUD
   vec3 color = base.rgb * (gl_FrontFacing ? vFrontBase : vBackBase) + (gl_FrontFacing ? vFrontSpecular : vBackSpecular);
 #else
-  vec3 N = unitOrZero(gl_FrontFacing ? vNormal : -vNormal);
-  vec3 V = unitOrZero(uEye - vPosition);
-  LightSums sums = lightSums(vPosition, N, V, uShininess);
-  vec3 color = base.rgb * (uKa * sums.ambient + uKd * sums.diffuse) + uKs * sums.specular;
+  vec3 normal = gl_FrontFacing ? vNormal : -vNormal;
+  vec3 color = surfaceColor(vPosition, normal, uEye, base.rgb * uKa, base.rgb * uKd, uKs, uShininess);
 #endif
 #ifdef IS_LINEAR
   color = srgbEncode(color);
 #endif
-  // To the nearest 8-bit code here: left to the hardware, an H200 gave the neighbouring code on 2.7 % of channels,
-  // and 0.005 % so.
-  vec3 code = floor(clamp(color, 0.0, 1.0) * 255.0 + 0.5) / 255.0;
-  outColor = vec4(code * base.a, base.a);
+  outColor = vec4(nearestCode(color) * base.a, base.a);
 }

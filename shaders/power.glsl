@@ -4,11 +4,11 @@ const float LOG2_E = 1.4426950408889634;
 
 /**
  * x^k for x in [0, 1] and k >= 0, where y = 1 - x is given too, to its own precision (as a chord, say).
- * k = 0 gives 1, 0^0 included; x = 0 gives 0 for k > 0.
+ * k below LEAST_EXPONENT gives 1, 0^0 included; x = 0 gives 0 for any other k.
  */
 float powerNearOne(float x, float y, float k) {
-  if (k == 0.0) return 1.0;
-  if (!(x > 0.0)) return 0.0;
+  if (k < LEAST_EXPONENT) return 1.0;
+  if (!(x >= LEAST_NORMAL)) return 0.0; // log2 is undefined at 0, and for what a device may flush to 0
   // log(1 - y) = -2 artanh(z), z = y/(2 - y). For y < 1/4, z < 1/7 and four terms leave 2e-8 of it out.
   float near = clamp(y, 0.0, 0.25);
   float z = near / (2.0 - near);

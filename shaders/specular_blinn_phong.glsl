@@ -3,7 +3,8 @@
 
 /** max(dot(N, H), 0)^n with H = (L + V)/|L + V|. N, L, V unit (V may be zero); NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 V, float NoL, float n) {
-  vec3 H = unitOrZero(L + V);
+  // Where light and eye are almost opposite, the sum is short and their lengths' errors are all of it.
+  vec3 H = unitOrZero(refined(L) + V);
   vec3 d = N - H;
   return powerNearOne(dot(N, H), 0.5 * dot(d, d), n);
 }

@@ -62,6 +62,9 @@ export const NEAREST = 1e-15;
 /** Exponents below this are 0: x^0 = 1 for every x. */
 export const LEAST_EXPONENT = 1e-6;
 
+/** The smallest normal float32, 2^-126: a device may flush smaller numbers to zero. */
+const LEAST_NORMAL = 2 ** -126;
+
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
 /** `#define` lines for the GLSL: the whole layout. */
@@ -74,6 +77,8 @@ export function layoutDefines(): string {
     `#define BLOCK_ROWS ${String(BLOCK_ROWS)}`,
     `#define TEXTURE_ROWS_LOG2 ${String(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
+    `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,
+    `#define LEAST_NORMAL ${float(LEAST_NORMAL)}`,
   ];
   for (const [kind, rows] of Object.entries(ROWS)) {
     for (const [row, offset] of Object.entries(rows)) {

@@ -128,6 +128,18 @@ export function coneLimit(aperture: number): number {
     : -(Math.sin(radians(180 - aperture) / 2) ** 2);
 }
 
+/**
+ * The same for float32: unit vectors there may be 2 ULP too long or short (inversesqrt's allowance) and round beside, so
+ * what lies exactly on the axis can be 1e-6 rad off it, and a cone of no width must be that wide to hold its axis.
+ */
+function packedLimit(aperture: number): number {
+  const limit = coneLimit(aperture);
+  return limit < 0 ? limit : Math.max(limit, LEAST_LIMIT);
+}
+
+/** sin² of half of 1e-6 rad. */
+const LEAST_LIMIT = 2.5e-13;
+
 type Writer = (data: Float32Array, at: number, light: Values, colors: LightColors, space: PackSpace) => void;
 
 const matrixOf = (light: Values, space: PackSpace): Mat4 =>
@@ -160,8 +172,8 @@ const WRITERS: Readonly<Record<LightKind, Writer>> = {
     const row = ROWS.spot;
     writePoint(data, at, light, colors, space);
     const A = normalize(transform(matrixOf(light, space), normalize(light.axis), 0));
-    write(data, at + row.axis * 4, A, light.cutoff < LEAST_EXPONENT ? 0 : light.cutoff);
-    write(data, at + row.ambient * 4, colors.ambient, coneLimit(light.aperture));
+    write(data, at + row.axis * 4, A, light.cutoff);
+    write(data, at + row.ambient * 4, colors.ambient, packedLimit(light.aperture));
   },
 };
 

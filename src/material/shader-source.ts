@@ -5,6 +5,7 @@ import diffuseLobe from '../../shaders/diffuse_lobe.glsl?raw';
 import guard from '../../shaders/guard.glsl?raw';
 import lightLoop from '../../shaders/light_loop.glsl?raw';
 import lightRows from '../../shaders/light_rows.glsl?raw';
+import nearestCode from '../../shaders/nearest_code.glsl?raw';
 import phongFragment from '../../shaders/phong.frag.glsl?raw';
 import phongVertex from '../../shaders/phong.vert.glsl?raw';
 import power from '../../shaders/power.glsl?raw';
@@ -12,6 +13,7 @@ import specularBlinnPhong from '../../shaders/specular_blinn_phong.glsl?raw';
 import specularPhong from '../../shaders/specular_phong.glsl?raw';
 import spot from '../../shaders/spot.glsl?raw';
 import srgb from '../../shaders/srgb.glsl?raw';
+import surfaceColor from '../../shaders/surface_color.glsl?raw';
 import { layoutDefines } from '../light/light-layout.js';
 import { SRGB } from '../math/color.js';
 
@@ -21,6 +23,7 @@ const float = (n: number): string => n.toExponential();
 const constants = `${layoutDefines()}
 #define STORAGE_BLOCK 0
 #define STORAGE_TEXTURE 1
+#define STORAGE_OWN 2
 #define SRGB_ENCODED_KNEE ${float(SRGB.encodedKnee)}
 #define SRGB_LINEAR_KNEE ${float(SRGB.linearKnee)}
 #define SRGB_SLOPE ${float(SRGB.slope)}
@@ -30,8 +33,9 @@ const constants = `${layoutDefines()}
 
 /**
  * The light loop alone, for any GLSL ES 3.00 program: put it after `#version` and `precision highp float; precision
- * highp int;`, define LIGHT_STORAGE (STORAGE_BLOCK or STORAGE_TEXTURE) and the HAS_… facts before it, and call
- * `lightSums(p, N, V, shininess)` with everything in the space that the lights were packed for.
+ * highp int;`, define LIGHT_STORAGE (STORAGE_BLOCK, STORAGE_TEXTURE, or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and
+ * the HAS_… facts before it, and call `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the
+ * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for.
  */
 export const LIGHT_LOOP_GLSL = [
   constants,
@@ -47,13 +51,18 @@ export const LIGHT_LOOP_GLSL = [
   '#endif',
   lightRows,
   lightLoop,
+  surfaceColor,
 ].join('\n');
+
+/** The sRGB curve, and what an 8-bit picture keeps of a colour: the last steps of a fragment, after the constants. */
+export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
 
 /** Gouraud sums the lights at the vertices, everything else at the fragments; the other stage has no use for it. */
 export const VERTEX_SHADER = [
   '#ifdef SHADING_GOURAUD',
   LIGHT_LOOP_GLSL,
   '#else',
+  constants,
   guard,
   '#endif',
   phongVertex,
@@ -65,8 +74,6 @@ export const FRAGMENT_SHADER = [
   '#else',
   constants,
   '#endif',
-  '#ifdef IS_LINEAR',
-  srgb,
-  '#endif',
+  ENCODING_GLSL,
   phongFragment,
 ].join('\n');

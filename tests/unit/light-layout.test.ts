@@ -35,7 +35,14 @@ describe('the defines of the layout', () => {
       `HEADER_${row.toUpperCase()}`,
       String(offset),
     ]);
-    const others = ['LIMIT_OPEN', 'BLOCK_ROWS', 'TEXTURE_ROWS_LOG2', 'NEAREST_SQUARED'];
+    const others = [
+      'LIMIT_OPEN',
+      'BLOCK_ROWS',
+      'TEXTURE_ROWS_LOG2',
+      'NEAREST_SQUARED',
+      'LEAST_EXPONENT',
+      'LEAST_NORMAL',
+    ];
     expect(Object.fromEntries([...defines].filter(([name]) => !others.includes(name)))).toStrictEqual(
       Object.fromEntries([...header, ...offsets]),
     );
@@ -46,7 +53,9 @@ describe('the defines of the layout', () => {
     expect(defines.get('BLOCK_ROWS')).toBe('1024');
     expect(defines.get('TEXTURE_ROWS_LOG2')).toBe('10');
     expect(defines.get('LIMIT_OPEN')).toBe('4.0');
-    expect(defines.get('NEAREST_SQUARED')).toMatch(/[.e]/);
+    for (const name of ['NEAREST_SQUARED', 'LEAST_EXPONENT', 'LEAST_NORMAL'])
+      expect(defines.get(name)).toMatch(/[.e]/);
+    expect(Math.fround(Number(defines.get('LEAST_NORMAL')))).toBe(2 ** -126);
     expect(Number(defines.get('NEAREST_SQUARED'))).toBeCloseTo(1e-30, 44);
   });
 });

@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { HEADER, LIMIT_OPEN } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { coneLimit, emptyPack, packLights } from '../../src/light/pack-lights.js';
 import { srgbDecode } from '../../src/math/color.js';
 import { light } from './arbitraries.js';
 import { pack, type PackedLight, read, WORLD } from './packed-reader.js';
@@ -56,11 +56,17 @@ describe('the rows of a light', () => {
     expect(last![3]).toBeCloseTo(0.25, 7); // sin²(30°)
   });
 
-  it('give a spot without a cone the limit that lets all through, and one without decay the exponent 0', () => {
+  it('give a spot without a cone the limit that lets all through', () => {
     const open = rows(read(pack([light({ ...spot, aperture: 180 })])).spot[0]);
     expect(open['ambient']![3]).toBe(LIMIT_OPEN);
-    const even = rows(read(pack([light({ ...spot, cutoff: 9e-7 })])).spot[0]);
-    expect(even['axis']![3]).toBe(0);
+  });
+
+  it('give a cone of no width the width that float32 needs to find its axis in it', () => {
+    const axis = rows(read(pack([light({ ...spot, aperture: 0 })])).spot[0]);
+    const degrees = (Math.asin(Math.sqrt(axis['ambient']![3]!)) * 360) / Math.PI;
+    expect((degrees * Math.PI) / 180).toBeCloseTo(1e-6, 9);
+    const wider = rows(read(pack([light({ ...spot, aperture: 1e-4 })])).spot[0]);
+    expect(wider['ambient']![3]).toBe(Math.fround(coneLimit(1e-4)));
   });
 });
 

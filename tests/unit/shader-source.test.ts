@@ -17,22 +17,26 @@ const withoutComments = (glsl: string): string => glsl.replace(/\/\*[^]*?\*\/|\/
 
 const count = (text: string, part: string): number => text.split(part).length - 1;
 
-const defined = [...VERTEX_SHADER.matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, value]) => ({
+const defined = [...LIGHT_LOOP_GLSL.matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, value]) => ({
   name: name!,
   value: value!,
 }));
 
-/** What is left of a program under some defines: `#ifdef`, `#ifndef`, `#else`, `#endif` only, as all chunks use. */
+const BLOCK = 'LIGHT_STORAGE_BLOCK';
+const OWN = 'LIGHT_STORAGE_OWN';
+
+/** What is left of a program under some defines: `#ifdef`, `#ifndef`, `#elif`, `#else`, `#endif`, as the chunks use them. */
 function preprocess(glsl: string, on: ReadonlySet<string>): string {
   const taken: boolean[] = [];
   const lines = withoutComments(glsl)
     .split('\n')
     .filter((line) => {
-      const [, directive, name = ''] = /^\s*#(ifdef|ifndef|if|else|endif)\b\s*(\w*)/.exec(line) ?? [];
+      const [, directive, name = ''] = /^\s*#(ifdef|ifndef|if|elif|else|endif)\b\s*(\w*)/.exec(line) ?? [];
       if (directive === undefined) return taken.every(Boolean);
       if (directive === 'ifdef') taken.push(on.has(name));
       else if (directive === 'ifndef') taken.push(!on.has(name));
-      else if (directive === 'if') taken.push(on.has('LIGHT_STORAGE_BLOCK'));
+      else if (directive === 'if') taken.push(on.has(BLOCK));
+      else if (directive === 'elif') taken.push(!(taken.pop() ?? false) && !on.has(OWN));
       else if (directive === 'else') taken.push(!(taken.pop() ?? false));
       else taken.pop();
       return false;
@@ -40,8 +44,6 @@ function preprocess(glsl: string, on: ReadonlySet<string>): string {
   expect(taken).toStrictEqual([]);
   return lines.join('\n');
 }
-
-const BLOCK = 'LIGHT_STORAGE_BLOCK';
 
 describe('the chunks', () => {
   it.each([...chunks.keys()])('%s is in the programs', (name) => {
@@ -59,6 +61,7 @@ describe('the chunks', () => {
     'light_loop',
     'specular_phong',
     'specular_blinn_phong',
+    'surface_color',
   ])('%s is in the light loop once', (name) => {
     expect(count(LIGHT_LOOP_GLSL, chunk(name))).toBe(1);
   });
@@ -138,8 +141,8 @@ describe('numbers that TypeScript and GLSL share', () => {
 
   it('are real numbers where GLSL calculates with floats', () => {
     for (const { name, value } of defined) {
-      if (/^(SRGB_|LIMIT_|NEAREST)/.test(name)) expect(value).toMatch(/^[\d.]+(e[+-]?\d+)?$/);
-      if (/^(SRGB_|LIMIT_|NEAREST)/.test(name)) expect(value).toMatch(/[.e]/);
+      if (/^(SRGB_|LIMIT_|NEAREST|LEAST_)/.test(name)) expect(value).toMatch(/^[\d.]+(e[+-]?\d+)?$/);
+      if (/^(SRGB_|LIMIT_|NEAREST|LEAST_)/.test(name)) expect(value).toMatch(/[.e]/);
       else expect(value).toMatch(/^\d+$/);
     }
   });

@@ -1,0 +1,94 @@
+// A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from the address
+// (?cases=1000000&seed=1&driver=shipped&only=generic), a table to look at and a report for whoever drives the page.
+import { CATEGORIES } from '../../stress/categories.js';
+import type { Measured } from '../../stress/measure.js';
+import { verdict, verdictOf } from '../../stress/verdict.js';
+import { floatContext, rendererName } from '../float-pass.js';
+import { stressRun } from '../stress-run.js';
+import type { Driver } from '../worst-driver.js';
+
+export interface Report {
+  readonly renderer: string;
+  readonly browser: string;
+  readonly driver: Driver;
+  readonly seed: number;
+  readonly seconds: number;
+  readonly measured: readonly Measured[];
+  /** What broke the contract, in words; empty where nothing did. */
+  readonly broken: readonly string[];
+  /** Why the run ended early; null where it did not. */
+  readonly error: string | null;
+}
+
+declare global {
+  interface Window {
+    /** The report, once there is one. */
+    report?: Report;
+  }
+}
+
+const byId = (id: string): HTMLElement => document.getElementById(id)!;
+
+const asked = new URLSearchParams(location.search);
+const seed = Number(asked.get('seed') ?? 1);
+const driver = (asked.get('driver') ?? 'shipped') as Driver;
+const edit = asked.get('edit');
+const start = performance.now();
+let renderer = '';
+let measured: readonly Measured[] = [];
+let error: string | null = null;
+
+try {
+  const gl = floatContext();
+  renderer = rendererName(gl);
+  byId('about').textContent = `${renderer} · ${driver} · seed ${String(seed)}`;
+  measured = await stressRun(gl, {
+    seed,
+    driver,
+    cases: Number(asked.get('cases') ?? 1e6),
+    only: asked.get('only')?.split(',') ?? [],
+    edit: edit === null ? null : (JSON.parse(edit) as { from: string; to: string }),
+    progress(share, id) {
+      (byId('progress') as HTMLProgressElement).value = share;
+      byId('verdict').textContent = id;
+    },
+  });
+} catch (thrown) {
+  error = thrown instanceof Error ? thrown.message : String(thrown);
+}
+
+const broken = verdict(measured);
+const seconds = (performance.now() - start) / 1000;
+for (const result of measured) byId('table').querySelector('tbody')!.append(row(result));
+byId('verdict').textContent =
+  error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
+window.report = {
+  renderer,
+  browser: navigator.userAgent,
+  driver,
+  seed,
+  seconds,
+  measured,
+  broken,
+  error,
+};
+
+function row(result: Measured): HTMLTableRowElement {
+  const category = CATEGORIES.find(({ id }) => id === result.id)!;
+  const line = document.createElement('tr');
+  const excluded = Object.entries(result.excluded).map(([name, count]) => `${name} ${String(count)}`);
+  const texts = [
+    category.title,
+    String(result.cases),
+    String(category.bound),
+    result.max.toPrecision(2),
+    result.rms.toPrecision(2),
+    String(result.notFinite),
+    ((100 * result.exact) / result.channels).toFixed(3) + ' %',
+    String(result.wrongCodes),
+    excluded.join(', '),
+  ];
+  for (const text of texts) line.insertCell().textContent = text;
+  line.classList.toggle('broken', verdictOf(result).length > 0);
+  return line;
+}

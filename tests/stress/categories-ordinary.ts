@@ -1,0 +1,181 @@
+// Scenes as people write them, and the same pushed to the ends of what their attributes can hold.
+import type { LightValues } from '../../src/light/light-state.js';
+import { add, scale, subtract, type Vec3 } from '../../src/math/vector.js';
+import { lightWith, type StressCase } from './case.js';
+import { BOTH, type Category, LINEAR } from './category.js';
+import { BOUNDS } from './contract.js';
+import {
+  anyLight,
+  colors,
+  direction,
+  highlight,
+  moved,
+  place,
+  scaled,
+  seen,
+  stressCase,
+  surface,
+  white,
+  WHITE,
+} from './fragments.js';
+import type { Random } from './random.js';
+
+/** One to three lights of any kind, a surface of any kind. */
+export function generic(random: Random): StressCase {
+  const fragment = seen(random);
+  const count = random.pick([1, 2, 3]);
+  const lights = Array.from({ length: count }, () => {
+    const light = anyLight(random, fragment.p, colors(random, 255 / count));
+    return random.chance(0.2) ? inCamera(light, fragment.eye) : light;
+  });
+  return stressCase(fragment, surface(random, random.pick([1, 2, 5, 32, 100])), lights);
+}
+
+/** The same light given in the eye's axes; the camera looks along −z from the eye. */
+function inCamera(light: LightValues, eye: Vec3): LightValues {
+  const [x, y, z, w] = light.position;
+  const from: Vec3 = w === 1 ? subtract([x, y, z], eye) : [x, y, z];
+  return { ...light, space: 'camera', position: [...from, w] };
+}
+
+/** Light that grazes the surface: NoL from −1e-2 to 1e-2. */
+function grazing(random: Random): StressCase {
+  const fragment = seen(random);
+  const off = random.sign() * random.magnitude(1e-6, 1e-2);
+  const L = random.around(fragment.N, Math.PI / 2 - off);
+  const light = { ambient: random.color(50), diffuse: WHITE, specular: random.color() };
+  const position = random.chance(0.5) ? direction(L) : place(add(fragment.p, scale(L, random.from(0.5, 4))));
+  return stressCase(fragment, white(random.pick([1, 2, 32])), [lightWith({ ...light, position })]);
+}
+
+/** The light is behind the surface, and perhaps its back is turned as well. */
+function behind(random: Random): StressCase {
+  const fragment = seen(random);
+  const L = scale(random.around(fragment.N, random.from(0, 1.56)), -1);
+  const light = { ...colors(random, 512), position: place(add(fragment.p, scale(L, random.from(0.1, 6)))) };
+  const axis = random.around(L, random.from(0, 1));
+  const spot = random.chance(0.5) ? { axis, cutoff: random.from(0, 20) } : {};
+  return stressCase(fragment, surface(random, random.from(0, 64)), [lightWith({ ...light, ...spot })]);
+}
+
+/** Attenuation from nothing to its largest, at distances from near to far. */
+function attenuated(random: Random): StressCase {
+  const fragment = seen(random);
+  const constant = random.pick([0, 1, random.magnitude(1e-3, 1e6), 1e6]);
+  const falling = (): number => random.pick([0, random.magnitude(1e-6, 1e6), random.from(0, 1), 1e6]);
+  const attenuation: Vec3 = random.chance(0.2) ? [0, 0, 0] : [constant, falling(), falling()];
+  const L = random.around(fragment.N, random.from(0, 1.5));
+  const far = random.pick([0.1, 1, 10, 1e3, 1e6, 1e12]) * random.from(0.5, 2);
+  const position = place(add(fragment.p, scale(L, far)));
+  const light = lightWith({ ...colors(random, 510), position, attenuation });
+  return stressCase(fragment, surface(random, random.from(1, 40)), [light]);
+}
+
+/** Lights far brighter than full, as far as colours go. */
+function bright(random: Random): StressCase {
+  const stress = generic(random);
+  const factor = random.pick([40, 100, 1e4, 1e6]) / 255;
+  const lights = stress.lights.map((light) => ({
+    ...light,
+    ambient: scale(light.ambient, factor),
+    diffuse: scale(light.diffuse, factor),
+    specular: scale(light.specular, factor),
+  }));
+  return { ...stress, lights };
+}
+
+export const ordinaryCategories: readonly Category[] = [
+  {
+    id: 'generic',
+    title: 'any few lights on any surface',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: generic,
+  },
+  {
+    id: 'linear',
+    title: 'the same in linear light',
+    // The curve is 12.92 times as steep at black as the line, and so are errors there.
+    bound: BOUNDS.generic,
+    variants: LINEAR,
+    make: generic,
+  },
+  {
+    id: 'shininess-0-1',
+    title: 'shininess from 0 to 1, exponents below 1e-6 included',
+    bound: BOUNDS.smallExponent,
+    variants: BOTH,
+    make: (random, variant) =>
+      highlight(random, random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]), variant),
+  },
+  {
+    id: 'shininess-1e3',
+    title: 'shininess from 1 to 1,000, in and around the highlight',
+    bound: BOUNDS.shininess1e3,
+    variants: BOTH,
+    make: (random, variant) => highlight(random, random.magnitude(1, 1e3), variant),
+  },
+  {
+    id: 'shininess-1e4',
+    title: 'shininess to 1e4, in and around the highlight',
+    bound: BOUNDS.shininess1e4,
+    variants: BOTH,
+    make: (random, variant) => highlight(random, random.magnitude(1e3, 1e4), variant),
+  },
+  {
+    id: 'shininess-1e5',
+    title: 'shininess to 1e5, in and around the highlight',
+    bound: BOUNDS.shininess1e5,
+    variants: BOTH,
+    make: (random, variant) => highlight(random, random.magnitude(1e4, 1e5), variant),
+  },
+  {
+    id: 'shininess-1e6',
+    title: 'shininess to 1e6, in and around the highlight',
+    bound: BOUNDS.shininess1e6,
+    variants: BOTH,
+    make: (random, variant) => highlight(random, random.magnitude(1e5, 1e6), variant),
+  },
+  {
+    id: 'grazing',
+    title: 'light that grazes the surface',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: grazing,
+  },
+  {
+    id: 'behind',
+    title: 'fragments turned away from the light, and behind a spot',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: behind,
+  },
+  {
+    id: 'scene-scale',
+    title: 'scenes from 1e-6 to 1e8 of the usual size',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: (random) => scaled(generic(random), random.magnitude(1e-6, 1e8)),
+  },
+  {
+    id: 'scene-offset',
+    title: 'scenes 1e4, 1e6 and 1e8 away from the origin',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: (random) => moved(random, generic(random), random.pick([1e4, 1e6, 1e8])),
+  },
+  {
+    id: 'attenuation',
+    title: 'attenuation 0 0 0, huge, and at any distance',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: attenuated,
+  },
+  {
+    id: 'bright',
+    title: 'lights up to 1e6 of 255',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: bright,
+  },
+];

@@ -1,0 +1,36 @@
+// Sums of many lights. Fragments share a set of lights, as those of a picture do.
+import type { LightValues } from '../../src/light/light-state.js';
+import type { StressCase } from './case.js';
+import { type Category, PHONG } from './category.js';
+import { BOUNDS } from './contract.js';
+import { anyLight, colors, seen, stressCase, surface } from './fragments.js';
+import type { Random } from './random.js';
+
+/** Fragments that see the same lights. */
+const SHARED_BY = 32;
+
+function sum(count: number): Category['make'] {
+  let lights: readonly LightValues[] = [];
+  let left = 0;
+  return (random: Random): StressCase => {
+    const fragment = seen(random);
+    if (left === 0) {
+      left = SHARED_BY;
+      // Together as bright as four full lights, so that a part of the fragments is not clamped.
+      lights = Array.from({ length: count }, () =>
+        anyLight(random, fragment.p, colors(random, 1020 / count)),
+      );
+    }
+    left -= 1;
+    return stressCase(fragment, surface(random, random.from(1, 100)), lights);
+  };
+}
+
+export const sumCategories: readonly Category[] = [1, 8, 64, 512, 4096].map((count) => ({
+  id: `sum-${String(count)}`,
+  title: count === 1 ? 'one light' : `sums of ${String(count)} lights`,
+  bound: BOUNDS.generic,
+  variants: [PHONG],
+  lights: count,
+  make: sum(count),
+}));

@@ -1,0 +1,21 @@
+// One adversarial category: what it attacks, and the bound that the contract gives it.
+import type { StressCase, Variant } from './case.js';
+import type { Random } from './random.js';
+
+export interface Category {
+  readonly id: string;
+  /** What is drawn, as a noun phrase: it names the test, and the row of the published table. */
+  readonly title: string;
+  /** Largest error of the sum in 1/255, over max(1, the sum of intensities). */
+  readonly bound: number;
+  /** Programs that it runs through. */
+  readonly variants: readonly Variant[];
+  /** Lights that a fragment has, where they are many: such a category gets fewer fragments. */
+  readonly lights?: number;
+  readonly make: (random: Random, variant: Variant) => StressCase;
+}
+
+export const PHONG: Variant = { reflection: 'phong', linear: false };
+export const BLINN: Variant = { reflection: 'blinn-phong', linear: false };
+export const BOTH: readonly Variant[] = [PHONG, BLINN];
+export const LINEAR: readonly Variant[] = BOTH.map(({ reflection }) => ({ reflection, linear: true }));

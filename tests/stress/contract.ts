@@ -1,0 +1,116 @@
+// The numerical contract: how far a picture may be from the equation in float64, and beside which points nothing is
+// promised, because there the equation itself jumps or is infinitely steep.
+import type { LightValues } from '../../src/light/light-state.js';
+import { NEAREST } from '../../src/light/light-layout.js';
+import { radians } from '../../src/math/angle.js';
+import { add, cross, dot, length, normalize, type Vec3 } from '../../src/math/vector.js';
+import type { LightShare, Shaded } from '../../src/reference/equation.js';
+import type { StressCase, Variant } from './case.js';
+
+/** Largest errors of the sum, in 1/255, over max(1, the sum of the lights' intensities). */
+export const BOUNDS = {
+  generic: 0.01,
+  smallExponent: 0.05,
+  shininess1e3: 0.02,
+  shininess1e4: 0.1,
+  shininess1e5: 0.25,
+  shininess1e6: 0.5,
+  cutoff1e4: 0.05,
+  cutoff1e6: 0.25,
+} as const;
+
+/**
+ * At least this share of 8-bit codes is exactly the nearest to float64, over all categories together and in each whose
+ * bound is at most `upTo`: larger errors move more of them, by one.
+ */
+export const EXACT = { share: 0.9998, upTo: BOUNDS.shininess1e3 } as const;
+
+/** Nearer to a cone's edge than this, radians, a fragment may be on either side. */
+export const CONE_EDGE = 5e-6;
+
+/** Where a base of powers below 1 is steeper than what float32 keeps of it, and where the specular term begins. */
+export const BRANCHES = {
+  /** dot(N, L) around 0, where the specular term begins: some roundings of a float32 dot product. */
+  gate: 1e-6,
+  /** R·V (or N·H) around 0 with shininess below 1: the lobe is infinitely steep there. */
+  lobe: 1e-3,
+  /** Radians from straight behind a spot with cutoff below 1: the same. */
+  back: 1e-3,
+  /**
+   * Distance to a light, or to the eye, over the largest coordinate in shading space: nearer, the float32 coordinates
+   * themselves leave the direction open by more than 6e-5.
+   */
+  near: 1e-3,
+  /**
+   * Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals
+   * keeps too little. It shades by its own direction or as if it had none.
+   */
+  normal: 2 ** -100,
+  /** |L + V| of Blinn's half vector where light and eye are opposite each other: the same. */
+  half: 1e-2,
+} as const;
+
+/** Angle between the spot's axis and the fragment; exact at both ends, where the cosine is not. */
+export function spotAngle(light: LightValues, share: LightShare): number {
+  const A = normalize(light.axis);
+  return Math.atan2(length(cross(share.L, A)), -dot(share.L, A));
+}
+
+const hasCone = (light: LightValues): boolean => light.aperture < 180 && dot(light.axis, light.axis) > 0;
+
+/** Radians to the nearest edge of a cone, negative inside of it; Infinity where no light has a cone. */
+export function coneMargin(lights: readonly LightValues[], shaded: Shaded): number {
+  let least = Infinity;
+  lights.forEach((light, i) => {
+    const share = shaded.shares[i];
+    if (!share || !hasCone(light) || dot(share.L, share.L) === 0) return;
+    const margin = spotAngle(light, share) - radians(light.aperture);
+    if (Math.abs(margin) < Math.abs(least)) least = margin;
+  });
+  return least;
+}
+
+/** The name of the branch point that this case is too near to; null where the contract holds. */
+export function branch(stress: StressCase, shaded: Shaded, variant: Variant): string | null {
+  const size = Math.max(...stress.normal.map(Math.abs));
+  if (size > 0 && size < BRANCHES.normal) return 'normal';
+  const edge = Math.abs(coneMargin(stress.lights, shaded));
+  // On the axis of a cone without width is where such a cone is; beside it is its edge.
+  if (edge < CONE_EDGE && edge > 0) return 'edge';
+  for (const [i, light] of stress.lights.entries()) {
+    const share = shaded.shares[i];
+    if (!share?.insideCone) continue;
+    const found = nearLight(stress, light, share) ?? lobe(stress, shaded, light, share, variant);
+    if (found !== null) return found;
+  }
+  return null;
+}
+
+function nearLight({ p, eye }: StressCase, light: LightValues, share: LightShare): string | null {
+  if (share.d < Infinity && share.d >= NEAREST) {
+    const size = Math.max(...p.map(Math.abs), ...eye.map(Math.abs), share.d);
+    if (share.d < BRANCHES.near * size) return 'near';
+  }
+  if (light.cutoff > 0 && light.cutoff < 1 && dot(light.axis, light.axis) > 0 && dot(share.L, share.L) > 0) {
+    if (Math.PI - spotAngle(light, share) < BRANCHES.back) return 'back';
+  }
+  return null;
+}
+
+function lobe(
+  { surface }: StressCase,
+  shaded: Shaded,
+  light: LightValues,
+  share: LightShare,
+  { reflection }: Variant,
+): string | null {
+  if (!lit(light.specular) || !lit(surface.ks) || dot(share.L, share.L) === 0) return null;
+  if (dot(shaded.N, shaded.N) === 0) return null;
+  if (Math.abs(share.NoL) < BRANCHES.gate) return 'gate';
+  if (share.NoL < 0) return null;
+  if (surface.shininess < 1 && Math.abs(share.RoV) < BRANCHES.lobe) return 'lobe';
+  if (reflection === 'blinn-phong' && length(add(share.L, shaded.V)) < BRANCHES.half) return 'half';
+  return null;
+}
+
+const lit = (color: Vec3): boolean => color[0] > 0 || color[1] > 0 || color[2] > 0;

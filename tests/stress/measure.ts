@@ -1,0 +1,93 @@
+// How far what a driver made of stress cases is from float64: errors, wrong codes, numbers that are none.
+import type { PassResult } from '../glsl/float-pass.js';
+import type { Category } from './category.js';
+import { intensity, reference, type StressCase, type Variant } from './case.js';
+import { branch, coneMargin } from './contract.js';
+
+/** What a category came to. Errors are in 1/255, over max(1, the sum of intensities). */
+export interface Measured {
+  readonly id: string;
+  cases: number;
+  /** Cases beside a branch point, by its name: they count for NaN and Infinity alone. */
+  readonly excluded: Record<string, number>;
+  /** Channels that are NaN or infinite. */
+  notFinite: number;
+  max: number;
+  /** Root of the mean square. */
+  rms: number;
+  channels: number;
+  /** Channels whose 8-bit code is exactly the nearest to float64. */
+  exact: number;
+  /** Channels more than one code off, where the sum of intensities is at most 1; beyond, more than the bound too. */
+  wrongCodes: number;
+  /** Largest distance from a cone's edge, radians, at which a fragment was taken for one of the other side. */
+  edge: number;
+  /** The case with the largest error, to look into. */
+  worst: string;
+}
+
+export const nothingMeasured = (id: string): Measured => ({
+  id,
+  cases: 0,
+  excluded: {},
+  notFinite: 0,
+  max: 0,
+  rms: 0,
+  channels: 0,
+  exact: 0,
+  wrongCodes: 0,
+  edge: 0,
+  worst: '',
+});
+
+/** Adds a batch to what was measured before. */
+export function measureBatch(
+  into: Measured,
+  category: Category,
+  variant: Variant,
+  cases: readonly StressCase[],
+  { floats, codes }: PassResult,
+): void {
+  let squares = into.rms ** 2 * into.channels;
+  cases.forEach((stress, i) => {
+    into.cases += 1;
+    const got = floats.subarray(i * 4, i * 4 + 3);
+    const shaded = reference(stress, variant);
+    for (const x of got) if (!Number.isFinite(x)) into.notFinite += 1;
+    const scale = 255 / Math.max(1, intensity(stress));
+    const error = (channel: number): number => Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
+    const found = branch(stress, shaded, variant);
+    if (found === 'edge') measureEdge(into, category, stress, Math.max(error(0), error(1), error(2)), shaded);
+    if (found !== null) {
+      into.excluded[found] = (into.excluded[found] ?? 0) + 1;
+      return;
+    }
+    for (let channel = 0; channel < 3; channel++) {
+      const off = error(channel);
+      squares += off * off;
+      into.channels += 1;
+      if (!(off <= into.max)) {
+        into.max = off;
+        into.worst = JSON.stringify({ variant, stress, got: [...got], expected: shaded.sum });
+      }
+      const code = codes[i * 4 + channel]!;
+      const exact = shaded.color[channel]! * 255;
+      if (code === Math.round(exact)) into.exact += 1;
+      // Where lights are brighter than full, the bound itself may be more than a code.
+      const allowed = Math.max(1, Math.ceil((category.bound * 255) / scale));
+      if (Math.abs(code - Math.round(exact)) > allowed) into.wrongCodes += 1;
+    }
+  });
+  into.rms = into.channels === 0 ? 0 : Math.sqrt(squares / into.channels);
+}
+
+function measureEdge(
+  into: Measured,
+  category: Category,
+  stress: StressCase,
+  error: number,
+  shaded: ReturnType<typeof reference>,
+): void {
+  if (error <= category.bound) return;
+  into.edge = Math.max(into.edge, Math.abs(coneMargin(stress.lights, shaded)));
+}

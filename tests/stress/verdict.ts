@@ -1,0 +1,31 @@
+// Does what was measured keep the contract?
+import { CATEGORIES } from './categories.js';
+import { EXACT } from './contract.js';
+import type { Measured } from './measure.js';
+
+/** Each way in which one category breaks the contract, in words; none where it keeps it. */
+export function verdictOf(measured: Measured): string[] {
+  const category = CATEGORIES.find(({ id }) => id === measured.id)!;
+  const { notFinite, max, wrongCodes, exact, channels } = measured;
+  const words: string[] = [];
+  if (notFinite > 0) words.push(`${String(notFinite)} channels not finite`);
+  if (!(max <= category.bound)) words.push(`error ${max.toPrecision(3)} above ${String(category.bound)}`);
+  if (wrongCodes > 0) words.push(`${String(wrongCodes)} codes off by more than one`);
+  if (category.bound <= EXACT.upTo && exact < EXACT.share * channels) words.push(exactness(measured));
+  return words.map((word) => `${category.title}: ${word}`);
+}
+
+/** The same of a whole run. */
+export function verdict(all: readonly Measured[]): string[] {
+  const sum = { exact: 0, channels: 0 };
+  for (const { exact, channels } of all) {
+    sum.exact += exact;
+    sum.channels += channels;
+  }
+  const broken = all.flatMap(verdictOf);
+  if (sum.exact < EXACT.share * sum.channels) broken.push(`all together: ${exactness(sum)}`);
+  return broken;
+}
+
+const exactness = ({ exact, channels }: Pick<Measured, 'exact' | 'channels'>): string =>
+  `${((100 * exact) / channels).toFixed(3)} % of codes exact`;

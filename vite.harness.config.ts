@@ -1,0 +1,18 @@
+// The page on which a browser tests the shipped GLSL against float64: tests/glsl/page to dist-harness/.
+
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+import { outputFolder } from './.ci/output-folder.mjs';
+
+export default defineConfig({
+  root: fileURLToPath(new URL('tests/glsl/page', import.meta.url)),
+  base: './',
+  publicDir: false,
+  build: {
+    outDir: outputFolder('dist-harness'),
+    emptyOutDir: true,
+    target: 'es2022',
+    modulePreload: { polyfill: false },
+    assetsInlineLimit: 0,
+  },
+});
