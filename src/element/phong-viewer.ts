@@ -13,7 +13,8 @@ import type { PhongMesh } from './phong-mesh.js';
 import { styles } from './phong-viewer.styles.js';
 import { pictureBlob, type PictureOptions } from './picture-blob.js';
 import { Readiness } from './readiness.js';
-import { cameraValues, givenAttributes, markup } from './to-html.js';
+import { type FragmentExplanation, shadeAt } from './shade-at.js';
+import { sceneMarkup } from './to-html.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer-camera.js';
 import { ViewerChildren } from './viewer-children.js';
 import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './viewer-fields.js';
@@ -189,13 +190,23 @@ export class PhongViewer extends LitElement {
     return pictureBlob(this.#viewport, options);
   }
 
+  /**
+   * Explains the fragment that the picture shows at `x`, `y`: CSS pixels from the picture's top left corner, inside any
+   * border, as `offsetX` and `offsetY` of a pointer event on the viewer. It is the one at the centre of the device pixel
+   * there, as the scene is at the call, in float64; blended surfaces are explained without what lies behind them, and
+   * textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene} is
+   * nearest (its lines and points are looked through), and while the viewer has no place on the page. Rejects with
+   * `TypeError` or `RangeError` where x or y is no finite number.
+   */
+  async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
+    this.#bringInStep();
+    const { size } = this.#visibility;
+    return shadeAt({ viewer: this, viewport: this.#viewport, children: this.#children, size }, x, y);
+  }
+
   /** The scene as markup, with the camera as it is now: it gives the same picture back. */
   toHTML(): string {
-    const viewer = givenAttributes(this.localName, this.state, cameraValues(this.camera));
-    return markup(viewer, [
-      ...this.meshes.map((mesh) => givenAttributes(mesh.localName, mesh.state)),
-      ...this.lights.map((light) => givenAttributes(light.localName, light.state)),
-    ]);
+    return sceneMarkup(this);
   }
 
   /** Back to the last declared camera. */

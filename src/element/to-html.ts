@@ -1,6 +1,7 @@
 // A viewer's scene as markup that gives the same picture back. Text only: building elements would upgrade them.
 import type { Declared } from '../math/declared.js';
 import { attributeOf, formatValue } from './attribute-text.js';
+import type { PhongViewer } from './phong-viewer.js';
 import type { CameraState } from './viewer-camera.js';
 
 interface Part {
@@ -8,8 +9,17 @@ interface Part {
   readonly attributes: readonly (readonly [name: string, value: string])[];
 }
 
+/** The viewer with its meshes and lights. */
+export function sceneMarkup(viewer: PhongViewer): string {
+  const { localName, state, camera, meshes, lights } = viewer;
+  return markup(givenAttributes(localName, state, cameraValues(camera)), [
+    ...meshes.map((mesh) => givenAttributes(mesh.localName, mesh.state)),
+    ...lights.map((light) => givenAttributes(light.localName, light.state)),
+  ]);
+}
+
 /** The attributes that were given, in the order of the fields, with `instead` in place of what it names. */
-export function givenAttributes<V extends object>(
+function givenAttributes<V extends object>(
   tag: string,
   state: Declared<V>,
   instead: { readonly [K in keyof V]?: unknown } = {},
@@ -25,10 +35,10 @@ export function givenAttributes<V extends object>(
 }
 
 /** The camera's numbers as they are now: shortest decimals that read back as the same doubles. */
-export const cameraValues = ({ theta, phi, radius, target }: CameraState) => ({ theta, phi, radius, target });
+const cameraValues = ({ theta, phi, radius, target }: CameraState) => ({ theta, phi, radius, target });
 
 /** The viewer's markup with one child a line. */
-export function markup(viewer: Part, children: readonly Part[]): string {
+function markup(viewer: Part, children: readonly Part[]): string {
   const inner = children.map((child) => `  ${startTag(child)}</${child.tag}>\n`).join('');
   return `${startTag(viewer)}${inner === '' ? '' : `\n${inner}`}</${viewer.tag}>`;
 }

@@ -10,7 +10,6 @@ import {
   type Texture,
   Vector3,
 } from 'three';
-import { LEAST_EXPONENT } from '../light/light-layout.js';
 import { srgbDecode } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
@@ -107,6 +106,23 @@ export class PhongMaterial extends ShaderMaterial {
     this.#writeSurface();
   }
 
+  get look(): BaseLook {
+    return this.#look;
+  }
+
+  get surface(): Readonly<SurfaceValues> {
+    return this.#surface;
+  }
+
+  get style(): ShadingStyle {
+    return this.#style;
+  }
+
+  /** Shades in linear light: as its picture does. */
+  get linear(): boolean {
+    return this.#lighting.linear;
+  }
+
   /** Ka, Kd, Ks (255 = 1) and the exponent; throws for values outside their domain and then changes nothing. */
   setSurface(values: Partial<SurfaceValues>): void {
     const { ka, kd, ks, shininess } = { ...this.#surface, ...values };
@@ -143,8 +159,7 @@ export class PhongMaterial extends ShaderMaterial {
     color('uKa', this.#surface.ka, this.#look.baseColor);
     color('uKd', this.#surface.kd, this.#look.baseColor);
     color('uKs', this.#surface.ks, PLAIN_LOOK.baseColor);
-    const n = this.#surface.shininess;
-    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = n < LEAST_EXPONENT ? 0 : n;
+    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = this.#surface.shininess;
   }
 
   #writeVariant(): void {

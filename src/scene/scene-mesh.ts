@@ -1,6 +1,6 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps what was shown until something
 // else can be. Knows neither elements nor frames.
-import { Group, Mesh } from 'three';
+import { Group, Mesh, type Object3D } from 'three';
 import type { SurfaceValues } from '../material/material-values.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
 import { PhongMaterial, type ShadingStyle } from '../material/phong-material.js';
@@ -74,6 +74,11 @@ export class SceneMesh {
   /** Its `src` is what it shows. */
   get showsModel(): boolean {
     return this.#showsModel && this.#asked !== null && !this.loading;
+  }
+
+  /** Whether `object` is one of those that show this mesh. */
+  shows(object: Object3D): boolean {
+    return this.#parts.some(({ mesh }) => mesh === object);
   }
 
   /** Values were written: bring everything in step. Cheap where nothing changed. */

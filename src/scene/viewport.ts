@@ -1,6 +1,6 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import { Scene, type WebGLRenderer } from 'three';
+import { type Object3D, Scene, type WebGLRenderer } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
@@ -12,24 +12,17 @@ import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
 import { releaseGpu } from './release-gpu.js';
+import { type Hit, pick } from './pick.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
+import type { ViewportStats } from './viewport-stats.js';
 
 /** What stands for `auto`, or the value that was given. */
 export interface Framing {
   readonly target: Vec3 | 'auto';
   readonly radius: number | 'auto';
-}
-
-export interface ViewportStats {
-  readonly frames: number;
-  readonly lightsActive: number;
-  readonly lightsSent: number;
-  readonly programs: number;
-  readonly drawCalls: number;
-  readonly uploads: number;
 }
 
 export class Viewport implements StageClient, Framed {
@@ -233,6 +226,22 @@ export class Viewport implements StageClient, Framed {
     return stage.capture({ width, height }, (renderer, part) => {
       this.#render(renderer, width, height, part);
     });
+  }
+
+  /** What is seen through a device pixel's centre, counted from the top left corner; null where that is nothing. */
+  pick(column: number, row: number): Hit | null {
+    const { width, height } = this;
+    if (!(column >= 0 && column < width && row >= 0 && row < height)) return null;
+    this.settle();
+    this.scene.updateMatrixWorld();
+    this.#view.aim(this.#fov, this.#bounds, width, height);
+    const ray = this.#view.ray((column + 0.5) / width, (row + 0.5) / height);
+    return pick(this.scene, this.#view.camera, ray, (object) => this.meshOf(object) !== undefined);
+  }
+
+  /** The mesh that `object` is a part of. */
+  meshOf(object: Object3D): SceneMesh | undefined {
+    return [...this.#meshes].find((mesh) => mesh.shows(object));
   }
 
   get stats(): ViewportStats {

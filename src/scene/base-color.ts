@@ -1,0 +1,58 @@
+// What multiplies Ka and Kd at a point of a triangle, and how opaque it is: the look's own colour, its texture and its
+// vertex colours, as phong.frag.glsl takes them together. Knows neither rays nor lights.
+import type { BufferGeometry } from 'three';
+import type { BaseLook } from '../material/phong-material.js';
+import { srgbDecode, srgbEncode } from '../math/color.js';
+import type { Vec3, Vec4 } from '../math/vector.js';
+import type { TriangleHit } from './ray-triangles.js';
+import { sample } from './sample.js';
+import { texelsOf } from './texels.js';
+
+export interface BaseColor {
+  /** Encoded sRGB, 0–1. */
+  readonly color: Vec3;
+  /** 0–1; 1 where the look does not blend. */
+  readonly opacity: number;
+  /** The look's mask leaves this fragment out. */
+  readonly discarded: boolean;
+}
+
+/** `linear`: colours are multiplied decoded, and the product is encoded again. */
+export function baseColorAt(
+  look: BaseLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  linear: boolean,
+): BaseColor {
+  const factors: Vec4[] = [[...look.baseColor, look.opacity]];
+  if (look.map !== null) {
+    const [u = 0, v = 0] = interpolated(geometry, 'uv', hit);
+    const m = look.map.matrix.elements;
+    factors.push(
+      sample(texelsOf(look.map), look.map, m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]),
+    );
+  }
+  if (look.vertexColors) {
+    const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit);
+    factors.push([r, g, b, a]);
+  }
+  const product = (channel: 0 | 1 | 2): number => {
+    if (!linear) return factors.reduce((all, factor) => all * factor[channel], 1);
+    return srgbEncode(factors.reduce((all, factor) => all * srgbDecode(factor[channel]), 1));
+  };
+  const alpha = factors.reduce((all, factor) => all * factor[3], 1);
+  return {
+    color: [product(0), product(1), product(2)],
+    opacity: look.alphaMode === 'blend' ? alpha : 1,
+    discarded: look.alphaMode === 'mask' && alpha < look.alphaCutoff,
+  };
+}
+
+/** A vertex attribute at the point; empty where the geometry has none. */
+function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: TriangleHit): number[] {
+  if (!geometry.hasAttribute(name)) return [];
+  const attribute = geometry.getAttribute(name);
+  return Array.from({ length: attribute.itemSize }, (_, c) =>
+    corners.reduce((sum, corner, k) => sum + weights[k]! * attribute.getComponent(corner, c), 0),
+  );
+}

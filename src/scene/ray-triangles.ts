@@ -1,0 +1,97 @@
+// Where does the ray through a pixel meet a geometry's triangles? In float64, in a space whose third axis is the ray, so
+// that neighbouring triangles leave no gap between them (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection",
+// JCGT 2(1), 2013) and flattened, mirrored or huge matrices need no inverse. Knows neither materials nor pictures.
+import type { BufferGeometry, Matrix4 } from 'three';
+import type { ShadingFrame } from '../material/phong-lighting.js';
+import { dot, subtract, type Vec3 } from '../math/vector.js';
+
+/** A ray from the eye: along right · slopeX + up · slopeY − back. */
+export interface ViewRay {
+  readonly frame: ShadingFrame;
+  readonly slopeX: number;
+  readonly slopeY: number;
+  /** Depths between which anything is drawn: distances from the eye along the view, not along the ray. */
+  readonly near: number;
+  readonly far: number;
+}
+
+/** A point of a triangle on the ray. */
+export interface TriangleHit {
+  /** Counted in the order in which triangles are drawn, from 0. */
+  readonly triangle: number;
+  /** The corners' vertices, and how much of each there is at the point: adds up to 1. */
+  readonly corners: readonly [number, number, number];
+  readonly weights: Vec3;
+  /** Distance from the eye along the view. */
+  readonly depth: number;
+  /** Seen from the side from which the corners go round counter-clockwise. */
+  readonly front: boolean;
+}
+
+/** Coefficients of x, y, z and 1: a linear function of a vertex in its geometry's own space. */
+type Row = readonly [number, number, number, number];
+
+/** Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in drawing order. */
+export function forEachHit(
+  ray: ViewRay,
+  geometry: BufferGeometry,
+  matrixWorld: Matrix4,
+  [first, end]: readonly [first: number, end: number],
+  visit: (hit: TriangleHit) => void,
+): void {
+  const { index } = geometry;
+  const position = geometry.getAttribute('position');
+  const [rowX, rowY, rowDepth] = rowsOf(ray, matrixWorld);
+  const along = (row: Row, i: number): number =>
+    row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
+  // As three.js tells WebGL: a mirroring matrix turns round what is the front.
+  const mirrored = matrixWorld.determinant() < 0;
+  for (let corner = first; corner + 2 < end; corner += 3) {
+    const a = index === null ? corner : index.getX(corner);
+    const b = index === null ? corner + 1 : index.getX(corner + 1);
+    const c = index === null ? corner + 2 : index.getX(corner + 2);
+    const ax = along(rowX, a);
+    const bx = along(rowX, b);
+    const cx = along(rowX, c);
+    if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue; // most triangles end here
+    const ay = along(rowY, a);
+    const by = along(rowY, b);
+    const cy = along(rowY, c);
+    // Twice the areas that the ray's point spans with each side, and their sum, the triangle's own.
+    const atA = bx * cy - by * cx;
+    const atB = cx * ay - cy * ax;
+    const atC = ax * by - ay * bx;
+    const area = atA + atB + atC;
+    const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
+    if (!inside || area === 0) continue;
+    const weights: Vec3 = [atA / area, atB / area, atC / area];
+    const depth = dot(weights, [along(rowDepth, a), along(rowDepth, b), along(rowDepth, c)]);
+    if (!(depth >= ray.near && depth <= ray.far)) continue;
+    visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front: area > 0 !== mirrored });
+  }
+}
+
+/**
+ * Vertex to ray space: how far right of the ray and above it, both along the picture's axes, and how deep. Differences
+ * to the eye come first: far from the world's origin nothing is lost.
+ */
+function rowsOf({ frame, slopeX, slopeY }: ViewRay, matrixWorld: Matrix4): readonly [Row, Row, Row] {
+  const m = matrixWorld.elements;
+  const place = subtract(subtract([m[12], m[13], m[14]], frame.origin), frame.eye);
+  const along = (axis: Vec3): Row => [
+    dot(axis, [m[0], m[1], m[2]]),
+    dot(axis, [m[4], m[5], m[6]]),
+    dot(axis, [m[8], m[9], m[10]]),
+    dot(axis, place),
+  ];
+  const right = along(frame.right);
+  const up = along(frame.up);
+  const back = along(frame.back);
+  const less = (row: Row, slope: number): Row => [
+    row[0] + slope * back[0],
+    row[1] + slope * back[1],
+    row[2] + slope * back[2],
+    row[3] + slope * back[3],
+  ];
+  return [less(right, slopeX), less(up, slopeY), [-back[0], -back[1], -back[2], -back[3]]];
+}

@@ -1,0 +1,10 @@
+// What drawing one picture has cost so far. Types only.
+
+export interface ViewportStats {
+  readonly frames: number;
+  readonly lightsActive: number;
+  readonly lightsSent: number;
+  readonly programs: number;
+  readonly drawCalls: number;
+  readonly uploads: number;
+}
