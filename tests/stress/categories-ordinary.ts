@@ -58,6 +58,15 @@ function behind(random: Random): StressCase {
   return stressCase(fragment, surface(random, random.from(0, 64)), [lightWith({ ...light, ...spot })]);
 }
 
+/** A light so near that its and the fragment's coordinates have few digits left between them. */
+function near(random: Random): StressCase {
+  const fragment = seen(random);
+  const L = random.around(fragment.N, random.from(0, 1.57));
+  const position = place(add(fragment.p, scale(L, random.magnitude(0.03, 0.3))));
+  const light = lightWith({ ...colors(random), position, attenuation: random.vector(0, 2) });
+  return stressCase(fragment, surface(random, random.pick([1, 8, 32])), [light]);
+}
+
 /** Attenuation from nothing to its largest, at distances from near to far. */
 function attenuated(random: Random): StressCase {
   const fragment = seen(random);
@@ -163,6 +172,13 @@ export const ordinaryCategories: readonly Category[] = [
     bound: BOUNDS.generic,
     variants: BOTH,
     make: (random) => moved(random, generic(random), random.pick([1e4, 1e6, 1e8])),
+  },
+  {
+    id: 'near',
+    title: 'lights at a hundredth of the distances that coordinates span',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: near,
   },
   {
     id: 'attenuation',

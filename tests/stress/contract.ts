@@ -38,16 +38,16 @@ export const BRANCHES = {
   back: 1e-3,
   /**
    * Distance to a light, or to the eye, over the largest coordinate in shading space: nearer, the float32 coordinates
-   * themselves leave the direction open by more than 6e-5.
+   * themselves leave the direction open by more than 6e-6.
    */
-  near: 1e-3,
+  near: 1e-2,
   /**
    * Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals
    * keeps too little. It shades by its own direction or as if it had none.
    */
   normal: 2 ** -100,
   /** |L + V| of Blinn's half vector where light and eye are opposite each other: the same. */
-  half: 1e-2,
+  half: 2e-2,
 } as const;
 
 /** Angle between the spot's axis and the fragment; exact at both ends, where the cosine is not. */

@@ -40,6 +40,27 @@ export const nothingMeasured = (id: string): Measured => ({
   worst: '',
 });
 
+/** Parts of one run, measured apart, as one. */
+export function mergeMeasured(parts: readonly Measured[]): Measured {
+  const sum = nothingMeasured(parts[0]!.id);
+  let squares = 0;
+  for (const part of parts) {
+    squares += part.rms ** 2 * part.channels;
+    for (const key of ['cases', 'notFinite', 'channels', 'exact', 'wrongCodes'] as const)
+      sum[key] += part[key];
+    for (const [name, count] of Object.entries(part.excluded)) {
+      sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
+    }
+    sum.edge = Math.max(sum.edge, part.edge);
+    if (part.max > sum.max) {
+      sum.max = part.max;
+      sum.worst = part.worst;
+    }
+  }
+  sum.rms = sum.channels === 0 ? 0 : Math.sqrt(squares / sum.channels);
+  return sum;
+}
+
 /** Adds a batch to what was measured before. */
 export function measureBatch(
   into: Measured,

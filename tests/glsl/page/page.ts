@@ -1,9 +1,10 @@
 // A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from the address
 // (?cases=1000000&seed=1&driver=shipped&only=generic), a table to look at and a report for whoever drives the page.
 import { CATEGORIES } from '../../stress/categories.js';
-import type { Measured } from '../../stress/measure.js';
+import { type Measured, mergeMeasured } from '../../stress/measure.js';
 import { verdict, verdictOf } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
+import type { Edit } from '../loop-pass.js';
 import { stressRun } from '../stress-run.js';
 import type { Driver } from '../worst-driver.js';
 
@@ -23,55 +24,60 @@ export interface Report {
 declare global {
   interface Window {
     /** The report, once there is one. */
-    report?: Report;
+    finished: Promise<Report>;
+    /** Reports of several pages, with the same driver and other seeds, as one. */
+    merged: (reports: readonly Report[]) => Pick<Report, 'measured' | 'broken'>;
   }
 }
 
 const byId = (id: string): HTMLElement => document.getElementById(id)!;
 
 const asked = new URLSearchParams(location.search);
-const seed = Number(asked.get('seed') ?? 1);
-const driver = (asked.get('driver') ?? 'shipped') as Driver;
-const edit = asked.get('edit');
-const start = performance.now();
-let renderer = '';
-let measured: readonly Measured[] = [];
-let error: string | null = null;
 
-try {
-  const gl = floatContext();
-  renderer = rendererName(gl);
-  byId('about').textContent = `${renderer} · ${driver} · seed ${String(seed)}`;
-  measured = await stressRun(gl, {
-    seed,
-    driver,
-    cases: Number(asked.get('cases') ?? 1e6),
-    only: asked.get('only')?.split(',') ?? [],
-    edit: edit === null ? null : (JSON.parse(edit) as { from: string; to: string }),
-    progress(share, id) {
-      (byId('progress') as HTMLProgressElement).value = share;
-      byId('verdict').textContent = id;
-    },
-  });
-} catch (thrown) {
-  error = thrown instanceof Error ? thrown.message : String(thrown);
-}
-
-const broken = verdict(measured);
-const seconds = (performance.now() - start) / 1000;
-for (const result of measured) byId('table').querySelector('tbody')!.append(row(result));
-byId('verdict').textContent =
-  error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
-window.report = {
-  renderer,
-  browser: navigator.userAgent,
-  driver,
-  seed,
-  seconds,
-  measured,
-  broken,
-  error,
+window.finished = run();
+window.merged = (reports) => {
+  const measured = CATEGORIES.map(({ id }) =>
+    reports.flatMap((report) => report.measured.filter((result) => result.id === id)),
+  )
+    .filter((parts) => parts.length > 0)
+    .map(mergeMeasured);
+  return { measured, broken: verdict(measured) };
 };
+
+async function run(): Promise<Report> {
+  const seed = Number(asked.get('seed') ?? 1);
+  const driver = (asked.get('driver') ?? 'shipped') as Driver;
+  const start = performance.now();
+  let renderer = '';
+  let measured: readonly Measured[] = [];
+  let error: string | null = null;
+  try {
+    const gl = floatContext();
+    renderer = rendererName(gl);
+    byId('about').textContent = `${renderer} · ${driver} · seed ${String(seed)}`;
+    measured = await stressRun(gl, {
+      seed,
+      driver,
+      cases: Number(asked.get('cases') ?? 1e6),
+      only: asked.get('only')?.split(',') ?? [],
+      edit: JSON.parse(asked.get('edit') ?? 'null') as Edit | null,
+      progress(share, id) {
+        (byId('progress') as HTMLProgressElement).value = share;
+        byId('verdict').textContent = id;
+      },
+    });
+  } catch (thrown) {
+    error = thrown instanceof Error ? thrown.message : String(thrown);
+  }
+  const broken = verdict(measured);
+  byId('table')
+    .querySelector('tbody')!
+    .replaceChildren(...measured.map(row));
+  byId('verdict').textContent =
+    error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
+  const seconds = (performance.now() - start) / 1000;
+  return { renderer, browser: navigator.userAgent, driver, seed, seconds, measured, broken, error };
+}
 
 function row(result: Measured): HTMLTableRowElement {
   const category = CATEGORIES.find(({ id }) => id === result.id)!;

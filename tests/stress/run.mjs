@@ -1,0 +1,160 @@
+// @ts-check
+// `npm run stress`: many stress cases in a real browser, over several pages at once, from a new seed, on the shipped
+// shader and on the worst lawful drivers; prints each category and writes one JSON a stack. Plain JavaScript, so that it
+// runs on any machine with Node, a browser and dist-harness/.
+//
+//   npm run stress -- --cases 1e8 --seed 7 --drivers shipped,up,down,either --pages 2 --out tests/stress/results/name.json
+//   --browser /path/to/chrome --arg=--use-angle=vulkan --arg=… (none: software GL)  --firefox  --only generic,normals
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { parseArgs } from 'node:util';
+import { serveFolder } from './serve-folder.mjs';
+
+const { values: options } = parseArgs({
+  options: {
+    cases: { type: 'string', default: '1e8' },
+    seed: { type: 'string', default: String(Math.floor(Math.random() * 2 ** 31)) },
+    drivers: { type: 'string', default: 'shipped,up,down,either' },
+    pages: { type: 'string', default: String(Math.max(1, availableParallelism() - 1)) },
+    harness: { type: 'string', default: '' },
+    out: { type: 'string', default: '' },
+    only: { type: 'string', default: '' },
+    browser: { type: 'string', default: '' },
+    arg: { type: 'string', multiple: true, default: [] },
+    firefox: { type: 'boolean', default: false },
+  },
+});
+
+/** So many that starting a page is little of its time, so few that all pages have work. */
+const CASES_A_PAGE = 2e6;
+const SOFTWARE = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
+
+/** @typedef {import('../glsl/page/page.js').Report} Report */
+/** @typedef {import('./measure.js').Measured} Measured */
+
+const site = await serveFolder(options.harness || (await builtHarness()));
+const browser = await launch();
+const seed = Number(options.seed);
+console.log(`seed ${seed}`);
+
+/** @type {Record<string, { seconds: number, broken: string[], measured: Measured[] }>} */
+const drivers = {};
+let renderer = '';
+let agent = '';
+for (const driver of options.drivers.split(',')) {
+  const start = performance.now();
+  const { measured, broken } = await runDriver(driver);
+  const result = {
+    seconds: (performance.now() - start) / 1000,
+    broken: [...broken],
+    measured: [...measured],
+  };
+  drivers[driver] = result;
+  print(driver, result);
+}
+if (options.out !== '') {
+  mkdirSync(dirname(options.out), { recursive: true });
+  const stack = { renderer, browser: agent, seed, cases: Number(options.cases) };
+  writeFileSync(options.out, `${JSON.stringify({ ...stack, drivers }, null, 1)}\n`);
+}
+await browser.close();
+site.close();
+process.exit(Object.values(drivers).some(({ broken }) => broken.length > 0) ? 1 : 0);
+
+/** @param {string} driver */
+async function runDriver(driver) {
+  const cases = Number(options.cases);
+  const parts = Math.max(
+    Math.ceil(cases / CASES_A_PAGE),
+    Math.min(Number(options.pages), Math.ceil(cases / 2e5)),
+  );
+  /** @type {Report[]} */
+  const reports = [];
+  let next = 0;
+  const worker = async () => {
+    for (let part = next++; part < parts; part = next++) {
+      const query = new URLSearchParams({ driver, seed: String(seed + part), cases: String(cases / parts) });
+      if (options.only !== '') query.set('only', options.only);
+      reports.push(await browser.report(`${site.origin}/index.html?${query}`));
+    }
+  };
+  await Promise.all(Array.from({ length: Number(options.pages) }, worker));
+  const failed = reports.find(({ error }) => error !== null);
+  if (failed) throw new Error(`${failed.renderer}: ${failed.error}`);
+  ({ renderer, browser: agent } = /** @type {Report} */ (reports[0]));
+  return browser.merge(reports);
+}
+
+async function launch() {
+  const { open, close } = options.firefox ? await firefox() : await chromium();
+  /** @type {import('playwright-core').Page | undefined} */
+  let merging;
+  return {
+    close,
+    /** @param {string} address @returns {Promise<Report>} */
+    async report(address) {
+      const page = await open();
+      await page.goto(address);
+      const report = await page.evaluate(() => window.finished);
+      await page.close();
+      return report;
+    },
+    /** The page knows how reports are put together. @param {Report[]} reports */
+    async merge(reports) {
+      if (merging === undefined) {
+        merging = await open();
+        await merging.goto(`${site.origin}/index.html?cases=0`);
+      }
+      return merging.evaluate((/** @type {Report[]} */ all) => window.merged(all), reports);
+    },
+  };
+}
+
+async function chromium() {
+  const { chromium } = await import('playwright-core');
+  let executablePath = options.browser;
+  if (executablePath === '') executablePath = await (await import('../../.ci/browser.mjs')).ensureBrowser();
+  const args = ['--no-sandbox', '--disable-background-networking'];
+  const own = await chromium.launch({
+    executablePath,
+    args: [...args, ...(options.arg.length > 0 ? options.arg : SOFTWARE)],
+  });
+  return { open: () => own.newPage(), close: () => own.close() };
+}
+
+async function firefox() {
+  const { startFirefox } = await import('../../.ci/firefox.mjs');
+  const own = await startFirefox();
+  // Of a page only what both drivers have alike is used here.
+  const open = async () =>
+    /** @type {import('playwright-core').Page} */ (/** @type {unknown} */ (await own.browser.newPage()));
+  return { open, close: own.close };
+}
+
+async function builtHarness() {
+  const { build } = await import('vite');
+  const { outputFolder } = await import('../../.ci/output-folder.mjs');
+  const repository = fileURLToPath(new URL('../..', import.meta.url));
+  await build({ configFile: join(repository, 'vite.harness.config.ts'), logLevel: 'warn' });
+  return outputFolder('dist-harness');
+}
+
+/** @param {string} driver @param {{ seconds: number, broken: string[], measured: Measured[] }} result */
+function print(driver, { seconds, broken, measured }) {
+  const sum = measured.reduce((total, { cases }) => total + cases, 0);
+  console.log(`\n${driver}: ${sum} cases in ${seconds.toFixed(0)} s, ${renderer}`);
+  for (const { id, max, rms, notFinite, exact, channels, wrongCodes, excluded } of measured) {
+    console.log(
+      id.padEnd(20) +
+        `${max.toPrecision(3).padStart(10)} ${rms.toPrecision(3).padStart(10)}  ` +
+        `${notFinite} not finite  ${((100 * exact) / channels).toFixed(4)} % exact  ${wrongCodes} wrong  ` +
+        Object.entries(excluded)
+          .map(([name, count]) => `${name} ${count}`)
+          .join(', '),
+    );
+  }
+  console.log(broken.length === 0 ? 'The contract holds.' : `BROKEN\n${broken.join('\n')}`);
+}
