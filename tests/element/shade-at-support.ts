@@ -11,6 +11,7 @@ export interface Compared {
   readonly drawn: readonly number[];
   /** 255 times the colour that was explained, not rounded. */
   readonly explained: readonly number[];
+  readonly opacity: number;
   /** Angle to the nearest cone's edge in radians; Infinity without any. */
   readonly coneMargin: number;
 }
@@ -61,6 +62,7 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
           row,
           drawn: [...data.subarray(pixel, pixel + 4)],
           explained: here.color.map((x) => x * 255),
+          opacity: here.opacity,
           coneMargin,
         });
       }
