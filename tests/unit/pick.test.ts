@@ -1,0 +1,199 @@
+// What is seen at a pixel: the nearest of what three.js would draw, and null where that is not ours.
+
+import {
+  BackSide,
+  BoxGeometry,
+  Group,
+  Line,
+  LineBasicMaterial,
+  Mesh,
+  MeshBasicMaterial,
+  type Object3D,
+  PerspectiveCamera,
+  PlaneGeometry,
+  Points,
+  Scene,
+  Sprite,
+} from 'three';
+import { beforeEach, describe, expect, it } from 'vitest';
+import { Orbit } from '../../src/camera/orbit.js';
+import { PhongLighting } from '../../src/material/phong-lighting.js';
+import { PhongMaterial } from '../../src/material/phong-material.js';
+import { type Hit, pick } from '../../src/scene/pick.js';
+import { cornersOf } from '../../src/scene/pick-corners.js';
+import { ViewCamera } from '../../src/scene/view-camera.js';
+
+const lighting = new PhongLighting();
+const SIZE = 100;
+
+let scene: Scene;
+let own: Mesh[];
+
+/** A wall of ours at a distance of 3 from the eye, which looks along −z; nearer where `z` is above 0. */
+function wall(z = 0, parent: Object3D = scene): Mesh {
+  const mesh = new Mesh(new PlaneGeometry(1, 1), new PhongMaterial(lighting));
+  mesh.position.z = z;
+  own.push(mesh);
+  parent.add(mesh);
+  return mesh;
+}
+
+function look(column = 50, row = 50): Hit | null {
+  const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+  view.aim(45, { centre: [0, 0, 0], radius: 2 }, SIZE, SIZE);
+  scene.updateMatrixWorld();
+  const ray = view.ray((column + 0.5) / SIZE, (row + 0.5) / SIZE);
+  return pick(scene, view.camera, ray, (object) => own.includes(object as Mesh));
+}
+
+beforeEach(() => {
+  scene = new Scene();
+  own = [];
+});
+
+describe('the pick', () => {
+  it('is the nearest of our meshes, wherever it stands in the tree', () => {
+    const group = new Group();
+    group.position.z = 0.5;
+    scene.add(group);
+    const nearest = wall(0.5, group);
+    wall(0.9);
+    wall(-1);
+    expect(look()!.object).toBe(nearest);
+    expect(look()!.depth).toBeCloseTo(2, 12);
+    expect(look(0, 0)).toBeNull();
+  });
+
+  it('passes by what is not drawn: hidden, with hidden parents or materials, or in other layers', () => {
+    const seen = wall(0);
+    const group = new Group();
+    group.visible = false;
+    scene.add(group);
+    wall(0.5, group);
+    wall(0.6).visible = false;
+    (wall(0.7).material as PhongMaterial).visible = false;
+    wall(0.8).layers.set(1);
+    expect(look()!.object).toBe(seen);
+  });
+
+  it('finds a visible child of a parent in another layer', () => {
+    const group = new Group();
+    group.layers.set(1);
+    scene.add(group);
+    const child = wall(0, group);
+    expect(look()!.object).toBe(child);
+  });
+
+  it('keeps to the range of the geometry that is drawn', () => {
+    wall(0.5).geometry.setDrawRange(0, 3); // the upper left half
+    const behind = wall(0);
+    expect(look(40, 40)!.depth).toBeCloseTo(2.5, 12);
+    expect(look(60, 60)!.object).toBe(behind);
+  });
+
+  it('takes the later of two that are equally near, as the depth test does', () => {
+    wall();
+    const later = wall();
+    expect(look()!.object).toBe(later);
+  });
+
+  it('is nothing before the near plane or behind the eye', () => {
+    wall(2.9999);
+    wall(4);
+    expect(look()).toBeNull();
+  });
+
+  it('is null where somebody else’s mesh or sprite is nearer, and only there', () => {
+    wall();
+    for (const foreign of [new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial()), new Sprite()]) {
+      scene.add(foreign);
+      foreign.position.set(0, 0, 1);
+      expect(look(), foreign.type).toBeNull();
+      foreign.position.set(0, 0, -1);
+      expect(look(), foreign.type).not.toBeNull();
+      foreign.position.set(0.8, 0, 1);
+      expect(look(), foreign.type).not.toBeNull();
+      foreign.removeFromParent();
+    }
+  });
+
+  it('counts a mesh with our material as somebody else’s where it is not ours, and ours with another material', () => {
+    const mesh = wall();
+    own = [];
+    expect(look()).toBeNull();
+    own = [mesh];
+    expect(look()).not.toBeNull();
+    mesh.material = new MeshBasicMaterial();
+    expect(look()).toBeNull();
+  });
+
+  it('looks through lines and points, and through faces that three.js culls', () => {
+    const mesh = wall();
+    const flat = new PlaneGeometry(1, 1);
+    for (const [i, object] of [
+      new Line(flat, new LineBasicMaterial()),
+      new Points(flat),
+      new Mesh(flat, new MeshBasicMaterial({ side: BackSide })),
+    ].entries()) {
+      object.position.z = 0.2 * (i + 1);
+      scene.add(object);
+    }
+    expect(look()!.object).toBe(mesh);
+  });
+
+  it('stays the same after the camera has moved on', () => {
+    wall();
+    const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
+    const view = new ViewCamera(orbit);
+    view.aim(45, null, SIZE, SIZE);
+    scene.updateMatrixWorld();
+    const hit = pick(scene, new PerspectiveCamera(), view.ray(0.5, 0.5), () => true)!;
+    const eye = [...hit.frame.eye];
+    orbit.set({ theta: 90, radius: 7 });
+    view.aim(45, null, SIZE, SIZE);
+    expect(hit.frame.eye).toEqual(eye);
+  });
+});
+
+describe('the corners of what was picked', () => {
+  const normalsOf = (): number[][] => cornersOf(look()!).map(({ N }) => N.map((x) => x + 0));
+
+  it('have unit normals on the side that is seen, mirrored, flattened and from behind too', () => {
+    const mesh = wall();
+    for (const [x, y, z] of [
+      [1, 1, 1],
+      [-1, 1, 1],
+      [2, 3, 0],
+      [1, 1, -4],
+    ] as const) {
+      mesh.scale.set(x, y, z);
+      expect(normalsOf(), `scale ${x} ${y} ${z}`).toEqual([
+        [0, 0, 1],
+        [0, 0, 1],
+        [0, 0, 1],
+      ]);
+    }
+    mesh.scale.set(1, 1, 1);
+    mesh.rotation.y = Math.PI;
+    for (const N of normalsOf()) expect(N[2]).toBeCloseTo(1, 12);
+  });
+
+  it('lie around the point that was hit', () => {
+    wall(0.25).scale.set(1, 0.5, 1);
+    const hit = look(45, 52)!;
+    const corners = cornersOf(hit);
+    for (const axis of [0, 1, 2] as const) {
+      const sum = corners.reduce((all, { p }, i) => all + p[axis] * hit.weights[i]!, 0);
+      expect(sum).toBeCloseTo(hit.p[axis], 12);
+    }
+  });
+
+  it('have none where the geometry has none', () => {
+    wall().geometry.deleteAttribute('normal');
+    expect(normalsOf()).toEqual([
+      [0, 0, 0],
+      [0, 0, 0],
+      [0, 0, 0],
+    ]);
+  });
+});
