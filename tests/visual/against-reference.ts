@@ -1,6 +1,6 @@
 // How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away from cones' edges.
 import type { Picture } from '../support/picture.js';
-import { caster, type CastScene } from './ray-cast.js';
+import { caster, type CastScene, type Hit } from './ray-cast.js';
 
 /** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
 export const CONE_EDGE = 3e-3;
@@ -13,29 +13,43 @@ export interface Errors {
   exact: number;
 }
 
+/** A pixel of one sample and one face, away from every cone's edge, and what its ray hits. */
+export interface InnerPixel {
+  readonly x: number;
+  readonly y: number;
+  readonly hit: Hit;
+}
+
 /** Pixels whose neighbours all hit the same face: their insides are one sample each. */
-export function compareWithReference(picture: Picture, scene: CastScene): Errors {
-  const { width, height } = picture;
+export function innerPixels(scene: CastScene, width: number, height: number): InnerPixel[] {
   const cast = caster(scene, width, height);
   const hits = Array.from({ length: width * height }, (_, i) => cast(i % width, Math.floor(i / width)));
-  const errors: Errors = { max: 0, at: '', compared: 0, exact: 0 };
+  const inner: InnerPixel[] = [];
   for (let y = 2; y < height - 2; y++) {
     for (let x = 2; x < width - 2; x++) {
       const hit = hits[y * width + x];
       const inside = [-2, 0, 2].every((dy) =>
         [-2, 0, 2].every((dx) => hits[(y + dy) * width + x + dx]?.face === hit?.face),
       );
-      if (!hit || !inside || hit.coneMargin < CONE_EDGE) continue;
-      for (let channel = 0; channel < 3; channel++) {
-        const expected = Math.round(hit.shaded.color[channel]! * 255);
-        const actual = picture.data[4 * (y * width + x) + channel]!;
-        const error = Math.abs(expected - actual);
-        errors.compared += 1;
-        if (error === 0) errors.exact += 1;
-        if (error > errors.max) {
-          errors.max = error;
-          errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${hit.shaded.color[channel]! * 255}`;
-        }
+      if (hit && inside && hit.coneMargin >= CONE_EDGE) inner.push({ x, y, hit });
+    }
+  }
+  return inner;
+}
+
+export function compareWithReference(picture: Picture, scene: CastScene): Errors {
+  const { width, height } = picture;
+  const errors: Errors = { max: 0, at: '', compared: 0, exact: 0 };
+  for (const { x, y, hit } of innerPixels(scene, width, height)) {
+    for (let channel = 0; channel < 3; channel++) {
+      const expected = Math.round(hit.shaded.color[channel]! * 255);
+      const actual = picture.data[4 * (y * width + x) + channel]!;
+      const error = Math.abs(expected - actual);
+      errors.compared += 1;
+      if (error === 0) errors.exact += 1;
+      if (error > errors.max) {
+        errors.max = error;
+        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${hit.shaded.color[channel]! * 255}`;
       }
     }
   }
