@@ -48,7 +48,9 @@ if (all || chosen.includes('types')) check('types', 'node_modules/typescript/bin
 if (all || wantedNode.length > 0) unit();
 if (anyBrowser || chosen.includes('build')) {
   check('build', '.ci/build.mjs');
-  if (existsSync('demo')) check('demo build', 'node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn');
+  const vite = 'node_modules/vite/bin/vite.js';
+  check('demo build', vite, 'build', '--logLevel', 'warn');
+  check('harness', vite, 'build', '--config', 'vite.harness.config.ts', '--logLevel', 'warn');
 }
 if (anyBrowser) await browser();
 

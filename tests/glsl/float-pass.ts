@@ -25,6 +25,12 @@ export interface PassResult {
   readonly codes: Uint8Array;
 }
 
+/** A uniform block of this name and its bytes. */
+export interface BlockData {
+  readonly name: string;
+  readonly data: Float32Array;
+}
+
 /** RGBA32F texels, row by row. */
 export interface FloatTexture {
   readonly data: Float32Array;
@@ -81,7 +87,7 @@ void main() {
   }
 
   /** One texture an input and one a further texture, in the order of the source; inputs share one size. */
-  run(textures: readonly FloatTexture[]): PassResult {
+  run(textures: readonly FloatTexture[], block?: BlockData): PassResult {
     const gl = this.#gl;
     const { data, width } = textures[0]!;
     const height = data.length / 4 / width;
@@ -101,6 +107,7 @@ void main() {
     gl.viewport(0, 0, width, height);
     gl.useProgram(this.#program);
     const bound = textures.map((texture, i) => this.#bind(texture, i));
+    const buffer = block === undefined ? null : this.#bindBlock(block);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     const floats = new Float32Array(width * height * 4);
     const codes = new Uint8Array(width * height * 4);
@@ -110,6 +117,7 @@ void main() {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, codes);
     for (const texture of [...targets, ...bound]) gl.deleteTexture(texture);
     gl.deleteFramebuffer(frame);
+    gl.deleteBuffer(buffer);
     const error = gl.getError();
     if (error !== gl.NO_ERROR) throw new Error(`WebGL error ${error}`);
     return { floats, codes };
@@ -117,6 +125,15 @@ void main() {
 
   dispose(): void {
     this.#gl.deleteProgram(this.#program);
+  }
+
+  #bindBlock({ name, data }: BlockData): WebGLBuffer {
+    const gl = this.#gl;
+    const buffer = gl.createBuffer();
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, buffer);
+    gl.bufferData(gl.UNIFORM_BUFFER, data, gl.STATIC_DRAW);
+    gl.uniformBlockBinding(this.#program, gl.getUniformBlockIndex(this.#program, name), 0);
+    return buffer;
   }
 
   #bind({ data, width }: FloatTexture, unit: number): WebGLTexture {

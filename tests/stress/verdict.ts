@@ -6,7 +6,7 @@ import type { Measured } from './measure.js';
 /** Each way in which one category breaks the contract, in words; none where it keeps it. */
 export function verdictOf(measured: Measured): string[] {
   const category = CATEGORIES.find(({ id }) => id === measured.id)!;
-  const { notFinite, max, wrongCodes, exact, channels } = measured;
+  const { notFinite, max, wrongCodes } = measured;
   const words: string[] = [];
   if (notFinite > 0) words.push(`${String(notFinite)} channels not finite`);
   if (!(max <= category.bound)) words.push(`error ${max.toPrecision(3)} above ${String(category.bound)}`);

@@ -41,6 +41,7 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 export const testMounts: Readonly<Record<string, string>> = {
   '/dist/': outputFolder('dist'),
   '/demo/': outputFolder('dist-demo'),
+  '/harness/': outputFolder('dist-harness'),
   '/fixtures/': join(repository, 'tests/fixtures'),
   '/assets/': join(repository, 'demo/assets'),
   '/node_modules/': join(repository, 'node_modules'),

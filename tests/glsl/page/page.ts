@@ -4,6 +4,7 @@ import { CATEGORIES } from '../../stress/categories.js';
 import { type Measured, mergeMeasured } from '../../stress/measure.js';
 import { verdict, verdictOf } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
+import { type Checked, checkChunks } from '../chunk-checks.js';
 import type { Edit } from '../loop-pass.js';
 import { stressRun } from '../stress-run.js';
 import type { Driver } from '../worst-driver.js';
@@ -14,6 +15,7 @@ export interface Report {
   readonly driver: Driver;
   readonly seed: number;
   readonly seconds: number;
+  readonly checked: readonly Checked[];
   readonly measured: readonly Measured[];
   /** What broke the contract, in words; empty where nothing did. */
   readonly broken: readonly string[];
@@ -26,7 +28,7 @@ declare global {
     /** The report, once there is one. */
     finished: Promise<Report>;
     /** Reports of several pages, with the same driver and other seeds, as one. */
-    merged: (reports: readonly Report[]) => Pick<Report, 'measured' | 'broken'>;
+    merged: (reports: readonly Report[]) => Pick<Report, 'checked' | 'measured' | 'broken'>;
   }
 }
 
@@ -41,26 +43,34 @@ window.merged = (reports) => {
   )
     .filter((parts) => parts.length > 0)
     .map(mergeMeasured);
-  return { measured, broken: verdict(measured) };
+  const checked = reports[0]?.checked ?? [];
+  return { checked, measured, broken: [...checked.flatMap(brokenCheck), ...verdict(measured)] };
 };
+
+function brokenCheck({ title, max, bound }: Checked): string[] {
+  return max <= bound ? [] : [`${title}: ${max.toPrecision(3)} above ${String(bound)}`];
+}
 
 async function run(): Promise<Report> {
   const seed = Number(asked.get('seed') ?? 1);
   const driver = (asked.get('driver') ?? 'shipped') as Driver;
+  const edit = JSON.parse(asked.get('edit') ?? 'null') as Edit | null;
   const start = performance.now();
   let renderer = '';
+  let checked: readonly Checked[] = [];
   let measured: readonly Measured[] = [];
   let error: string | null = null;
   try {
     const gl = floatContext();
     renderer = rendererName(gl);
     byId('about').textContent = `${renderer} · ${driver} · seed ${String(seed)}`;
+    checked = edit === null ? checkChunks(gl, driver, seed) : [];
     measured = await stressRun(gl, {
       seed,
       driver,
       cases: Number(asked.get('cases') ?? 1e6),
       only: asked.get('only')?.split(',') ?? [],
-      edit: JSON.parse(asked.get('edit') ?? 'null') as Edit | null,
+      edit,
       progress(share, id) {
         (byId('progress') as HTMLProgressElement).value = share;
         byId('verdict').textContent = id;
@@ -69,14 +79,14 @@ async function run(): Promise<Report> {
   } catch (thrown) {
     error = thrown instanceof Error ? thrown.message : String(thrown);
   }
-  const broken = verdict(measured);
+  const broken = [...checked.flatMap(brokenCheck), ...verdict(measured)];
   byId('table')
     .querySelector('tbody')!
     .replaceChildren(...measured.map(row));
   byId('verdict').textContent =
     error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
   const seconds = (performance.now() - start) / 1000;
-  return { renderer, browser: navigator.userAgent, driver, seed, seconds, measured, broken, error };
+  return { renderer, browser: navigator.userAgent, driver, seed, seconds, checked, measured, broken, error };
 }
 
 function row(result: Measured): HTMLTableRowElement {

@@ -1,0 +1,239 @@
+// Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
+import { BLOCK_ROWS, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
+import { srgbDecode, srgbEncode } from '../../src/math/color.js';
+import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
+import { float32, partSeed, Random } from '../stress/random.js';
+import { FloatPass, type PassResult } from './float-pass.js';
+import { type Driver, onDriver } from './worst-driver.js';
+
+/** Up to four numbers in, up to four out. */
+type Numbers = readonly number[];
+
+interface Check {
+  /** What holds, as a sentence. */
+  readonly title: string;
+  /** Of inputs `a` and `b` (vec4) to `result`. */
+  readonly glsl: string;
+  readonly inputs: (random: Random) => readonly [Numbers, Numbers?];
+  readonly expected: (a: Numbers, b: Numbers) => Numbers;
+  /** Largest |difference|, over max(|expected|, `floor`). */
+  readonly bound: number;
+  readonly floor?: number;
+}
+
+export interface Checked {
+  readonly title: string;
+  readonly cases: number;
+  readonly bound: number;
+  readonly max: number;
+}
+
+const CASES = 1 << 14;
+const WIDTH = 256;
+const f = Math.fround;
+
+const power = (x: number, y: number, k: number): number => {
+  if (k < f(1e-6)) return 1;
+  if (x <= 0) return 0;
+  return y < 0.25 ? Math.exp(k * Math.log1p(-y)) : x ** k;
+};
+
+const CHECKS: readonly Check[] = [
+  {
+    title: 'powerNearOne keeps x^k to 1e-6 for x beside 1 and exponents to 1e6',
+    glsl: 'result.x = powerNearOne(a.x, a.y, a.z);',
+    inputs(random) {
+      const y = f(random.pick([random.magnitude(1e-12, 1), random.from(0, 1), 0]));
+      const k = random.pick([
+        0,
+        1e-7,
+        f(random.magnitude(1e-6, 1e6)),
+        f(random.from(0, 40) / Math.max(y, 1e-6)),
+      ]);
+      return [[f(1 - y), y, Math.min(k, 1e6)]];
+    },
+    expected: ([x, y, k]) => [power(x!, y!, k!)],
+    bound: 1e-6,
+    floor: 1,
+  },
+  {
+    title: 'powerNearOne gives 1 for exponents below 1e-6 and 0 for a base of 0',
+    glsl: 'result.x = powerNearOne(a.x, 1.0 - a.x, a.y);',
+    inputs(random) {
+      const k = random.pick([0, 1e-7, 1, 1e6]);
+      return [[k < 1e-6 ? random.pick([0, f(random.from(0, 1)), 1]) : 0, k]];
+    },
+    expected: ([, k]) => [k! < 1e-6 ? 1 : 0],
+    bound: 0,
+  },
+  {
+    title: 'unitOrZero gives unit vectors of vectors of any length',
+    glsl: 'result.xyz = unitOrZero(a.xyz);',
+    inputs(random) {
+      const size = random.pick([
+        0,
+        1,
+        random.magnitude(1e-30, 1e-3),
+        random.magnitude(1e-3, 1e3),
+        1e30,
+        1e38,
+      ]);
+      return [float32(scale(random.unit(), size))];
+    },
+    expected: (v) => normalize(v as unknown as Vec3),
+    bound: 2e-7,
+    floor: 1,
+  },
+  {
+    title: 'attenuation is 1/max(kc + kl·d + kq·d², 1)',
+    glsl: 'result.x = attenuation(a.xyz, b.x);',
+    inputs(random) {
+      const k = (): number => f(random.pick([0, 1, random.magnitude(1e-6, 1e6)]));
+      return [[k(), k(), k()], [f(random.pick([0, random.magnitude(1e-15, 1e15)]))]];
+    },
+    expected: ([kc, kl, kq], [d]) => [1 / Math.max(kc! + kl! * d! + kq! * d! * d!, 1)],
+    bound: 5e-7,
+    floor: 2 ** -126,
+  },
+  {
+    title: 'insideCone compares the nearer side of the axis, and the far side beyond 90°',
+    glsl: 'result.x = insideCone(a.x, a.y, a.z) ? 1.0 : 0.0;',
+    inputs(random) {
+      const q = f(random.from(0, 1));
+      const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, 0)), LIMIT_OPEN]);
+      return [[q, f(1 - q), limit]];
+    },
+    expected: ([q, p, limit]) => [(limit! < 0 ? p! >= -limit! : q! <= limit!) ? 1 : 0],
+    bound: 0,
+  },
+  {
+    title: 'diffuseLobe is Lambert’s law',
+    glsl: 'result.x = diffuseLobe(a.x);',
+    inputs: (random) => [[f(random.from(-1, 1))]],
+    expected: ([NoL]) => [Math.max(NoL!, 0)],
+    bound: 0,
+  },
+  {
+    title: 'specularLobe is max(R·V, 0)^n for exponents to 100',
+    glsl: 'vec3 N = vec3(0.0, 0.0, 1.0); result.x = specularLobe(N, a.xyz, b.xyz, a.z, a.w);',
+    inputs(random) {
+      const L = random.unit();
+      return [[...float32([L[0], L[1], Math.abs(L[2])]), f(random.from(1, 100))], float32(random.unit())];
+    },
+    expected([x, y, z, n], V) {
+      const RoV = dot([-x!, -y!, z!], V as unknown as Vec3);
+      return [Math.max(RoV, 0) ** n!];
+    },
+    // The inputs are unit to float32 only: n times 1e-7.
+    bound: 3e-5,
+    floor: 1,
+  },
+  {
+    title: 'srgbDecode follows the curve',
+    glsl: 'result.x = srgbDecode(vec3(a.x)).x;',
+    inputs: (random) => [[f(random.pick([0, 0.04045, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))]],
+    expected: ([e]) => [srgbDecode(e!)],
+    // 100 is decoded to 2^16, where exp2 may err by 35 ULP.
+    bound: 1e-5,
+    floor: 1e-6,
+  },
+  {
+    title: 'srgbEncode follows the curve',
+    glsl: 'result.x = srgbEncode(vec3(a.x)).x;',
+    inputs: (random) => [[f(random.pick([0, 0.0031308, 1, random.from(0, 1), random.magnitude(1e-6, 100)]))]],
+    expected: ([l]) => [srgbEncode(l!)],
+    bound: 6e-6,
+    floor: 1e-6,
+  },
+];
+
+/** Runs all of them; the storages are checked by reading back a number of its own from every slot. */
+export function checkChunks(gl: WebGL2RenderingContext, driver: Driver, seed: number): Checked[] {
+  return [
+    ...CHECKS.map((check) => runCheck(gl, check, driver, seed)),
+    checkCodes(gl, driver),
+    checkStorage(gl, 'STORAGE_BLOCK', BLOCK_ROWS),
+    checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2),
+  ];
+}
+
+const head = (storage: string): string => `#define LIGHT_STORAGE ${storage}\n`;
+const text = (driver: Driver): string => onDriver(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, driver);
+const NO_ROWS = 'vec4 lightRow(int i) { return vec4(0.0); }\n';
+
+function runCheck(gl: WebGL2RenderingContext, check: Check, driver: Driver, seed: number): Checked {
+  const { title, glsl, bound, floor = 0 } = check;
+  const random = new Random(partSeed(seed, title));
+  const a = new Float32Array(CASES * 4);
+  const b = new Float32Array(CASES * 4);
+  for (let i = 0; i < CASES; i++) {
+    const [first, second = []] = check.inputs(random);
+    a.set(first, i * 4);
+    b.set(second, i * 4);
+  }
+  const source = head('STORAGE_OWN') + NO_ROWS + text(driver);
+  const { floats } = once(gl, { glsl: source, inputs: ['a', 'b'], main: glsl }, [a, b]);
+  let max = 0;
+  for (let i = 0; i < CASES; i++) {
+    const at = i * 4;
+    const expected = check.expected([...a.subarray(at, at + 4)], [...b.subarray(at, at + 4)]);
+    expected.forEach((wanted, k) => {
+      const off = Math.abs(floats[at + k]! - wanted);
+      // Not by Math.max: it would keep NaN, and a comparison with NaN is false.
+      const error = off === 0 ? 0 : off / Math.max(Math.abs(wanted), floor);
+      if (!(error <= max)) max = Number.isNaN(error) ? Infinity : error;
+    });
+  }
+  return { title, cases: CASES, bound, max };
+}
+
+/** Every code, and the floats beside the steps between codes, as 8-bit output and as floats. */
+function checkCodes(gl: WebGL2RenderingContext, driver: Driver): Checked {
+  const inputs: number[] = [];
+  for (let code = 0; code < 256; code++) {
+    // A step itself is half-way; 1e-6 to either side of it the nearest code is clear.
+    for (const off of [0, 0.5 - 1e-4, -0.5 + 1e-4]) inputs.push(f((code + off) / 255));
+  }
+  const a = new Float32Array(1024 * 4);
+  inputs.forEach((x, i) => a.set([x], i * 4));
+  const source = head('STORAGE_OWN') + NO_ROWS + text(driver);
+  const main = 'shown = vec4(nearestCode(vec3(a.x)), 1.0);';
+  const { codes } = once(gl, { glsl: source, inputs: ['a'], main }, [a]);
+  let max = 0;
+  inputs.forEach((_, i) => (max = Math.max(max, Math.abs(codes[i * 4]! - Math.floor(i / 3)))));
+  return { title: 'nearestCode gives the nearest of 256 codes', cases: inputs.length, bound: 0, max };
+}
+
+function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number): Checked {
+  const data = new Float32Array(rows * 4).map((_, i) => i + 1);
+  const index = new Float32Array(rows * 4);
+  for (let i = 0; i < rows; i++) index[i * 4] = i;
+  const isBlock = storage === 'STORAGE_BLOCK';
+  const source = {
+    glsl: head(storage) + LIGHT_LOOP_GLSL,
+    inputs: ['a'],
+    textures: isBlock ? [] : ['uLightTexture'],
+    main: 'result = lightRow(int(a.x));',
+  };
+  const pass = new FloatPass(gl, source);
+  const lights = { data, width: 1 << TEXTURE_ROWS_LOG2 };
+  const input = { data: index, width: WIDTH };
+  const { floats } = isBlock ? pass.run([input], { name: 'LightRows', data }) : pass.run([input, lights]);
+  pass.dispose();
+  let max = 0;
+  data.forEach((wanted, i) => (max = Math.max(max, Math.abs(floats[i]! - wanted))));
+  const place = isBlock ? 'the uniform block' : 'the texture';
+  return { title: `lightRow reads every number of ${place}`, cases: rows * 4, bound: 0, max };
+}
+
+function once(
+  gl: WebGL2RenderingContext,
+  source: ConstructorParameters<typeof FloatPass>[1],
+  inputs: readonly Float32Array[],
+): PassResult {
+  const pass = new FloatPass(gl, source);
+  const result = pass.run(inputs.map((data) => ({ data, width: WIDTH })));
+  pass.dispose();
+  return result;
+}

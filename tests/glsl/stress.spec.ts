@@ -1,0 +1,29 @@
+// Does the shipped GLSL, with the shipped packing, keep the numerical contract? The harness page tests itself in this browser:
+// on its own driver, and on the worst lawful ones. `npm run stress` does the same with a hundred times as many cases.
+import type { Report } from './page/page.js';
+import { expect, test } from '../support/test.js';
+
+const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+for (const [driver, cases] of [
+  ['shipped', 1e6],
+  ['up', 2e5],
+  ['down', 2e5],
+  ['either', 2e5],
+] as const) {
+  const where = driver === 'shipped' ? 'this driver' : `the worst lawful driver, erring ${driver}`;
+  test(`keeps the contract on ${where}, in ${String(cases)} adversarial cases`, async ({ page }) => {
+    test.setTimeout(300_000);
+    await page.goto(`/harness/index.html?driver=${driver}&cases=${String(cases)}&seed=${String(SEED)}`);
+    const report: Report = await page.evaluate(() => window.finished);
+    console.log(`seed ${String(SEED)}, ${report.seconds.toFixed(1)} s, ${report.renderer}`);
+    expect(report.error).toBeNull();
+    expect(report.checked.length).toBeGreaterThan(10);
+    expect(report.measured.reduce((sum, { cases: count }) => sum + count, 0)).toBeGreaterThanOrEqual(cases);
+    // Almost all of them count: what lies beside a branch point is made where it is sought, at cones' edges.
+    for (const { id, channels, cases: count } of report.measured) {
+      expect.soft(channels, id).toBeGreaterThan(count);
+    }
+    expect(report.broken).toEqual([]);
+  });
+}
