@@ -1,6 +1,9 @@
 // What does shadeAt say of a fragment, and when? Positions are CSS pixels of the viewer, colours 0–1.
 
+import { readFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import type { Locator } from '@playwright/test';
+import { outputFolder } from '../../.ci/output-folder.mjs';
 import { decodePng } from '../support/picture.js';
 import { expect, pixelAt, test } from '../support/test.js';
 import { nextFrame, type PhongMesh, type PhongViewer } from './support.js';
@@ -311,6 +314,21 @@ test('works before the first frame and off screen, and is null without a place o
   expect(await explained(viewer, 30, 40)).toEqual(before);
 });
 
+test('prints for README’s example what README says', async ({ page, mount }) => {
+  const readme = readFileSync(new URL('../../README.md', import.meta.url), 'utf8');
+  const section = /### A fragment explained\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
+  const [markup, script, output] = Array.from(section.matchAll(/```\w*\n([^]*?)```/g), (block) => block[1]!);
+  // Its style attribute is refused by the strict policy.
+  await mount(markup!, { csp: '', width: 400, height: 300 });
+  const printed = await page.evaluate<string[]>(`(async () => {
+    const lines = [];
+    const console = { log: (line) => lines.push(line + '\\n') };
+    ${script!}
+    return lines;
+  })()`);
+  expect(printed.join('')).toBe(output);
+});
+
 test('rejects what is no place with TypeError or RangeError', async ({ mount }) => {
   const viewer = await mount(floor(), FLOOR);
   const errors = await viewer.evaluate((element: PhongViewer) => {
@@ -346,6 +364,21 @@ test('fetches the equation with the first explanation, once', async ({ page, mou
   await explained(viewer, 51, 50);
   expect(reference()).toHaveLength(1);
   expect(fetched).toHaveLength(before + 1);
+});
+
+test('leaves the equation to a file of its own in the ES modules too', () => {
+  const statically = /(?:\bfrom|\bimport)\s*["'`](\.[^"'`]+)["'`]/g;
+  const loaded = new Map<string, string>();
+  const load = (path: string): void => {
+    if (loaded.has(path)) return;
+    loaded.set(path, readFileSync(path, 'utf8'));
+    for (const [, next] of loaded.get(path)!.matchAll(statically)) load(join(dirname(path), next!));
+  };
+  const dist = outputFolder('dist');
+  load(join(dist, 'index.js'));
+  expect(loaded.size).toBeGreaterThan(2);
+  expect([...loaded.keys()]).not.toContain(join(dist, 'reference.js'));
+  expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/reference\.js["'`]\)/);
 });
 
 test.describe('takes the place of a pointer event', () => {
