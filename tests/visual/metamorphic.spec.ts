@@ -20,7 +20,7 @@ import {
 const SIZE = { width: 120, height: 84 };
 /** More scenes, or others: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 10));
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 8));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const SEEDS = `seeds ${FIRST} to ${FIRST + SCENES - 1}`;
 

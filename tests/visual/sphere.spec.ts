@@ -60,7 +60,8 @@ test('shades a sphere within one code of its own triangles in float64', async ({
     );
     expect(sum.compared).toBeGreaterThan(1e4);
     expect(sum.exact / sum.compared).toBeGreaterThan(0.98);
-    expect(sum.snapped / sum.compared).toBeLessThan(1e-3);
+    // Measured: 1.2e-4, where vertices lie on sixteenths of a pixel.
+    expect(sum.snapped / sum.compared).toBeLessThan(3e-4);
   }
 });
 
@@ -113,7 +114,7 @@ test('comes nearer to the ideal sphere with the square of its segments', ({}, te
     expect(row.rmse, `colours at ${row.segments} segments`).toBeLessThan(before.rmse);
   }
   // Cones' edges and the ends of highlights move by a share of a pixel and then jump: colours fall less regularly, by
-  // more than half a doubling. Measured: 2.1 times on average.
+  // more than half a doubling. Measured over 3 to 15 scenes: by 1.9 to 3.4 a doubling, on average.
   const [coarsest, finest] = [table[0]!, table.at(-1)!];
   expect(coarsest.rmse / finest.rmse).toBeGreaterThan(1.5 ** (table.length - 1));
 });
