@@ -13,12 +13,12 @@ vec3 unitOrZero(vec3 v) {
   vec3 a = abs(v);
   float largest = max(a.x, max(a.y, a.z));
   // Squares must neither overflow nor lose small components to flushed denormals: a power of two, which rounds nothing,
-  // brings the largest component between 2^-63 and 2^62 first.
+  // brings the largest component between 2^-59 and 2^62 first.
   float s = largest > 1.152921504606847e18 ? 1.3552527156068805e-20 // > 2^60: by 2^-66
-    : largest < 9.094947017729282e-13 ? 7.737125245533627e25 // < 2^-40: by 2^86
+    : largest < 9.094947017729282e-13 ? 1.2379400392853803e27 // < 2^-40: by 2^90
     : 1.0;
   vec3 u = v * s;
   float squared = dot(u, u);
   // Zero, or flushed to zero by the device: no direction is left to speak of.
-  return squared >= LEAST_NORMAL ? refined(u * inversesqrt(squared)) : vec3(0.0);
+  return squared >= TINY ? refined(u * inversesqrt(squared)) : vec3(0.0);
 }

@@ -8,7 +8,7 @@ const float LOG2_E = 1.4426950408889634;
  */
 float powerNearOne(float x, float y, float k) {
   if (k < LEAST_EXPONENT) return 1.0;
-  if (!(x >= LEAST_NORMAL)) return 0.0; // log2 is undefined at 0, and for what a device may flush to 0
+  if (!(x >= TINY)) return 0.0; // log2 is undefined at 0, and for what a device may flush to 0
   // log(1 - y) = -2 artanh(z), z = y/(2 - y). For y < 1/4, z < 1/7 and four terms leave 2e-8 of it out.
   float near = clamp(y, 0.0, 0.25);
   float z = near / (2.0 - near);

@@ -62,8 +62,11 @@ export const NEAREST = 1e-15;
 /** Exponents below this are 0: x^0 = 1 for every x. */
 export const LEAST_EXPONENT = 1e-6;
 
-/** The smallest normal float32, 2^-126: a device may flush smaller numbers to zero. */
-const LEAST_NORMAL = 2 ** -126;
+/**
+ * Positive numbers below this count as zero. A device may flush what is below 2^-126; not that number itself, because
+ * Firefox hands constants to Mesa with so few digits that 2^-126 became a smaller one, and so zero.
+ */
+const TINY = 2 ** -120;
 
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
@@ -78,7 +81,7 @@ export function layoutDefines(): string {
     `#define TEXTURE_ROWS_LOG2 ${String(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
     `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,
-    `#define LEAST_NORMAL ${float(LEAST_NORMAL)}`,
+    `#define TINY ${float(TINY)}`,
   ];
   for (const [kind, rows] of Object.entries(ROWS)) {
     for (const [row, offset] of Object.entries(rows)) {

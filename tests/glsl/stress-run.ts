@@ -37,7 +37,7 @@ export async function stressRun(
   const each = cases / chosen.reduce((sum, category) => sum + weight(category), 0);
   const results: Measured[] = [];
   for (const category of chosen) {
-    const measured = nothingMeasured(category.id);
+    const measured = nothingMeasured(category);
     const { variants } = category;
     const wanted = Math.ceil((each * weight(category)) / variants.length);
     for (const [v, variant] of variants.entries()) {

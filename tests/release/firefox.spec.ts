@@ -1,9 +1,8 @@
 // Does the element hold in a second browser, on a second GL? Firefox with Mesa's software renderer, under Xvfb; driven by
 // puppeteer because Playwright's own Firefox is a build of its own.
-import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
-import { existsSync } from 'node:fs';
 import { expect, test } from '@playwright/test';
-import puppeteer, { type Browser } from 'puppeteer-core';
+import { startFirefox } from '../../.ci/firefox.mjs';
+import type { Report } from '../glsl/page/page.js';
 import { decodePng } from '../support/picture.js';
 import { startSite, testMounts, type Site } from '../support/site.js';
 import { compareWithReference } from '../visual/against-reference.js';
@@ -11,56 +10,41 @@ import { randomScene, sceneMarkup } from '../visual/random-scene.js';
 
 const SIZE = { width: 160, height: 120 };
 const SCENES = 60;
-/** A display of this run's own: another run may have the next one. */
-const SCREEN = 100 + (process.pid % 800);
-const NEEDED = ['firefox-esr', 'xvfb', 'libegl1', 'libgl1-mesa-dri'];
-
 let site: Site | undefined;
-let screen: ChildProcess | undefined;
-let browser: Browser | undefined;
+let firefox: Awaited<ReturnType<typeof startFirefox>> | undefined;
 
 // One worker, and so one Firefox and one screen.
 test.describe.configure({ mode: 'serial' });
 
-function has(command: string): boolean {
-  try {
-    execFileSync('which', [command], { stdio: 'ignore' });
-    return true;
-  } catch {
-    return false;
-  }
-}
-
 test.beforeAll(async () => {
   test.setTimeout(300_000);
-  if (!has('firefox-esr') || !has('Xvfb')) {
-    if (process.getuid?.() !== 0 || !has('apt-get'))
-      throw new Error(`This test needs ${NEEDED.join(', ')} (Debian's names).`);
-    execFileSync('apt-get', ['update', '-qq']);
-    execFileSync('apt-get', ['install', '-y', '-qq', ...NEEDED]);
-  }
   site = await startSite(testMounts);
-  screen = spawn('Xvfb', [`:${SCREEN}`, '-screen', '0', '1000x700x24'], { stdio: 'ignore' });
-  await expect.poll(() => existsSync(`/tmp/.X11-unix/X${SCREEN}`)).toBe(true);
-  browser = await puppeteer.launch({
-    browser: 'firefox',
-    executablePath: execFileSync('which', ['firefox-esr'], { encoding: 'utf8' }).trim(),
-    headless: false,
-    env: { ...process.env, DISPLAY: `:${SCREEN}` },
-    extraPrefsFirefox: { 'webgl.force-enabled': true },
-  });
+  firefox = await startFirefox();
 });
 
 test.afterAll(async () => {
-  await browser?.close();
-  screen?.kill();
+  await firefox?.close();
   await site?.close();
+});
+
+test('@release keeps the contract in Firefox, on its driver and on the worst lawful ones', async () => {
+  test.setTimeout(1_800_000);
+  if (firefox === undefined || site === undefined) throw new Error('Firefox did not start');
+  const page = await firefox.browser.newPage();
+  const seed = Math.floor(Math.random() * 2 ** 31);
+  for (const driver of ['shipped', 'up', 'down', 'either']) {
+    await page.goto(`${site.origin}/harness/index.html?driver=${driver}&cases=1e6&seed=${seed}`);
+    const report: Report = await page.evaluate(() => window.finished);
+    console.log(`seed ${seed}, ${driver}, ${report.seconds.toFixed(1)} s, ${report.renderer}`);
+    expect(report.error).toBeNull();
+    expect.soft(report.broken, driver).toEqual([]);
+  }
 });
 
 test('@release draws the equation in Firefox within one code of float64', async () => {
   test.setTimeout(900_000);
-  if (browser === undefined || site === undefined) throw new Error('Firefox did not start');
-  const page = await browser.newPage();
+  if (firefox === undefined || site === undefined) throw new Error('Firefox did not start');
+  const page = await firefox.browser.newPage();
   const said: string[] = [];
   page.on('console', (message) => said.push(message.text()));
   page.on('pageerror', (error) => said.push(String(error)));
@@ -87,8 +71,8 @@ test('@release draws the equation in Firefox within one code of float64', async 
 
 test('@release loads the bunny and its panel in Firefox under a strict policy', async () => {
   test.setTimeout(120_000);
-  if (browser === undefined || site === undefined) throw new Error('Firefox did not start');
-  const page = await browser.newPage();
+  if (firefox === undefined || site === undefined) throw new Error('Firefox did not start');
+  const page = await firefox.browser.newPage();
   const said: string[] = [];
   page.on('console', (message) => said.push(message.text()));
   const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';

@@ -7,6 +7,8 @@ import { branch, coneMargin } from './contract.js';
 /** What a category came to. Errors are in 1/255, over max(1, the sum of intensities). */
 export interface Measured {
   readonly id: string;
+  readonly title: string;
+  readonly bound: number;
   cases: number;
   /** Cases beside a branch point, by its name: they count for NaN and Infinity alone. */
   readonly excluded: Record<string, number>;
@@ -26,8 +28,14 @@ export interface Measured {
   worst: string;
 }
 
-export const nothingMeasured = (id: string): Measured => ({
+export const nothingMeasured = ({
   id,
+  title,
+  bound,
+}: Pick<Category, 'id' | 'title' | 'bound'>): Measured => ({
+  id,
+  title,
+  bound,
   cases: 0,
   excluded: {},
   notFinite: 0,
@@ -42,7 +50,7 @@ export const nothingMeasured = (id: string): Measured => ({
 
 /** Parts of one run, measured apart, as one. */
 export function mergeMeasured(parts: readonly Measured[]): Measured {
-  const sum = nothingMeasured(parts[0]!.id);
+  const sum = nothingMeasured(parts[0]!);
   let squares = 0;
   for (const part of parts) {
     squares += part.rms ** 2 * part.channels;

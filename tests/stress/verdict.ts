@@ -1,18 +1,16 @@
 // Does what was measured keep the contract?
-import { CATEGORIES } from './categories.js';
 import { EXACT } from './contract.js';
 import type { Measured } from './measure.js';
 
 /** Each way in which one category breaks the contract, in words; none where it keeps it. */
 export function verdictOf(measured: Measured): string[] {
-  const category = CATEGORIES.find(({ id }) => id === measured.id)!;
-  const { notFinite, max, wrongCodes } = measured;
+  const { title, bound, notFinite, max, wrongCodes } = measured;
   const words: string[] = [];
   if (notFinite > 0) words.push(`${String(notFinite)} channels not finite`);
-  if (!(max <= category.bound)) words.push(`error ${max.toPrecision(3)} above ${String(category.bound)}`);
+  if (!(max <= bound)) words.push(`error ${max.toPrecision(3)} above ${String(bound)}`);
   if (wrongCodes > 0) words.push(`${String(wrongCodes)} codes off by more than one`);
-  if (category.bound <= EXACT.upTo && !exactEnough(measured)) words.push(exactness(measured));
-  return words.map((word) => `${category.title}: ${word}`);
+  if (bound <= EXACT.upTo && !exactEnough(measured)) words.push(exactness(measured));
+  return words.map((word) => `${title}: ${word}`);
 }
 
 /** The same of a whole run. */
