@@ -8,8 +8,12 @@ import { comparedWithPicture, type Compared } from './shade-at-support.js';
 import { assign, cameraOf, type PhongViewer, settled } from './support.js';
 
 const SIZE = { width: 160, height: 120 };
-/** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
-const CONE_EDGE = 3e-3;
+/**
+ * The rasteriser snaps vertices to sixteenths of a pixel. So near a cone's edge or a light's horizon, in radians, a pixel
+ * may be on either side; and where colours change by more than these codes a pixel, it may be another one's.
+ */
+const EDGE = 3e-3;
+const STEEP = 8;
 /** More scenes, or others: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? 4);
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -23,7 +27,7 @@ class Tally {
   /** Pixels whose explained colour rounds to the drawn code count as exact. */
   add(compared: readonly Compared[], what: string): void {
     for (const fragment of compared) {
-      if (fragment.coneMargin < CONE_EDGE) continue;
+      if (fragment.edgeMargin < EDGE || fragment.steepness > STEEP) continue;
       for (let channel = 0; channel < 3; channel++) {
         const error = Math.abs(Math.round(fragment.explained[channel]!) - fragment.drawn[channel]!);
         this.channels += 1;
@@ -63,7 +67,7 @@ test.describe('agrees with the picture', () => {
       }
     }
     expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
-    // The rest lies within float32's rounding of a half: 0.1 % of channels in 360 scenes.
+    // The rest lies next to a half, within what float32 rounds: 0.15 % of the channels of 360 scenes.
     expect(tally.exact / tally.channels).toBeGreaterThan(0.995);
     expect(tally.channels).toBeGreaterThan(3 * 500);
   });

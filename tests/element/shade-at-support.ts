@@ -12,8 +12,10 @@ export interface Compared {
   /** 255 times the colour that was explained, not rounded. */
   readonly explained: readonly number[];
   readonly opacity: number;
-  /** Angle to the nearest cone's edge in radians; Infinity without any. */
-  readonly coneMargin: number;
+  /** Angle in radians to where a light begins to count: the edge of its cone, or its horizon. */
+  readonly edgeMargin: number;
+  /** Largest difference of a channel from the eight pixels around. */
+  readonly steepness: number;
 }
 
 /**
@@ -36,6 +38,7 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
         const here = await at(column, row);
         if (here === null) continue;
         let inside = true;
+        let steepness = 0;
         for (const [dx, dy] of [
           [-1, -1],
           [0, -1],
@@ -48,13 +51,17 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
         ] as const) {
           const there = await at(column + dx, row + dy);
           inside &&= there?.object === here.object && there.triangle === here.triangle;
+          for (const i of [0, 1, 2] as const)
+            steepness = Math.max(steepness, 255 * Math.abs((there?.color[i] ?? 0) - here.color[i]));
         }
         if (!inside) continue;
-        let coneMargin = Infinity;
+        let edgeMargin = Infinity;
         for (const share of here.shares) {
-          if (!share?.light || share.light.aperture >= 180) continue;
+          if (!share?.light) continue;
+          edgeMargin = Math.min(edgeMargin, Math.abs(share.NoL));
+          if (share.light.aperture >= 180) continue;
           const angle = Math.acos(Math.min(Math.max(share.c, -1), 1));
-          coneMargin = Math.min(coneMargin, Math.abs(angle - (share.light.aperture * Math.PI) / 180));
+          edgeMargin = Math.min(edgeMargin, Math.abs(angle - (share.light.aperture * Math.PI) / 180));
         }
         const pixel = 4 * (row * width + column);
         compared.push({
@@ -63,7 +70,8 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
           drawn: [...data.subarray(pixel, pixel + 4)],
           explained: here.color.map((x) => x * 255),
           opacity: here.opacity,
-          coneMargin,
+          edgeMargin,
+          steepness,
         });
       }
     }
