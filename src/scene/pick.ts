@@ -42,7 +42,7 @@ export function pick(
     if (isPhong(object) && own(object)) {
       for (const hit of phongHits(object, ray)) {
         // As the depth test: of two that are equally near the later one stays.
-        if (hit.depth <= depth) ({ depth } = nearest = hit);
+        if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
       }
     } else {
       const foreign = foreignDepth(object, camera, ray);
@@ -51,6 +51,9 @@ export function pick(
   }
   return nearest;
 }
+
+/** Faces in one plane, such as a flattened box's, differ in depth by roundings of float64: some 1e-15, times a few. */
+const COPLANAR = 1e-12;
 
 type PhongMesh = Mesh & { readonly material: PhongMaterial };
 

@@ -9,14 +9,18 @@ export interface Texels {
   readonly data: Uint8Array;
 }
 
+type Image = TexImageSource & { readonly width: number; readonly height: number };
+
 /** Read once an image: whoever asks for one fragment will ask for the next. Gone with the image. */
 const read = new WeakMap<object, Texels>();
 
 /** Throws where the image cannot be read. */
-export function texelsOf({ image }: Texture): Texels {
-  const source = image as TexImageSource & { readonly width: number; readonly height: number };
-  const known = read.get(source) ?? readTexels(source);
-  read.set(source, known);
+export function texelsOf(map: Texture): Texels {
+  if ((map as { isCompressedTexture?: boolean }).isCompressedTexture === true)
+    throw new Error('compressed textures cannot be read');
+  const image = map.image as Image;
+  const known = read.get(image) ?? readTexels(image);
+  read.set(image, known);
   return known;
 }
 
@@ -24,20 +28,27 @@ export function texelsOf({ image }: Texture): Texels {
  * Through a WebGL context of its own, gone at once: a 2D canvas would multiply by alpha, and transparent texels would
  * lose the colour that filtering brings into their neighbours.
  */
-function readTexels(image: TexImageSource & { readonly width: number; readonly height: number }): Texels {
-  const { width, height } = image;
+function readTexels(image: Image): Texels {
   const gl = document.createElement('canvas').getContext('webgl2');
   if (gl === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context to read a texture with');
+  try {
+    return readThrough(gl, image);
+  } finally {
+    gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+}
+
+function readThrough(gl: WebGL2RenderingContext, image: Image): Texels {
+  const { width, height } = image;
   const data = new Uint8Array(4 * width * height);
-  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
   const texture = gl.createTexture();
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
   gl.bindTexture(gl.TEXTURE_2D, texture);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
   gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
   gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
   gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
-  const failed = gl.getError() !== gl.NO_ERROR;
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
-  if (failed) throw new Error(`a texture of ${String(width)} × ${String(height)} texels cannot be read`);
+  if (gl.getError() !== gl.NO_ERROR)
+    throw new Error(`a texture of ${String(width)} × ${String(height)} texels cannot be read`);
   return { width, height, data };
 }

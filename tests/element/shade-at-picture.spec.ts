@@ -87,6 +87,27 @@ test.describe('agrees with the picture', () => {
     expect(tally.channels).toBeGreaterThan(3 * 50);
   });
 
+  test('within one code on what is flattened, stretched, seen from inside or behind others, at two pixels a CSS pixel', async ({
+    mount,
+  }) => {
+    const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
+      <phong-light space="camera" position="0.5 0.5 0 1" axis="0 0 -1" cutoff="3" diffuse="60 90 40" specular="0"></phong-light>`;
+    const viewer = await mount('<phong-viewer></phong-viewer>', { ...SIZE, deviceScaleFactor: 2 });
+    const tally = new Tally();
+    for (const meshes of [
+      '<phong-mesh geometry="box" scale="2 0 2"></phong-mesh>',
+      '<phong-mesh geometry="plane" scale="2 1e12 -2"></phong-mesh>',
+      '<phong-mesh geometry="sphere" segments="9" scale="9 9 -9"></phong-mesh>',
+      '<phong-mesh geometry="box"></phong-mesh><phong-mesh geometry="cone" segments="7" position="0 0.6 0.9"></phong-mesh>',
+    ]) {
+      await show(viewer, `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`);
+      const compared = await comparedWithPicture(viewer, 17);
+      expect(compared.length, meshes).toBeGreaterThan(20);
+      tally.add(compared, meshes);
+    }
+    expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
+  });
+
   test('within one code on textures, filtered, wrapped and moved as their file says, and on vertex colours', async ({
     mount,
   }) => {

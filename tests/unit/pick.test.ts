@@ -97,6 +97,17 @@ describe('the pick', () => {
     expect(look()!.object).toBe(later);
   });
 
+  it('takes the same face of a flattened box everywhere', () => {
+    const box = new Mesh(new BoxGeometry(1, 1, 1), new PhongMaterial(lighting));
+    box.scale.set(1, 1, 0);
+    box.rotation.set(0.3, 0.5, 0.7);
+    own.push(box);
+    scene.add(box);
+    const faces = new Set<number>();
+    for (let at = 40; at <= 60; at++) faces.add(Math.floor(look(at, 97 - at)!.triangle / 2));
+    expect([...faces]).toEqual([5]); // the last of its six
+  });
+
   it('is nothing before the near plane or behind the eye', () => {
     wall(2.9999);
     wall(4);
