@@ -229,6 +229,13 @@ describe('powers near their ends', () => {
     expect(Math.abs(decay / ((x * x) / 4) ** 0.1 - 1)).toBeLessThan(1e-12);
   });
 
+  it('keeps how a light stands to the eye where the eye is 1e15 from the origin', () => {
+    const place = [1e15, 0, 0] as const;
+    const camera = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] } as const;
+    const beside = { position: [0.03, 0, 0, 1], space: 'camera' } as const;
+    expect(one(beside, { p: place, eye: place }, {}, { camera }).d).toBe(0.03);
+  });
+
   it('keeps the highlight at exponent 1e6', () => {
     const off = 1e-3;
     const { specular } = one(

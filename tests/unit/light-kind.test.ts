@@ -82,6 +82,20 @@ describe('the facts', () => {
     expect(Object.values(facts).every(Boolean)).toBe(true);
   });
 
+  it.each(['ambient', 'diffuse', 'specular'] as const)(
+    'of %s light need it, and stay when it goes',
+    (term) => {
+      const black = { ...at, ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
+      const facts = noFacts();
+      gatherFacts(light(black), facts);
+      expect(facts).toStrictEqual({ ...noFacts(), point: true });
+      gatherFacts(light({ ...black, [term]: [0, 0, 1] }), facts);
+      expect(facts).toStrictEqual({ ...noFacts(), point: true, [term]: true });
+      gatherFacts(light(black), facts);
+      expect(facts).toStrictEqual({ ...noFacts(), point: true, [term]: true });
+    },
+  );
+
   it('do not ask whether a light is switched on, so that switching it compiles nothing', () => {
     fc.assert(
       fc.property(anyLight, (values) => {

@@ -109,6 +109,10 @@ describe('the normal matrix', () => {
     });
   });
 
+  it.each([1e-200, 5e-324])('leaves normals alone at scale %d, whose products are no numbers', (s) => {
+    expect(normals(new Matrix4().makeScale(s, s, s)).elements).toStrictEqual(new Matrix3().elements);
+  });
+
   it('gives the direction of normals at the two ends of the domain at once', () => {
     const model = place([0.3, 0.4, 0.5], [1e12, 1e-12, 1e12]);
     const axis = new Vector3(0, 1, 0).transformDirection(place([0.3, 0.4, 0.5], [1, 1, 1]));

@@ -54,6 +54,17 @@ describe('the cone and decay of a directional light', () => {
     expect([1e-10, 1e-3].map((x) => pack([behind(x)]).sent)).toStrictEqual([1, 1]);
   });
 
+  it('keep the digits of a decay right behind, and of the cutoff that is none there', () => {
+    const off = 2e-9;
+    const behind = (values: Partial<LightValues>): number => {
+      const packed = pack([light({ position: [off, 1, 0, 0], axis: [0, 1, 0], ...values })]);
+      return read(packed).directional[0]!['diffuse']!.xyz[0];
+    };
+    // (1 + c)/2 = off²/4, to 1e-18.
+    expect(behind({ cutoff: 0.1 }) / ((off * off) / 4) ** 0.1).toBeCloseTo(1, 6);
+    expect(behind({ cutoff: 9.9e-7, aperture: 180 - 1e-9 })).toBe(1);
+  });
+
   it('need an axis and a direction', () => {
     const open = { aperture: 0, cutoff: 9, ambient: [255, 0, 0] } as const;
     expect(read(pack([light({ ...open, axis: [0, 0, 0] })])).directional[0]!['diffuse']!.xyz[0]).toBe(1);

@@ -119,6 +119,14 @@ describe('a light is left out of the loop', () => {
     expect(pack([light({ diffuse: [0, 0, 0], specular: [0, 0, 5e-3] })]).sent).toBe(1);
     expect(pack([light({ ...spot, diffuse: [0, 0, 0], specular: [0, 0, 0] })]).sent).toBe(1);
   });
+
+  it.each(['ambient', 'diffuse', 'specular'] as const)(
+    'but not a spot whose %s light is left alone',
+    (term) => {
+      const black = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
+      expect(pack([light({ ...spot, ...black, [term]: [0, 5, 0] })]).sent).toBe(1);
+    },
+  );
 });
 
 describe('ambient light', () => {
@@ -174,6 +182,20 @@ describe('spaces', () => {
     expect(directional[0]!['direction']!.xyz.map((x) => x + 0)).toStrictEqual([1, 0, 0]);
     expect(point[0]!['position']!.xyz).toStrictEqual([-3, 2, 4]);
     expect(spots[0]!['axis']!.xyz.map((x) => x + 0)).toStrictEqual([-1, 0, 0]);
+  });
+
+  it('turn the shortest vectors as they turn any other', () => {
+    const [cos, sin] = [Math.sqrt(3) / 2, 0.5];
+    const turned = [cos, sin, 0, 0, -sin, cos, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+    const short = [5e-324, 0, 0] as const;
+    const { directional, spot: spots } = read(
+      pack([light({ position: [...short, 0] }), light({ ...spot, axis: short })], {
+        ...space,
+        worldToShading: turned,
+      }),
+    );
+    expect(directional[0]!['direction']!.xyz).toStrictEqual(floats(cos, sin, 0));
+    expect(spots[0]!['axis']!.xyz).toStrictEqual(floats(cos, sin, 0));
   });
 
   it('far from the origin lose nothing: the difference is taken before rounding', () => {
