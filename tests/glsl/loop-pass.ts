@@ -1,7 +1,8 @@
 // The whole shipped light loop on stress cases: one fragment a texel, each with lights of its own, packed by the shipped
 // packing. Only where the rows lie is the harness's own.
 import { FloatPass, type PassResult } from './float-pass.js';
-import { type Driver, onDriver } from './worst-driver.js';
+import { type Edit, edited } from './edit.js';
+import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
 import { srgbDecode } from '../../src/math/color.js';
 import type { Surface } from '../../src/reference/equation.js';
@@ -24,18 +25,8 @@ vec4 lightRow(int i) {
 
 const FACTS = ['AMBIENT', 'DIFFUSE', 'SPECULAR', 'DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION'];
 
-/** Text in the shader that is to be another: how a guard's worth is found out. */
-export interface Edit {
-  readonly from: string;
-  readonly to: string;
-}
-
 function loopSource({ reflection, linear }: Variant, driver: Driver, edit: Edit | null): string {
-  let text = `${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`;
-  if (edit !== null) {
-    if (text.split(edit.from).length !== 2) throw new Error(`not in the shader once: ${edit.from}`);
-    text = text.replace(edit.from, () => edit.to);
-  }
+  const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
   const defines = [
     'LIGHT_STORAGE STORAGE_OWN',
     ...FACTS.map((fact) => `HAS_${fact}`),
@@ -72,7 +63,7 @@ export class LoopPass {
       glsl: loopSource(variant, driver, edit),
       inputs: INPUTS,
       textures: ['u_rows'],
-      main: MAIN,
+      main: MAIN + spoiledBy(driver),
     });
   }
 

@@ -4,7 +4,8 @@ import { CATEGORIES } from '../stress/categories.js';
 import { type Measured, measureBatch, nothingMeasured } from '../stress/measure.js';
 import type { Variant } from '../stress/case.js';
 import { partSeed, Random } from '../stress/random.js';
-import { type Edit, LoopPass } from './loop-pass.js';
+import type { Edit } from './edit.js';
+import { LoopPass } from './loop-pass.js';
 import type { Driver } from './worst-driver.js';
 
 export interface RunOptions {

@@ -6,6 +6,13 @@
 export type Driver = 'shipped' | 'up' | 'down' | 'either';
 export const WORST_DRIVERS = ['up', 'down', 'either'] as const satisfies readonly Driver[];
 
+/**
+ * Statements for the end of a pass: NaN where any result was undefined, even one that nothing came of here. It could have
+ * been any number, and a compiler that assumes no NaN is free to decide by it.
+ */
+export const spoiledBy = (driver: Driver): string =>
+  driver === 'shipped' ? '' : '\n  if (worst_undefined) result = vec4(worst_nan());';
+
 const SIGN: Readonly<Record<Exclude<Driver, 'shipped'>, string>> = {
   up: '1',
   down: '-1',
@@ -77,7 +84,11 @@ function matching(text: string, i: number, step: 1 | -1): number {
 function worstBuiltIns(driver: Exclude<Driver, 'shipped'>): string {
   return `
 const float WORST_LEAST = 1.1754943508222875e-38; // 2^-126: smaller numbers may be flushed to zero
-float worst_nan() { return uintBitsToFloat(0x7fc00000u); }
+bool worst_undefined = false;
+float worst_nan() {
+  worst_undefined = true;
+  return uintBitsToFloat(0x7fc00000u);
+}
 int worst_sign(float x) { return ${SIGN[driver]}; }
 float worst_flush(float x) { return abs(x) < WORST_LEAST ? 0.0 : x; }
 /** x off by this many of its last places. */

@@ -5,7 +5,7 @@ import { type Measured, mergeMeasured } from '../../stress/measure.js';
 import { verdict, verdictOf } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
 import { type Checked, checkChunks } from '../chunk-checks.js';
-import type { Edit } from '../loop-pass.js';
+import type { Edit } from '../edit.js';
 import { stressRun } from '../stress-run.js';
 import type { Driver } from '../worst-driver.js';
 
@@ -64,7 +64,7 @@ async function run(): Promise<Report> {
     const gl = floatContext();
     renderer = rendererName(gl);
     byId('about').textContent = `${renderer} · ${driver} · seed ${String(seed)}`;
-    checked = edit === null ? checkChunks(gl, driver, seed) : [];
+    checked = checkChunks(gl, driver, seed, edit);
     measured = await stressRun(gl, {
       seed,
       driver,
