@@ -8,7 +8,7 @@ import { add, scale, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, ORIGIN, type StressCase } from './case.js';
 import { BOTH, type Category } from './category.js';
 import { BOUNDS } from './contract.js';
-import { anyLight, colors, direction, place, seen, stressCase, surface } from './fragments.js';
+import { anyLight, colors, direction, place, seen, shortNormal, stressCase, surface } from './fragments.js';
 import { float32, type Random } from './random.js';
 
 /** A light, perhaps a spot, at the fragment or no farther than float32 tells apart from it. */
@@ -41,6 +41,16 @@ function directionOfAnyLength(random: Random): StressCase {
   return stressCase(fragment, surface(random, random.from(1, 64)), [
     lightWith({ ...colors(random), position }),
   ]);
+}
+
+/** The eye looks straight into the light from behind the fragment: L + V is zero, and Blinn's half vector has no direction. */
+function opposite(random: Random): StressCase {
+  const L = random.pick(AXES.slice(0, 3));
+  const normal = shortNormal(random, random.around(L, random.from(0, 1.5)));
+  const p: Vec3 = [random.pick([-1, 0, 2]), random.pick([-2, 0, 1]), random.pick([-1, 0, 1])];
+  const eye = add(p, scale(L, -random.pick([0.5, 1, 3, 4])));
+  const light = lightWith({ ...colors(random), position: direction(scale(L, random.magnitude(0.1, 10))) });
+  return stressCase({ p, normal, eye }, surface(random, random.from(0, 64)), [light]);
 }
 
 const SMALLEST = 2 ** -149;
@@ -152,6 +162,13 @@ export const degenerateCategories: readonly Category[] = [
     bound: BOUNDS.generic,
     variants: BOTH,
     make: directionOfAnyLength,
+  },
+  {
+    id: 'opposite',
+    title: 'light and eye exactly opposite each other',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: opposite,
   },
   {
     id: 'normals',

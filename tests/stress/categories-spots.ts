@@ -103,7 +103,11 @@ export const spotCategories: readonly Category[] = [
     variants: [PHONG],
     make: (random) => {
       const cutoff = random.pick([0, 1e-7, 1e-6, random.magnitude(1e-6, 1), random.from(0, 1)]);
-      return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1)]), { cutoff });
+      // From where the contract begins, 1e-3 rad from straight behind: there the base is all but gone.
+      const back = Math.PI - random.magnitude(1e-3, 0.1);
+      return spot(random, random.pick([random.from(0, Math.PI), random.magnitude(1e-6, 1), back]), {
+        cutoff,
+      });
     },
   },
   {
