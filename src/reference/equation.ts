@@ -59,7 +59,7 @@ export interface LightShare {
   readonly L: Vec3;
   /** Distance; Infinity for directional lights. */
   readonly d: number;
-  /** Cosine of the angle between the spot's axis and the fragment; 1 where the light is no spot. */
+  /** Cosine of the angle between the axis and the fragment, cone or not; 1 where axis or L is zero. */
   readonly c: number;
   readonly insideCone: boolean;
   readonly att: number;

@@ -24,7 +24,7 @@ export interface Measured {
   wrongCodes: number;
   /** Largest distance from a cone's edge, radians, at which a fragment was taken for one of the other side. */
   edge: number;
-  /** The case with the largest error, to look into. */
+  /** The case with the largest error, to look into, where that breaks the contract; else empty. */
   worst: string;
 }
 
@@ -97,7 +97,8 @@ export function measureBatch(
       into.channels += 1;
       if (!(off <= into.max)) {
         into.max = off;
-        into.worst = JSON.stringify({ variant, stress, got: [...got], expected: shaded.sum });
+        if (off > category.bound)
+          into.worst = JSON.stringify({ variant, stress, got: [...got], expected: shaded.sum });
       }
       const code = codes[i * 4 + channel]!;
       const exact = shaded.color[channel]! * 255;
