@@ -6,7 +6,7 @@
 //   npm run stress -- --cases 1e8 --seed 7 --drivers shipped,up,down,either --pages 2 --out tests/stress/results/name.json
 //   --browser /path/to/chrome --arg=--use-angle=vulkan --arg=… (none: software GL)  --firefox  --only generic,normals
 
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -41,31 +41,34 @@ const browser = await launch();
 const seed = Number(options.seed);
 console.log(`seed ${seed}`);
 
-/** @typedef {{ broken: readonly string[], checked: readonly Checked[], measured: readonly Measured[] }} Result */
+/** @typedef {{ seed?: number, broken: readonly string[], checked: readonly Checked[], measured: readonly Measured[] }} Result */
 /** @type {Record<string, Result>} */
 const drivers = {};
 let renderer = '';
 let agent = '';
+/** @type {Report['contract'] | undefined} */
+let contract;
 for (const driver of options.drivers.split(',')) {
   const start = performance.now();
   const result = await runDriver(driver);
-  drivers[driver] = result;
+  drivers[driver] = { seed, ...result };
   print(driver, (performance.now() - start) / 1000, result);
 }
-if (options.out !== '') {
-  mkdirSync(dirname(options.out), { recursive: true });
-  const stack = { renderer, browser: agent, seed, cases: Number(options.cases) };
-  // The worst case itself is for looking into at once: with the seed it can be had again.
-  const kept = JSON.stringify(
-    { ...stack, drivers },
-    (key, value) => (key === 'worst' ? undefined : value),
-    1,
-  );
-  writeFileSync(options.out, `${kept}\n`);
-}
+if (options.out !== '') keep(options.out);
 await browser.close();
 site.close();
 process.exit(Object.values(drivers).some(({ broken }) => broken.length > 0) ? 1 : 0);
+
+/** Writes what was measured beside what the file holds of other drivers on the same stack. @param {string} file */
+function keep(file) {
+  mkdirSync(dirname(file), { recursive: true });
+  const before = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
+  const others = before.renderer === renderer ? before.drivers : {};
+  const stack = { renderer, browser: agent, contract, drivers: { ...others, ...drivers } };
+  // The worst case itself is for looking into at once: with the seed it can be had again.
+  const text = JSON.stringify(stack, (key, value) => (key === 'worst' ? undefined : value), 1);
+  writeFileSync(file, `${text}\n`);
+}
 
 /** @param {string} driver */
 async function runDriver(driver) {
@@ -87,7 +90,7 @@ async function runDriver(driver) {
   await Promise.all(Array.from({ length: Number(options.pages) }, worker));
   const failed = reports.find(({ error }) => error !== null);
   if (failed) throw new Error(`${failed.renderer}: ${failed.error}`);
-  ({ renderer, browser: agent } = /** @type {Report} */ (reports[0]));
+  ({ renderer, browser: agent, contract } = /** @type {Report} */ (reports[0]));
   return browser.merge(reports);
 }
 

@@ -1,6 +1,7 @@
 // How exact is a sphere's picture? What the arithmetic loses, against the element's own triangles in float64, and what the
 // tessellation loses, those triangles against a sphere. Random scenes by markup alone; their seeds are printed.
 import { writeFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { length, subtract } from '../../src/math/vector.js';
 import { expect, pixels, test } from '../support/test.js';
 import { compareWithIdeal, compareWithTriangles, type TessellationErrors } from './against-triangles.js';
@@ -92,10 +93,11 @@ test('comes nearer to the ideal sphere with the square of its segments', ({}, te
       outlineShare: mean((e) => e.outline / e.pixels),
     };
   });
-  writeFileSync(
-    testInfo.outputPath('tessellation.json'),
-    JSON.stringify({ first: FIRST, scenes, table }, null, 2),
-  );
+  const figures = `${JSON.stringify({ first: FIRST, scenes, table }, null, 1)}\n`;
+  writeFileSync(testInfo.outputPath('tessellation.json'), figures);
+  // The report quotes these.
+  if (process.env['UPDATE_PICTURES'] !== undefined)
+    writeFileSync(fileURLToPath(new URL('tessellation.json', import.meta.url)), figures);
   console.log(`tessellation of ${scenes} spheres from seed ${FIRST} on, in codes of 255:`);
   for (const row of table) {
     console.log(

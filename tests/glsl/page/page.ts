@@ -1,6 +1,7 @@
 // A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from the address
 // (?cases=1000000&seed=1&driver=shipped&only=generic), a table to look at and a report for whoever drives the page.
 import { CATEGORIES } from '../../stress/categories.js';
+import { BRANCHES, CONE_EDGE, EXACT } from '../../stress/contract.js';
 import { type Measured, mergeMeasured } from '../../stress/measure.js';
 import { verdict, verdictOf } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
@@ -9,7 +10,11 @@ import type { Edit } from '../edit.js';
 import { stressRun } from '../stress-run.js';
 import type { Driver } from '../worst-driver.js';
 
+/** What the measured is held against. */
+const CONTRACT = { edge: CONE_EDGE, branches: BRANCHES, exact: EXACT } as const;
+
 export interface Report {
+  readonly contract: typeof CONTRACT;
   readonly renderer: string;
   readonly browser: string;
   readonly driver: Driver;
@@ -86,7 +91,18 @@ async function run(): Promise<Report> {
   byId('verdict').textContent =
     error ?? (broken.length === 0 ? 'The contract holds.' : `Broken: ${broken.join('; ')}`);
   const seconds = (performance.now() - start) / 1000;
-  return { renderer, browser: navigator.userAgent, driver, seed, seconds, checked, measured, broken, error };
+  return {
+    contract: CONTRACT,
+    renderer,
+    browser: navigator.userAgent,
+    driver,
+    seed,
+    seconds,
+    checked,
+    measured,
+    broken,
+    error,
+  };
 }
 
 function row(result: Measured): HTMLTableRowElement {

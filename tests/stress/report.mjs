@@ -1,0 +1,289 @@
+// @ts-check
+// `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each stack: REPORT.md here, and the
+// short table of the README between its markers. Nothing in them is typed by hand.
+
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const results = join(repository, 'tests/stress/results');
+const WORST = ['up', 'down', 'either'];
+const MARKERS = ['<!-- contract: written by npm run stress:report -->', '<!-- /contract -->'];
+
+/**
+ * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[], measured: import('./measure.js').Measured[] }} Result
+ * @typedef {{ name: string, renderer: string, browser: string, contract: import('../glsl/page/page.js').Report['contract'], drivers: Record<string, Result> }} Stack
+ * @typedef {{ scenes: number, table: { segments: number, rmse: number, percentile999: number, max: number }[] }} Tessellation
+ */
+
+/** How far drawn spheres are from ideal ones. @returns {Tessellation} */
+export const readTessellation = () =>
+  JSON.parse(readFileSync(join(repository, 'tests/visual/tessellation.json'), 'utf8'));
+
+/** What lies in tests/stress/results, by name. @returns {Stack[]} */
+export function readStacks() {
+  return readdirSync(results)
+    .filter((file) => file.endsWith('.json'))
+    .sort()
+    .map((file) => ({
+      name: file.slice(0, -'.json'.length).replaceAll('-', ' '),
+      ...JSON.parse(readFileSync(join(results, file), 'utf8')),
+    }));
+}
+
+/**
+ * The whole report.
+ * @param {readonly Stack[]} stacks
+ * @param {Tessellation} tessellation
+ */
+export function reportText(stacks, tessellation) {
+  return `# How exact the light loop is: the measured contract
+
+Written by \`npm run stress:report\` from tests/stress/results; do not edit. \`npm run stress -- --out
+tests/stress/results/NAME.json\` measures a stack anew, from a new seed.
+
+The shipped GLSL with the shipped packing, on fragments whose point and normal are given, against the equation in float64
+(\`phong-viewer/reference\`). Errors are of the sum before clamping, in 1/255, over max(1, the sum of the lights'
+intensities times the largest of Ka, Kd and Ks).
+
+## Stacks
+
+${table(
+  ['stack', 'driver, as it names itself', 'browser', 'cases', 'on each worst driver', 'seeds from'],
+  stacks.map((stack) => [
+    stack.name,
+    stack.renderer,
+    browserName(stack.browser),
+    millions(casesOf(stack, ['shipped'])),
+    millions(Math.min(...WORST.map((driver) => casesOf(stack, [driver])))),
+    [...new Set(Object.values(stack.drivers).map(({ seed }) => seed))].join(', '),
+  ]),
+)}
+
+A *worst driver* is the same GLSL with each built-in function replaced by one that errs by all that the Vulkan specification
+allows (exp2 3 + 2|x| ULP, log2 3 ULP or 2^-21 near 1, inversesqrt 2 ULP, division 2.5 ULP), always up, always down, or
+either way by chance, and that gives NaN wherever the result is undefined.
+
+## Categories
+
+Largest error of each category on each stack, and on the worst drivers of all stacks.
+
+${table(
+  ['category', 'bound', ...stacks.map(({ name }) => name), 'worst drivers', 'exact codes, least', 'left out'],
+  rowsOf(stacks).map(({ title, bound, id }) => [
+    title,
+    String(bound),
+    ...stacks.map((stack) => digits(largest([stack], id, ['shipped']))),
+    digits(largest(stacks, id, WORST)),
+    percent(leastExact(stacks, id)),
+    leftOut(stacks, id),
+  ]),
+)}
+
+On all stacks and drivers together: ${String(total(stacks, 'notFinite'))} channels NaN or infinite, ${String(
+    total(stacks, 'wrongCodes'),
+  )} 8-bit codes off by more than one, of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
+on at least ${percent(Math.min(...stacks.map(exactOfAll)))} of the channels of every stack with its own driver.
+
+## What is left out
+
+${leftOutText(stacks[0])}
+
+## Chunks alone
+
+Largest error of each function against its law in float64, on 16,384 inputs from all over its domain (the storages: every
+number that they hold).
+
+${table(
+  ['what holds', 'bound', ...stacks.map(({ name }) => name), 'worst drivers'],
+  (stacks[0]?.drivers['shipped']?.checked ?? []).map(({ title, bound }) => [
+    title,
+    String(bound),
+    ...stacks.map((stack) => digits(largestCheck([stack], title, ['shipped']))),
+    digits(largestCheck(stacks, title, WORST)),
+  ]),
+)}
+
+## Curved shapes
+
+Beside arithmetic, a curved mesh differs from the shape that it stands for. A sphere as it is drawn against the ideal
+one, both in float64, in 8-bit codes, over ${String(tessellation.scenes)} random scenes (tests/visual/sphere.spec.ts;
+\`UPDATE_PICTURES=1\` records it anew):
+
+${table(
+  ['segments', 'RMSE', '99.9 % within', 'largest'],
+  tessellation.table.map(({ segments, rmse, percentile999, max }) => [
+    String(segments),
+    digits(rmse),
+    digits(percentile999),
+    digits(max),
+  ]),
+)}
+
+Whether the tests see it when a guard or a hoisted term is missing: [the table of mutants](../mutation/TABLE.md).
+`;
+}
+
+/** The README's part, markers included. @param {readonly Stack[]} stacks */
+export function readmeText(stacks) {
+  const rows = rowsOf(stacks);
+  const bounds = [...new Set(rows.map(({ bound }) => bound))].sort((a, b) => a - b);
+  const groups = bounds.map((bound) => ({ bound, members: rows.filter((row) => row.bound === bound) }));
+  const over = (/** @type {readonly { id: string }[]} */ members, /** @type {readonly string[]} */ drivers) =>
+    digits(Math.max(...members.map(({ id }) => largest(stacks, id, drivers))));
+  return `${MARKERS[0]}
+
+${table(
+  ['', 'bound', 'largest measured', 'on the worst lawful driver'],
+  groups
+    .map(({ bound, members }) => [
+      // The first bound is everybody's; what differs from it is named.
+      bound === bounds[0]
+        ? `all else: ${String(members.length)} categories`
+        : members.map(({ title }) => title).join('; '),
+      String(bound),
+      over(members, ['shipped']),
+      over(members, WORST),
+    ])
+    .reverse(),
+)}
+
+${millions(total(stacks, 'cases'))} fragments on ${String(stacks.length)} stacks: ${stacks
+    .map(({ name }) => name)
+    .join(', ')}. ${String(total(stacks, 'notFinite'))} channels NaN or infinite; ${String(
+    total(stacks, 'wrongCodes'),
+  )} 8-bit codes off by more than one; at least ${percent(Math.min(...stacks.map(exactOfAll)))} of codes exactly the nearest.
+
+${MARKERS[1]}`;
+}
+
+/** @param {string} readme @param {string} part */
+export function withPart(readme, part) {
+  const [open, close] = MARKERS.map((marker) => readme.indexOf(marker));
+  if (open === undefined || close === undefined || open < 0 || close < open)
+    throw new Error('the README has lost its markers for the contract');
+  return readme.slice(0, open) + part + readme.slice(close + (MARKERS[1]?.length ?? 0));
+}
+
+/** Categories in the order of the run. @param {readonly Stack[]} stacks */
+const rowsOf = (stacks) => stacks[0]?.drivers['shipped']?.measured ?? [];
+
+/** @param {readonly Stack[]} stacks @param {readonly string[]} [drivers] */
+const resultsOf = (stacks, drivers) =>
+  stacks.flatMap((stack) =>
+    Object.entries(stack.drivers)
+      .filter(([driver]) => drivers === undefined || drivers.includes(driver))
+      .map(([, result]) => result),
+  );
+
+/** @param {readonly Stack[]} stacks @param {string} id @param {readonly string[]} [drivers] */
+const ofCategory = (stacks, id, drivers) =>
+  resultsOf(stacks, drivers).flatMap(({ measured }) => measured.filter((one) => one.id === id));
+
+/** @param {readonly Stack[]} stacks @param {string} id @param {readonly string[]} drivers */
+const largest = (stacks, id, drivers) => Math.max(...ofCategory(stacks, id, drivers).map(({ max }) => max));
+
+/** @param {readonly Stack[]} stacks @param {string} title @param {readonly string[]} drivers */
+const largestCheck = (stacks, title, drivers) =>
+  Math.max(
+    ...resultsOf(stacks, drivers).flatMap(({ checked }) =>
+      checked.filter((one) => one.title === title).map(({ max }) => max),
+    ),
+  );
+
+/** @param {readonly Stack[]} stacks @param {string} id */
+const leastExact = (stacks, id) =>
+  Math.min(...ofCategory(stacks, id, ['shipped']).map(({ exact, channels }) => exact / channels));
+
+/** @param {Stack} stack */
+const exactOfAll = (stack) => {
+  const all = resultsOf([stack], ['shipped']).flatMap(({ measured }) => measured);
+  return sum(all, 'exact') / sum(all, 'channels');
+};
+
+/** @param {Stack} stack @param {readonly string[]} drivers */
+const casesOf = (stack, drivers) =>
+  sum(
+    resultsOf([stack], drivers).flatMap(({ measured }) => measured),
+    'cases',
+  );
+
+/** @param {readonly Stack[]} stacks @param {'notFinite' | 'wrongCodes' | 'channels' | 'cases'} key */
+const total = (stacks, key) =>
+  sum(
+    resultsOf(stacks).flatMap(({ measured }) => measured),
+    key,
+  );
+
+/**
+ * @template {string} K
+ * @param {readonly Record<K, number>[]} list @param {K} key
+ */
+const sum = (list, key) => list.reduce((before, one) => before + one[key], 0);
+
+/** Shares of a category's cases beside a branch point. @param {readonly Stack[]} stacks @param {string} id */
+function leftOut(stacks, id) {
+  const all = ofCategory(stacks, id, ['shipped']);
+  const cases = sum(all, 'cases');
+  /** @type {Record<string, number>} */
+  const counts = {};
+  for (const { excluded } of all)
+    for (const [name, count] of Object.entries(excluded)) counts[name] = (counts[name] ?? 0) + count;
+  return Object.entries(counts)
+    .filter(([, count]) => count / cases >= 5e-5)
+    .map(([name, count]) => `${name} ${percent(count / cases, 2)}`)
+    .join(', ');
+}
+
+/** @param {Stack | undefined} stack */
+function leftOutText(stack) {
+  if (stack === undefined) return '';
+  const { branches, edge } = stack.contract;
+  return `Beside points where the equation itself jumps or is infinitely steep, or where the float32 input no longer tells what
+was meant, only finite numbers are promised:
+
+- *edge*: nearer to a cone's edge than ${exponent(edge)} rad;
+- *gate*: |N·L| below ${exponent(branches.gate)}, where the specular term begins;
+- *lobe*: |R·V| or |N·H| below ${exponent(branches.lobe)} with shininess below 1;
+- *back*: nearer than ${exponent(branches.back)} rad to straight behind a spot with cutoff below 1;
+- *near*: a light at less than ${exponent(branches.near)} of the largest coordinate in shading space, but not within 1e-15;
+- *half*: |L + V| below ${exponent(branches.half)} with Blinn's lobe: light and eye opposite each other;
+- *normal*: an interpolated normal shorter than 2^${String(Math.log2(branches.normal))}, but not zero.`;
+}
+
+/** @param {readonly string[]} head @param {readonly (readonly string[])[]} rows */
+function table(head, rows) {
+  const line = (/** @type {readonly string[]} */ cells) => `| ${cells.join(' | ')} |`;
+  return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n');
+}
+
+/** Two digits, and none after a zero. @param {number} x */
+function digits(x) {
+  if (!Number.isFinite(x)) return '–';
+  if (x === 0) return '0';
+  return x < 1e-3 ? exponent(Number(x.toPrecision(2))) : String(Number(x.toPrecision(2)));
+}
+
+/** @param {number} x */
+const exponent = (x) => x.toExponential().replace('e+', 'e');
+
+/** Rounded down: "at least". @param {number} share */
+function percent(share, places = 4) {
+  const scale = 10 ** places;
+  return `${String(Math.floor(share * 100 * scale) / scale)} %`;
+}
+
+/** @param {number} count */
+const millions = (count) =>
+  count >= 1e6 ? `${String(Math.floor(count / 1e5) / 10)} million` : count.toLocaleString('en-GB');
+
+/** @param {string} agent */
+const browserName = (agent) => /(Firefox|Chrome)\/(\d+)/.exec(agent)?.slice(1, 3).join(' ') ?? agent;
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const stacks = readStacks();
+  writeFileSync(join(repository, 'tests/stress/REPORT.md'), reportText(stacks, readTessellation()));
+  const readme = join(repository, 'README.md');
+  writeFileSync(readme, withPart(readFileSync(readme, 'utf8'), readmeText(stacks)));
+}
