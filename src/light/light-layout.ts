@@ -64,7 +64,7 @@ export const LEAST_EXPONENT = 1e-6;
 
 /**
  * Positive numbers below this count as zero. A device may flush what is below 2^-126; not that number itself, because
- * Firefox hands constants to Mesa with so few digits that 2^-126 became a smaller one, and so zero.
+ * Firefox on Mesa reads literals of 1.2e-38 and less as zero.
  */
 const TINY = 2 ** -120;
 

@@ -83,7 +83,7 @@ function matching(text: string, i: number, step: 1 | -1): number {
 
 function worstBuiltIns(driver: Exclude<Driver, 'shipped'>): string {
   return `
-const float WORST_LEAST = 1.2e-38; // a little above 2^-126, which Firefox on Mesa reads as zero: smaller numbers may be flushed
+const float WORST_LEAST = 1e-37; // smaller numbers may be flushed; literals of 1.2e-38 and less are zero to Firefox on Mesa
 bool worst_undefined = false;
 float worst_nan() {
   worst_undefined = true;
