@@ -3,7 +3,7 @@
 vec3 srgbDecode(vec3 encoded) {
   vec3 e = max(encoded, 0.0);
   vec3 line = e / SRGB_SLOPE;
-  vec3 curve = pow((max(e, SRGB_ENCODED_KNEE) + SRGB_OFFSET) / (1.0 + SRGB_OFFSET), vec3(SRGB_EXPONENT));
+  vec3 curve = pow((e + SRGB_OFFSET) / (1.0 + SRGB_OFFSET), vec3(SRGB_EXPONENT));
   return mix(curve, line, lessThanEqual(e, vec3(SRGB_ENCODED_KNEE)));
 }
 

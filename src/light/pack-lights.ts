@@ -108,9 +108,7 @@ function directionalDecay(light: Values): number {
   const inside =
     limit < 0 ? Math.sqrt(p) >= Math.sqrt(-limit) - rounding : Math.sqrt(q) <= Math.sqrt(limit) + rounding;
   if (!inside) return 0;
-  return light.cutoff < LEAST_EXPONENT
-    ? 1
-    : Math.exp(light.cutoff * (q < 0.5 ? Math.log1p(-q) : Math.log(p)));
+  return light.cutoff < LEAST_EXPONENT ? 1 : p ** light.cutoff;
 }
 
 /** |a + b|²/4 of unit vectors: (1 - dot(a, -b))/2 without its cancellation near 0. */
@@ -158,12 +156,7 @@ const WRITERS: Readonly<Record<LightKind, Writer>> = {
   directional(data, at, light, colors, space) {
     const [x, y, z] = light.position;
     const row = ROWS.directional;
-    write(
-      data,
-      at + row.direction * 4,
-      normalize(transform(matrixOf(light, space), normalize([x, y, z]), 0)),
-      0,
-    );
+    write(data, at + row.direction * 4, transform(matrixOf(light, space), normalize([x, y, z]), 0), 0);
     write(data, at + row.diffuse * 4, colors.diffuse, 0);
     write(data, at + row.specular * 4, colors.specular, 0);
   },
@@ -171,7 +164,7 @@ const WRITERS: Readonly<Record<LightKind, Writer>> = {
   spot(data, at, light, colors, space) {
     const row = ROWS.spot;
     writePoint(data, at, light, colors, space);
-    const A = normalize(transform(matrixOf(light, space), normalize(light.axis), 0));
+    const A = transform(matrixOf(light, space), normalize(light.axis), 0);
     write(data, at + row.axis * 4, A, light.cutoff);
     write(data, at + row.ambient * 4, colors.ambient, packedLimit(light.aperture));
   },

@@ -40,7 +40,7 @@ export const glslMutants = [
       '(1.0 / 3.0)',
     ],
     ['the change from ln to log2', '-2.0 * LOG2_E * z', '-2.0 * z'],
-    ['x = 1 - y as the series’ argument: y alone', 'near / (2.0 - near)', 'near * 0.5'],
+    ['x = 1 - y as the series’ argument: y alone', 'y / (2.0 - y)', 'y * 0.5'],
   ]),
   ...mutantsOf('shaders/attenuation.glsl', [
     ['att is at most 1', 'max(k.x + d * (k.y + d * k.z), 1.0)', '(k.x + d * (k.y + d * k.z))'],

@@ -118,16 +118,7 @@ export const packingMutants = mutantsOf('src/light/pack-lights.ts', [
     'return light.cutoff < 0',
   ],
   ['a directional light’s decay', 'return light.cutoff < LEAST_EXPONENT', 'return light.cutoff < Infinity'],
-  [
-    'the logarithm of a directional decay near its axis: log1p everywhere',
-    'q < 0.5 ? Math.log1p(-q) : Math.log(p)',
-    'Math.log1p(-q)',
-  ],
-  [
-    'the logarithm of a directional decay near its axis: the cosine’s',
-    'q < 0.5 ? Math.log1p(-q) : Math.log(p)',
-    'Math.log((1 - dot(L, A)) / 2)',
-  ],
+  ['a directional decay’s chord: the cosine', 'p ** light.cutoff', '((1 - dot(L, A)) / 2) ** light.cutoff'],
   ['a quarter of the chord’s square: a half', 'dot(sum, sum) / 4', 'dot(sum, sum) / 2'],
   ['aperture 180 opens the cone', 'if (aperture >= 180) return LIMIT_OPEN;', ''],
   [
