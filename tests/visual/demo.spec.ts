@@ -1,7 +1,7 @@
 // Do the demo's pages still show what they showed? Every viewer of every page, drawn small and laid side by side.
 import { compare, expect, expectPicture, pixels, test, type Picture } from '../support/test.js';
 
-const PAGES = ['', 'bunny/', 'shapes/', 'article/', 'lights/'];
+const PAGES = ['', 'bunny/', 'shapes/', 'article/', 'lights/', 'explain/'];
 const TILE = { width: 160, height: 120 };
 const COLUMNS = 6;
 

@@ -1,0 +1,182 @@
+// The page of one fragment: which point is looked at, when it is explained anew, and what its pixel shows. One
+// explanation is under way at most, and none while nothing changes. Places are CSS pixels in the picture.
+import '../page.js';
+import type { FragmentExplanation, Vec3 } from 'phong-viewer';
+import { distance, drawInPicture, type Place, project } from './drawing.js';
+import { codes, pixelRow, stepRows, sumRows, vectorRows } from './tables.js';
+
+/** A press that travels farther than this before it ends is a drag, and turns the camera. CSS pixels. */
+const STEADY = 4;
+/** How long everything rests before the picture is read and the result is told. Milliseconds. */
+const REST = 400;
+/**
+ * A surface nearer to the eye than the marked point, by more than this share, hides it. Nearer by less, it is the same
+ * surface at the centre of the pixel: half a pixel aside, about a tenth of this, it may lean by more than 80 degrees.
+ */
+const IN_FRONT = 0.005;
+
+const viewer = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('#shape')!;
+const part = (id: string): HTMLElement => document.getElementById(id)!;
+const across = part('across') as HTMLInputElement;
+const down = part('down') as HTMLInputElement;
+
+/** Where the reader has put the mark; `p` is the surface's point there, which it then stays on. */
+interface Mark {
+  /** Shares of the picture's width and height. */
+  readonly x: number;
+  readonly y: number;
+  p: Vec3 | null;
+}
+
+let mark: Mark = { x: across.valueAsNumber / 100, y: down.valueAsNumber / 100, p: null };
+/** Under a mouse that only looks; wins over the mark where it is on the shape. */
+let hover: Place | null = null;
+/** The picture as it is now, once it was read. */
+let picture: ImageData | null = null;
+let shown: { readonly at: Place; readonly fragment: FragmentExplanation | null } | null = null;
+let busy = false;
+let again = false;
+let reading = false;
+/** Counts what has changed the picture. */
+let changes = 0;
+let rest: ReturnType<typeof setTimeout> | undefined;
+
+/** Explains what is looked at; asked for while it does so, it starts once more at the end. */
+async function explain(): Promise<void> {
+  again = true;
+  if (busy) return;
+  busy = true;
+  while (again) {
+    again = false;
+    show((await hovered()) ?? (await marked()));
+  }
+  busy = false;
+}
+
+async function hovered(): Promise<typeof shown> {
+  const at = hover;
+  const fragment = at && (await viewer.shadeAt(at.x, at.y));
+  return at && fragment && { at, fragment };
+}
+
+async function marked(): Promise<NonNullable<typeof shown>> {
+  const { width, height } = viewer.getBoundingClientRect();
+  const here = mark;
+  const at = here.p === null ? { x: here.x * width, y: here.y * height } : project(viewer, here.p);
+  const { eye } = viewer.camera;
+  const fragment = await viewer.shadeAt(at.x, at.y);
+  here.p ??= fragment?.p ?? null;
+  const hidden = fragment !== null && distance(fragment.p, eye) < (1 - IN_FRONT) * distance(here.p!, eye);
+  return { at, fragment: hidden ? null : fragment };
+}
+
+function show(now: NonNullable<typeof shown>): void {
+  shown = now;
+  const { at, fragment } = now;
+  drawInPicture(part('vectors'), viewer, at, fragment);
+  const { width, height } = viewer.getBoundingClientRect();
+  for (const [input, share] of [
+    [across, at.x / width],
+    [down, at.y / height],
+  ] as const) {
+    // What the reader moves stays where it was put.
+    if (input !== document.activeElement || hover !== null) input.valueAsNumber = 100 * share;
+    input.nextElementSibling!.textContent = (100 * share).toFixed(1);
+  }
+  part('numbers').classList.toggle('empty', fragment === null);
+  part('steps').classList.toggle('empty', fragment === null);
+  if (fragment !== null) {
+    part('directions').replaceChildren(...vectorRows(fragment));
+    part('sum').replaceChildren(...sumRows(fragment), pixelRow(fragment.color, pixelAt(at)));
+    part('of-lights').replaceChildren(...stepRows(fragment));
+  }
+  clearTimeout(rest);
+  rest = setTimeout(() => void settle(), REST);
+}
+
+/** Nothing has moved for a while: the picture is read where it has changed, and the result told in a line. */
+async function settle(): Promise<void> {
+  if (reading) return;
+  reading = true;
+  for (let seen = -1; picture === null && seen !== changes;) {
+    seen = changes;
+    const read = await readPicture();
+    if (seen === changes) picture = read;
+  }
+  reading = false;
+  const { at, fragment } = shown!;
+  const pixel = pixelAt(at);
+  if (fragment !== null) part('sum').lastElementChild?.replaceWith(pixelRow(fragment.color, pixel));
+  const line =
+    fragment === null
+      ? 'No surface is seen there: the background, or the far side of the shape.'
+      : `The equation gives ${codes(fragment.color)}${pixel === null ? '.' : `; the pixel is ${pixel.join(' ')}.`}`;
+  if (part('result').textContent !== line) part('result').textContent = line;
+}
+
+/** Null where the graphics context is lost just now. */
+async function readPicture(): Promise<ImageData | null> {
+  const blob = await viewer.toBlob().catch(() => null);
+  if (blob === null) return null;
+  const bitmap = await createImageBitmap(blob, { premultiplyAlpha: 'none', colorSpaceConversion: 'none' });
+  const { width, height } = bitmap;
+  const context = new OffscreenCanvas(width, height).getContext('2d');
+  context?.drawImage(bitmap, 0, 0);
+  return context?.getImageData(0, 0, width, height) ?? null;
+}
+
+/** The code of the device pixel that lies at a CSS pixel, by the rule of shadeAt. */
+function pixelAt({ x, y }: Place): Vec3 | null {
+  if (picture === null) return null;
+  const box = viewer.getBoundingClientRect();
+  const column = Math.floor((x * picture.width) / box.width);
+  const row = Math.floor((y * picture.height) / box.height);
+  const [r, g, b] = picture.data.subarray(4 * (row * picture.width + column));
+  return [r ?? 0, g ?? 0, b ?? 0];
+}
+
+function changed(): void {
+  changes += 1;
+  picture = null;
+  void explain();
+}
+
+function put(x: number, y: number): void {
+  hover = null;
+  mark = { x, y, p: null };
+  void explain();
+}
+
+function look(at: Place | null): void {
+  if (at?.x === hover?.x && at?.y === hover?.y) return;
+  hover = at;
+  void explain();
+}
+
+let pressed: Place = { x: 0, y: 0 };
+viewer.addEventListener('pointermove', (event) => {
+  if (event.pointerType !== 'touch' && event.buttons === 0) look({ x: event.offsetX, y: event.offsetY });
+});
+viewer.addEventListener('pointerleave', () => look(null));
+viewer.addEventListener('pointerdown', ({ offsetX, offsetY }) => {
+  pressed = { x: offsetX, y: offsetY };
+  look(null);
+});
+viewer.addEventListener('click', ({ offsetX, offsetY }) => {
+  if (Math.hypot(offsetX - pressed.x, offsetY - pressed.y) > STEADY) return;
+  const { width, height } = viewer.getBoundingClientRect();
+  put(offsetX / width, offsetY / height);
+});
+for (const input of [across, down])
+  input.addEventListener('input', () => put(across.valueAsNumber / 100, down.valueAsNumber / 100));
+for (const box of document.querySelectorAll<HTMLInputElement>('input[data-light]'))
+  box.addEventListener('change', () =>
+    part(box.dataset['light']!).setAttribute('active', String(box.checked)),
+  );
+
+void viewer.ready.then(() => {
+  for (const event of ['camera-change', 'light-change'] as const) viewer.addEventListener(event, changed);
+  // The dials write the viewer's own attributes; a resize moves every point, and gives the first explanation.
+  new MutationObserver(changed).observe(viewer, { attributes: true });
+  new ResizeObserver(changed).observe(viewer);
+});
