@@ -25,31 +25,34 @@ const cross = (a: Vec3, b: Vec3): Vec3 => [
 ];
 export const distance = (a: Vec3, b: Vec3): number => Math.hypot(...along(a, -1, b));
 
-/** Where the camera shows `point`, which lies in front of it. */
-export function project(viewer: PhongViewer, point: Vec3): Place {
+/** Where the camera shows `point`; null where that lies beside or behind the eye. */
+export function project(viewer: PhongViewer, point: Vec3): Place | null {
   const { eye, target, up, radius } = viewer.camera;
   const back = along([0, 0, 0], 1 / radius, along(eye, -1, target));
   const from = along(point, -1, eye);
+  const depth = -dot(from, back);
+  if (depth <= 0) return null;
   const { width, height } = viewer.getBoundingClientRect();
-  const scale = height / 2 / Math.tan((viewer.fov * Math.PI) / 360) / -dot(from, back);
+  const scale = height / 2 / Math.tan((viewer.fov * Math.PI) / 360) / depth;
   return { x: width / 2 + scale * dot(from, cross(up, back)), y: height / 2 - scale * dot(from, up) };
 }
 
-/** The mark at `at`, with N and the L of every light that reaches the front of the surface; V always points at the reader. */
+/** The mark at `at` if it is seen, with N and the L of every light that reaches the front of the surface; V always points at the reader. */
 export function drawInPicture(
   svg: Element,
   viewer: PhongViewer,
-  at: Place,
+  at: Place | null,
   fragment: FragmentExplanation | null,
 ): void {
-  const parts = [make('circle', { cx: at.x, cy: at.y, r: MARK })];
-  if (fragment !== null) {
+  const parts = at === null ? [] : [make('circle', { cx: at.x, cy: at.y, r: MARK })];
+  if (at !== null && fragment !== null) {
     const length = ARROW * viewer.camera.radius;
     const lit = fragment.shares.filter((share) => share !== null && share.insideCone && share.NoL > 0);
     const vectors = [['N', fragment.N], ...lit.map((share) => [share!.name, share!.L])] as [string, Vec3][];
     for (const [name, vector] of vectors) {
       const end = project(viewer, along(fragment.p, length, vector));
-      if (Math.hypot(end.x - at.x, end.y - at.y) > SHORT) parts.push(...arrow(at, end, 8, name));
+      if (end !== null && Math.hypot(end.x - at.x, end.y - at.y) > SHORT)
+        parts.push(...arrow(at, end, 8, name));
     }
   }
   svg.replaceChildren(...parts);
@@ -67,7 +70,7 @@ export function planeOf(fragment: FragmentExplanation, { L, NoL, RoV }: LightExp
     y: -dot(fragment.N, fragment.V),
   };
   const words = `N upright, L at ${degrees(NoL)} from it, R its mirror image, V at ${degrees(RoV)} from R`;
-  const svg = make('svg', { viewBox: '-130 -158 260 272', class: 'plane', role: 'img', 'aria-label': words });
+  const svg = make('svg', { viewBox: '-130 -168 260 282', class: 'plane', role: 'img', 'aria-label': words });
   const tips: [string, Place][] = [
     ['N', { x: 0, y: -1 }],
     ['L', { x: -sine, y: -NoL }],
@@ -76,7 +79,7 @@ export function planeOf(fragment: FragmentExplanation, { L, NoL, RoV }: LightExp
   ];
   svg.append(make('rect', { class: 'inside', x: -120, y: 0, width: 240, height: 110 }));
   for (const [name, { x, y }] of tips)
-    svg.append(...arrow({ x: 0, y: 0 }, { x: 100 * x, y: 100 * y }, 14, name, name === 'N' ? 36 : 18));
+    svg.append(...arrow({ x: 0, y: 0 }, { x: 100 * x, y: 100 * y }, 14, name, name === 'N' ? 48 : 18));
   return svg;
 }
 

@@ -5,7 +5,7 @@ import type { FragmentExplanation, Vec3 } from 'phong-viewer';
 import { distance, drawInPicture, type Place, project } from './drawing.js';
 import { codes, pixelRow, stepRows, sumRows, vectorRows } from './tables.js';
 
-/** A press that travels farther than this before it ends is a drag, and turns the camera. CSS pixels. */
+/** A press that travels farther than this is no click: it turns the camera. CSS pixels. */
 const STEADY = 4;
 /** How long everything rests before the picture is read and the result is told. Milliseconds. */
 const REST = 400;
@@ -33,7 +33,13 @@ let mark: Mark = { x: across.valueAsNumber / 100, y: down.valueAsNumber / 100, p
 let hover: Place | null = null;
 /** The picture as it is now, once it was read. */
 let picture: ImageData | null = null;
-let shown: { readonly at: Place; readonly fragment: FragmentExplanation | null } | null = null;
+/** What the page says now; null for a place or a fragment that cannot be seen. */
+interface Shown {
+  readonly at: Place | null;
+  readonly fragment: FragmentExplanation | null;
+}
+
+let shown: Shown = { at: null, fragment: null };
 let busy = false;
 let again = false;
 let reading = false;
@@ -53,16 +59,17 @@ async function explain(): Promise<void> {
   busy = false;
 }
 
-async function hovered(): Promise<typeof shown> {
+async function hovered(): Promise<Shown | null> {
   const at = hover;
   const fragment = at && (await viewer.shadeAt(at.x, at.y));
   return at && fragment && { at, fragment };
 }
 
-async function marked(): Promise<NonNullable<typeof shown>> {
+async function marked(): Promise<Shown> {
   const { width, height } = viewer.getBoundingClientRect();
   const here = mark;
   const at = here.p === null ? { x: here.x * width, y: here.y * height } : project(viewer, here.p);
+  if (at === null) return { at, fragment: null };
   const { eye } = viewer.camera;
   const fragment = await viewer.shadeAt(at.x, at.y);
   here.p ??= fragment?.p ?? null;
@@ -70,18 +77,19 @@ async function marked(): Promise<NonNullable<typeof shown>> {
   return { at, fragment: hidden ? null : fragment };
 }
 
-function show(now: NonNullable<typeof shown>): void {
+function show(now: Shown): void {
   shown = now;
   const { at, fragment } = now;
   drawInPicture(part('vectors'), viewer, at, fragment);
   const { width, height } = viewer.getBoundingClientRect();
-  for (const [input, share] of [
-    [across, at.x / width],
-    [down, at.y / height],
-  ] as const) {
-    // What the reader moves stays where it was put.
-    if (input !== document.activeElement || hover !== null) input.valueAsNumber = 100 * share;
-    input.nextElementSibling!.textContent = (100 * share).toFixed(1);
+  if (at !== null) {
+    for (const [input, share] of [
+      [across, at.x / width],
+      [down, at.y / height],
+    ] as const) {
+      input.valueAsNumber = 100 * share;
+      input.nextElementSibling!.textContent = (100 * share).toFixed(1);
+    }
   }
   part('numbers').classList.toggle('empty', fragment === null);
   part('steps').classList.toggle('empty', fragment === null);
@@ -104,12 +112,12 @@ async function settle(): Promise<void> {
     if (seen === changes) picture = read;
   }
   reading = false;
-  const { at, fragment } = shown!;
+  const { at, fragment } = shown;
   const pixel = pixelAt(at);
   if (fragment !== null) part('sum').lastElementChild?.replaceWith(pixelRow(fragment.color, pixel));
   const line =
     fragment === null
-      ? 'No surface is seen there: the background, or the far side of the shape.'
+      ? 'No surface is seen there: it is the background, the far side of the shape, or out of the picture.'
       : `The equation gives ${codes(fragment.color)}${pixel === null ? '.' : `; the pixel is ${pixel.join(' ')}.`}`;
   if (part('result').textContent !== line) part('result').textContent = line;
 }
@@ -126,11 +134,11 @@ async function readPicture(): Promise<ImageData | null> {
 }
 
 /** The code of the device pixel that lies at a CSS pixel, by the rule of shadeAt. */
-function pixelAt({ x, y }: Place): Vec3 | null {
-  if (picture === null) return null;
+function pixelAt(at: Place | null): Vec3 | null {
+  if (picture === null || at === null) return null;
   const box = viewer.getBoundingClientRect();
-  const column = Math.floor((x * picture.width) / box.width);
-  const row = Math.floor((y * picture.height) / box.height);
+  const column = Math.floor((at.x * picture.width) / box.width);
+  const row = Math.floor((at.y * picture.height) / box.height);
   const [r, g, b] = picture.data.subarray(4 * (row * picture.width + column));
   return [r ?? 0, g ?? 0, b ?? 0];
 }
@@ -154,16 +162,19 @@ function look(at: Place | null): void {
 }
 
 let pressed: Place = { x: 0, y: 0 };
-viewer.addEventListener('pointermove', (event) => {
-  if (event.pointerType !== 'touch' && event.buttons === 0) look({ x: event.offsetX, y: event.offsetY });
+let steady = false;
+viewer.addEventListener('pointermove', ({ offsetX: x, offsetY: y, buttons, pointerType }) => {
+  if (buttons !== 0) steady &&= Math.hypot(x - pressed.x, y - pressed.y) <= STEADY;
+  else if (pointerType !== 'touch') look({ x, y });
 });
 viewer.addEventListener('pointerleave', () => look(null));
-viewer.addEventListener('pointerdown', ({ offsetX, offsetY }) => {
-  pressed = { x: offsetX, y: offsetY };
+viewer.addEventListener('pointerdown', ({ offsetX: x, offsetY: y }) => {
+  pressed = { x, y };
+  steady = true;
   look(null);
 });
 viewer.addEventListener('click', ({ offsetX, offsetY }) => {
-  if (Math.hypot(offsetX - pressed.x, offsetY - pressed.y) > STEADY) return;
+  if (!steady) return;
   const { width, height } = viewer.getBoundingClientRect();
   put(offsetX / width, offsetY / height);
 });

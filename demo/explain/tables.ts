@@ -42,7 +42,7 @@ export function sumRows({ shares, sum, color }: FragmentExplanation): HTMLElemen
 /** The pixel's codes next to the clamped colour: equal but for a rounding, except at an edge. */
 export function pixelRow(color: Vec3, pixel: Vec3 | null): HTMLElement {
   const same = pixel?.every((code, i) => Math.abs(code - 255 * color[i]!) < 1) === true;
-  const name = wide(head('row', pixel === null || same ? 'the pixel' : 'the pixel, a mixture'));
+  const name = wide(head('row', pixel === null || same ? 'the pixel' : 'the pixel, at an edge'));
   const cells = pixel === null ? Array.from('....', () => cell('')) : colorCells(pixel, 1);
   return row([name, ...cells], 'total');
 }

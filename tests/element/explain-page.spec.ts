@@ -4,7 +4,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixelAt, pixels, test } from '../support/test.js';
-import { nextFrame, type PhongViewer } from './support.js';
+import { assign, drag, nextFrame, type PhongViewer } from './support.js';
 
 type Color = readonly number[];
 
@@ -192,6 +192,15 @@ test.describe('the page of one fragment', () => {
     turned.p.forEach((x, i) => expect(Math.abs(x - before.p[i]!)).toBeLessThan(5e-3));
     expect(turned.terms['sun specular']).not.toEqual(before.terms['sun specular']);
 
+    const [, hand] = await place(page, PLACES[1]);
+    await drag(page, [hand.x, hand.y], [-40, 10]);
+    await page.mouse.move(1, 1);
+    await expect.poll(async () => (await markAt(page)).x, 'a drag is no click').toBeLessThan(start.x);
+    await expectFragment(page, await markAt(page));
+    const dragged = await told(page);
+    expect(dragged.V).not.toEqual(turned.V);
+    dragged.p.forEach((x, i) => expect(Math.abs(x - before.p[i]!)).toBeLessThan(5e-3));
+
     await page.getByRole('checkbox', { name: 'sun' }).uncheck();
     await expect.poll(async () => Object.keys((await read(page)).terms)).not.toContain('sun ambient');
     await expectFragment(page, await markAt(page));
@@ -201,6 +210,21 @@ test.describe('the page of one fragment', () => {
       viewer.theta = 218;
     });
     await expect(result(page), 'the point is on the far side now').toContainText('No surface');
+  });
+
+  test('shows nothing for a marked point that the eye has passed, and it again where it is seen', async ({
+    page,
+  }) => {
+    await open(page);
+    const start = await told(page);
+    const viewer = page.locator('phong-viewer');
+    // The eye is inside the teapot now, on the line of sight through the point, and looks away from it.
+    const target = start.p.map((x, i) => x - 0.2 * start.V[i]!);
+    await assign(viewer, { target, radius: 0.1 });
+    await expect(result(page)).toContainText('No surface');
+    await assign(viewer, { target: 'auto', radius: 2.4 });
+    await expect(result(page)).toContainText('The equation');
+    expect((await told(page)).V).toEqual(start.V);
   });
 
   test('asks once at a time, reads the picture once a change, and rests while nothing happens', async ({
