@@ -4,7 +4,7 @@
 /** max(dot(N, H), 0)^n with H = (L + V)/|L + V|. N, L, V unit (V may be zero); NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 V, float NoL, float n) {
   // Where light and eye are almost opposite, the sum is short and errors of their lengths are most of it.
-  vec3 sum = refined(L) + V;
+  vec3 sum = refined(L) + refined(V);
   float squared = dot(sum, sum);
   vec3 H = squared >= TINY ? sum * inversesqrt(squared) : vec3(0.0);
   vec3 d = N - H;

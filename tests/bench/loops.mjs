@@ -42,7 +42,7 @@ const site = await serveFolder(options.page || (await builtPage()));
 let executablePath = options.browser;
 if (executablePath === '') executablePath = await (await import('../../.ci/browser.mjs')).ensureBrowser();
 const args = ['--no-sandbox', '--disable-background-networking'];
-/** @type {Map<string, { ratios: number[], before: number[] }>} */
+/** What is compared, of each text but the first, which is what it is compared with. @type {Map<string, { ratios: number[], first: number[] }>} */
 const results = new Map();
 let renderer = '';
 for (let launch = 0; launch < Number(options.launches); launch++) {
@@ -61,23 +61,24 @@ for (let launch = 0; launch < Number(options.launches); launch++) {
       });
       await page.close();
       renderer = times.renderer;
-      const [before = [], after = []] = times.samples;
-      const name = `${blinn ? 'Blinn–Phong' : 'Phong'}, ${lights} lights`;
-      const kept = results.get(name) ?? { ratios: [], before: [] };
-      results.set(name, kept);
-      after.forEach((time, i) => kept.ratios.push(time / (before[i] ?? NaN)));
-      kept.before.push(...before);
+      const [first = [], ...others] = times.samples;
+      for (const [i, samples] of others.entries()) {
+        const name = `${blinn ? 'Blinn–Phong' : 'Phong'}, ${lights} lights: ${loops[i + 1].name}`;
+        const kept = results.get(name) ?? { ratios: [], first: [] };
+        results.set(name, kept);
+        samples.forEach((time, round) => kept.ratios.push(time / (first[round] ?? NaN)));
+        kept.first.push(...first);
+      }
     }
   }
   await browser.close();
 }
 site.close();
 console.log(renderer);
-for (const [name, { ratios, before }] of results) {
+for (const [name, { ratios, first }] of results) {
   const [low, middle, high] = [0.25, 0.5, 0.75].map((share) => quantile(ratios, share).toFixed(3));
-  console.log(
-    `${name.padEnd(24)} after/before ${middle} (${low}–${high}), before ${quantile(before, 0.5).toFixed(3)} ms`,
-  );
+  const base = `${loops[0].name} ${quantile(first, 0.5).toFixed(3)} ms`;
+  console.log(`${name.padEnd(36)} ${middle} (${low}–${high}) of ${base}`);
 }
 
 /** @param {readonly number[]} numbers @param {number} share */

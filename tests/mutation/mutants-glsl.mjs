@@ -6,23 +6,22 @@ import { mutantsOf } from './mutants-of.mjs';
 export const glslMutants = [
   ...mutantsOf('shaders/guard.glsl', [
     ['Newton’s step after inversesqrt', 'return unit * (1.5 - 0.5 * dot(unit, unit));', 'return unit;'],
-    ['the scaling of huge vectors', 'largest > 1.152921504606847e18', 'false'],
-    ['huge vectors are scaled only from 1e20', 'largest > 1.152921504606847e18', 'largest > 1e20'],
+    ['the rescue of huge vectors', '(squared >= 1e-20 && squared <= 1e30)', '(squared >= 1e-20)'],
+    ['huge vectors are rescued only where squares overflow', 'squared <= 1e30', 'squared <= 3.5e38'],
+    ['the rescue of tiny vectors', '(squared >= 1e-20 && squared <= 1e30)', '(squared <= 1e30)'],
+    ['tiny vectors are rescued only from squares of 1e-36', 'squared >= 1e-20', 'squared >= 1e-36'],
     ['huge vectors are scaled by 2^-60', '1.3552527156068805e-20', '8.673617379884035e-19'],
-    ['the scaling of tiny vectors', 'largest < 9.094947017729282e-13', 'false'],
-    ['tiny vectors are scaled only from 1e-21', 'largest < 9.094947017729282e-13', 'largest < 1e-21'],
     ['tiny vectors are scaled by 2^30', '1.2379400392853803e27', '1073741824.0'],
+    ['huge vectors are scaled up, as tiny ones', 'largest > 1.0 ?', 'largest > 1e38 ?'],
+    ['tiny vectors are scaled down, as huge ones', 'largest > 1.0 ?', 'largest > 0.0 ?'],
     ['the components’ size without their sign', 'vec3 a = abs(v);', 'vec3 a = v;'],
     [
       'the largest component: the first stands for it',
       'float largest = max(a.x, max(a.y, a.z));',
       'float largest = a.x;',
     ],
-    [
-      'the guard against vectors of zero length',
-      'squared >= TINY ? refined(u * inversesqrt(squared)) : vec3(0.0)',
-      'refined(u * inversesqrt(squared))',
-    ],
+    ['the square of what was rescued', '    squared = dot(v, v);\n    // Zero', '    // Zero'],
+    ['the guard against vectors of zero length', 'if (!(squared >= TINY)) return vec3(0.0);', ''],
   ]),
   ...mutantsOf('shaders/power.glsl', [
     ['x^0 = 1', 'if (k < LEAST_EXPONENT) return 1.0;', ''],
@@ -84,7 +83,7 @@ export const glslMutants = [
     ['the series: pow', 'powerNearOne(dot(R, V), 0.5 * dot(d, d), n)', 'pow(max(dot(R, V), 0.0), n)'],
   ]),
   ...mutantsOf('shaders/specular_blinn_phong.glsl', [
-    ['Newton’s step before L + V', 'refined(L) + V', 'L + V'],
+    ['Newton’s step before L + V', 'refined(L) + refined(V)', 'L + V'],
     ['the unit length of H', 'sum * inversesqrt(squared)', '0.5 * sum'],
     [
       'the guard of H where L = -V',

@@ -47,7 +47,7 @@ export const BRANCHES = {
    */
   normal: 2 ** -100,
   /** |L + V| of Blinn's half vector where light and eye are opposite each other: the same. */
-  half: 2e-2,
+  half: 4e-2,
 } as const;
 
 /** Angle between the spot's axis and the fragment; exact at both ends, where the cosine is not. */
