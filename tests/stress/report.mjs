@@ -84,7 +84,8 @@ ${table(
 On all stacks and drivers together: ${String(total(stacks, 'notFinite'))} channels NaN or infinite, ${String(
     total(stacks, 'wrongCodes'),
   )} 8-bit codes off by more than one, of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
-on at least ${percent(Math.min(...stacks.map(exactOfAll)))} of the channels of every stack with its own driver.
+on at least ${percent(Math.min(...stacks.map(exactOfAll)))} of the channels of every stack with its own driver. The farthest from a cone's edge that a
+fragment was taken for one of the other side: ${digits(widestEdge(stacks, ['shipped']))} rad, on the worst drivers ${digits(widestEdge(stacks, WORST))} rad.
 
 ## What is left out
 
@@ -201,6 +202,10 @@ const exactOfAll = (stack) => {
   const all = resultsOf([stack], ['shipped']).flatMap(({ measured }) => measured);
   return sum(all, 'exact') / sum(all, 'channels');
 };
+
+/** @param {readonly Stack[]} stacks @param {readonly string[]} drivers */
+const widestEdge = (stacks, drivers) =>
+  Math.max(...resultsOf(stacks, drivers).flatMap(({ measured }) => measured.map(({ edge }) => edge)));
 
 /** @param {Stack} stack @param {readonly string[]} drivers */
 const casesOf = (stack, drivers) =>

@@ -1,0 +1,36 @@
+// Do the published tables say what was measured, of every category and on every stack, and does the contract hold there?
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { CATEGORIES } from '../stress/categories.js';
+import { BRANCHES, CONE_EDGE, EXACT } from '../stress/contract.js';
+import { readmeText, readStacks, readTessellation, reportText } from '../stress/report.mjs';
+import { WORST_DRIVERS } from '../glsl/worst-driver.js';
+
+const text = (path: string): string => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
+const stacks = readStacks();
+
+describe('the published contract', () => {
+  it('is what the results say, in the report and in the README', () => {
+    expect(text('tests/stress/REPORT.md')).toBe(reportText(stacks, readTessellation()));
+    expect(text('README.md')).toContain(readmeText(stacks));
+  });
+
+  it('was measured in software and on a GPU, on at least four stacks', () => {
+    expect(stacks.length).toBeGreaterThanOrEqual(4);
+    expect(stacks.map(({ renderer }) => renderer).join()).toMatch(/SwiftShader.*NVIDIA|NVIDIA.*SwiftShader/);
+  });
+
+  describe.each(stacks)('on $name', ({ contract, drivers }) => {
+    it('is of the categories, bounds and exclusions that are tested now', () => {
+      const { checked: _checked, ...shipped } = drivers['shipped']!;
+      const measured = shipped.measured.map(({ id, title, bound }) => ({ id, title, bound }));
+      expect(measured).toEqual(CATEGORIES.map(({ id, title, bound }) => ({ id, title, bound })));
+      expect(contract).toEqual({ edge: CONE_EDGE, branches: BRANCHES, exact: EXACT });
+    });
+
+    it('holds, on its own driver and on the worst lawful ones', () => {
+      expect(Object.keys(drivers).sort()).toEqual(['shipped', ...WORST_DRIVERS].sort());
+      for (const { broken } of Object.values(drivers)) expect(broken).toEqual([]);
+    });
+  });
+});
