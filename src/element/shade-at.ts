@@ -5,7 +5,7 @@ import type { LightValues } from '../light/light-state.js';
 import { srgbDecode } from '../math/color.js';
 import { add, multiply, scale, subtract, type Vec3 } from '../math/vector.js';
 import type { LightShare } from '../reference/index.js';
-import { cornersOf } from '../scene/pick-corners.js';
+import { cornersOf } from '../scene/pick/corners.js';
 import type { Viewport } from '../scene/viewport.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';

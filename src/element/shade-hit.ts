@@ -7,8 +7,8 @@ import type { Term } from '../material/variant.js';
 import { srgbEncode } from '../math/color.js';
 import { add, scale, type Vec3 } from '../math/vector.js';
 import type { shade as Shade, Shaded } from '../reference/index.js';
-import type { Hit } from '../scene/pick.js';
-import type { Corner } from '../scene/pick-corners.js';
+import type { Hit } from '../scene/pick/pick.js';
+import type { Corner } from '../scene/pick/corners.js';
 
 /** What is shaded, and how. */
 export interface Subject {

@@ -6,7 +6,7 @@ import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/or
 import type { ShadingFrame } from '../material/phong-lighting.js';
 import { radians } from '../math/angle.js';
 import { dot } from '../math/vector.js';
-import type { ViewRay } from './ray-triangles.js';
+import type { ViewRay } from './pick/ray-triangles.js';
 import type { Region } from './stage.js';
 
 export class ViewCamera {

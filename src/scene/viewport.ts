@@ -12,7 +12,7 @@ import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
 import { releaseGpu } from './release-gpu.js';
-import { type Hit, pick } from './pick.js';
+import { type Hit, pick } from './pick/pick.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';

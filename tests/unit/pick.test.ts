@@ -19,8 +19,8 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import { PhongLighting } from '../../src/material/phong-lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
-import { type Hit, pick } from '../../src/scene/pick.js';
-import { cornersOf } from '../../src/scene/pick-corners.js';
+import { type Hit, pick } from '../../src/scene/pick/pick.js';
+import { cornersOf } from '../../src/scene/pick/corners.js';
 import { ViewCamera } from '../../src/scene/view-camera.js';
 
 const lighting = new PhongLighting();

@@ -9,9 +9,9 @@ import {
   Raycaster,
   type Vector3,
 } from 'three';
-import type { ShadingFrame } from '../material/phong-lighting.js';
-import { PhongMaterial } from '../material/phong-material.js';
-import { add, dot, scale, subtract, type Vec3 } from '../math/vector.js';
+import type { ShadingFrame } from '../../material/phong-lighting.js';
+import { PhongMaterial } from '../../material/phong-material.js';
+import { add, dot, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { type BaseColor, baseColorAt } from './base-color.js';
 import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
 

@@ -1,6 +1,6 @@
 // What is in a texture's image, byte for byte as the GPU is given it? Knows nothing of how textures are sampled.
 import type { Texture } from 'three';
-import { NoWebGL2Error } from './stage.js';
+import { NoWebGL2Error } from '../stage.js';
 
 export interface Texels {
   readonly width: number;

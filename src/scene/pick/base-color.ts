@@ -1,9 +1,9 @@
 // What multiplies Ka and Kd at a point of a triangle, and how opaque it is: the look's own colour, its texture and its
 // vertex colours, as phong.frag.glsl takes them together. Knows neither rays nor lights.
 import type { BufferGeometry } from 'three';
-import type { BaseLook } from '../material/phong-material.js';
-import { srgbDecode, srgbEncode } from '../math/color.js';
-import type { Vec3, Vec4 } from '../math/vector.js';
+import type { BaseLook } from '../../material/phong-material.js';
+import { srgbDecode, srgbEncode } from '../../math/color.js';
+import type { Vec3, Vec4 } from '../../math/vector.js';
 import type { TriangleHit } from './ray-triangles.js';
 import { sample } from './sample.js';
 import { texelsOf } from './texels.js';

@@ -1,8 +1,8 @@
 // What the vertex shader makes of the corners of a triangle that is seen: places and unit normals in shading space, in
 // float64. What the GPU interpolates between them is linear on the triangle. Knows neither materials nor lights.
 import { Matrix3, Vector3 } from 'three';
-import { normalMatrix } from '../material/normal-matrix.js';
-import { normalize, scale, type Vec3 } from '../math/vector.js';
+import { normalMatrix } from '../../material/normal-matrix.js';
+import { normalize, scale, type Vec3 } from '../../math/vector.js';
 import type { Hit } from './pick.js';
 
 /** A corner of the triangle that was hit, as the vertex shader makes it. */

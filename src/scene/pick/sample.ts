@@ -7,7 +7,7 @@ import {
   type Texture,
   type Wrapping,
 } from 'three';
-import type { Vec4 } from '../math/vector.js';
+import type { Vec4 } from '../../math/vector.js';
 import type { Texels } from './texels.js';
 
 /** How texels become a surface's colour. */
