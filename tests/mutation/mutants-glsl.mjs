@@ -100,7 +100,11 @@ export const glslMutants = [
     ['the guard of lights at the fragment', 'if (squared < NEAREST_SQUARED) {', 'if (false) {'],
     ['lights nearer than 1e-15 have a direction', 'squared < NEAREST_SQUARED', 'squared <= 0.0'],
     ['the distance of 0 of lights at the fragment', 'd = 0.0;', 'd = 1.0;'],
-    ['the direction of lights at the fragment is zero', 'return vec3(0.0);', 'return vec3(0.0, 0.0, 1.0);'],
+    [
+      'the direction of lights at the fragment is zero',
+      'd = 0.0;\n    return vec3(0.0);',
+      'd = 0.0;\n    return vec3(0.0, 0.0, 1.0);',
+    ],
     ['the sign of L', 'vec3 v = place - p;', 'vec3 v = p - place;'],
     ['the unit length of L', 'return v * inverse;', 'return v;'],
     ['the distance: its inverse', 'd = squared * inverse;', 'd = inverse;'],

@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
 import { mutated, MUTANTS, nameOf, UNIT_TESTS } from '../mutation/mutants.mjs';
 import { table } from '../mutation/table.mjs';
 import { CATEGORIES } from '../stress/categories.js';
@@ -19,6 +20,8 @@ const read = (path: string): string => readFileSync(join(repository, path), 'utf
 
 const results = JSON.parse(read('tests/mutation/results.json')) as readonly Result[];
 
+const joined = `${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`;
+
 /** Every file of which each guard has to have its mutant. */
 const FILES = [
   ...['attenuation', 'diffuse_lobe', 'guard', 'light_loop', 'nearest_code', 'power'],
@@ -28,6 +31,8 @@ const FILES = [
 describe('the mutants', () => {
   it.each(MUTANTS.map((mutant) => [nameOf(mutant), mutant] as const))('%s', (_, mutant) => {
     expect(mutated(read(mutant.file), mutant)).not.toBe(read(mutant.file));
+    // GLSL is edited in the joined text.
+    if (mutant.file.endsWith('.glsl')) expect(joined.split(mutant.from)).toHaveLength(2);
   });
 
   it('have names of their own', () => {
