@@ -168,6 +168,12 @@ function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: Ca
   };
 }
 
+/**
+ * Radians by which what lies exactly on a cone's edge may seem outside: a few roundings of float64. Directions of round
+ * numbers, 0 1 1 seen along 1 0 1 at 120°, do lie there.
+ */
+const EDGE = 16 * Number.EPSILON;
+
 /** Cone and decay; everything passes where there is no axis, no direction, or neither cone nor cutoff. */
 function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   const A = normalize(axis);
@@ -177,7 +183,7 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   const angle = Math.atan2(length(cross(L, away)), c);
   return {
     c,
-    insideCone: light.aperture >= 180 || angle <= radians(light.aperture),
+    insideCone: light.aperture >= 180 || angle <= radians(light.aperture) + EDGE,
     // Both chords: (1 + c)/2 from the cosine would keep no digits right behind the spot, where small exponents need them.
     decay: power(halfChord(L, A) / 2, halfChord(L, away) / 2, light.cutoff),
   };

@@ -20,9 +20,10 @@ for (const [driver, cases] of [
     expect(report.error).toBeNull();
     expect(report.checked.length).toBeGreaterThan(10);
     expect(report.measured.reduce((sum, { cases: count }) => sum + count, 0)).toBeGreaterThanOrEqual(cases);
-    // Almost all of them count: what lies beside a branch point is made where it is sought, at cones' edges.
+    // Three channels a case: where branch points are sought, at cones' edges and with denormal normals, half of the cases
+    // may lie beside them.
     for (const { id, channels, cases: count } of report.measured) {
-      expect.soft(channels, id).toBeGreaterThan(count);
+      expect.soft(channels / 3 / count, id).toBeGreaterThan(0.45);
     }
     expect(report.broken).toEqual([]);
   });

@@ -98,7 +98,7 @@ export const equationMutants = mutantsOf('src/reference/equation.ts', [
   ['no direction has no cone', 'dot(A, A) === 0 || dot(L, L) === 0', 'dot(A, A) === 0'],
   ['the unit length of the axis', 'const A = normalize(axis);', 'const A = axis;'],
   ['the angle by its tangent: by its cosine', 'Math.atan2(length(cross(L, away)), c)', 'Math.acos(c)'],
-  ['a cone’s edge is inside', 'angle <= radians(light.aperture)', 'angle < radians(light.aperture)'],
+  ['a cone’s edge is inside', 'radians(light.aperture) + EDGE', 'radians(light.aperture)'],
   ['the chord to the back: the cosine', 'power(halfChord(L, A) / 2', 'power((1 + c) / 2'],
   ['the chord to the axis: the cosine', 'halfChord(L, away) / 2, light.cutoff', '(1 - c) / 2, light.cutoff'],
   ['x^0 = 1', 'if (n < LEAST_EXPONENT) return 1;', ''],

@@ -175,7 +175,7 @@ export const ordinaryCategories: readonly Category[] = [
   },
   {
     id: 'near',
-    title: 'lights at a hundredth of the distances that coordinates span',
+    title: 'lights at a fiftieth of the distances that coordinates span',
     bound: BOUNDS.generic,
     variants: BOTH,
     make: near,

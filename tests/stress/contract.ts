@@ -1,7 +1,7 @@
 // The numerical contract: how far a picture may be from the equation in float64, and beside which points nothing is
 // promised, because there the equation itself jumps or is infinitely steep.
 import type { LightValues } from '../../src/light/light-state.js';
-import { NEAREST } from '../../src/light/light-layout.js';
+import { LEAST_EXPONENT, NEAREST } from '../../src/light/light-layout.js';
 import { radians } from '../../src/math/angle.js';
 import { add, cross, dot, length, normalize, type Vec3 } from '../../src/math/vector.js';
 import type { LightShare, Shaded } from '../../src/reference/equation.js';
@@ -37,17 +37,17 @@ export const BRANCHES = {
   /** Radians from straight behind a spot with cutoff below 1: the same. */
   back: 1e-3,
   /**
-   * Distance to a light, or to the eye, over the largest coordinate in shading space: nearer, the float32 coordinates
-   * themselves leave the direction open by more than 6e-6.
+   * Distance to a light over the largest coordinate in shading space, or over the distance where that is larger: nearer,
+   * the float32 coordinates themselves leave the light's direction open by more than 3e-6.
    */
-  near: 1e-2,
+  near: 2e-2,
   /**
-   * Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals
-   * keeps too little. It shades by its own direction or as if it had none.
+   * That share, at most 1, times |L + V|, for Blinn's half vector: where light and eye are opposite each other, it is
+   * that much more open than the light's direction. Exactly opposite, there is no half vector, and nothing is open.
    */
-  normal: 2 ** -100,
-  /** |L + V| of Blinn's half vector where light and eye are opposite each other: the same. */
   half: 4e-2,
+  /** Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals keeps too little. */
+  normal: 2 ** -100,
 } as const;
 
 /** Angle between the spot's axis and the fragment; exact at both ends, where the cosine is not. */
@@ -86,30 +86,44 @@ export function branch(stress: StressCase, shaded: Shaded, variant: Variant): st
   return null;
 }
 
-function nearLight({ p, eye }: StressCase, light: LightValues, share: LightShare): string | null {
+function nearLight(stress: StressCase, light: LightValues, share: LightShare): string | null {
   if (share.d < Infinity && share.d >= NEAREST) {
-    const size = Math.max(...p.map(Math.abs), ...eye.map(Math.abs), share.d);
-    if (share.d < BRANCHES.near * size) return 'near';
+    if (openness(stress, share) < BRANCHES.near) return 'near';
   }
-  if (light.cutoff > 0 && light.cutoff < 1 && dot(light.axis, light.axis) > 0 && dot(share.L, share.L) > 0) {
+  if (
+    light.cutoff >= LEAST_EXPONENT &&
+    light.cutoff < 1 &&
+    dot(light.axis, light.axis) > 0 &&
+    dot(share.L, share.L) > 0
+  ) {
     if (Math.PI - spotAngle(light, share) < BRANCHES.back) return 'back';
   }
   return null;
 }
 
+/** Distance to the light over the largest coordinate; 1 where that is at most the distance. */
+function openness({ p, eye }: StressCase, { d }: LightShare): number {
+  const size = Math.max(...p.map(Math.abs), ...eye.map(Math.abs));
+  return d < size ? d / size : 1;
+}
+
 function lobe(
-  { surface }: StressCase,
+  stress: StressCase,
   shaded: Shaded,
   light: LightValues,
   share: LightShare,
   { reflection }: Variant,
 ): string | null {
+  const { surface } = stress;
   if (!lit(light.specular) || !lit(surface.ks) || dot(share.L, share.L) === 0) return null;
   if (dot(shaded.N, shaded.N) === 0) return null;
   if (Math.abs(share.NoL) < BRANCHES.gate) return 'gate';
   if (share.NoL < 0) return null;
   if (surface.shininess < 1 && Math.abs(share.RoV) < BRANCHES.lobe) return 'lobe';
-  if (reflection === 'blinn-phong' && length(add(share.L, shaded.V)) < BRANCHES.half) return 'half';
+  if (reflection === 'blinn-phong') {
+    const sum = length(add(share.L, shaded.V));
+    if (sum > 0 && sum * openness(stress, share) < BRANCHES.half) return 'half';
+  }
   return null;
 }
 

@@ -102,7 +102,7 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
   const eye = float32(add(p, scale(V, random.from(1, 5))));
   const position = random.chance(0.5)
     ? direction(scale(L, random.magnitude(0.01, 100)))
-    : place(add(p, scale(L, random.from(0.5, 5))));
+    : place(add(p, scale(L, random.magnitude(0.02, 5))));
   const light = lightWith({ position, diffuse: [0, 0, 0], specular: WHITE });
   return stressCase({ p, normal, eye }, white(n), [light]);
 }
@@ -110,7 +110,7 @@ export function highlight(random: Random, n: number, { reflection }: Variant): S
 /** A white spot over p whose axis is this far, in radians, off the line to p. */
 export function spotOver(random: Random, p: Vec3, angle: number, values: Partial<LightValues>): LightValues {
   const L = random.unit();
-  const at = add(p, scale(L, random.from(0.5, 5)));
+  const at = add(p, scale(L, random.magnitude(0.05, 5)));
   const axis = scale(random.around(scale(L, -1), angle), random.magnitude(0.1, 10));
   const dark: Vec3 = [0, 0, 0];
   return lightWith({ position: place(at), axis, ambient: WHITE, diffuse: dark, specular: dark, ...values });

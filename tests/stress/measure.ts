@@ -84,7 +84,10 @@ export function measureBatch(
     const shaded = reference(stress, variant);
     for (const x of got) if (!Number.isFinite(x)) into.notFinite += 1;
     const scale = 255 / Math.max(1, intensity(stress));
-    const error = (channel: number): number => Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
+    const error = (channel: number): number => {
+      const off = Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
+      return Number.isNaN(off) ? Infinity : off; // a comparison with NaN would let it pass
+    };
     const found = branch(stress, shaded, variant);
     if (found === 'edge') measureEdge(into, category, stress, Math.max(error(0), error(1), error(2)), shaded);
     if (found !== null) {

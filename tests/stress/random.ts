@@ -1,13 +1,12 @@
 // Random numbers from a seed, in the shapes that adversarial cases need. Everything that goes to the GPU as a float32 is
 // rounded here, so that reference and shader are given the same input.
 import { add, cross, normalize, scale, type Vec3 } from '../../src/math/vector.js';
-import { seeded } from '../visual/random-scene.js';
 
 export class Random {
   readonly #next: () => number;
 
   constructor(seed: number) {
-    this.#next = seeded(seed);
+    this.#next = sfc32(seed);
   }
 
   /** In [low, high). */
@@ -64,6 +63,24 @@ export class Random {
   color(high = 255): Vec3 {
     return this.chance(0.3) ? [high, high, high] : this.vector(0, high);
   }
+}
+
+/**
+ * Uniform numbers in [0, 1): Chris Doty-Humphrey's sfc32 (PractRand). Its 128 bits of state do not come round in the
+ * billions of numbers of a long run, as those of a 32-bit generator do.
+ */
+function sfc32(seed: number): () => number {
+  let [a, b, c, counter] = [0, seed | 0, 0, 1];
+  const next = (): number => {
+    const t = (a + b + counter) | 0;
+    counter = (counter + 1) | 0;
+    a = b ^ (b >>> 9);
+    b = (c + (c << 3)) | 0;
+    c = (((c << 21) | (c >>> 11)) + t) | 0;
+    return (t >>> 0) / 2 ** 32;
+  };
+  for (let i = 0; i < 12; i++) next(); // until the seed is in all of the state
+  return next;
 }
 
 /** The nearest float32 of each component. */

@@ -83,7 +83,7 @@ ${table(
 
 On all stacks and drivers together: ${String(total(stacks, 'notFinite'))} channels NaN or infinite, ${String(
     total(stacks, 'wrongCodes'),
-  )} 8-bit codes off by more than one, of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
+  )} 8-bit codes off by more than one (where lights are brighter than full: by more than the bound), of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
 on at least ${percent(Math.min(...stacks.map(exactOfAll)))} of the channels of every stack with its own driver. The farthest from a cone's edge that a
 fragment was taken for one of the other side: ${digits(widestEdge(stacks, ['shipped']))} rad, on the worst drivers ${digits(widestEdge(stacks, WORST))} rad.
 
@@ -154,7 +154,8 @@ ${millions(total(stacks, 'cases'))} fragments on ${String(stacks.length)} stacks
     .map(({ name }) => name)
     .join(', ')}. ${String(total(stacks, 'notFinite'))} channels NaN or infinite; ${String(
     total(stacks, 'wrongCodes'),
-  )} 8-bit codes off by more than one; at least ${percent(Math.min(...stacks.map(exactOfAll)))} of codes exactly the nearest.
+  )} 8-bit codes off by more than one (where lights are brighter than full: by more than the bound); over all categories, at
+least ${percent(Math.min(...stacks.map(exactOfAll)))} of codes exactly the nearest.
 
 ${MARKERS[1]}`;
 }
@@ -253,7 +254,8 @@ was meant, only finite numbers are promised:
 - *lobe*: |R·V| or |N·H| below ${exponent(branches.lobe)} with shininess below 1;
 - *back*: nearer than ${exponent(branches.back)} rad to straight behind a spot with cutoff below 1;
 - *near*: a light at less than ${exponent(branches.near)} of the largest coordinate in shading space, but not within 1e-15;
-- *half*: |L + V| below ${exponent(branches.half)} with Blinn's lobe: light and eye opposite each other;
+- *half*: with Blinn's lobe, that share (at most 1) times |L + V| below ${exponent(branches.half)}, but |L + V| not 0: light and
+  eye opposite each other;
 - *normal*: an interpolated normal shorter than 2^${String(Math.log2(branches.normal))}, but not zero.`;
 }
 

@@ -2,6 +2,7 @@
 
 import { describe, expect, it } from 'vitest';
 import type { LightValues } from '../../src/light/light-state.js';
+import { shade } from '../../src/reference/equation.js';
 import { light } from './arbitraries.js';
 import { pack, read } from './packed-reader.js';
 
@@ -71,3 +72,24 @@ describe('the cone and decay of a directional light', () => {
     expect(read(pack([light({ ...open, position: [0, 0, 0, 0] })])).ambient[0]).toBe(1);
   });
 });
+
+it('is inside its cone for the same round numbers as in the equation, those exactly at the edge included', () => {
+  const whole = [-2, -1, 0, 1, 2].flatMap((x) =>
+    [-2, -1, 0, 1, 2].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)),
+  );
+  const vectors = whole.filter((v) => v.some((x) => x !== 0));
+  const disagreeing: string[] = [];
+  for (const aperture of [0, 30, 45, 60, 90, 120, 135, 150]) {
+    for (const [x, y, z] of vectors) {
+      for (const axis of vectors) {
+        const spot = light({ position: [x, y, z, 0], axis, aperture });
+        const { shares } = shade({ p: [0, 0, 0], normal: [0, 1, 0], eye: [0, 1, 0] }, SURFACE, [spot]);
+        if (shares[0]?.insideCone !== (pack([spot]).sent === 1))
+          disagreeing.push(`${[x, y, z].join(' ')} | ${axis.join(' ')} | ${aperture}`);
+      }
+    }
+  }
+  expect(disagreeing).toEqual([]);
+});
+
+const SURFACE = { ka: [255, 255, 255], kd: [255, 255, 255], ks: [255, 255, 255], shininess: 1 } as const;
