@@ -3,7 +3,8 @@
 // GLSL goes through the stress harness in a browser; TypeScript through the unit tests that concern it, and then through a
 // harness built with it. A mutant that lives is a failure. Writes results.json and TABLE.md.
 //
-//   npm run mutation -- --only power.glsl --quick   (a part of names; few cases; both only print)
+//   npm run mutation -- --only power.glsl   (a part of names: the results of all others stay as they are)
+//   npm run mutation -- --quick   (few cases; only prints)
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -43,16 +44,24 @@ for (const mutant of chosen) {
 }
 await harness.close();
 
-results.sort((a, b) => (a.name < b.name ? -1 : 1));
-if (options.only === '' && !options.quick) {
-  writeFileSync(join(here, 'results.json'), `${JSON.stringify(results, null, 2)}\n`);
-  writeFileSync(join(here, 'TABLE.md'), table(results));
+if (!options.quick) {
+  const all = [...results, ...keptResults()].sort((a, b) => (a.name < b.name ? -1 : 1));
+  writeFileSync(join(here, 'results.json'), `${JSON.stringify(all, null, 2)}\n`);
+  writeFileSync(join(here, 'TABLE.md'), table(all));
 }
 const living = results.filter(({ killedBy }) => killedBy === null);
 const minutes = ((performance.now() - start) / 60_000).toFixed(1);
 console.log(`\n${results.length - living.length} of ${results.length} killed in ${minutes} min`);
 for (const { name } of living) console.log(`LIVES: ${name}`);
 process.exit(living.length > 0 ? 1 : 0);
+
+/** What was found before of mutants that still are, and were not made this time. @returns {Result[]} */
+function keptResults() {
+  const others = new Set(MUTANTS.filter((mutant) => !chosen.includes(mutant)).map(nameOf));
+  if (others.size === 0) return [];
+  const before = /** @type {Result[]} */ (JSON.parse(readFileSync(join(here, 'results.json'), 'utf8')));
+  return before.filter(({ name }) => others.has(name));
+}
 
 /** A test that fails anyway kills nothing. */
 async function checkThatTheCodeItselfPasses() {

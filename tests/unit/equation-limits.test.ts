@@ -246,3 +246,11 @@ describe('powers near their ends', () => {
     expect(Math.abs(specular[0] - Math.exp(1e6 * Math.log(Math.cos(off))))).toBeLessThan(1e-10);
   });
 });
+
+it.each([
+  { position: [0, 1, 1, 0], axis: [1, 0, 1], aperture: 120 },
+  { position: [-3, -3, 0, 0], axis: [-3, 0, -3], aperture: 120 },
+  { position: [0.3, 0.3, 0.2, 0], axis: [-3, -3, -2], aperture: 0 },
+] as const)('takes a direction of round numbers exactly at the edge of $aperture degrees in', (spot) => {
+  expect(one(spot).insideCone).toBe(true);
+});
