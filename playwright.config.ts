@@ -2,7 +2,7 @@
 // Tests of the packed package and other slow ones are tagged @release and run with PHONG_VIEWER_RELEASE set.
 
 import { defineConfig } from '@playwright/test';
-import { findBrowser } from './.ci/browser.mjs';
+import { findBrowser, softwareGl } from './.ci/browser.mjs';
 import { outputFolder } from './.ci/output-folder.mjs';
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
@@ -26,13 +26,7 @@ export default defineConfig({
     timezoneId: 'UTC',
     launchOptions: {
       ...(executablePath === undefined ? {} : { executablePath }),
-      args: [
-        '--no-sandbox',
-        '--use-angle=swiftshader',
-        '--enable-unsafe-swiftshader',
-        '--ignore-gpu-blocklist',
-        '--disable-background-networking',
-      ],
+      args: softwareGl,
     },
   },
 });

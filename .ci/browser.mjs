@@ -15,6 +15,15 @@ const places = [
   '/snap/bin/chromium',
 ];
 
+/** Chromium's arguments for WebGL in software, so that every machine draws alike. */
+export const softwareGl = [
+  '--no-sandbox',
+  '--use-angle=swiftshader',
+  '--enable-unsafe-swiftshader',
+  '--ignore-gpu-blocklist',
+  '--disable-background-networking',
+];
+
 /**
  * The browser that is on this machine now; undefined where there is none.
  * @returns {Promise<string | undefined>}

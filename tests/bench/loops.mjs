@@ -10,6 +10,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
+import { launchOptions } from '../stress/launch-options.mjs';
 import { serveFolder } from '../stress/serve-folder.mjs';
 
 const { values: options } = parseArgs({
@@ -28,7 +29,6 @@ const { values: options } = parseArgs({
 });
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-const SOFTWARE = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 
 /** As a fragment is shaded: by the whole equation where the text has it, else by its parts. @param {string} glsl */
 const mainOf = (glsl) =>
@@ -39,17 +39,12 @@ const mainOf = (glsl) =>
 
 const loops = await texts();
 const site = await serveFolder(options.page || (await builtPage()));
-let executablePath = options.browser;
-if (executablePath === '') executablePath = await (await import('../../.ci/browser.mjs')).ensureBrowser();
-const args = ['--no-sandbox', '--disable-background-networking'];
+const launch = await launchOptions(options.browser, options.arg);
 /** What is compared, of each text but the first, which is what it is compared with. @type {Map<string, { ratios: number[], first: number[] }>} */
 const results = new Map();
 let renderer = '';
-for (let launch = 0; launch < Number(options.launches); launch++) {
-  const browser = await chromium.launch({
-    executablePath,
-    args: [...args, ...(options.arg.length > 0 ? options.arg : SOFTWARE)],
-  });
+for (let round = 0; round < Number(options.launches); round++) {
+  const browser = await chromium.launch(launch);
   for (const blinn of [false, true]) {
     for (const lights of options.lights.split(',').map(Number)) {
       const page = await browser.newPage();
@@ -66,7 +61,7 @@ for (let launch = 0; launch < Number(options.launches); launch++) {
         const name = `${blinn ? 'Blinn–Phong' : 'Phong'}, ${lights} lights: ${loops[i + 1].name}`;
         const kept = results.get(name) ?? { ratios: [], first: [] };
         results.set(name, kept);
-        samples.forEach((time, round) => kept.ratios.push(time / (first[round] ?? NaN)));
+        samples.forEach((time, k) => kept.ratios.push(time / (first[k] ?? NaN)));
         kept.first.push(...first);
       }
     }

@@ -63,7 +63,7 @@ export class FloatPass {
   constructor(gl: WebGL2RenderingContext, { glsl, inputs, textures = [], main }: PassSource) {
     this.#gl = gl;
     this.#samplers = [...inputs.map(samplerOf), ...textures];
-    this.#program = link(
+    this.#program = fullScreenProgram(
       gl,
       `#version 300 es
 precision highp float;
@@ -152,7 +152,8 @@ void main() {
 
 const samplerOf = (input: string): string => `u_${input}`;
 
-function link(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
+/** A program that runs this fragment shader on every pixel. Throws with the driver's words. */
+export function fullScreenProgram(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
   const program = gl.createProgram();
   const sources = [
     [gl.VERTEX_SHADER, VERTEX],

@@ -23,7 +23,8 @@ vec4 lightRow(int i) {
 }
 `;
 
-const FACTS = ['AMBIENT', 'DIFFUSE', 'SPECULAR', 'DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION'];
+/** All code that lights may need: `HAS_` and these. */
+export const FACTS = ['AMBIENT', 'DIFFUSE', 'SPECULAR', 'DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION'];
 
 function loopSource({ reflection, linear }: Variant, driver: Driver, edit: Edit | null): string {
   const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);

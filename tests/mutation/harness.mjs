@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { build } from 'vite';
-import { ensureBrowser } from '../../.ci/browser.mjs';
+import { ensureBrowser, softwareGl } from '../../.ci/browser.mjs';
 import { serveFolder } from '../stress/serve-folder.mjs';
 import { mutantPlugin } from './vite-mutant.mjs';
 
@@ -35,13 +35,7 @@ export async function startHarness(quick = false) {
   const rungs = quick ? RUNGS.slice(0, 5) : RUNGS;
   const browser = await chromium.launch({
     executablePath: await ensureBrowser(),
-    args: [
-      '--no-sandbox',
-      '--disable-background-networking',
-      '--use-angle=swiftshader',
-      '--enable-unsafe-swiftshader',
-      '--ignore-gpu-blocklist',
-    ],
+    args: softwareGl,
   });
   const page = await browser.newPage();
   const scratch = mkdtempSync(join(tmpdir(), 'phong-viewer-mutation-'));

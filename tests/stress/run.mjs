@@ -11,6 +11,7 @@ import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
+import { launchOptions } from './launch-options.mjs';
 import { serveFolder } from './serve-folder.mjs';
 
 const { values: options } = parseArgs({
@@ -30,7 +31,6 @@ const { values: options } = parseArgs({
 
 /** So many that starting a page is little of its time, so few that all pages have work. */
 const CASES_A_PAGE = 2e6;
-const SOFTWARE = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'];
 
 /** @typedef {import('../glsl/page/page.js').Report} Report */
 /** @typedef {import('./measure.js').Measured} Measured */
@@ -121,13 +121,7 @@ async function launch() {
 
 async function chromium() {
   const { chromium } = await import('playwright-core');
-  let executablePath = options.browser;
-  if (executablePath === '') executablePath = await (await import('../../.ci/browser.mjs')).ensureBrowser();
-  const args = ['--no-sandbox', '--disable-background-networking'];
-  const own = await chromium.launch({
-    executablePath,
-    args: [...args, ...(options.arg.length > 0 ? options.arg : SOFTWARE)],
-  });
+  const own = await chromium.launch(await launchOptions(options.browser, options.arg));
   return { open: () => own.newPage(), close: () => own.close() };
 }
 

@@ -5,7 +5,8 @@ import type { LightValues } from '../../../src/light/light-state.js';
 import { ORIGIN } from '../../stress/case.js';
 import { anyLight, colors } from '../../stress/fragments.js';
 import { Random } from '../../stress/random.js';
-import { floatContext, rendererName } from '../../glsl/float-pass.js';
+import { FACTS } from '../../glsl/loop-pass.js';
+import { floatContext, fullScreenProgram, rendererName } from '../../glsl/float-pass.js';
 
 export interface Loop {
   readonly name: string;
@@ -37,14 +38,11 @@ declare global {
   }
 }
 
-const VERTEX = `#version 300 es
-void main() { gl_Position = vec4(vec2(gl_VertexID % 2, gl_VertexID / 2) * 4.0 - 1.0, 0.0, 1.0); }`;
-
 const fragment = ({ glsl, main }: Loop, blinn: boolean, size: number): string => `#version 300 es
 precision highp float;
 precision highp int;
 #define LIGHT_STORAGE STORAGE_BLOCK
-${['AMBIENT', 'DIFFUSE', 'SPECULAR', 'DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION'].map((fact) => `#define HAS_${fact}`).join('\n')}
+${FACTS.map((fact) => `#define HAS_${fact}`).join('\n')}
 ${blinn ? '#define REFLECTION_BLINN_PHONG' : ''}
 ${glsl}
 out vec4 outColor;
@@ -67,7 +65,7 @@ function mixedLights(count: number): LightValues[] {
 
 window.timeLoops = async ({ loops, lights, blinn, size, rounds, draws }) => {
   const gl = floatContext();
-  const programs = loops.map((loop) => link(gl, fragment(loop, blinn, size)));
+  const programs = loops.map((loop) => fullScreenProgram(gl, fragment(loop, blinn, size)));
   bindLights(gl, programs, mixedLights(lights));
   const target = gl.createTexture();
   gl.bindTexture(gl.TEXTURE_2D, target);
@@ -108,21 +106,4 @@ function bindLights(
   for (const program of programs) {
     gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, 'LightRows'), 0);
   }
-}
-
-function link(gl: WebGL2RenderingContext, source: string): WebGLProgram {
-  const program = gl.createProgram();
-  for (const [type, text] of [
-    [gl.VERTEX_SHADER, VERTEX],
-    [gl.FRAGMENT_SHADER, source],
-  ] as const) {
-    const shader = gl.createShader(type)!;
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    if (gl.getShaderParameter(shader, gl.COMPILE_STATUS) !== true)
-      throw new Error(gl.getShaderInfoLog(shader) ?? '');
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  return program;
 }
