@@ -13,4 +13,6 @@ export interface ViewerStats {
   readonly drawCalls: number;
   /** Of light data. */
   readonly uploads: number;
+  /** How many viewers of the page its last frame has drawn: those on screen that had changed. */
+  readonly viewersDrawn: number;
 }

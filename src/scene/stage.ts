@@ -1,15 +1,18 @@
-// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself;
-// several share it, each copying its part into a canvas of its own. Knows nothing of scenes, lights or elements.
-import { WebGLRenderer } from 'three';
+// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself; where
+// there are several, those of one frame are drawn beside each other and each is copied into a canvas of its own. Knows
+// nothing of scenes, lights or elements.
+import type { WebGLRenderer } from 'three';
+import { Copies, type CopyClient, screenPixels } from './copies.js';
+import { closeContext, maxSizeOf, openContext, rendererOf } from './graphics.js';
+import { LinkCheck } from './link-check.js';
+import { layOut, type Place } from './sheet.js';
+
+export { NoWebGL2Error } from './graphics.js';
 
 /** A picture that draws with the shared context. Sizes are in device pixels. */
-export interface StageClient {
-  /** The element that holds the picture's canvas, and nothing else. */
-  readonly holder: HTMLElement;
-  readonly width: number;
-  readonly height: number;
-  /** What was drawn is gone or belongs into another canvas: draw again. */
-  invalidate(): void;
+export interface StageClient extends CopyClient {
+  /** It shows what it would draw now. */
+  readonly upToDate: boolean;
   /** Draw again now, before the browser shows the page. */
   redraw(): void;
   /** Let go of everything that the GPU held. */
@@ -18,28 +21,26 @@ export interface StageClient {
   contextRestored(): void;
 }
 
-/** The browser gave no WebGL 2 context. */
-export class NoWebGL2Error extends Error {
-  override readonly name = 'NoWebGL2Error';
-}
-
-const CONTEXT: WebGLContextAttributes = {
-  alpha: true,
-  antialias: true,
-  depth: true,
-  stencil: false,
-  premultipliedAlpha: true,
-};
+/** How many frames in a row may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
+const SPARING_FRAMES = 30;
 
 class Stage {
   readonly #clients = new Set<StageClient>();
-  readonly #copies = new WeakMap<StageClient, HTMLCanvasElement>();
+  readonly #copies = new Copies();
   #renderer: WebGLRenderer | null = null;
+  #linkCheck: LinkCheck | null = null;
   #maxSize = Infinity;
+  /** Where the pictures that are still to come in this frame will be. */
+  readonly #places = new Map<StageClient, Place>();
+  /** What lies on the canvas and is not shown yet. */
+  readonly #drawn = new Map<StageClient, Place>();
+  #sparing = 0;
+  #inFrame = false;
+  #viewersDrawn = 0;
 
-  /** Throws {@link NoWebGL2Error}. */
+  /** Throws NoWebGL2Error. */
   add(client: StageClient): void {
-    this.#renderer ??= this.#createRenderer();
+    this.#open();
     if (this.#clients.has(client)) return;
     this.#clients.add(client);
     // The one that was alone shows the shared canvas, which others are about to draw on.
@@ -48,9 +49,12 @@ class Stage {
 
   remove(client: StageClient): void {
     if (!this.#clients.delete(client)) return;
+    this.#showDrawn();
+    this.#copies.drop(client);
     client.holder.replaceChildren();
-    this.#copies.delete(client);
     if (this.#clients.size === 1) this.#invalidateAll();
+    // It may have been the one that the canvas is so large for; the next frame finds the size anew.
+    else if (this.#clients.size > 1 && this.#renderer !== null) resize(this.#renderer, 1, 1);
     // An element that only moves is back before the microtask.
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
   }
@@ -64,26 +68,34 @@ class Stage {
     return this.#renderer?.info.programs?.length ?? 0;
   }
 
+  /** How many pictures the page's last frame has drawn, or the present one so far. */
+  get viewersDrawn(): number {
+    return this.#viewersDrawn;
+  }
+
   /** The largest side of one drawing, in pixels; without limit while nothing draws. */
   get maxSize(): number {
     return this.#maxSize;
   }
 
-  /** Draws one client's picture by `render` and shows it. */
+  /** Draws one client's picture by `render` and shows it by the end of the task. */
   draw(client: StageClient, render: (renderer: WebGLRenderer) => void): void {
-    const renderer = this.#need();
-    const { width, height } = client;
+    const renderer = this.#open();
+    this.#count();
     if (this.#clients.size === 1) {
-      this.#resize(renderer, width, height);
-      this.#renderRegion(renderer, width, height, render);
-      show(client, renderer.domElement);
-      this.#copies.delete(client);
-      return;
+      this.#showDrawn();
+      const { width, height } = client;
+      resize(renderer, width, height);
+      drawInto(renderer, { x: 0, y: 0, width, height }, render);
+      this.#copies.drop(client);
+      const { domElement } = renderer;
+      if (client.holder.firstChild !== domElement) client.holder.replaceChildren(domElement);
+    } else {
+      const place = this.#placeOf(client, renderer);
+      drawInto(renderer, place, render);
+      this.#drawn.set(client, place);
     }
-    const canvas = renderer.domElement;
-    this.#resize(renderer, Math.max(canvas.width, width), Math.max(canvas.height, height));
-    this.#renderRegion(renderer, width, height, render);
-    this.#copy(client, canvas);
+    this.#linkCheck?.check(renderer);
   }
 
   /**
@@ -104,15 +116,16 @@ class Stage {
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
     const borrowed = this.#renderer === null;
-    const renderer = (this.#renderer ??= this.#createRenderer());
+    const renderer = this.#open();
+    this.#showDrawn(); // what follows goes over it
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
     const step = Math.min(this.maxSize, LARGEST_PART);
     for (let y = 0; y < height; y += step) {
       for (let x = 0; x < width; x += step) {
         const part = { x, y, width: Math.min(step, width - x), height: Math.min(step, height - y) };
-        this.#resize(renderer, Math.max(canvas.width, part.width), Math.max(canvas.height, part.height));
-        this.#renderRegion(renderer, part.width, part.height, (r) => {
+        resize(renderer, Math.max(canvas.width, part.width), Math.max(canvas.height, part.height));
+        drawInto(renderer, { x: 0, y: 0, width: part.width, height: part.height }, (r) => {
           render(r, part);
         });
         const top = canvas.height - part.height;
@@ -121,7 +134,7 @@ class Stage {
     }
     // The drawing went over what the one picture of the page was showing.
     if (this.#clients.size === 1) for (const client of this.#clients) client.redraw();
-    else this.#resize(renderer, before.width, before.height); // a large one would stay large
+    else resize(renderer, before.width, before.height); // a large one would stay large
     if (borrowed) queueMicrotask(this.#closeIfEmpty);
     return picture;
   }
@@ -130,58 +143,84 @@ class Stage {
     for (const client of this.#clients) client.invalidate();
   }
 
-  #need(): WebGLRenderer {
-    if (this.#renderer === null) throw new NoWebGL2Error('no picture of this page draws');
-    return this.#renderer;
+  /** Where on the canvas `client` draws; with the first of a frame all that wait for it get their places. */
+  #placeOf(client: StageClient, renderer: WebGLRenderer): Place {
+    const kept = this.#places.get(client);
+    this.#places.delete(client); // one drawing each
+    if (kept?.width === client.width && kept.height === client.height) return kept;
+    this.#showDrawn();
+    const waiting = [client];
+    for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) waiting.push(one);
+    const limit = { side: this.#maxSize, area: screenPixels() };
+    const sheet = layOut(waiting, limit);
+    this.#makeRoom(renderer, sheet.width, sheet.height, limit.area);
+    sheet.places.forEach((place, i) => {
+      const one = waiting[i];
+      if (one !== undefined && one !== client) this.#places.set(one, place);
+    });
+    return { x: 0, y: 0, width: client.width, height: client.height }; // the first place of all
   }
 
-  #resize(renderer: WebGLRenderer, width: number, height: number): void {
+  /** At least this many pixels; another size costs new buffers, so what fits stays for a while. */
+  #makeRoom(renderer: WebGLRenderer, width: number, height: number, area: number): void {
     const canvas = renderer.domElement;
-    if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
+    const fits = width <= canvas.width && height <= canvas.height;
+    const sparing = fits && 4 * width * height < canvas.width * canvas.height;
+    this.#sparing = sparing ? this.#sparing + 1 : 0;
+    if (fits && this.#sparing < SPARING_FRAMES) return;
+    this.#sparing = 0;
+    const both = { width: Math.max(width, canvas.width), height: Math.max(height, canvas.height) };
+    if (!fits && both.width * both.height <= area) resize(renderer, both.width, both.height);
+    else resize(renderer, width, height);
   }
 
-  #renderRegion(
-    renderer: WebGLRenderer,
-    width: number,
-    height: number,
-    render: (renderer: WebGLRenderer) => void,
-  ): void {
-    const whole = renderer.domElement.width === width && renderer.domElement.height === height;
-    renderer.setViewport(0, 0, width, height);
-    renderer.setScissor(0, 0, width, height);
-    renderer.setScissorTest(!whole);
-    render(renderer);
+  /** Copies what has been drawn to where it is seen. */
+  #showDrawn(): void {
+    this.#places.clear();
+    if (this.#drawn.size === 0) return;
+    const source = this.#renderer?.domElement;
+    if (source !== undefined)
+      for (const [client, place] of this.#drawn) this.#copies.show(client, source, place);
+    this.#drawn.clear();
+    this.#copies.trim();
   }
 
-  #copy(client: StageClient, canvas: HTMLCanvasElement): void {
-    const { width, height } = client;
-    const copy = this.#copies.get(client) ?? document.createElement('canvas');
-    this.#copies.set(client, copy);
-    if (copy.width !== width || copy.height !== height) {
-      copy.width = width;
-      copy.height = height;
+  #count(): void {
+    if (!this.#inFrame) {
+      this.#inFrame = true;
+      this.#viewersDrawn = 0;
+      queueMicrotask(this.#endFrame); // still before the browser shows the page
     }
-    const context = copy.getContext('2d');
-    if (context === null) return; // no memory for it: the picture stays as it was
-    context.globalCompositeOperation = 'copy';
-    context.drawImage(canvas, 0, canvas.height - height, width, height, 0, 0, width, height);
-    show(client, copy);
+    this.#viewersDrawn += 1;
   }
 
-  #createRenderer(): WebGLRenderer {
-    const canvas = document.createElement('canvas');
-    const context = canvas.getContext('webgl2', CONTEXT);
-    if (context === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context');
+  readonly #endFrame = (): void => {
+    this.#inFrame = false;
+    this.#showDrawn();
+  };
+
+  #open(): WebGLRenderer {
+    if (this.#renderer !== null) return this.#renderer;
+    const context = openContext();
+    const canvas = context.canvas as HTMLCanvasElement;
     canvas.addEventListener('webglcontextlost', this.#lost);
     canvas.addEventListener('webglcontextrestored', this.#restored);
     this.#maxSize = maxSizeOf(context);
-    return rendererOf(canvas, context);
+    return this.#draws(rendererOf(context));
+  }
+
+  #draws(renderer: WebGLRenderer): WebGLRenderer {
+    this.#renderer = renderer;
+    this.#linkCheck = new LinkCheck(renderer);
+    return renderer;
   }
 
   // three.js would write both to the console. It need not know: a restored context gets a new renderer.
   readonly #lost = (event: Event): void => {
     event.stopImmediatePropagation();
     event.preventDefault(); // else it is never restored
+    this.#drawn.clear();
+    this.#places.clear();
     for (const client of this.#clients) client.contextLost();
     // While the context is lost: what is deleted after it has come back is not its own, and that is an error.
     this.#renderer?.dispose();
@@ -189,8 +228,8 @@ class Stage {
 
   readonly #restored = (event: Event): void => {
     event.stopImmediatePropagation();
-    const old = this.#need();
-    this.#renderer = rendererOf(old.domElement, old.getContext() as WebGL2RenderingContext);
+    if (this.#renderer === null) return;
+    this.#draws(rendererOf(this.#renderer.getContext() as WebGL2RenderingContext));
     for (const client of this.#clients) client.contextRestored();
   };
 
@@ -198,12 +237,29 @@ class Stage {
     const renderer = this.#renderer;
     if (renderer === null || this.#clients.size > 0) return;
     this.#renderer = null;
+    this.#linkCheck = null;
     renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
     renderer.domElement.removeEventListener('webglcontextrestored', this.#restored);
-    renderer.dispose();
-    // Browsers keep few contexts: give it back now rather than at some garbage collection.
-    renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext();
+    closeContext(renderer);
   };
+}
+
+function resize(renderer: WebGLRenderer, width: number, height: number): void {
+  const canvas = renderer.domElement;
+  if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
+}
+
+/** Draws onto one part of the canvas and leaves the others alone. */
+function drawInto(
+  renderer: WebGLRenderer,
+  { x, y, width, height }: Place,
+  render: (renderer: WebGLRenderer) => void,
+): void {
+  const whole = renderer.domElement.width === width && renderer.domElement.height === height;
+  renderer.setViewport(x, y, width, height);
+  renderer.setScissor(x, y, width, height);
+  renderer.setScissorTest(!whole);
+  render(renderer);
 }
 
 /** A part of a picture: pixels from its top left corner. */
@@ -229,22 +285,6 @@ function holds(context: CanvasRenderingContext2D, width: number, height: number)
   } catch {
     return false;
   }
-}
-
-function rendererOf(canvas: HTMLCanvasElement, context: WebGL2RenderingContext): WebGLRenderer {
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
-  renderer.setPixelRatio(1); // sizes here are device pixels already
-  renderer.setClearColor(0x000000, 0);
-  return renderer;
-}
-
-function maxSizeOf(gl: WebGL2RenderingContext): number {
-  const viewport = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
-  return Math.min(viewport[0] ?? 0, viewport[1] ?? 0, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
-}
-
-function show(client: StageClient, canvas: HTMLCanvasElement): void {
-  if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);
 }
 
 /** The page's stage. */

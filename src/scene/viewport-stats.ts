@@ -7,4 +7,5 @@ export interface ViewportStats {
   readonly programs: number;
   readonly drawCalls: number;
   readonly uploads: number;
+  readonly viewersDrawn: number;
 }

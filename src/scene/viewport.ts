@@ -253,6 +253,7 @@ export class Viewport implements StageClient, Framed {
       programs: stage.programs,
       drawCalls: this.#drawCalls,
       uploads: rows.uploads,
+      viewersDrawn: stage.viewersDrawn,
     };
   }
 

@@ -1,0 +1,42 @@
+// The page's WebGL 2 context and three.js's renderer on it. Knows nothing of what is drawn.
+import { WebGLRenderer } from 'three';
+
+/** The browser gave no WebGL 2 context. */
+export class NoWebGL2Error extends Error {
+  override readonly name = 'NoWebGL2Error';
+}
+
+const CONTEXT: WebGLContextAttributes = {
+  alpha: true,
+  antialias: true,
+  depth: true,
+  stencil: false,
+  premultipliedAlpha: true,
+};
+
+/** Throws {@link NoWebGL2Error}. */
+export function openContext(): WebGL2RenderingContext {
+  const context = document.createElement('canvas').getContext('webgl2', CONTEXT);
+  if (context === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context');
+  return context;
+}
+
+export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
+  const canvas = context.canvas as HTMLCanvasElement;
+  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  renderer.setPixelRatio(1); // sizes here are device pixels already
+  renderer.setClearColor(0x000000, 0);
+  return renderer;
+}
+
+/** The largest side of one drawing, in pixels. */
+export function maxSizeOf(gl: WebGL2RenderingContext): number {
+  const viewport = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
+  return Math.min(viewport[0] ?? 0, viewport[1] ?? 0, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
+}
+
+/** Browsers keep few contexts: gives one back now rather than at some garbage collection. */
+export function closeContext(renderer: WebGLRenderer): void {
+  renderer.dispose();
+  renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext();
+}
