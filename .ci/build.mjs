@@ -11,7 +11,8 @@ import { outputFolder } from './output-folder.mjs';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(repository);
 
-await build({ configFile: join(repository, 'vite.lib.config.ts'), logLevel: 'warn' });
+for (const mode of ['index', 'core', 'reference'])
+  await build({ configFile: join(repository, 'vite.lib.config.ts'), mode, logLevel: 'warn' });
 await build({ configFile: join(repository, 'vite.standalone.config.ts'), logLevel: 'warn' });
 runNode(
   'node_modules/typescript/bin/tsc',

@@ -60,10 +60,16 @@ export class OrbitInput {
     const { signal } = this.#listeners;
     const surface = this.#surface;
     const active = { signal, passive: false };
-    surface.addEventListener('pointerdown', (event) => this.#onPress(event), { signal });
-    surface.addEventListener('pointermove', (event) => this.#onMove(event), { signal });
-    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) {
-      surface.addEventListener(type, (event) => this.#onLift(event), { signal });
+    for (const type of Object.keys(this.#handlers)) {
+      // What a script has dealt with does nothing here; moves and lifts say where a pointer is all the same.
+      const claimable = /down|wheel/.test(type);
+      surface.addEventListener(
+        type,
+        (event) => {
+          if (!claimable || !event.defaultPrevented) this.take(event);
+        },
+        active,
+      );
     }
     // A drag must neither select the page's text nor carry a selection away: the latter would cancel the pointer.
     for (const type of ['selectstart', 'dragstart'] as const) {
@@ -71,12 +77,15 @@ export class OrbitInput {
     }
     surface.addEventListener('touchstart', (event) => this.#onTouch(event), active);
     surface.addEventListener('touchmove', (event) => this.#onTouch(event), active);
-    surface.addEventListener('wheel', (event) => this.#onWheel(event), active);
-    surface.addEventListener('keydown', (event) => this.#onKey(event), { signal });
     const view = surface.ownerDocument.defaultView;
     view?.addEventListener('blur', () => this.#end(), { signal });
     // On the window, because a drag may be let go outside the surface.
     view?.addEventListener('contextmenu', (event) => this.#onMenu(event), { signal });
+  }
+
+  /** Works off a pointer event, a turn of the wheel or a key that came before {@link connect} did. */
+  take(event: Event): void {
+    this.#handlers[event.type]?.(event);
   }
 
   /** Gives everything back: listeners, captured pointers, a drag in progress. `connect` may follow. */
@@ -91,10 +100,32 @@ export class OrbitInput {
     if (this.#grip.held) this.#grip.renote();
   }
 
+  readonly #lifted = (event: Event): void => {
+    this.#onLift(event as PointerEvent);
+  };
+
+  readonly #handlers: Readonly<Record<string, (event: Event) => void>> = {
+    pointerdown: (event) => {
+      this.#onPress(event as PointerEvent);
+    },
+    pointermove: (event) => {
+      this.#onMove(event as PointerEvent);
+    },
+    pointerup: this.#lifted,
+    pointercancel: this.#lifted,
+    lostpointercapture: this.#lifted,
+    wheel: (event) => {
+      this.#onWheel(event as WheelEvent);
+    },
+    keydown: (event) => {
+      this.#onKey(event as KeyboardEvent);
+    },
+  };
+
   #onPress(event: PointerEvent): void {
     const { orbit, zoom } = this.#host.allows();
     const touch = event.pointerType === 'touch';
-    if (event.defaultPrevented || (!orbit && !zoom)) return;
+    if (!orbit && !zoom) return;
     if (event.button !== PRIMARY && event.button !== SECONDARY) return;
     this.#surface.focus({ preventScroll: true });
     this.#menuUntil = -1;
@@ -159,7 +190,7 @@ export class OrbitInput {
 
   #onWheel(event: WheelEvent): void {
     // A trackpad's pinch arrives as a wheel with Ctrl: it zooms as well. A sideways turn stays the page's.
-    if (event.defaultPrevented || event.deltaY === 0) return;
+    if (event.deltaY === 0) return;
     if (!this.#host.allows().zoom || !this.#focused()) return;
     event.preventDefault();
     const { orbit } = this.#host;
@@ -167,7 +198,7 @@ export class OrbitInput {
   }
 
   #onKey(event: KeyboardEvent): void {
-    if (event.defaultPrevented || event.ctrlKey || event.altKey || event.metaKey) return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
     const step = keyStep(event.key, event.shiftKey);
     const { orbit, zoom } = this.#host.allows();
     if (step === undefined || !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom))

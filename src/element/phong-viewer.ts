@@ -6,6 +6,7 @@ import { Declared } from '../math/declared.js';
 import { Viewport } from '../scene/viewport.js';
 import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
+import { momentOf } from './moment.js';
 import { Notices } from './notices.js';
 import type { PanelLoader } from './panel-door.js';
 import type { PhongLight } from './phong-light.js';
@@ -13,7 +14,7 @@ import type { PhongMesh } from './phong-mesh.js';
 import { styles } from './phong-viewer.styles.js';
 import { pictureBlob, type PictureOptions } from './picture-blob.js';
 import { Readiness } from './readiness.js';
-import { type FragmentExplanation, shadeAt } from './shade-at.js';
+import type { FragmentExplanation } from './shade-at.js';
 import { sceneMarkup } from './to-html.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer-camera.js';
 import { ViewerChildren } from './viewer-children.js';
@@ -200,8 +201,9 @@ export class PhongViewer extends LitElement {
    */
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#bringInStep();
-    const { size } = this.#visibility;
-    return shadeAt({ viewer: this, viewport: this.#viewport, children: this.#children, size }, x, y);
+    const moment = momentOf(this, this.#viewport, this.#children, this.#visibility.size);
+    const { shadeAt } = await import('./shade-at.js');
+    return shadeAt(moment, x, y);
   }
 
   /** The scene as markup, with the camera as it is now: it gives the same picture back. */

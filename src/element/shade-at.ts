@@ -3,15 +3,15 @@
 import type { Mesh } from 'three';
 import type { LightValues } from '../light/light-state.js';
 import { srgbDecode } from '../math/color.js';
-import { add, multiply, scale, subtract, type Vec3 } from '../math/vector.js';
+import { add, map, multiply, scale, subtract, type Vec3 } from '../math/vector.js';
 import type { LightShare } from '../reference/index.js';
 import { cornersOf } from '../scene/pick/corners.js';
-import type { Viewport } from '../scene/viewport.js';
+import { pick } from '../scene/pick/pick.js';
+import type { Moment } from './moment.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import type { PhongViewer } from './phong-viewer.js';
 import { shadeHit, type Subject } from './shade-hit.js';
-import type { ViewerChildren } from './viewer-children.js';
 
 /** One light's part in a fragment. Frozen. */
 export interface LightExplanation extends LightShare {
@@ -56,47 +56,32 @@ export interface FragmentExplanation {
   readonly color: Vec3;
 }
 
-export interface ShadeAtHost {
-  readonly viewer: PhongViewer;
-  readonly viewport: Viewport;
-  readonly children: Pick<ViewerChildren, 'elementOf' | 'lightOf'>;
-  /** The picture's, in CSS pixels before any transform or zoom. */
-  readonly size: { readonly width: number; readonly height: number };
-}
-
 /** Rejects with TypeError or RangeError where x or y is no finite number. */
-export async function shadeAt(host: ShadeAtHost, x: number, y: number): Promise<FragmentExplanation | null> {
-  const { viewport, size, children } = host;
-  const { holder } = viewport;
-  // Inside CSS zoom pointer events count in the page's pixels, sizes in the element's own. Not all browsers know the name.
-  const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
-  const column = pixel('x', x, size.width * zoom, viewport.width);
-  const row = pixel('y', y, size.height * zoom, viewport.height);
-  const isPlaced = holder.getClientRects().length > 0;
-  const hit = isPlaced ? viewport.pick(column, row) : null;
-  const mesh = hit === null ? undefined : viewport.meshOf(hit.object);
-  if (hit === null || mesh === undefined) return null;
-  // Whatever may change until the equation's code is here is taken now.
-  const { surface, style, linear } = hit.material;
+export async function shadeAt(
+  { glimpse, width, height, lights }: Moment,
+  x: number,
+  y: number,
+): Promise<FragmentExplanation | null> {
+  const column = pixel('x', x, width, glimpse?.width ?? 0);
+  const row = pixel('y', y, height, glimpse?.height ?? 0);
+  const hit = glimpse === null ? null : pick(glimpse, column, row);
+  if (hit === null) return null;
+  const { object, owner, phong } = hit.drawn;
+  const { surface, style, linear } = phong;
   const subject: Subject = { hit, corners: cornersOf(hit), surface, style, linear };
-  const element = children.elementOf(mesh) ?? host.viewer;
-  const lights = viewport.lighting.lights.lights.map((state) => {
-    const light = children.lightOf(state);
-    return { light, name: light?.name ?? 'head-light', values: relative(state.values, hit.frame.origin) };
-  });
   const { shade } = await import('../reference/index.js');
   const shaded = shadeHit(
     shade,
     subject,
-    lights.map(({ values }) => values),
+    lights.map(({ values }) => relative(values, hit.frame.origin)),
   );
   const { color: baseColor, opacity } = hit.base;
   return Object.freeze({
     p: frozen(add(hit.frame.origin, hit.p)),
     N: frozen(shaded.N),
     V: frozen(shaded.V),
-    mesh: element,
-    object: hit.object,
+    mesh: owner,
+    object: object as Mesh,
     triangle: hit.triangle,
     ka: coefficient(surface.ka, baseColor, linear),
     kd: coefficient(surface.kd, baseColor, linear),
@@ -123,10 +108,10 @@ function pixel(name: string, at: unknown, size: number, pixels: number): number 
   return Math.floor((at * pixels) / size);
 }
 
-/** A snapshot of a light with its place relative to `origin`: far from the world's origin differences come first. */
-function relative(values: Readonly<LightValues>, origin: Vec3): LightValues {
+/** A light with its place relative to `origin`: far from the world's origin differences come first. */
+function relative(values: LightValues, origin: Vec3): LightValues {
   const [x, y, z, w] = values.position;
-  if (w === 0 || values.space === 'camera') return { ...values };
+  if (w === 0 || values.space === 'camera') return values;
   return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
 
@@ -137,8 +122,6 @@ function coefficient(k: Vec3, base: Vec3, linear: boolean): Vec3 {
 }
 
 const WHITE: Vec3 = [1, 1, 1];
-
-const map = (v: Vec3, f: (x: number) => number): Vec3 => [f(v[0]), f(v[1]), f(v[2])];
 
 /** Adding 0 turns -0 into 0, so that equal vectors print alike. */
 const frozen = (v: Vec3): Vec3 => Object.freeze(map(v, (x) => x + 0));

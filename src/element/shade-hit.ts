@@ -5,7 +5,7 @@ import type { SurfaceValues } from '../material/material-values.js';
 import type { ShadingStyle } from '../material/phong-material.js';
 import type { Term } from '../material/variant.js';
 import { srgbEncode } from '../math/color.js';
-import { add, scale, type Vec3 } from '../math/vector.js';
+import { add, map, scale, type Vec3 } from '../math/vector.js';
 import type { shade as Shade, Shaded } from '../reference/index.js';
 import type { Hit } from '../scene/pick/pick.js';
 import type { Corner } from '../scene/pick/corners.js';
@@ -57,5 +57,3 @@ function withTermsOf(
 
 const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
   add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
-
-const map = (v: Vec3, f: (x: number) => number): Vec3 => [f(v[0]), f(v[1]), f(v[2])];

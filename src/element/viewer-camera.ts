@@ -1,12 +1,14 @@
 // How a viewer's camera gets where it is: declared properties, hands on the picture, the turntable, and back. Knows
 // neither lights nor meshes.
 import type { ReactiveController } from 'lit';
-import { OrbitInput, type OrbitInputHost } from '../camera/orbit-input.js';
+import type { OrbitInputHost } from '../camera/orbit-input.js';
 import { newBasis } from '../camera/orbit.js';
-import { Turntable } from '../camera/turntable.js';
+import type { Turntable } from '../camera/turntable.js';
 import { wrapDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
 import type { Viewport } from '../scene/viewport.js';
+import { fetched } from './fetched.js';
+import { LazyInput } from './lazy-input.js';
 import type { CameraValues, ViewerValues } from './viewer-fields.js';
 
 export type CameraSource = 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto';
@@ -34,9 +36,10 @@ const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', '
 
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;
-  readonly #turntable = new Turntable();
+  #turntable: Turntable | null = null;
+  #fetchingTurntable = false;
   readonly #stillness: MediaQueryList | null;
-  #input: OrbitInput | null = null;
+  #input: LazyInput | null = null;
   #source: CameraSource = 'script';
 
   constructor(host: CameraHost) {
@@ -47,7 +50,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** The element that hands act on: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
-    this.#input = new OrbitInput(surface, this.#inputHost());
+    this.#input = new LazyInput(surface, this.#inputHost());
     this.#input.connect();
   }
 
@@ -58,7 +61,7 @@ export class ViewerCamera implements ReactiveController {
 
   hostDisconnected(): void {
     this.#input?.disconnect();
-    this.#turntable.rest();
+    this.#turntable?.rest();
     this.#stillness?.removeEventListener('change', this.#motionMayChange);
   }
 
@@ -131,7 +134,11 @@ export class ViewerCamera implements ReactiveController {
   /** A step of what moves by itself; true where it goes on. */
   frame(now: number): boolean {
     if (!this.turning) {
-      this.#turntable.rest();
+      this.#turntable?.rest();
+      return false;
+    }
+    if (this.#turntable === null) {
+      void this.#fetchTurntable();
       return false;
     }
     const { viewport, values } = this.#host;
@@ -141,7 +148,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** Time that nobody sees does not turn the scene. */
   rest(): void {
-    this.#turntable.rest();
+    this.#turntable?.rest();
   }
 
   get turning(): boolean {
@@ -150,6 +157,15 @@ export class ViewerCamera implements ReactiveController {
       this.#stillness?.matches !== true &&
       this.#input?.dragging !== true
     );
+  }
+
+  async #fetchTurntable(): Promise<void> {
+    if (this.#fetchingTurntable) return;
+    this.#fetchingTurntable = true;
+    const code = await fetched(() => import('../camera/turntable.js'), 'auto-rotate');
+    if (code === null) return;
+    this.#turntable = new code.Turntable();
+    this.#motionMayChange();
   }
 
   readonly #motionMayChange = (): void => {

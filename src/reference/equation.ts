@@ -9,6 +9,7 @@ import {
   cross,
   dot,
   length,
+  map,
   multiply,
   negate,
   normalize,
@@ -201,5 +202,3 @@ function power(x: number, y: number, n: number): number {
   if (x <= 0) return 0;
   return y < 0.5 ? Math.exp(n * Math.log1p(-y)) : x ** n;
 }
-
-const map = (v: Vec3, f: (x: number) => number): Vec3 => [f(v[0]), f(v[1]), f(v[2])];

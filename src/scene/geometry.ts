@@ -10,7 +10,6 @@ import {
   TorusGeometry,
   type BufferGeometry,
 } from 'three';
-import { pyramidGeometry } from './geometry/pyramid.js';
 
 /** The names that the `geometry` attribute takes, in the order in which menus show them. */
 export const GEOMETRIES = [
@@ -50,7 +49,11 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   sphere: { segments: 64, least: 3, create: (n) => new SphereGeometry(0.5, n, half(n, 2)) },
   cylinder: { segments: 64, least: 3, create: (n) => new CylinderGeometry(0.5, 0.5, 1, n) },
   cone: { segments: 64, least: 3, create: (n) => new ConeGeometry(0.5, 1, n) },
-  pyramid: { segments: 1, least: 1, create: pyramidGeometry },
+  pyramid: {
+    segments: 1,
+    least: 1,
+    create: async (n) => (await import('./geometry/pyramid.js')).pyramidGeometry(n),
+  },
   torus: {
     segments: 64,
     least: 3,

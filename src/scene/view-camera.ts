@@ -4,9 +4,7 @@ import { PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
 import type { ShadingFrame } from '../material/phong-lighting.js';
-import { radians } from '../math/angle.js';
 import { dot } from '../math/vector.js';
-import type { ViewRay } from './pick/ray-triangles.js';
 import type { Region } from './stage.js';
 
 export class ViewCamera {
@@ -61,20 +59,5 @@ export class ViewCamera {
     if (part === undefined) camera.clearViewOffset();
     else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
     camera.updateProjectionMatrix();
-  }
-
-  /** The ray through a place of the picture that {@link aim} was last told of: from 0 to 1 rightwards and downwards. */
-  ray(across: number, down: number): ViewRay {
-    const { origin, eye, right, up, back } = this.frame;
-    const { near, far, fov, aspect } = this.camera;
-    const tan = Math.tan(radians(fov) / 2);
-    return {
-      // A copy: the frame goes on with the camera.
-      frame: { origin, eye: [...eye], right: [...right], up: [...up], back: [...back] },
-      slopeX: (2 * across - 1) * tan * aspect,
-      slopeY: (1 - 2 * down) * tan,
-      near,
-      far,
-    };
   }
 }

@@ -1,6 +1,6 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import { type Object3D, Scene, type WebGLRenderer } from 'three';
+import { Scene, type WebGLRenderer } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
@@ -11,8 +11,8 @@ import { TERMS } from '../material/variant.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
+import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
 import { releaseGpu } from './release-gpu.js';
-import { type Hit, pick } from './pick/pick.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
@@ -228,20 +228,18 @@ export class Viewport implements StageClient, Framed {
     });
   }
 
-  /** What is seen through a device pixel's centre, counted from the top left corner; null where that is nothing. */
-  pick(column: number, row: number): Hit | null {
+  /** All that is drawn, as it is now; `ownerOf` says whose a mesh is. */
+  glimpse<Owner>(ownerOf: (mesh: SceneMesh) => Owner): Glimpse<Owner> {
     const { width, height } = this;
-    if (!(column >= 0 && column < width && row >= 0 && row < height)) return null;
     this.settle();
     this.scene.updateMatrixWorld();
     this.#view.aim(this.#fov, this.#bounds, width, height);
-    const ray = this.#view.ray((column + 0.5) / width, (row + 0.5) / height);
-    return pick(this.scene, this.#view.camera, ray, (object) => this.meshOf(object) !== undefined);
-  }
-
-  /** The mesh that `object` is a part of. */
-  meshOf(object: Object3D): SceneMesh | undefined {
-    return [...this.#meshes].find((mesh) => mesh.shows(object));
+    const { camera, frame } = this.#view;
+    const objects = drawnObjects(this.scene, camera, (object) => {
+      const mesh = [...this.#meshes].find((one) => one.shows(object));
+      return mesh && ownerOf(mesh);
+    });
+    return { width, height, frame: frameNow(frame), camera: camera.clone(), objects };
   }
 
   get stats(): ViewportStats {

@@ -352,17 +352,22 @@ test('rejects what is no place with TypeError or RangeError', async ({ mount }) 
   ]);
 });
 
-test('fetches the equation with the first explanation, once', async ({ page, mount }) => {
+test('fetches what picks with the first call and the equation with the first explanation, once', async ({
+  page,
+  mount,
+}) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
   const viewer = await mount(floor(LIGHTS()), FLOOR);
+  const named = (name: string): string[] => fetched.filter((path) => path.includes(name));
+  expect(named('shade-at')).toEqual([]);
   await explained(viewer, 1, 50); // hits nothing
-  const reference = (): string[] => fetched.filter((path) => path.includes('reference'));
-  expect(reference()).toEqual([]);
+  expect(named('shade-at')).toHaveLength(1);
+  expect(named('reference')).toEqual([]);
   const before = fetched.length;
   await explained(viewer, 50, 50);
   await explained(viewer, 51, 50);
-  expect(reference()).toHaveLength(1);
+  expect(named('reference')).toHaveLength(1);
   expect(fetched).toHaveLength(before + 1);
 });
 
@@ -376,8 +381,9 @@ test('leaves the equation to a file of its own in the ES modules too', () => {
   };
   const dist = outputFolder('dist');
   load(join(dist, 'index.js'));
-  expect(loaded.size).toBeGreaterThan(2);
-  expect([...loaded.keys()]).not.toContain(join(dist, 'reference.js'));
+  expect([...loaded.keys()].filter((path) => /reference|shade-at/.test(path))).toEqual([]);
+  expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/shared\/shade-at\.js["'`]\)/);
+  load(join(dist, 'shared/shade-at.js'));
   expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/reference\.js["'`]\)/);
 });
 

@@ -78,6 +78,14 @@ export async function nextFrame(page: Page): Promise<void> {
 export const settled = (viewer: Locator): Promise<void> =>
   viewer.evaluate((element: PhongViewer) => element.ready);
 
+/** Brings the pointer over the viewer and waits until the code that follows it, fetched then, is at work. */
+export async function handsReady(page: Page, viewer: Locator): Promise<void> {
+  const fetched = page.waitForResponse(/orbit-input/);
+  await viewer.hover();
+  await (await fetched).finished();
+  await nextFrame(page);
+}
+
 export interface DragOptions {
   readonly button?: 'left' | 'right' | 'middle';
   readonly steps?: number;

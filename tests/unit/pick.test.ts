@@ -9,7 +9,6 @@ import {
   Mesh,
   MeshBasicMaterial,
   type Object3D,
-  PerspectiveCamera,
   PlaneGeometry,
   Points,
   Scene,
@@ -19,6 +18,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import { PhongLighting } from '../../src/material/phong-lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
+import { drawnObjects, frameNow, type Glimpse } from '../../src/scene/glimpse.js';
 import { type Hit, pick } from '../../src/scene/pick/pick.js';
 import { cornersOf } from '../../src/scene/pick/corners.js';
 import { ViewCamera } from '../../src/scene/view-camera.js';
@@ -41,9 +41,15 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
 function look(column = 50, row = 50): Hit | null {
   const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
   view.aim(45, { centre: [0, 0, 0], radius: 2 }, SIZE, SIZE);
+  return pick(glimpseThrough(view), column, row);
+}
+
+function glimpseThrough({ camera, frame }: ViewCamera): Glimpse {
   scene.updateMatrixWorld();
-  const ray = view.ray((column + 0.5) / SIZE, (row + 0.5) / SIZE);
-  return pick(scene, view.camera, ray, (object) => own.includes(object as Mesh));
+  const objects = drawnObjects(scene, camera, (object) =>
+    own.includes(object as Mesh) ? 'ours' : undefined,
+  );
+  return { width: SIZE, height: SIZE, frame: frameNow(frame), camera: camera.clone(), objects };
 }
 
 beforeEach(() => {
@@ -59,7 +65,7 @@ describe('the pick', () => {
     const nearest = wall(0.5, group);
     wall(0.9);
     wall(-1);
-    expect(look()!.object).toBe(nearest);
+    expect(look()!.drawn.object).toBe(nearest);
     expect(look()!.depth).toBeCloseTo(2, 12);
     expect(look(0, 0)).toBeNull();
   });
@@ -73,7 +79,7 @@ describe('the pick', () => {
     wall(0.6).visible = false;
     (wall(0.7).material as PhongMaterial).visible = false;
     wall(0.8).layers.set(1);
-    expect(look()!.object).toBe(seen);
+    expect(look()!.drawn.object).toBe(seen);
   });
 
   it('finds a visible child of a parent in another layer', () => {
@@ -81,20 +87,20 @@ describe('the pick', () => {
     group.layers.set(1);
     scene.add(group);
     const child = wall(0, group);
-    expect(look()!.object).toBe(child);
+    expect(look()!.drawn.object).toBe(child);
   });
 
   it('keeps to the range of the geometry that is drawn', () => {
     wall(0.5).geometry.setDrawRange(0, 3); // the upper left half
     const behind = wall(0);
     expect(look(40, 40)!.depth).toBeCloseTo(2.5, 12);
-    expect(look(60, 60)!.object).toBe(behind);
+    expect(look(60, 60)!.drawn.object).toBe(behind);
   });
 
   it('takes the later of two that are equally near, as the depth test does', () => {
     wall();
     const later = wall();
-    expect(look()!.object).toBe(later);
+    expect(look()!.drawn.object).toBe(later);
   });
 
   it('takes the same face of a flattened box everywhere', () => {
@@ -149,7 +155,7 @@ describe('the pick', () => {
       object.position.z = 0.2 * (i + 1);
       scene.add(object);
     }
-    expect(look()!.object).toBe(mesh);
+    expect(look()!.drawn.object).toBe(mesh);
   });
 
   it('stays the same after the camera has moved on', () => {
@@ -157,12 +163,36 @@ describe('the pick', () => {
     const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
     const view = new ViewCamera(orbit);
     view.aim(45, null, SIZE, SIZE);
-    scene.updateMatrixWorld();
-    const hit = pick(scene, new PerspectiveCamera(), view.ray(0.5, 0.5), () => true)!;
-    const eye = [...hit.frame.eye];
+    const glimpse = glimpseThrough(view);
+    const before = pick(glimpse, 50, 50)!;
+    const eye = [...before.frame.eye];
     orbit.set({ theta: 90, radius: 7 });
     view.aim(45, null, SIZE, SIZE);
-    expect(hit.frame.eye).toEqual(eye);
+    expect(before.frame.eye).toEqual(eye);
+    expect(pick(glimpse, 50, 50)).toEqual(before);
+  });
+
+  it('stays the same after the scene has moved on, of ours and of somebody else’s', () => {
+    const mesh = wall();
+    const foreign = new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial());
+    foreign.position.set(0.5, 0, 1);
+    scene.add(foreign);
+    const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+    view.aim(45, null, SIZE, SIZE);
+    const glimpse = glimpseThrough(view);
+    const { depth } = pick(glimpse, 50, 50)!;
+    const material = mesh.material as PhongMaterial;
+    const { surface } = material;
+    mesh.position.z = 1;
+    mesh.geometry = new PlaneGeometry(5, 5);
+    material.setSurface({ shininess: 7 });
+    foreign.position.x = 0;
+    scene.updateMatrixWorld();
+    const hit = pick(glimpse, 50, 50)!;
+    expect(hit.depth).toBe(depth);
+    expect(hit.drawn.phong.surface).toBe(surface);
+    expect(foreign.matrixWorld.elements[12]).toBe(0);
+    expect(pick(glimpseThrough(view), 50, 50)).toBeNull();
   });
 });
 

@@ -13,8 +13,8 @@ export interface Corner {
   readonly N: Vec3;
 }
 
-export function cornersOf({ object, corners, front, frame }: Hit): readonly [Corner, Corner, Corner] {
-  const { geometry, matrixWorld } = object;
+export function cornersOf({ drawn, corners, front, frame }: Hit): readonly [Corner, Corner, Corner] {
+  const { geometry, matrixWorld } = drawn;
   const toShading = matrixWorld.clone();
   const e = toShading.elements;
   for (let i = 0; i < 3; i++) e[12 + i]! -= frame.origin[i]!;

@@ -1,0 +1,47 @@
+// What shadeAt explains, taken at its call: the code that explains it may still have to come, and the scene goes on
+// meanwhile. Knows nothing of rays.
+import type { LightValues } from '../light/light-state.js';
+import type { Glimpse } from '../scene/glimpse.js';
+import type { Viewport } from '../scene/viewport.js';
+import type { PhongLight } from './phong-light.js';
+import type { PhongMesh } from './phong-mesh.js';
+import type { PhongViewer } from './phong-viewer.js';
+import type { ViewerChildren } from './viewer-children.js';
+
+export interface Moment {
+  /** Null while the picture has no place on the page. */
+  readonly glimpse: Glimpse<PhongMesh | PhongViewer> | null;
+  /** The picture's, in the CSS pixels that pointer events count in. */
+  readonly width: number;
+  readonly height: number;
+  readonly lights: readonly {
+    /** Null for the light at the eye that a viewer without any has. */
+    readonly light: PhongLight | null;
+    readonly name: string;
+    readonly values: LightValues;
+  }[];
+}
+
+/** `size` is the picture's, in CSS pixels before any transform or zoom. */
+export function momentOf(
+  viewer: PhongViewer,
+  viewport: Viewport,
+  children: Pick<ViewerChildren, 'elementOf' | 'lightOf'>,
+  size: { readonly width: number; readonly height: number },
+): Moment {
+  const { holder } = viewport;
+  // Inside CSS zoom pointer events count in the page's pixels, sizes in the element's own. Not all browsers know the name.
+  const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+  return {
+    glimpse:
+      holder.getClientRects().length > 0
+        ? viewport.glimpse((mesh) => children.elementOf(mesh) ?? viewer)
+        : null,
+    width: size.width * zoom,
+    height: size.height * zoom,
+    lights: viewport.lighting.lights.lights.map((state) => {
+      const light = children.lightOf(state);
+      return { light, name: light?.name ?? 'head-light', values: { ...state.values } };
+    }),
+  };
+}
