@@ -26,9 +26,13 @@ export default defineConfig({
     },
     rolldownOptions: {
       // Chunks may import from the entry itself; else what they share with it (most of three) would move out into
-      // a further file that every page has to fetch first.
+      // further files that every page has to fetch first. For the same reason all that it begins with is one chunk.
       preserveEntrySignatures: 'allow-extension',
-      output: { chunkFileNames: 'chunks/[name]-[hash].js', minify: true },
+      output: {
+        chunkFileNames: 'chunks/[name]-[hash].js',
+        minify: true,
+        codeSplitting: { groups: [{ name: 'phong-viewer.standalone', tags: ['$initial'] }] },
+      },
     },
   },
 });

@@ -1,0 +1,3 @@
+// A table for three.js's physical materials.
+
+export const getDFGLUT = () => null;
