@@ -1,0 +1,53 @@
+// @ts-check
+// What is said of repeated measurements: quantiles, and ratios of samples that were taken side by side. Knows no unit.
+
+/**
+ * Linear between neighbours, so that few samples have quartiles too.
+ * @param {readonly number[]} numbers @param {number} share 0 to 1
+ */
+export function quantile(numbers, share) {
+  const sorted = [...numbers].sort((a, b) => a - b);
+  const at = share * (sorted.length - 1);
+  const low = sorted[Math.floor(at)] ?? NaN;
+  const high = sorted[Math.ceil(at)] ?? NaN;
+  return low + (high - low) * (at - Math.floor(at));
+}
+
+/** @param {readonly number[]} numbers */
+export const median = (numbers) => quantile(numbers, 0.5);
+
+/**
+ * @typedef {{ median: number, low: number, high: number, count: number }} Spread
+ * The quartiles of `numbers` around their median.
+ * @param {readonly number[]} numbers
+ * @returns {Spread}
+ */
+export const spread = (numbers) => ({
+  median: median(numbers),
+  low: quantile(numbers, 0.25),
+  high: quantile(numbers, 0.75),
+  count: numbers.length,
+});
+
+/**
+ * Ratios within rounds: what disturbs a whole round disturbs both of a pair.
+ * @param {readonly number[]} ours @param {readonly number[]} theirs of the same rounds
+ */
+export const pairedRatios = (ours, theirs) => ours.map((sample, i) => sample / (theirs[i] ?? NaN));
+
+/**
+ * Rounds of samples, one of each subject a round, every other round backwards, so that none always follows the same one.
+ * @template S
+ * @param {readonly S[]} subjects @param {number} rounds
+ * @param {(subject: S) => Promise<number>} sample
+ * @returns {Promise<number[][]>} [subject][round]
+ */
+export async function interleaved(subjects, rounds, sample) {
+  /** @type {number[][]} */
+  const samples = subjects.map(() => []);
+  for (let round = 0; round < rounds; round++) {
+    const order = subjects.map((_, i) => (round % 2 === 0 ? i : subjects.length - 1 - i));
+    for (const i of order) samples[i]?.push(await sample(/** @type {S} */ (subjects[i])));
+  }
+  return samples;
+}
