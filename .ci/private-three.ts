@@ -1,7 +1,7 @@
 // The copy of three.js inside the standalone file. It is private: three leaves its version on `window` and warns when it finds
 // one there, and a page that also uses three.js itself would get that warning for a copy it never sees. And it is lean: what
-// no ShaderMaterial can reach is replaced by the modules of lean-three/, one for one by file name. It is taken from three's
-// sources, module by module, so that what only the loaders use goes with them.
+// no ShaderMaterial on a canvas can reach is left out, or replaced by the modules of lean-three/, one for one by file name. It
+// is taken from three's sources, module by module, so that what only the loaders use goes with them.
 
 import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
@@ -12,7 +12,40 @@ const announcement =
   /if \( typeof window !== 'undefined' \) \{\s*if \( window\.__THREE__ \) \{[^}]*\} else \{[^}]*\}\s*\}/;
 
 /** Folders of three/src/renderers whose modules lean-three/ may replace. */
-const replaceable = /\/three\/src\/renderers\/(?:webgl|webxr|shaders)\/[^/]+\.js$/;
+const replaceable = /\/three\/src\/renderers\/(?:(?:webgl|webxr|shaders)\/)?[^/]+\.js$/;
+
+/** Functions that are left out: drawing into anything but the canvas, reading back from it, passes over it; cube maps. */
+const leftOut: Readonly<Record<string, readonly string[]>> = {
+  'WebGLRenderer.js': [
+    'setEffects',
+    'setNodesHandler',
+    'setRenderTargetTextures',
+    'setRenderTargetFramebuffer',
+    'setRenderTarget',
+    'initRenderTarget',
+    'getReadableState',
+    'readRenderTargetPixels',
+    'readRenderTargetPixelsAsync',
+    'copyFramebufferToTexture',
+    'copyTextureToTexture',
+    'renderTransmissionPass',
+  ],
+  'WebGLTextures.js': [
+    'onRenderTargetDispose',
+    'destroyRenderTarget',
+    'deallocateRenderTarget',
+    'setupFrameBufferTexture',
+    'setupRenderBufferStorage',
+    'setupDepthTexture',
+    'setupDepthRenderbuffer',
+    'rebindTextures',
+    'setupRenderTarget',
+    'updateRenderTargetMipmap',
+    'updateMultisampleRenderTarget',
+    'getRenderTargetSamples',
+    'uploadCubeTexture',
+  ],
+};
 
 export function privateThree(): Plugin {
   const found = new Set<string>();
@@ -26,6 +59,8 @@ export function privateThree(): Plugin {
       return resolved !== null && replaceable.test(resolved.id) ? leanPath(resolved.id) : resolved;
     },
     transform(code, id) {
+      const names = replaceable.test(id) ? leftOut[basename(id)] : undefined;
+      if (names !== undefined) return { code: without(code, names, this.parse(code)), map: null };
       if (!id.endsWith('/three/src/Three.Core.js')) return null;
       if (!announcement.test(code))
         throw new Error(`This three.js release announces itself in another way: ${id}`);
@@ -42,4 +77,43 @@ export function privateThree(): Plugin {
 function leanPath(path: string): string {
   const lean = fileURLToPath(new URL(`lean-three/${basename(path)}`, import.meta.url));
   return existsSync(lean) ? lean : path;
+}
+
+/** `code` without the functions of these names, declared or assigned to `this`; throws where one is not there. */
+function without(code: string, names: readonly string[], program: object): string {
+  const missing = new Set(names);
+  const gaps: [start: number, end: number][] = [];
+  const visit = (node: unknown): void => {
+    if (Array.isArray(node)) node.forEach(visit);
+    if (!isNode(node)) return;
+    const name = functionName(node);
+    if (name !== undefined && names.includes(name)) {
+      missing.delete(name);
+      gaps.push([node.start, node.end]);
+    } else {
+      for (const child of Object.values(node)) if (typeof child === 'object') visit(child);
+    }
+  };
+  visit(program);
+  if (missing.size > 0) throw new Error(`This three.js release has no ${[...missing].join(', ')}`);
+  return gaps.reduceRight((text, [start, end]) => text.slice(0, start) + text.slice(end), code);
+}
+
+interface Node {
+  readonly type: string;
+  readonly start: number;
+  readonly end: number;
+  readonly id?: { readonly name?: string };
+  readonly expression?: {
+    readonly left?: { readonly object?: Node; readonly property?: { readonly name?: string } };
+  };
+}
+
+const isNode = (value: unknown): value is Node =>
+  typeof value === 'object' && value !== null && typeof (value as Partial<Node>).type === 'string';
+
+function functionName({ type, id, expression }: Node): string | undefined {
+  if (type === 'FunctionDeclaration') return id?.name;
+  if (type !== 'ExpressionStatement' || expression?.left?.object?.type !== 'ThisExpression') return undefined;
+  return expression.left.property?.name;
 }

@@ -1,11 +1,12 @@
-// What shadeAt explains, taken at its call: the code that explains it may still have to come, and the scene goes on
-// meanwhile. Knows nothing of rays.
+// What shadeAt explains and toBlob encodes, taken at their call: the code that does it may still have to come, and the scene
+// goes on meanwhile. Knows neither rays nor files.
 import type { LightValues } from '../light/light-state.js';
 import type { Glimpse } from '../scene/glimpse.js';
 import type { Viewport } from '../scene/viewport.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import type { PhongViewer } from './phong-viewer.js';
+import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './viewer-children.js';
 
 export interface Moment {
@@ -44,4 +45,12 @@ export function momentOf(
       return { light, name: light?.name ?? 'head-light', values: { ...state.values } };
     }),
   };
+}
+
+/** The picture in that size, by default the canvas's own; null where that is no size. */
+export function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
+  const width = options.width ?? Math.max(viewport.width, 1);
+  const height = options.height ?? Math.max(viewport.height, 1);
+  const isSize = [width, height].every((side) => Number.isInteger(side) && side >= 1);
+  return isSize ? viewport.capture(width, height) : null;
 }

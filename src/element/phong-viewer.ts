@@ -6,13 +6,13 @@ import { Declared } from '../math/declared.js';
 import { Viewport } from '../scene/viewport.js';
 import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import { momentOf } from './moment.js';
+import { momentOf, pictureOf } from './moment.js';
 import { Notices } from './notices.js';
 import type { PanelLoader } from './panel-door.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import { styles } from './phong-viewer.styles.js';
-import { pictureBlob, type PictureOptions } from './picture-blob.js';
+import type { PictureOptions } from './picture-blob.js';
 import { Readiness } from './readiness.js';
 import type { FragmentExplanation } from './shade-at.js';
 import { sceneMarkup } from './to-html.js';
@@ -188,7 +188,8 @@ export class PhongViewer extends LitElement {
   /** The picture now, at exactly `width` × `height` pixels. Bad sizes reject with `RangeError`. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#bringInStep();
-    return pictureBlob(this.#viewport, options);
+    const picture = pictureOf(this.#viewport, options);
+    return (await import('./picture-blob.js')).pictureBlob(picture, options);
   }
 
   /**

@@ -1,4 +1,5 @@
 // The control panel's life: fetched when first wanted, told what changed, taken away. Knows nothing of its controls.
+import { fetched } from './fetched.js';
 import type { Panel, PanelChange, PanelLoader } from './panel-door.js';
 import type { PhongViewer } from './phong-viewer.js';
 
@@ -21,7 +22,7 @@ export class ViewerPanel {
       return;
     }
     if (loader === null || place === null) return;
-    const door = await fetched(loader);
+    const door = await fetched(loader, 'the control panel');
     const root = place.getRootNode();
     if (door === null || !this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
     this.#panel = door.createPanel(this.#viewer, place, root);
@@ -39,15 +40,4 @@ export class ViewerPanel {
     this.#changes.clear();
     for (const change of changes) this.#panel?.update(change);
   };
-}
-
-async function fetched(loader: PanelLoader): Promise<Awaited<ReturnType<PanelLoader>> | null> {
-  try {
-    return await loader();
-  } catch {
-    console.warn(
-      '<phong-viewer> gui: the control panel could not be fetched; the picture goes on without it.',
-    );
-    return null;
-  }
 }

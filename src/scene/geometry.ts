@@ -1,15 +1,8 @@
 // Which triangles does a named shape have? Every shape is centred on the origin, in its mesh's own units.
 // Meshes of one shape and fineness share one BufferGeometry, counted here and freed with its last user.
 // Must not know materials, lights or elements.
-import {
-  BoxGeometry,
-  ConeGeometry,
-  CylinderGeometry,
-  PlaneGeometry,
-  SphereGeometry,
-  TorusGeometry,
-  type BufferGeometry,
-} from 'three';
+import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry } from 'three';
+import type { SOLIDS } from './geometry/solids.js';
 
 /** The names that the `geometry` attribute takes, in the order in which menus show them. */
 export const GEOMETRIES = [
@@ -37,33 +30,28 @@ interface Shape {
   readonly create: (segments: number) => PendingGeometry;
 }
 
-const half = (segments: number, least: number): number => Math.max(least, Math.round(segments / 2));
-
-// The ring's radius and the tube's add up to the outer radius 1/2.
-const TORUS_RING = 0.35;
-const TORUS_TUBE = 0.15;
+const solid =
+  (name: keyof typeof SOLIDS): Shape['create'] =>
+  async (n) =>
+    (await import('./geometry/solids.js')).SOLIDS[name](n);
 
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   box: { segments: 1, least: 1, create: (n) => new BoxGeometry(1, 1, 1, n, n, n) },
-  sphere: { segments: 64, least: 3, create: (n) => new SphereGeometry(0.5, n, half(n, 2)) },
-  cylinder: { segments: 64, least: 3, create: (n) => new CylinderGeometry(0.5, 0.5, 1, n) },
-  cone: { segments: 64, least: 3, create: (n) => new ConeGeometry(0.5, 1, n) },
-  pyramid: {
-    segments: 1,
-    least: 1,
-    create: async (n) => (await import('./geometry/pyramid.js')).pyramidGeometry(n),
-  },
-  torus: {
+  sphere: {
     segments: 64,
     least: 3,
-    create: (n) => new TorusGeometry(TORUS_RING, TORUS_TUBE, half(n, 3), n),
+    create: (n) => new SphereGeometry(0.5, n, Math.max(2, Math.round(n / 2))),
   },
+  cylinder: { segments: 64, least: 3, create: solid('cylinder') },
+  cone: { segments: 64, least: 3, create: solid('cone') },
+  pyramid: { segments: 1, least: 1, create: solid('pyramid') },
+  torus: { segments: 64, least: 3, create: solid('torus') },
   'torus-knot': {
     segments: 256,
     // Below this the tube's sections cut through each other, and triangles turn against their normals.
     least: 32,
-    create: async (n) => (await import('./geometry/torus-knot.js')).torusKnotGeometry(n),
+    create: solid('torus-knot'),
   },
   teapot: {
     segments: 64,

@@ -1,4 +1,4 @@
-// The (2, 3) torus knot, fitted to a unit box. A chunk of its own: few pages show one.
+// The (2, 3) torus knot, fitted to a unit box.
 import { TorusKnotGeometry, type BufferGeometry } from 'three';
 import { fitToUnitBox } from './fit.js';
 
