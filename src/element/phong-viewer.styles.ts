@@ -23,6 +23,10 @@ export const styles = css`
     inset: 0;
   }
 
+  .holder {
+    transition: visibility 1ms; /* its events tell when the page hides or shows the picture by this property */
+  }
+
   .surface {
     cursor: grab;
     outline: none;

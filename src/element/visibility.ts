@@ -1,6 +1,7 @@
 // Can an element be seen, and how many device pixels is it? Looks once when asked and then listens; nothing polls.
 // Knows nothing of what the element shows.
 import type { ReactiveController } from 'lit';
+import { pageSight, type Sighted } from './page-sight.js';
 
 export interface Sight {
   readonly visible: boolean;
@@ -15,12 +16,9 @@ export interface Sight {
 }
 
 /** Watches `element` between {@link hostConnected} and {@link hostDisconnected} and tells `seen` what changed. */
-export class Visibility implements ReactiveController {
+export class Visibility implements ReactiveController, Sighted {
   readonly #element: HTMLElement;
   readonly #seen: (sight: Sight) => void;
-  #intersection: IntersectionObserver | null = null;
-  #resize: ResizeObserver | null = null;
-  #listening: AbortController | null = null;
   #onScreen: boolean | null = null;
   #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
 
@@ -44,26 +42,14 @@ export class Visibility implements ReactiveController {
   }
 
   hostConnected(): void {
-    this.#listening = new AbortController();
-    const { signal } = this.#listening;
-    document.addEventListener('visibilitychange', this.#tell, { signal });
-    window.addEventListener('beforeprint', this.#onPrint, { signal });
-    this.#intersection = new IntersectionObserver(this.#onIntersection);
-    this.#intersection.observe(this.#element);
-    this.#resize = new ResizeObserver(this.#onResize);
-    try {
-      // Whole device pixels, exactly.
-      this.#resize.observe(this.#element, { box: 'device-pixel-content-box' });
-    } catch {
-      this.#resize.observe(this.#element);
-    }
-    this.#watchRatio(signal);
+    pageSight.watch(this.#element, this);
+    // CSS `visibility` moves no box, so no observer tells of it; the element's style sheet gives it a transition that does.
+    for (const type of TRANSITION_EVENTS) this.#element.addEventListener(type, this.#onTransition);
   }
 
   hostDisconnected(): void {
-    this.#listening?.abort();
-    this.#intersection?.disconnect();
-    this.#resize?.disconnect();
+    pageSight.unwatch(this.#element);
+    for (const type of TRANSITION_EVENTS) this.#element.removeEventListener(type, this.#onTransition);
     this.#onScreen = null;
   }
 
@@ -78,30 +64,44 @@ export class Visibility implements ReactiveController {
       box.top < window.innerHeight &&
       box.left < window.innerWidth;
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
-    this.#tell();
+    this.shown();
   }
 
   /** Paper has no below the fold: everything is seen for a moment. */
-  readonly #onPrint = (): void => {
+  printed(): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     this.#seen({ visible: true, printing: true, ...this.#size });
-    this.#tell();
-  };
+    this.shown();
+  }
 
-  readonly #onIntersection = (entries: readonly IntersectionObserverEntry[]): void => {
-    this.#onScreen = entries.at(-1)?.isIntersecting ?? false;
-    this.#tell();
-  };
+  intersected(entry: IntersectionObserverEntry): void {
+    this.#onScreen = entry.isIntersecting;
+    this.shown();
+  }
 
-  readonly #onResize = (entries: readonly ResizeObserverEntry[]): void => {
-    const entry = entries.at(-1);
-    if (entry === undefined) return;
+  resized(entry: ResizeObserverEntry): void {
     const { width, height } = entry.contentRect;
     this.#measure(width, height);
     // Absent where the browser does not know the box, whatever the types say.
     const box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
     if (box !== undefined) this.#refine(box);
-    this.#tell();
+    this.shown();
+  }
+
+  scaled(): void {
+    this.#measure(this.#size.width, this.#size.height);
+    this.shown();
+  }
+
+  /** Tells what can be seen: the document, the place on it or its style may have changed. */
+  shown(): void {
+    if (this.#onScreen === null) return;
+    const visible = this.#onScreen && document.visibilityState === 'visible' && isPainted(this.#element);
+    this.#seen({ visible, printing: false, ...this.#size });
+  }
+
+  readonly #onTransition = ({ propertyName }: TransitionEvent): void => {
+    if (propertyName === 'visibility') this.shown();
   };
 
   /** The browser's own whole pixels, where they round what was measured: an emulated ratio does not reach the box. */
@@ -125,21 +125,14 @@ export class Visibility implements ReactiveController {
       pixelHeight: Math.round(height * ratio),
     };
   }
+}
 
-  /** Observers do not always tell of another ratio. A query matches one ratio: each change makes the next. */
-  #watchRatio(signal: AbortSignal): void {
-    const query = matchMedia(`(resolution: ${String(window.devicePixelRatio)}dppx)`);
-    const changed = (): void => {
-      this.#measure(this.#size.width, this.#size.height);
-      this.#tell();
-      this.#watchRatio(signal);
-    };
-    query.addEventListener('change', changed, { once: true, signal });
-  }
+/** Hidden at the end of its transition, visible from its start. */
+const TRANSITION_EVENTS = ['transitionrun', 'transitionend', 'transitioncancel'] as const;
 
-  readonly #tell = (): void => {
-    if (this.#onScreen === null) return;
-    const visible = this.#onScreen && document.visibilityState === 'visible';
-    this.#seen({ visible, printing: false, ...this.#size });
-  };
+/** Neither `visibility: hidden` nor inside what is skipped: a closed <details>, `content-visibility: hidden`. */
+function isPainted(element: Element): boolean {
+  // Absent where the browser does not know it yet, whatever the types say.
+  const { checkVisibility } = element as { checkVisibility?: Element['checkVisibility'] };
+  return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
 }

@@ -1,103 +1,119 @@
 // Does nothing happen while nothing changes? The page's frames, timers and WebGL calls are counted by wrapping them before
 // any script runs; Playwright's own waiting happens outside the page.
 
-import type { Page } from '@playwright/test';
+import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../support/test.js';
+import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from './counting.js';
 import { assign, drag, nextFrame, type PhongViewer, record } from './support.js';
 
 const size = { width: 90, height: 60 };
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
-test.beforeEach(async ({ page }) => {
-  await page.addInitScript(() => {
-    const counts = { frames: 0, timers: 0, gl: 0, contexts: 0 };
-    Object.assign(window, { counts });
-    const counted = <F extends (...given: never[]) => unknown>(real: F, key: keyof typeof counts): F =>
-      function (this: unknown, ...given: never[]) {
-        counts[key] += 1;
-        return Reflect.apply(real, this, given) as unknown;
-      } as unknown as F;
-    window.requestAnimationFrame = counted(window.requestAnimationFrame, 'frames');
-    for (const name of ['setTimeout', 'setInterval'] as const)
-      Reflect.set(window, name, counted(window[name] as (...given: never[]) => unknown, 'timers'));
-    if ('requestIdleCallback' in window)
-      window.requestIdleCallback = counted(window.requestIdleCallback, 'timers');
-    const gl = WebGL2RenderingContext.prototype;
-    for (const name of Object.getOwnPropertyNames(gl)) {
-      const real = Object.getOwnPropertyDescriptor(gl, name)?.value as unknown;
-      if (typeof real === 'function') Reflect.set(gl, name, counted(real as () => unknown, 'gl'));
-    }
-    const canvas = HTMLCanvasElement.prototype;
-    const contextOf = canvas.getContext;
-    const seen = new Set<unknown>();
-    canvas.getContext = function (this: HTMLCanvasElement, ...given: never[]) {
-      const context: unknown = Reflect.apply(contextOf, this, given);
-      if (context instanceof WebGL2RenderingContext && !seen.has(context))
-        counts.contexts = seen.add(context).size;
-      return context;
-    } as typeof contextOf;
-  });
-});
+test.beforeEach(({ page }) => countEverything(page));
 
-interface Counts {
-  readonly frames: number;
-  readonly timers: number;
-  readonly gl: number;
-  readonly contexts: number;
-}
+/** Long enough for eighteen frames and for the timers that anybody would poll with. */
+const A_WHILE = 300;
 
-const countsOf = (page: Page): Promise<Counts> => page.evaluate('({ ...window.counts })');
-
-/** What the page does in a second, which is waited for outside of it. */
-async function inASecond(page: Page): Promise<Omit<Counts, 'contexts'>> {
-  const before = await countsOf(page);
-  await new Promise((resolve) => setTimeout(resolve, 1000));
-  const after = await countsOf(page);
-  return {
-    frames: after.frames - before.frames,
-    timers: after.timers - before.timers,
-    gl: after.gl - before.gl,
-  };
-}
-
-const nothing = { frames: 0, timers: 0, gl: 0 };
-
-test('nothing at all happens while nothing changes, after a drag too', async ({ page, mount }) => {
-  const viewer = await mount(`${box}${box}`, size);
-  await nextFrame(page);
-  expect(await inASecond(page)).toEqual(nothing);
-  await drag(page, [45, 30], [20, 10]);
-  await page.mouse.move(500, 500);
-  await page.keyboard.press('ArrowLeft');
-  await allReady(page);
-  await nextFrame(page);
-  expect(await inASecond(page)).toEqual(nothing);
-  await viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove());
-  await allReady(page);
-  await nextFrame(page);
-  expect(await inASecond(page)).toEqual(nothing);
-});
-
-test('nothing happens off screen, not displayed or out of the document, with auto-rotate too', async ({
+test('nothing at all happens while nothing changes, and again once every motion has ended', async ({
   page,
   mount,
 }) => {
-  const viewer = await mount(box, size);
-  await assign(viewer, { autoRotate: 45 });
-  expect((await inASecond(page)).frames).toBeGreaterThan(1);
-  for (const css of ['position: absolute; top: 9000px', 'display: none', 'width: 0; height: 0']) {
-    await viewer.evaluate((element, text) => (element.style.cssText = text), css);
+  const viewer = await mount(`${box}${box}`, size);
+  const stills: (readonly [string, () => Promise<unknown>])[] = [
+    ['at first', () => Promise.resolve()],
+    ['after a drag', () => drag(page, [45, 30], [20, 10])],
+    ['after the wheel', () => page.mouse.wheel(0, 50)],
+    ['after a key', () => page.keyboard.press('ArrowLeft')],
+    ['with the pointer away', () => page.mouse.move(500, 500)],
+    ['with a light less', () => viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove())],
+    ['after turning by itself', () => turnAWhile(viewer)],
+    ['turning, for those who want no motion', () => turnUnmoved(viewer)],
+  ];
+  const frames = (): Promise<number> => viewer.evaluate((element: PhongViewer) => element.stats.frames);
+  for (const [when, act] of stills) {
+    const before = await frames();
+    await act();
+    await allReady(page);
     await nextFrame(page);
-    await nextFrame(page);
-    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.diffuse = [1, 2, 3]));
-    expect(await inASecond(page), css).toEqual(nothing);
+    if (when.startsWith('after')) expect(await frames(), when).toBeGreaterThan(before);
+    expect(await spentIn(page, A_WHILE), when).toEqual(NOTHING);
   }
-  await viewer.evaluate((element) => (element.style.cssText = ''));
-  expect((await inASecond(page)).frames).toBeGreaterThan(1);
+});
+
+/** Sets `auto-rotate` and, some frames later, takes it away. */
+const turnAWhile = (viewer: Locator): Promise<void> =>
+  viewer.evaluate(async (element: PhongViewer) => {
+    element.autoRotate = 45;
+    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+    element.autoRotate = 0;
+  });
+
+async function turnUnmoved(viewer: Locator): Promise<void> {
+  await viewer.page().emulateMedia({ reducedMotion: 'reduce' });
+  await assign(viewer, { autoRotate: 45 });
+}
+
+/** Ways to be on a page and not to be seen. Each is a function of the page. */
+const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => void>> = {
+  'off screen': ({ style }, hidden) => (style.cssText = hidden ? 'position: absolute; top: 9000px' : ''),
+  'not displayed': ({ style }, hidden) => (style.display = hidden ? 'none' : ''),
+  'of no size': ({ style }, hidden) =>
+    (style.cssText = hidden ? 'width: 0; height: 0; overflow: hidden' : ''),
+  'under visibility: hidden': ({ style }, hidden) => (style.visibility = hidden ? 'hidden' : ''),
+  'under content-visibility: hidden': ({ style }, hidden) =>
+    Reflect.set(style, 'contentVisibility', hidden ? 'hidden' : ''),
+  'under the hidden attribute': (place, hidden) => (place.hidden = hidden),
+  'hidden itself': (place, hidden) => {
+    for (const viewer of place.querySelectorAll('phong-viewer')) viewer.hidden = hidden;
+  },
+  'invisible itself': (place, hidden) => {
+    for (const { style } of place.querySelectorAll('phong-viewer')) style.visibility = hidden ? 'hidden' : '';
+  },
+  'in a closed <details>': (place, hidden) => (place.querySelector('details')!.open = !hidden),
+  'in a background tab': (_, hidden) => {
+    const visibilityState = hidden ? 'hidden' : 'visible';
+    Object.defineProperties(document, {
+      visibilityState: { value: visibilityState, configurable: true },
+      hidden: { value: hidden, configurable: true },
+    });
+    document.dispatchEvent(new Event('visibilitychange'));
+  },
+};
+
+test('nothing happens where it cannot be seen, and what has changed is drawn once when it can', async ({
+  page,
+  mount,
+}) => {
+  const turning = box.replace('geometry', 'auto-rotate="45" geometry');
+  await mount(`<section><details open><summary>Two</summary>${box}${turning}</details></section>`, { ...size, css: '[hidden] { display: none !important }' }); // prettier-ignore
+  const place = page.locator('section');
+  const [still, turned] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  const frames = (viewer: Locator): Promise<number> =>
+    viewer.evaluate((element: PhongViewer) => element.stats.frames);
+  for (const [how, hide] of Object.entries(UNSEEN)) {
+    const turns = await frames(turned);
+    await expect.poll(() => frames(turned), `turning before it is ${how}`).toBeGreaterThan(turns);
+    await place.evaluate(hide as (place: Element, hidden: boolean) => void, true);
+    await nextFrame(page);
+    await nextFrame(page);
+    const drawn = await frames(still);
+    for (const diffuse of [[1, 2, 3], [255, 255, 255], [200, 90, 0]]) // prettier-ignore
+      await still.evaluate((element: PhongViewer, value) => (element.lights[0]!.diffuse = value as [number, number, number]), diffuse); // prettier-ignore
+    expect(await spentIn(page, A_WHILE), how).toEqual(NOTHING);
+    await place.evaluate(hide as (place: Element, hidden: boolean) => void, false);
+    await expect.poll(() => frames(still), how).toBe(drawn + 1);
+    await nextFrame(page);
+    expect(await frames(still), how).toBe(drawn + 1);
+  }
+});
+
+test('a viewer that turns out of the document does nothing', async ({ page, mount }) => {
+  const viewer = await mount(box.replace('geometry', 'auto-rotate="45" geometry'), size);
+  expect((await spentIn(page, A_WHILE)).frames).toBeGreaterThan(1);
   await viewer.evaluate((element) => element.remove());
   await nextFrame(page);
-  expect(await inASecond(page)).toEqual(nothing);
+  expect(await spentIn(page, A_WHILE)).toEqual(NOTHING);
 });
 
 test('many changes in one task make one frame', async ({ page, mount }) => {
@@ -130,32 +146,9 @@ test('a change that changes nothing draws nothing', async ({ page, mount }) => {
     element.lights[0]!.position = [1, 2, 3, 0];
     element.setAttribute('alt', 'A box');
   });
-  await new Promise((resolve) => setTimeout(resolve, 200));
-  expect((await countsOf(page)).gl - before.gl).toBe(0);
+  await nextFrame(page);
+  expect(spentBetween(before, await countsOf(page)).gl).toBe(0);
 });
-
-for (const count of [2, 20]) {
-  test(`${count} viewers share one WebGL context, and each shows its own picture`, async ({
-    page,
-    mount,
-  }) => {
-    const viewers = Array.from({ length: count }, (_, i) => box.replace('<phong-viewer', `<phong-viewer ka="0" kd="${i * 10} 0 0" terms="diffuse"`)); // prettier-ignore
-    await mount(viewers.join(''), { ...size, css: 'phong-viewer { float: left }' });
-    expect((await countsOf(page)).contexts).toBe(1);
-    const reds = await page.evaluate(() =>
-      [...document.querySelectorAll('phong-viewer')].map(({ shadowRoot }) => {
-        const canvas = shadowRoot?.querySelector('canvas');
-        return canvas?.getContext('2d')?.getImageData(45, 35, 1, 1).data[0] ?? -1;
-      }),
-    );
-    expect(reds.every((red, i) => i === 0 || red > reds[i - 1]!)).toBe(true);
-    await page.evaluate(() => {
-      for (const viewer of document.querySelectorAll('phong-viewer')) viewer.remove();
-    });
-    await nextFrame(page);
-    expect(await inASecond(page)).toEqual(nothing);
-  });
-}
 
 test('a viewer alone on its page shows the WebGL canvas itself, and again when it is left alone', async ({
   page,

@@ -1,0 +1,179 @@
+// What a page does, counted from outside: everything that can cost something while nothing happens is wrapped before any
+// script runs. Playwright's own waiting happens outside the page.
+
+import type { Page } from '@playwright/test';
+
+export interface Counts {
+  /** Asked for so far. */
+  readonly frames: number;
+  readonly timers: number;
+  readonly idleCallbacks: number;
+  /** Calls of any WebGL 2 function. */
+  readonly gl: number;
+  /** Of pictures into 2D canvases. */
+  readonly copies: number;
+  /** Contexts made so far. */
+  readonly contexts: number;
+  /** Logs of programs and shaders asked for: each answer is waited for. */
+  readonly logs: number;
+  /** Now there: made and not deleted, of all contexts. */
+  readonly textures: number;
+  readonly buffers: number;
+  readonly programs: number;
+  readonly shaders: number;
+  readonly framebuffers: number;
+  readonly renderbuffers: number;
+  readonly vertexArrays: number;
+  /** On the window, the document and media queries, now. */
+  readonly listeners: number;
+  /** That watch something now. */
+  readonly observers: number;
+  /** Of all canvases that have a context, now. */
+  readonly canvasPixels: number;
+  /** The most of one that had a WebGL context when it was last asked. */
+  readonly sheetPixels: number;
+}
+
+/** Counts everything on pages of this context that are opened from now on. */
+export async function countEverything(page: Page): Promise<void> {
+  await page.addInitScript(wrapEverything);
+}
+
+export const countsOf = (page: Page): Promise<Counts> =>
+  page.evaluate(() => (window as unknown as { takeCounts: () => Counts }).takeCounts());
+
+export type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 'copies'>;
+
+export const NOTHING: Spent = { frames: 0, timers: 0, idleCallbacks: 0, gl: 0, copies: 0 };
+
+export const spentBetween = (before: Counts, after: Counts): Spent => ({
+  frames: after.frames - before.frames,
+  timers: after.timers - before.timers,
+  idleCallbacks: after.idleCallbacks - before.idleCallbacks,
+  gl: after.gl - before.gl,
+  copies: after.copies - before.copies,
+});
+
+/** What the page does in this time, which is waited for outside of it. */
+export async function spentIn(page: Page, ms: number): Promise<Spent> {
+  const before = await countsOf(page);
+  await new Promise((resolve) => setTimeout(resolve, ms));
+  return spentBetween(before, await countsOf(page));
+}
+
+/** Runs in the page. */
+function wrapEverything(): void {
+  type Call = (this: unknown, ...given: unknown[]) => unknown;
+  const counts: Record<string, number> = {};
+  const count = (key: string, by = 1): void => void (counts[key] = (counts[key] ?? 0) + by);
+  const wrap = (owner: object, name: string, before: (given: unknown[], self: unknown) => void): void => {
+    const real = Object.getOwnPropertyDescriptor(owner, name)?.value as Call | undefined;
+    if (typeof real !== 'function') return;
+    Reflect.set(owner, name, function (this: unknown, ...given: unknown[]) {
+      before(given, this);
+      return Reflect.apply(real, this, given);
+    });
+  };
+
+  wrap(window, 'requestAnimationFrame', () => count('frames'));
+  wrap(window, 'setTimeout', () => count('timers'));
+  wrap(window, 'setInterval', () => count('timers'));
+  wrap(window, 'requestIdleCallback', () => count('idleCallbacks'));
+
+  const gl = WebGL2RenderingContext.prototype;
+  for (const name of Object.getOwnPropertyNames(gl)) wrap(gl, name, () => count('gl'));
+  wrap(gl, 'getProgramInfoLog', () => count('logs'));
+  wrap(gl, 'getShaderInfoLog', () => count('logs'));
+  for (const kind of [
+    'Texture',
+    'Buffer',
+    'Program',
+    'Shader',
+    'Framebuffer',
+    'Renderbuffer',
+    'VertexArray',
+  ]) {
+    const key = `${kind[0]!.toLowerCase()}${kind.slice(1)}s`;
+    const gone = new WeakSet();
+    wrap(gl, `create${kind}`, () => count(key));
+    wrap(gl, `delete${kind}`, ([one]) => {
+      if (typeof one !== 'object' || one === null || gone.has(one)) return;
+      gone.add(one);
+      count(key, -1);
+    });
+  }
+  wrap(CanvasRenderingContext2D.prototype, 'drawImage', () => count('copies'));
+
+  const canvases = new Set<WeakRef<HTMLCanvasElement>>();
+  const known = new WeakSet();
+  const sheets = new WeakSet();
+  wrap(HTMLCanvasElement.prototype, 'getContext', ([kind], canvas) => {
+    if (!(canvas instanceof HTMLCanvasElement) || known.has(canvas)) return;
+    known.add(canvas);
+    canvases.add(new WeakRef(canvas));
+    if (kind !== 'webgl2') return;
+    sheets.add(canvas);
+    count('contexts');
+  });
+
+  for (const Observer of [IntersectionObserver, ResizeObserver]) {
+    const watched = new WeakMap<object, Set<unknown>>();
+    const of = (self: unknown): Set<unknown> => {
+      const present = watched.get(self as object) ?? new Set();
+      watched.set(self as object, present);
+      return present;
+    };
+    const change = (self: unknown, by: (targets: Set<unknown>) => void): void => {
+      const targets = of(self);
+      const before = targets.size > 0 ? 1 : 0;
+      by(targets);
+      count('observers', (targets.size > 0 ? 1 : 0) - before);
+    };
+    wrap(Observer.prototype, 'observe', ([target], self) => change(self, (targets) => targets.add(target)));
+    wrap(Observer.prototype, 'unobserve', ([target], self) =>
+      change(self, (targets) => targets.delete(target)),
+    );
+    wrap(Observer.prototype, 'disconnect', (_, self) => change(self, (targets) => targets.clear()));
+  }
+
+  const heard = new Map<unknown, Map<string, Set<unknown>>>();
+  const isGlobal = (target: unknown): boolean =>
+    target === window || target === document || target instanceof MediaQueryList;
+  const listenersOf = (target: unknown, type: unknown): Set<unknown> => {
+    const types = heard.get(target) ?? new Map<string, Set<unknown>>();
+    heard.set(target, types);
+    const present = types.get(String(type)) ?? new Set();
+    types.set(String(type), present);
+    return present;
+  };
+  wrap(EventTarget.prototype, 'addEventListener', ([type, listener, options], self) => {
+    const target = self ?? window;
+    if (!isGlobal(target)) return;
+    const present = listenersOf(target, type);
+    present.add(listener);
+    const signal = (options as AddEventListenerOptions | undefined)?.signal;
+    signal?.addEventListener('abort', () => present.delete(listener));
+  });
+  wrap(EventTarget.prototype, 'removeEventListener', ([type, listener], self) => {
+    const target = self ?? window;
+    if (isGlobal(target)) listenersOf(target, type).delete(listener);
+  });
+
+  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'contexts', 'logs', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
+  const takeCounts = (): Counts => {
+    let canvasPixels = 0;
+    let sheetPixels = 0;
+    for (const weak of canvases) {
+      const canvas = weak.deref();
+      if (canvas === undefined) continue;
+      const pixels = canvas.width * canvas.height;
+      canvasPixels += pixels;
+      if (sheets.has(canvas)) sheetPixels = Math.max(sheetPixels, pixels);
+    }
+    let listeners = 0;
+    for (const types of heard.values()) for (const set of types.values()) listeners += set.size;
+    const present = Object.fromEntries(names.map((name) => [name, counts[name] ?? 0]));
+    return { ...present, listeners, canvasPixels, sheetPixels } as unknown as Counts;
+  };
+  Object.assign(window, { takeCounts });
+}
