@@ -64,3 +64,34 @@ const BINARY_CHUNK = 0x004e4942;
 
 /** To whole words. @param {number} bytes */
 const padded = (bytes) => Math.ceil(bytes / 4) * 4;
+
+/** A cube of edge 1 about the origin, each face with corners of its own. @returns {Triangles} */
+export function box() {
+  const positions = [];
+  const normals = [];
+  const indices = [];
+  for (const axis of [0, 1, 2]) {
+    for (const sign of [1, -1]) {
+      const first = positions.length / 3;
+      for (const [u, v] of /** @type {const} */ ([
+        [-1, -1],
+        [1, -1],
+        [1, 1],
+        [-1, 1],
+      ])) {
+        const corner = [0, 0, 0];
+        corner[axis] = sign / 2;
+        corner[(axis + 1) % 3] = (sign * u) / 2; // turned round on the far side, so that it faces outwards too
+        corner[(axis + 2) % 3] = v / 2;
+        positions.push(...corner);
+        normals.push(...[0, 1, 2].map((i) => (i === axis ? sign : 0)));
+      }
+      indices.push(...[0, 1, 2, 0, 2, 3].map((i) => first + i));
+    }
+  }
+  return {
+    positions: new Float32Array(positions),
+    normals: new Float32Array(normals),
+    indices: new Uint16Array(indices),
+  };
+}

@@ -1,7 +1,9 @@
 // @ts-check
-// Which functions the JavaScript of a frame is spent in, by the browser's own profiler, on pages built with their names:
-//   node tests/bench/profile.mjs [--lights 128] [--step moving|setting|still|unlit|turning] [--frames 20000] [--top 25]
-//   [--source CHECKOUT] [--browser PATH --arg=…]
+// Which functions a page's JavaScript is spent in, by the browser's own profiler, on pages built with their names: that of
+// a frame, or from navigation to the first picture.
+//   node tests/bench/profile.mjs [--lights 128] [--step moving|setting|still|unlit|turning] [--frames 5000]
+//   node tests/bench/profile.mjs --start start-element.html
+//   [--top 25] [--source CHECKOUT] [--browser PATH --arg=…]
 
 import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -11,9 +13,10 @@ import { buildPages, Session } from './session.mjs';
 
 const { values: options } = parseArgs({
   options: {
+    start: { type: 'string', default: '' },
     lights: { type: 'string', default: '128' },
     step: { type: 'string', default: 'moving' },
-    frames: { type: 'string', default: '20000' },
+    frames: { type: 'string', default: '5000' },
     top: { type: 'string', default: '25' },
     seed: { type: 'string', default: '1' },
     source: { type: 'string', default: '' },
@@ -23,44 +26,66 @@ const { values: options } = parseArgs({
 });
 
 process.env['PHONG_VIEWER_BENCH_NAMES'] = 'kept';
-const page = await buildPages(mkdtempSync(join(tmpdir(), 'phong-viewer-bench-')), options.source);
-const session = await Session.open({ ...options, args: options.arg, page });
+const folder = await buildPages(mkdtempSync(join(tmpdir(), 'phong-viewer-bench-')), options.source);
+const session = await Session.open({ ...options, args: options.arg, page: folder });
 const browser = await session.launch();
-const tab = await browser.newPage();
-await tab.goto(`${session.origin}/script.html`);
-const [lights, seed] = [Number(options.lights), Number(options.seed)];
-await tab.evaluate(
-  ([n, s]) => window.openScript(n, s).then(() => undefined),
-  /** @type {const} */ ([lights, seed]),
-);
-const debug = await tab.context().newCDPSession(tab);
+const page = await browser.newPage();
+const debug = await page.context().newCDPSession(page);
 await debug.send('Profiler.enable');
 await debug.send('Profiler.setSamplingInterval', { interval: 100 });
-await debug.send('Profiler.start');
-const step = /** @type {import('./pages/script.js').Step} */ (options.step);
-const frames = Number(options.frames);
-const ms = await tab.evaluate(
-  ([s, n]) => window.scriptBench.run(s, n),
-  /** @type {const} */ ([step, frames]),
-);
-const { profile } = await debug.send('Profiler.stop');
+if (options.start === '') await profileFrames();
+else await profileStart();
 await browser.close();
 session.close();
 
-/** Microseconds by function: its own, without what it calls. @type {Map<string, number>} */
-const own = new Map();
-const names = new Map(
-  profile.nodes.map(({ id, callFrame }) => [
-    id,
-    `${callFrame.functionName || '(anonymous)'} ${callFrame.url.split('/').pop() ?? ''}:${callFrame.lineNumber + 1}`,
-  ]),
-);
-profile.samples?.forEach((node, i) => {
-  const name = names.get(node) ?? '';
-  own.set(name, (own.get(name) ?? 0) + (profile.timeDeltas?.[i] ?? 0));
-});
-console.log(
-  `${step}, ${lights} lights: ${((ms * 1e3) / frames).toFixed(1)} µs a frame, of which each function itself:`,
-);
-const sorted = [...own].sort(([, a], [, b]) => b - a).slice(0, Number(options.top));
-for (const [name, us] of sorted) console.log(`${(us / frames).toFixed(2).padStart(8)} µs  ${name}`);
+async function profileFrames() {
+  await page.goto(`${session.origin}/script.html`);
+  const [lights, seed, frames] = [options.lights, options.seed, options.frames].map(Number);
+  await page.evaluate(
+    ([n, s]) => window.openScript(n, s).then(() => undefined),
+    /** @type {const} */ ([lights ?? 0, seed ?? 0]),
+  );
+  const step = /** @type {import('./pages/script.js').Step} */ (options.step);
+  await debug.send('Profiler.start');
+  const ms = await page.evaluate(
+    ([s, n]) => window.scriptBench.run(s, n),
+    /** @type {const} */ ([step, frames ?? 0]),
+  );
+  const { profile } = await debug.send('Profiler.stop');
+  const own = ownTimes(profile);
+  own.delete('readPixels'); // the wait for the GPU, between the frames that are timed
+  print(`${step}, ${lights} lights`, own, ms * 1e3, frames ?? 0);
+}
+
+async function profileStart() {
+  await debug.send('Profiler.start');
+  await page.goto(`${session.origin}/${options.start}`, { waitUntil: 'commit' });
+  await page.waitForFunction(() => window.firstPicture !== undefined, undefined, { polling: 20 });
+  const { profile } = await debug.send('Profiler.stop');
+  const us = (await page.evaluate(() => window.firstPicture ?? NaN)) * 1e3;
+  print(options.start, ownTimes(profile), us, 1);
+}
+
+/** Microseconds by function: its own, without what it calls. @param {import('playwright-core').Protocol.Profiler.Profile} profile */
+function ownTimes({ nodes, samples = [], timeDeltas = [] }) {
+  const names = new Map(
+    nodes.map(({ id, callFrame: { functionName, url, lineNumber } }) => {
+      const file = url.split('/').pop() ?? '';
+      return [id, `${functionName || '(anonymous)'}${file === '' ? '' : ` ${file}:${lineNumber + 1}`}`];
+    }),
+  );
+  /** @type {Map<string, number>} */
+  const own = new Map();
+  samples.forEach((node, i) => {
+    const name = names.get(node) ?? '';
+    own.set(name, (own.get(name) ?? 0) + (timeDeltas[i] ?? 0));
+  });
+  return own;
+}
+
+/** @param {string} title @param {Map<string, number>} own @param {number} us @param {number} times */
+function print(title, own, us, times) {
+  console.log(`${title}: ${(us / times).toFixed(1)} µs, of which each function itself:`);
+  const sorted = [...own].sort(([, a], [, b]) => b - a).slice(0, Number(options.top));
+  for (const [name, time] of sorted) console.log(`${(time / times).toFixed(2).padStart(10)} µs  ${name}`);
+}

@@ -2,17 +2,20 @@
 // One bench run: the built pages on a server of their own, fresh launches of one browser, and what is to be known of machine
 // and versions. Plain JavaScript, for machines with Node and a browser alone.
 
-import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
+import { execFileSync, execSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, release, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { launchOptions } from '../stress/launch-options.mjs';
 import { serveFolder } from '../stress/serve-folder.mjs';
+import { box, glbOf } from './glb.mjs';
 import { processesOf, tellsCpuTime } from './processes.mjs';
 
+const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('../..', import.meta.url));
+const modelViewer = join(here, 'peers/model-viewer');
 
 /**
  * @typedef {object} SessionOptions
@@ -94,9 +97,14 @@ export function failOnErrors(page) {
 /** @param {string} folder @param {string} source */
 export async function buildPages(folder, source) {
   const { build } = await import('vite');
+  installPeers();
   process.env['PHONG_VIEWER_BENCH_OUT'] = folder;
   process.env['PHONG_VIEWER_BENCH_SOURCE'] = source;
-  await build({ configFile: fileURLToPath(new URL('vite.config.ts', import.meta.url)), logLevel: 'warn' });
+  for (const page of readdirSync(join(here, 'pages')).filter((name) => name.endsWith('.html'))) {
+    process.env['PHONG_VIEWER_BENCH_PAGE'] = page;
+    await build({ configFile: join(here, 'vite.config.ts'), logLevel: 'error' });
+  }
+  writeFileSync(join(folder, 'box.glb'), glbOf(box()));
   const root = source || repository;
   /** @param {string} name */
   const version = (name) =>
@@ -105,9 +113,21 @@ export async function buildPages(folder, source) {
     execFileSync('git', args, { cwd: root, encoding: 'utf8' }).trim();
   const revision =
     git('rev-parse', '--short', 'HEAD') + (git('status', '--short', 'src', 'shaders') ? ' and changes' : '');
-  const about = { revision, three: version('three'), lit: version('lit'), vite: version('vite') };
+  const peer = join(modelViewer, 'node_modules/@google/model-viewer/package.json');
+  const about = {
+    ...{ revision, three: version('three'), lit: version('lit'), vite: version('vite') },
+    'model-viewer': JSON.parse(readFileSync(peer, 'utf8')).version,
+  };
   writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about));
   return folder;
+}
+
+/** What only the bench needs, by a lock of its own. */
+function installPeers() {
+  if (existsSync(join(modelViewer, 'node_modules/.package-lock.json'))) return;
+  console.log('Installing <model-viewer>, for the bench alone');
+  // A command line, since on Windows npm is a script that only a shell finds.
+  execSync('npm ci --no-audit --no-fund', { cwd: modelViewer, stdio: 'inherit' });
 }
 
 /** @param {string} folder @returns {Record<string, string>} */

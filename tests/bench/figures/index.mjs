@@ -3,7 +3,9 @@
 
 import { figure } from '../report.mjs';
 import { frameTimes } from './frame-time.mjs';
+import { interleaved } from '../statistics.mjs';
 import { differences, scriptTimes, total } from './script-time.mjs';
+import { allShown, startOf } from './start.mjs';
 
 /**
  * @typedef {import('./frame-time.mjs').FrameOptions & { counts: number[], software: boolean }} Settings
@@ -11,7 +13,7 @@ import { differences, scriptTimes, total } from './script-time.mjs';
  */
 
 /** @type {Record<string, Measure>} */
-export const FIGURES = { frame, raw, idle, script };
+export const FIGURES = { frame, raw, idle, script, start, viewers };
 
 /** The ratio to MeshPhong to stay under. @param {number} lights @param {boolean} software */
 function frameAim(lights, software) {
@@ -38,6 +40,8 @@ async function* frame(session, settings) {
   const peers = [
     { name: 'MeshPhong', peer: 'mesh-phong' },
     { name: 'MeshPhong unencoded', peer: 'mesh-phong-linear' },
+    // What a frame costs before any light: no ratio to MeshPhong can fall below its share.
+    { name: 'unlit', peer: 'unlit' },
   ];
   for (const scene of scenes) {
     const [ours, ...others] = await frameTimes(session, scene, [ELEMENT, ...peers], settings);
@@ -93,4 +97,67 @@ async function* script(session, settings) {
       note: `WebGL calls against three.js's ${total(unlit)}: ${differences(still, unlit)}`,
     });
   }
+}
+
+/**
+ * Starts of pages in turns, one after another.
+ * @param {import('../session.mjs').Session} session @param {Settings} settings
+ * @param {readonly { path: string, tag?: string, count?: number }[]} pages
+ */
+async function startsOf(session, { launches, rounds }, pages) {
+  /** @type {import('./start.mjs').Start[][]} */
+  const starts = pages.map(() => []);
+  const indices = pages.map((_, i) => i);
+  await interleaved(indices, launches * rounds, async (i) => {
+    const { path, tag, count = 1 } = pages[i] ?? { path: '' };
+    const check =
+      tag === undefined
+        ? {}
+        : { check: (/** @type {import('playwright-core').Page} */ page) => allShown(page, tag, count) };
+    const start = await startOf(session, path, check);
+    starts[i]?.push(start);
+    return start.ms;
+  });
+  /** @param {number} i @param {keyof import('./start.mjs').Start} key */
+  return (i, key) => (starts[i] ?? []).map((start) => start[key]);
+}
+
+/** @type {Measure} */
+async function* start(session, settings) {
+  const of = await startsOf(session, settings, [
+    { path: 'start-element.html', tag: 'phong-viewer' },
+    { path: 'start-three.html', tag: '#holder' },
+  ]);
+  yield figure('navigation to first frame: element / plain three.js', 'ms', of(0, 'ms'), of(1, 'ms'), {
+    atMost: 1.05,
+  });
+  yield figure('the same, CPU time of page and GPU process', 'ms', of(0, 'cpuMs'), of(1, 'cpuMs'));
+  yield figure('heap after garbage collection', 'KiB', of(0, 'heap'), of(1, 'heap'), { atMost: 1.25 });
+  yield figure('fetched, uncompressed', 'KiB', of(0, 'bytes'), of(1, 'bytes'));
+}
+
+/** @type {Measure} */
+async function* viewers(session, settings) {
+  const counts = [1, 16, 64];
+  /** @type {Record<number, number>} */
+  const aims = { 16: 0.2, 64: 0.35 };
+  const ours = counts.map((count) => ({
+    path: `viewers-element.html?count=${count}`,
+    tag: 'phong-viewer',
+    count,
+  }));
+  const theirs = counts.map((count) => ({
+    path: `viewers-model-viewer.html?count=${count}`,
+    tag: 'model-viewer',
+    count,
+  }));
+  const of = await startsOf(session, settings, [...ours, ...theirs]);
+  for (const [i, count] of counts.entries()) {
+    const [us, them] = [i, i + counts.length];
+    const name = `${count} viewers: element / <model-viewer>`;
+    yield figure(`${name}, to all lit`, 'ms', of(us, 'ms'), of(them, 'ms'), { atMost: aims[count] });
+    yield figure(`${name}, CPU time`, 'ms', of(us, 'cpuMs'), of(them, 'cpuMs'));
+  }
+  yield figure('16 elements / 1 element, to all lit', 'ms', of(1, 'ms'), of(0, 'ms'), { atMost: 1.3 });
+  yield figure('16 elements / 1 element, CPU time', 'ms', of(1, 'cpuMs'), of(0, 'cpuMs'));
 }

@@ -2,7 +2,7 @@
 import { rendererName } from '../../glsl/float-pass.js';
 import { type Capture, captureOf } from './capture.js';
 import { element } from './peers/element.js';
-import { meshPhong, meshPhongLinear } from './peers/mesh-phong.js';
+import { meshPhong, meshPhongLinear, unlit } from './peers/mesh-phong.js';
 import { clockFrames, litShare, type Peer, type PeerMaker, settle, timeFrames } from './peers/peer.js';
 import { raw } from './peers/raw.js';
 import type { Kind } from './scenes.js';
@@ -11,6 +11,7 @@ const MAKERS: Readonly<Record<string, PeerMaker>> = {
   element,
   'mesh-phong': meshPhong,
   'mesh-phong-linear': meshPhongLinear,
+  unlit,
 };
 
 export interface FrameBench {

@@ -3,6 +3,7 @@ import {
   Color,
   DirectionalLight,
   MathUtils,
+  MeshBasicMaterial,
   MeshPhongMaterial,
   type Object3D,
   PointLight,
@@ -45,3 +46,7 @@ const maker =
 
 export const meshPhong = maker(true);
 export const meshPhongLinear = maker(false);
+
+/** The same mesh in one colour, by no light at all. */
+export const unlit: PeerMaker = (holder) =>
+  Promise.resolve(threePeer(plainThree(holder, geometryOf(bentPlane()), new MeshBasicMaterial(), false)));

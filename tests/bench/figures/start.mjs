@@ -1,0 +1,78 @@
+// @ts-check
+// How long a page takes to its first picture, and what it keeps in memory then: fresh browser, fresh context, nothing
+// cached, in turns. Wall time from navigation, and CPU time of the page's and the GPU's process, which a busy machine disturbs less.
+
+import { cpuSeconds, processesOf, tellsCpuTime } from '../processes.mjs';
+import { failOnErrors } from '../session.mjs';
+
+/** No program of an earlier page is found compiled, no timer is coarse. */
+const FLAGS = ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'];
+
+/** @typedef {{ ms: number, cpuMs: number, heap: number, bytes: number }} Start heap and bytes in KiB; bytes as fetched */
+
+/**
+ * @param {import('../session.mjs').Session} session @param {string} path
+ * @param {{ check?: (page: import('playwright-core').Page) => Promise<void> }} [more]
+ * @returns {Promise<Start>}
+ */
+export async function startOf(session, path, { check } = {}) {
+  const browser = await session.launch(FLAGS);
+  // The GPU process is up before: it is the browser's start, not the page's.
+  const warm = await browser.newPage();
+  await warm.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    gl?.clear(gl.COLOR_BUFFER_BIT);
+    gl?.finish();
+  });
+  await warm.close();
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const failed = failOnErrors(page);
+  const before = await busySeconds(browser);
+  await page.goto(`${session.origin}/${path}`, { waitUntil: 'commit' });
+  await page.waitForFunction(() => window.firstPicture !== undefined, undefined, {
+    polling: 20,
+    timeout: 120_000,
+  });
+  const cpuMs = ((await busySeconds(browser)) - before) * 1000;
+  const { ms, bytes } = await page.evaluate(() => ({
+    ms: Number(window.firstPicture),
+    bytes: performance
+      .getEntriesByType('resource')
+      .reduce((sum, entry) => sum + /** @type {PerformanceResourceTiming} */ (entry).encodedBodySize, 0),
+  }));
+  const debug = await page.context().newCDPSession(page);
+  await debug.send('HeapProfiler.collectGarbage');
+  await debug.send('HeapProfiler.collectGarbage'); // what the first one's finalizers let go of
+  const { usedSize } = await debug.send('Runtime.getHeapUsage');
+  failed();
+  await check?.(page);
+  await browser.close();
+  return { ms, cpuMs, heap: usedSize / 1024, bytes: bytes / 1024 };
+}
+
+/** CPU time of all pages and of the GPU process. @param {import('playwright-core').Browser} browser */
+async function busySeconds(browser) {
+  if (!tellsCpuTime()) return 0;
+  const processes = [...(await processesOf(browser, 'renderer')), ...(await processesOf(browser, 'GPU'))];
+  return processes.reduce((sum, process) => sum + cpuSeconds(process), 0);
+}
+
+/**
+ * All of a tag's elements show something at their centre, by a screenshot that the page itself decodes.
+ * @param {import('playwright-core').Page} page @param {string} tag @param {number} count
+ */
+export async function allShown(page, tag, count) {
+  const picture = (await page.screenshot()).toString('base64');
+  const shown = await page.evaluate(async ([data, name]) => {
+    const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+    const context = canvas.getContext('2d');
+    context?.drawImage(bitmap, 0, 0);
+    return [...document.querySelectorAll(name)].filter((element) => {
+      const { left, top, width, height } = element.getBoundingClientRect();
+      const pixel = context?.getImageData(left + width / 2, top + height / 2, 1, 1).data;
+      return pixel?.slice(0, 3).some((channel) => channel < 255); // not the page's white
+    }).length;
+  }, /** @type {const} */ ([picture, tag]));
+  if (shown !== count) throw new Error(`${shown} of ${count} ${tag} show something`);
+}
