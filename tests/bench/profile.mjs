@@ -66,7 +66,12 @@ async function profileStart() {
   print(options.start, ownTimes(profile), us, 1);
 }
 
-/** Microseconds by function: its own, without what it calls. @param {import('playwright-core').Protocol.Profiler.Profile} profile */
+/**
+ * @typedef {{ functionName: string, url: string, lineNumber: number }} CallFrame
+ * @typedef {{ nodes: { id: number, callFrame: CallFrame }[], samples?: number[], timeDeltas?: number[] }} Profile
+ */
+
+/** Microseconds by function: its own, without what it calls. @param {Profile} profile */
 function ownTimes({ nodes, samples = [], timeDeltas = [] }) {
   const names = new Map(
     nodes.map(({ id, callFrame: { functionName, url, lineNumber } }) => {

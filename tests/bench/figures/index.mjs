@@ -131,7 +131,8 @@ async function* start(session, settings) {
   yield figure('navigation to first frame: element / plain three.js', 'ms', of(0, 'ms'), of(1, 'ms'), {
     atMost: 1.05,
   });
-  yield figure('the same, CPU time of page and GPU process', 'ms', of(0, 'cpuMs'), of(1, 'cpuMs'));
+  yield figure('the same, CPU time of the page', 'ms', of(0, 'pageMs'), of(1, 'pageMs'));
+  yield figure('the same, CPU time of the GPU process', 'ms', of(0, 'gpuMs'), of(1, 'gpuMs'));
   yield figure('heap after garbage collection', 'KiB', of(0, 'heap'), of(1, 'heap'), { atMost: 1.25 });
   yield figure('fetched, uncompressed', 'KiB', of(0, 'bytes'), of(1, 'bytes'));
 }
@@ -156,8 +157,10 @@ async function* viewers(session, settings) {
     const [us, them] = [i, i + counts.length];
     const name = `${count} viewers: element / <model-viewer>`;
     yield figure(`${name}, to all lit`, 'ms', of(us, 'ms'), of(them, 'ms'), { atMost: aims[count] });
-    yield figure(`${name}, CPU time`, 'ms', of(us, 'cpuMs'), of(them, 'cpuMs'));
+    yield figure(`${name}, CPU time of the page`, 'ms', of(us, 'pageMs'), of(them, 'pageMs'));
+    yield figure(`${name}, CPU time of the GPU process`, 'ms', of(us, 'gpuMs'), of(them, 'gpuMs'));
   }
   yield figure('16 elements / 1 element, to all lit', 'ms', of(1, 'ms'), of(0, 'ms'), { atMost: 1.3 });
-  yield figure('16 elements / 1 element, CPU time', 'ms', of(1, 'cpuMs'), of(0, 'cpuMs'));
+  yield figure('16 elements / 1 element, CPU time of the page', 'ms', of(1, 'pageMs'), of(0, 'pageMs'));
+  yield figure('16 elements / 1 element, CPU time of the GPU process', 'ms', of(1, 'gpuMs'), of(0, 'gpuMs'));
 }

@@ -8,7 +8,7 @@ import { failOnErrors } from '../session.mjs';
 /** No program of an earlier page is found compiled, no timer is coarse. */
 const FLAGS = ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'];
 
-/** @typedef {{ ms: number, cpuMs: number, heap: number, bytes: number }} Start heap and bytes in KiB; bytes as fetched */
+/** @typedef {{ ms: number, pageMs: number, gpuMs: number, heap: number, bytes: number }} Start CPU time of the page's process and of the GPU's, heap and bytes in KiB; bytes as fetched */
 
 /**
  * @param {import('../session.mjs').Session} session @param {string} path
@@ -33,7 +33,7 @@ export async function startOf(session, path, { check } = {}) {
     polling: 20,
     timeout: 120_000,
   });
-  const cpuMs = ((await busySeconds(browser)) - before) * 1000;
+  const after = await busySeconds(browser);
   const { ms, bytes } = await page.evaluate(() => ({
     ms: Number(window.firstPicture),
     bytes: performance
@@ -47,14 +47,22 @@ export async function startOf(session, path, { check } = {}) {
   failed();
   await check?.(page);
   await browser.close();
-  return { ms, cpuMs, heap: usedSize / 1024, bytes: bytes / 1024 };
+  return {
+    ms,
+    pageMs: (after.page - before.page) * 1000,
+    gpuMs: (after.gpu - before.gpu) * 1000,
+    heap: usedSize / 1024,
+    bytes: bytes / 1024,
+  };
 }
 
 /** CPU time of all pages and of the GPU process. @param {import('playwright-core').Browser} browser */
 async function busySeconds(browser) {
-  if (!tellsCpuTime()) return 0;
-  const processes = [...(await processesOf(browser, 'renderer')), ...(await processesOf(browser, 'GPU'))];
-  return processes.reduce((sum, process) => sum + cpuSeconds(process), 0);
+  if (!tellsCpuTime()) return { page: NaN, gpu: NaN };
+  /** @param {string} type */
+  const of = async (type) =>
+    (await processesOf(browser, type)).reduce((sum, process) => sum + cpuSeconds(process), 0);
+  return { page: await of('renderer'), gpu: await of('GPU') };
 }
 
 /**
