@@ -24,7 +24,7 @@ export interface Counts {
   readonly framebuffers: number;
   readonly renderbuffers: number;
   readonly vertexArrays: number;
-  /** On the window, the document and media queries, now. */
+  /** Of the package on the window, the document and media queries, now. */
   readonly listeners: number;
   /** That watch something now. */
   readonly observers: number;
@@ -148,7 +148,8 @@ function wrapEverything(): void {
   };
   wrap(EventTarget.prototype, 'addEventListener', ([type, listener, options], self) => {
     const target = self ?? window;
-    if (!isGlobal(target)) return;
+    // Playwright listens too, once it has looked for an element.
+    if (!isGlobal(target) || !new Error().stack?.includes('/dist/')) return;
     const present = listenersOf(target, type);
     present.add(listener);
     const signal = (options as AddEventListenerOptions | undefined)?.signal;

@@ -1,0 +1,72 @@
+// Does a viewer that has gone leave anything behind: in the heap, on the GPU, among the page's listeners and observers?
+
+import { expect, test } from '../support/test.js';
+import { countEverything, countsOf } from './counting.js';
+import { comeAndGo, Ledger } from './many-viewers.js';
+import { nextFrame, type PhongViewer } from './support.js';
+
+const size = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
+const stays = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
+const kinds = [
+  '<phong-viewer src="/fixtures/models/textured.glb"></phong-viewer>',
+  '<phong-viewer geometry="sphere" shading="flat" gui></phong-viewer>',
+  '<phong-viewer color-interpolation="linear" auto-rotate="9"><phong-light></phong-light><phong-mesh geometry="torus"></phong-mesh></phong-viewer>',
+];
+
+test.beforeEach(({ page }) => countEverything(page));
+
+test('viewers that come and go leave nothing behind', async ({ page, mount }) => {
+  test.slow();
+  await mount(stays, size);
+  const ledger = await Ledger.of(page);
+  // What the page fetches and keeps for good, such as the panel's code, comes with the first.
+  await comeAndGo(page, kinds, kinds.length);
+  const before = await ledger.read();
+  await comeAndGo(page, kinds, 8 * kinds.length);
+  const { counts, objects } = await ledger.read();
+  expect(counts).toEqual(before.counts);
+  expect(objects).toEqual(before.objects);
+  expect(objects).toMatchObject({ viewers: 1, scenes: 1 });
+});
+
+test('the last viewer closes the context and takes every listener and observer along', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(kinds.join(''), size);
+  const nothing = { listeners: 0, observers: 0 };
+  await viewer.evaluate((element) => {
+    element.parentElement!.replaceChildren();
+  });
+  await nextFrame(page);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, ...nothing });
+  await page.evaluate((html) => {
+    document.body.innerHTML = html;
+    return document.querySelector('phong-viewer')!.ready;
+  }, stays);
+  expect(await countsOf(page)).toMatchObject({ contexts: 2 });
+});
+
+test('a viewer moved on its page loads, opens and sends nothing again', async ({ page, mount }) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  const viewer = await mount(`${kinds[0]}${stays}<section></section>`, size);
+  const models = (): number => asked.filter((url) => url.endsWith('.glb')).length;
+  const held = async (): Promise<object> => {
+    const { contexts, textures, buffers, programs } = await countsOf(page);
+    return { contexts, textures, buffers, programs, models: models() };
+  };
+  const before = await held();
+  const shot = await viewer.screenshot();
+  await viewer.evaluate(async (element: PhongViewer) => {
+    const place = document.querySelector('section')!;
+    for (let i = 0; i < 10; i++) {
+      place.append(element);
+      document.body.prepend(element);
+      await element.ready;
+    }
+  });
+  await nextFrame(page);
+  expect(await held()).toEqual(before);
+  expect(Buffer.compare(await viewer.screenshot(), shot)).toBe(0);
+});

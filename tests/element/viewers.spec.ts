@@ -1,0 +1,157 @@
+// Does a page with many viewers cost what is seen of it? One context, one frame, copies of what changed, bounded pixels.
+
+import { allReady, compare, expect, pixels, test } from '../support/test.js';
+import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from './counting.js';
+import { holdContext, loseAndRestore, redsShown, reddening, scrollThrough } from './many-viewers.js';
+import { drag, nextFrame, type PhongViewer } from './support.js';
+
+const small = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
+
+test.beforeEach(({ page }) => countEverything(page));
+
+test('a viewer alone draws straight onto the page: nothing is copied', async ({ page, mount }) => {
+  const viewer = await mount(reddening(1), small);
+  await drag(page, [45, 30], [20, 10]);
+  await allReady(page);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 0 });
+  expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({ viewersDrawn: 1 });
+});
+
+for (const count of [2, 64]) {
+  test(`${count} viewers share one context and one frame; only those that changed draw`, async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(reddening(count), small);
+    const drawn = (): Promise<number> =>
+      viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn);
+    const taken = await countsOf(page);
+    expect(taken).toMatchObject({ contexts: 1, copies: count, observers: 2 }); // of place and of size
+    expect(taken.listeners).toBeGreaterThan(0);
+    expect(await drawn()).toBe(count);
+    const reds = await redsShown(page);
+    expect(reds.every((red, i) => red > (reds[i - 1] ?? -1))).toBe(true);
+    await nextFrame(page);
+    const before = await countsOf(page);
+    const changed = Math.ceil(count / 16);
+    await page.evaluate((many) => {
+      for (const element of [...document.querySelectorAll('phong-viewer')].slice(-many)) {
+        element.theta = 77;
+        element.lights[0]!.diffuse = [9, 9, 9];
+      }
+    }, changed);
+    await allReady(page);
+    expect(spentBetween(before, await countsOf(page))).toMatchObject({ frames: 1, copies: changed });
+    expect(await drawn()).toBe(changed);
+    expect((await redsShown(page)).slice(0, -changed)).toEqual(reds.slice(0, -changed));
+    await page.evaluate(() => {
+      for (const element of document.querySelectorAll('phong-viewer')) element.remove();
+    });
+    await nextFrame(page);
+    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    expect(await countsOf(page)).toMatchObject({ contexts: 1, listeners: 0, observers: 0 });
+  });
+}
+
+test('pictures of any sizes beside each other show what each shows alone', async ({ page, mount }) => {
+  const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // prettier-ignore
+  const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
+  const markup = sizes.map(
+    ([w], i) => `<phong-viewer id="v${i}" geometry="torus" theta="${w}"></phong-viewer>`,
+  );
+  await mount(markup.join(''), { ...small, css });
+  for (const [i, [width, height]] of sizes.entries()) {
+    const viewer = page.locator(`#v${i}`);
+    const shown = await viewer.evaluate(({ shadowRoot }) => {
+      const { width, height } = shadowRoot!.querySelector('canvas')!;
+      const data = shadowRoot!
+        .querySelector('canvas')!
+        .getContext('2d')!
+        .getImageData(0, 0, width, height).data;
+      return { width, height, data: [...data] };
+    });
+    const picture = await pixels(viewer, { width, height });
+    // To the bit on software GL, wherever on the sheet it lies.
+    expect(
+      compare({ ...shown, data: Uint8Array.from(shown.data) }, picture).max,
+      `${width} × ${height}`,
+    ).toBe(0);
+  }
+});
+
+test('viewers that were scrolled past give their pixels back, and have them again', async ({
+  page,
+  mount,
+}) => {
+  test.slow();
+  await scrollThrough(page, mount, 56);
+});
+
+test('the canvas that all draw on shrinks when the large viewer has gone, or is not seen', async ({
+  page,
+  mount,
+}) => {
+  const css = '#large { width: 900px; height: 600px } #low { margin-top: 2000px }';
+  const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // prettier-ignore
+  const ofOne = small.width * small.height;
+  const sheet = async (): Promise<number> => (await countsOf(page)).sheetPixels;
+  expect(await sheet()).toBeGreaterThanOrEqual(900 * 600);
+  await page.locator('phong-viewer').last().scrollIntoViewIfNeeded();
+  await viewer.evaluate((element) => (element.style.display = 'none'));
+  await nextFrame(page);
+  const turned = page.locator('phong-viewer').last();
+  await turned.evaluate(async (element: PhongViewer) => {
+    for (let i = 0; i < 31; i++) {
+      element.theta = i;
+      await element.ready;
+    }
+  });
+  expect(await sheet()).toBe(ofOne);
+  await viewer.evaluate((element) => (element.style.display = ''));
+  await expect.poll(sheet).toBeGreaterThanOrEqual(900 * 600);
+  await viewer.evaluate((element) => element.remove());
+  expect(await sheet()).toBeLessThanOrEqual(ofOne);
+});
+
+test('sixteen viewers come back from a lost context with the same pixels, those off screen too', async ({
+  page,
+  mount,
+}) => {
+  await holdContext(page);
+  await mount(reddening(16), { ...small, css: 'phong-viewer:nth-child(n + 9) { position: relative; top: 900px }' }); // prettier-ignore
+  const shots = async (): Promise<Buffer[]> => {
+    await page.evaluate(() => scrollTo(0, 0));
+    await nextFrame(page);
+    const top = await page.screenshot();
+    await page.evaluate(() => scrollTo(0, 2000));
+    await nextFrame(page);
+    await nextFrame(page);
+    return [top, await page.screenshot()];
+  };
+  const before = await shots();
+  await page.evaluate(() => scrollTo(0, 0));
+  await nextFrame(page);
+  await loseAndRestore(page, page.locator('phong-viewer'));
+  const after = await shots();
+  expect(after.map((shot, i) => Buffer.compare(shot, before[i]!))).toEqual([0, 0]);
+  expect((await countsOf(page)).contexts).toBe(1);
+});
+
+test('no shader log is waited for, and a program that does not link is told of', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  await mount(reddening(2), small);
+  expect((await countsOf(page)).logs).toBe(0);
+  await page.addInitScript(() => {
+    const real = Object.getOwnPropertyDescriptor(WebGL2RenderingContext.prototype, 'shaderSource')
+      ?.value as WebGL2RenderingContext['shaderSource'];
+    WebGL2RenderingContext.prototype.shaderSource = function (this: WebGL2RenderingContext, shader, source) {
+      real.call(this, shader, `${source}\n#error broken by hand\n`);
+    };
+  });
+  consoleGuard.allow(/uncaught: .*a program does not link.*broken by hand/s, 1);
+  consoleGuard.allow(/WebGL: INVALID_/); // of drawing with it
+  await mount(reddening(2), small);
+});

@@ -1,0 +1,55 @@
+// The long forms of what many viewers must not cost: two hundred on a page, a long scroll, hours of coming and going.
+
+import { expect, test } from '../support/test.js';
+import { countEverything, countsOf, NOTHING, spentIn } from '../element/counting.js';
+import { comeAndGo, holdContext, Ledger, loseAndRestore, redsShown, reddening, scrollThrough } from '../element/many-viewers.js'; // prettier-ignore
+import { nextFrame, type PhongViewer } from '../element/support.js';
+
+const small = { width: 60, height: 40, css: 'phong-viewer { float: left }' };
+
+test.beforeEach(({ page }) => {
+  test.setTimeout(600_000);
+  return countEverything(page);
+});
+
+test('@release two hundred viewers share one context, come back when it is lost, and rest', async ({
+  page,
+  mount,
+}) => {
+  await holdContext(page);
+  const viewer = await mount(reddening(200), small);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 200, observers: 2 });
+  expect(await viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn)).toBe(200);
+  const reds = await redsShown(page);
+  // Codes 0 to 255 in two hundred steps, each of which the light shortens.
+  expect(reds.every((red, i) => red >= (reds[i - 1] ?? -1))).toBe(true);
+  expect(new Set(reds).size).toBeGreaterThan(100);
+  await loseAndRestore(page, page.locator('phong-viewer'));
+  expect(await redsShown(page)).toEqual(reds);
+  expect(await spentIn(page, 2000)).toEqual(NOTHING);
+});
+
+test('@release four hundred viewers are scrolled through in bounded memory', async ({ page, mount }) => {
+  await scrollThrough(page, mount, 400);
+});
+
+test('@release a thousand viewers come and go and leave nothing behind', async ({ page, mount }) => {
+  await mount('<phong-viewer geometry="box"></phong-viewer>', small);
+  const kinds = [
+    '<phong-viewer src="/fixtures/models/textured.glb"></phong-viewer>',
+    '<phong-viewer geometry="sphere" shading="flat" gui></phong-viewer>',
+    '<phong-viewer color-interpolation="linear" auto-rotate="9"><phong-light></phong-light><phong-mesh geometry="torus"></phong-mesh></phong-viewer>',
+    '<phong-viewer geometry="teapot" shading="gouraud" reflection="blinn-phong"></phong-viewer>',
+    '<phong-viewer src="/assets/models/bunny.glb" terms="diffuse"></phong-viewer>',
+  ];
+  const ledger = await Ledger.of(page);
+  await comeAndGo(page, kinds, 50);
+  const before = await ledger.read();
+  for (let round = 0; round < 19; round++) await comeAndGo(page, kinds, 50);
+  await nextFrame(page);
+  const { counts, objects, heap } = await ledger.read();
+  expect(counts).toEqual(before.counts);
+  expect(objects).toEqual(before.objects);
+  console.log(`heap: ${before.heap} bytes after 50, ${heap} after 1000`);
+  expect(heap - before.heap).toBeLessThan(950 * 1024); // a kilobyte for each that went: no viewer is that small
+});
