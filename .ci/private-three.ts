@@ -11,11 +11,13 @@ import type { Plugin } from 'vite';
 const announcement =
   /if \( typeof window !== 'undefined' \) \{\s*if \( window\.__THREE__ \) \{[^}]*\} else \{[^}]*\}\s*\}/;
 
-/** Folders of three/src/renderers whose modules lean-three/ may replace. */
-const replaceable = /\/three\/src\/renderers\/(?:(?:webgl|webxr|shaders)\/)?[^/]+\.js$/;
+/** Modules that lean-three/ may replace. */
+const replaceable = /\/three\/src\/(?:extras|math|renderers\/(?:webgl|webxr|shaders))\/[^/]+\.js$/;
 
-/** Functions that are left out: drawing into anything but the canvas, reading back from it, passes over it; cube maps. */
+/** Functions and methods that are left out: making materials from what three's loaders of JSON read; drawing into anything but the canvas, reading back from it, passes over it; cube maps. */
 const leftOut: Readonly<Record<string, readonly string[]>> = {
+  'Material.js': ['fromJSON'],
+  'ShaderMaterial.js': ['fromJSON'],
   'WebGLRenderer.js': [
     'setEffects',
     'setNodesHandler',
@@ -59,7 +61,7 @@ export function privateThree(): Plugin {
       return resolved !== null && replaceable.test(resolved.id) ? leanPath(resolved.id) : resolved;
     },
     transform(code, id) {
-      const names = replaceable.test(id) ? leftOut[basename(id)] : undefined;
+      const names = id.includes('/three/src/') ? leftOut[basename(id)] : undefined;
       if (names !== undefined) return { code: without(code, names, this.parse(code)), map: null };
       if (!id.endsWith('/three/src/Three.Core.js')) return null;
       if (!announcement.test(code))
@@ -79,7 +81,7 @@ function leanPath(path: string): string {
   return existsSync(lean) ? lean : path;
 }
 
-/** `code` without the functions of these names, declared or assigned to `this`; throws where one is not there. */
+/** `code` without the functions of these names, declared, methods or assigned to `this`; throws where one is not there. */
 function without(code: string, names: readonly string[], program: object): string {
   const missing = new Set(names);
   const gaps: [start: number, end: number][] = [];
@@ -104,6 +106,7 @@ interface Node {
   readonly start: number;
   readonly end: number;
   readonly id?: { readonly name?: string };
+  readonly key?: { readonly name?: string };
   readonly expression?: {
     readonly left?: { readonly object?: Node; readonly property?: { readonly name?: string } };
   };
@@ -112,8 +115,9 @@ interface Node {
 const isNode = (value: unknown): value is Node =>
   typeof value === 'object' && value !== null && typeof (value as Partial<Node>).type === 'string';
 
-function functionName({ type, id, expression }: Node): string | undefined {
+function functionName({ type, id, key, expression }: Node): string | undefined {
   if (type === 'FunctionDeclaration') return id?.name;
+  if (type === 'MethodDefinition') return key?.name;
   if (type !== 'ExpressionStatement' || expression?.left?.object?.type !== 'ThisExpression') return undefined;
   return expression.left.property?.name;
 }

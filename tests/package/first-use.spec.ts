@@ -1,0 +1,96 @@
+// Nothing is fetched that was not asked for: every part that a page may never need is a chunk of its own, fetched with
+// its first use and only then, from the standalone file and from the ES modules alike.
+
+import type { Locator, Page } from '@playwright/test';
+import type { PhongViewer } from '../../src/index.js';
+import { allReady, expect, test } from '../support/test.js';
+import { nextFrame } from '../element/support.js';
+import { chunkName, Requests, usages } from './requests.js';
+
+interface Use {
+  readonly what: string;
+  readonly use: (viewer: Locator, page: Page) => Promise<unknown>;
+  /** What it fetches, in any order. */
+  readonly chunks: readonly string[];
+}
+
+const set = (values: Readonly<Record<string, string | number | boolean>>) => (viewer: Locator) =>
+  viewer.evaluate(async (element: PhongViewer, given) => {
+    Object.assign(element, given);
+    await element.ready;
+  }, values);
+
+const explain = (x: number, y: number) => (viewer: Locator) =>
+  viewer.evaluate(async (element: PhongViewer, [left, top]) => (await element.shadeAt(left, top)) === null, [
+    x,
+    y,
+  ] as const);
+
+/** In this order on one page: later ones find there what earlier ones have fetched. */
+const uses: readonly Use[] = [
+  {
+    what: 'changes of lights, camera and shading',
+    use: set({ theta: 5, fov: 40, shading: 'gouraud' }),
+    chunks: [],
+  },
+  {
+    what: 'toHTML, camera and stats',
+    use: (viewer) =>
+      viewer.evaluate((element: PhongViewer) => [element.toHTML(), element.camera, element.stats].length),
+    chunks: [],
+  },
+  { what: 'a sphere', use: set({ geometry: 'sphere' }), chunks: [] },
+  { what: 'a torus', use: set({ geometry: 'torus' }), chunks: ['fit', 'solids'] },
+  { what: 'a pyramid', use: set({ geometry: 'pyramid' }), chunks: [] },
+  { what: 'a teapot', use: set({ geometry: 'teapot' }), chunks: ['teapot'] },
+  {
+    what: 'a picture as a file',
+    use: (viewer) => viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size),
+    chunks: ['picture-blob'],
+  },
+  { what: 'a look at nothing', use: explain(1, 1), chunks: ['shade-at'] },
+  { what: 'an explanation', use: explain(300, 200), chunks: ['reference'] },
+  { what: 'another explanation', use: explain(301, 200), chunks: [] },
+  { what: 'a pointer', use: (viewer) => viewer.hover(), chunks: ['orbit-input'] },
+  { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
+  { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: ['turntable'] },
+  { what: 'the panel', use: set({ gui: true }), chunks: ['panel'] },
+  {
+    what: 'a model',
+    use: set({ src: '/fixtures/models/textured.glb' }),
+    chunks: ['load-model', 'read-gltf'],
+  },
+  { what: 'another model', use: set({ src: '/fixtures/models/mask.glb' }), chunks: [] },
+  { what: 'a model compressed with Draco', use: set({ src: '/assets/models/bunny.glb' }), chunks: ['draco'] },
+];
+
+async function drag(page: Page): Promise<void> {
+  await page.mouse.move(300, 200);
+  await page.mouse.down();
+  await page.mouse.move(340, 220);
+  await page.mouse.up();
+}
+
+for (const usage of ['standalone', 'modules'] as const) {
+  test(`each part is fetched with its first use (${usage})`, async ({ page, site }) => {
+    const requests = new Requests(page);
+    const scene = '<phong-viewer geometry="box"><phong-light></phong-light></phong-viewer>';
+    await page.goto(site.page(scene, usages[usage]));
+    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+    await allReady(page);
+    const viewer = page.locator('phong-viewer');
+    expect(requests.take()).toHaveLength(1);
+    for (const { what, use, chunks } of uses) {
+      await use(viewer, page);
+      // What is fetched may come after the call has returned; nothing else does within two frames of it.
+      const late = new Set<string>();
+      const came = (): string[] => {
+        for (const path of requests.take()) late.add(chunkName(path));
+        return [...late].sort();
+      };
+      await expect.poll(came, what).toEqual([...chunks].sort());
+      await nextFrame(page);
+      expect(came(), what).toEqual([...chunks].sort());
+    }
+  });
+}
