@@ -1,6 +1,6 @@
 // @ts-check
 // How the element compares with its peers: frame time, JavaScript per frame, start, many viewers on a page.
-//   node tests/bench/figures.mjs [--only frame,raw,idle,script,start,viewers] [--launches 3] [--rounds 5] [--out result.json]
+//   node tests/bench/figures.mjs [--only frame,loop,raw,idle,script,start,viewers] [--launches 3] [--rounds 5] [--out result.json]
 //   --source CHECKOUT  measures that checkout's src/        --seed 1  other lights
 //   --browser PATH --arg=--use-angle=vulkan --arg=…         a real GPU (none: software GL)
 //   --build FOLDER     only builds the pages; --page FOLDER uses such, for machines with Node and a browser alone

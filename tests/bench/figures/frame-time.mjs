@@ -16,6 +16,7 @@ import { interleaved } from '../statistics.mjs';
  * @typedef {object} Subject
  * @property {string} name
  * @property {string} peer a peer's name; `raw` draws what the first subject draws, without any library
+ * @property {1} [samples] a pixel, where the page chooses; else multisampled, as the element is
  * @property {Scene} [scene] where it differs from the others' scene
  *
  * @typedef {object} FrameOptions
@@ -66,7 +67,7 @@ async function openPeer(session, browser, subject, common, { width, height, seed
   const { lights, active, kind } = subject.scene ?? common;
   const page = await browser.newPage({ viewport: { width, height } });
   const check = failOnErrors(page);
-  const query = { peer: subject.peer, lights, active, kind, seed };
+  const query = { peer: subject.peer, lights, active, kind, seed, samples: subject.samples ?? '' };
   await page.goto(
     `${session.origin}/frame.html?${new URLSearchParams(Object.entries(query).map(([k, v]) => [k, String(v)]))}`,
   );

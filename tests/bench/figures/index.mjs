@@ -13,7 +13,7 @@ import { allShown, startOf } from './start.mjs';
  */
 
 /** @type {Record<string, Measure>} */
-export const FIGURES = { frame, raw, idle, script, start, viewers };
+export const FIGURES = { frame, loop, raw, idle, script, start, viewers };
 
 /** The ratio to MeshPhong to stay under. @param {number} lights @param {boolean} software */
 function frameAim(lights, software) {
@@ -32,27 +32,48 @@ const sceneOf = (lights, kind = 'mixed') => ({
 
 const ELEMENT = { name: 'element', peer: 'element' };
 
-/** @type {Measure} */
-async function* frame(session, settings) {
-  const scenes = settings.counts.flatMap((lights) =>
+/** @param {readonly number[]} counts */
+const mixedScenes = (counts) =>
+  counts.flatMap((lights) =>
     lights === 1 ? [sceneOf(1, 'directional'), sceneOf(1, 'point'), sceneOf(1, 'spot')] : [sceneOf(lights)],
   );
+
+/** @type {Measure} */
+async function* frame(session, settings) {
   const peers = [
     { name: 'MeshPhong', peer: 'mesh-phong' },
     { name: 'MeshPhong unencoded', peer: 'mesh-phong-linear' },
     // What a frame costs before any light: no ratio to MeshPhong can fall below its share.
     { name: 'unlit', peer: 'unlit' },
   ];
-  for (const scene of scenes) {
-    const [ours, ...others] = await frameTimes(session, scene, [ELEMENT, ...peers], settings);
+  yield* againstPhong(session, settings, [ELEMENT, ...peers]);
+}
+
+/** The programs alone: at one sample a pixel little is left besides them. @type {Measure} */
+async function* loop(session, settings) {
+  /** @type {readonly import('./frame-time.mjs').Subject[]} */
+  const subjects = [
+    { name: 'core', peer: 'core', samples: 1 },
+    { name: 'MeshPhong', peer: 'mesh-phong', samples: 1 },
+    { name: 'unlit', peer: 'unlit', samples: 1 },
+  ];
+  yield* againstPhong(session, settings, subjects);
+}
+
+/**
+ * The first subject against each other one.
+ * @param {import('../session.mjs').Session} session @param {Settings} settings
+ * @param {readonly import('./frame-time.mjs').Subject[]} subjects
+ */
+async function* againstPhong(session, settings, subjects) {
+  for (const scene of mixedScenes(settings.counts)) {
+    const [ours, ...others] = await frameTimes(session, scene, subjects, settings);
     for (const other of others) {
       // The aim is for three.js as it comes; without its encoding it does a little less than a page asks of it.
       const atMost = other.name === 'MeshPhong' ? frameAim(scene.lights, settings.software) : undefined;
       const note = `programs ${ours?.settled.map(({ programs }) => programs).join()}`;
-      yield figure(`${scene.name}: element / ${other.name}`, 'ms', ours?.ms ?? [], other.ms, {
-        atMost,
-        note,
-      });
+      const name = `${scene.name}: ${ours?.name} / ${other.name}`;
+      yield figure(name, 'ms', ours?.ms ?? [], other.ms, { atMost, note });
     }
   }
 }

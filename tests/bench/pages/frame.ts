@@ -1,6 +1,7 @@
 // One peer on one page, drawn and timed by the bench: ?peer=element&lights=8&active=8&kind=mixed&seed=1
 import { rendererName } from '../../glsl/float-pass.js';
 import { type Capture, captureOf } from './capture.js';
+import { core } from './peers/core.js';
 import { element } from './peers/element.js';
 import { meshPhong, meshPhongLinear, unlit } from './peers/mesh-phong.js';
 import { clockFrames, litShare, type Peer, type PeerMaker, settle, timeFrames } from './peers/peer.js';
@@ -9,6 +10,7 @@ import type { Kind } from './scenes.js';
 
 const MAKERS: Readonly<Record<string, PeerMaker>> = {
   element,
+  core,
   'mesh-phong': meshPhong,
   'mesh-phong-linear': meshPhongLinear,
   unlit,

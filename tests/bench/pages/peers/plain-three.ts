@@ -33,7 +33,9 @@ export function plainThree(
   material: Material,
   encode: boolean,
 ): PlainThree {
-  const renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  // As the element does, unless the bench asks for one sample a pixel: ?samples=1
+  const antialias = new URLSearchParams(location.search).get('samples') !== '1';
+  const renderer = new WebGLRenderer({ antialias, alpha: true });
   if (!encode) renderer.outputColorSpace = LinearSRGBColorSpace;
   holder.append(renderer.domElement);
   const scene = new Scene();
