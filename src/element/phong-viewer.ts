@@ -163,7 +163,10 @@ export class PhongViewer extends LitElement {
     return this.#loading.loaded;
   }
 
-  /** The three.js scene, for objects of your own; call {@link requestRender} after changing it. */
+  /**
+   * The three.js scene, for objects of your own; call {@link requestRender} after changing it. The standalone file
+   * carries no shaders of three.js's own materials: there, objects need a ShaderMaterial.
+   */
   get scene(): Viewport['scene'] {
     return this.#viewport.scene;
   }
@@ -272,6 +275,7 @@ export class PhongViewer extends LitElement {
     const viewport = this.#viewport;
     viewport.fov = values.fov;
     viewport.linear = values.colorInterpolation === 'linear';
+    viewport.errorBudget = values.errorBudget;
     if (['shading', 'reflection', 'terms'].some((key) => changed.has(key))) {
       viewport.style = { shading: values.shading, reflection: values.reflection, terms: values.terms };
     }
