@@ -135,9 +135,7 @@ export class PhongViewer extends LitElement {
   constructor() {
     super();
     this.#holder.className = 'holder';
-    this.state.listen((key) => {
-      this.requestUpdate(key);
-    });
+    this.state.listen((key) => this.requestUpdate(key));
     this.addController(this.#camera);
     this.addController(this.#visibility);
   }

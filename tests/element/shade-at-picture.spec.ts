@@ -101,6 +101,7 @@ test.describe('agrees with the picture', () => {
       '<phong-mesh geometry="box"></phong-mesh><phong-mesh geometry="cone" segments="7" position="0 0.6 0.9"></phong-mesh>',
     ]) {
       await show(viewer, `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`);
+      await settled(viewer);
       const compared = await comparedWithPicture(viewer, 17);
       expect(compared.length, meshes).toBeGreaterThan(20);
       tally.add(compared, meshes);
