@@ -136,28 +136,37 @@ function wrapEverything(): void {
     wrap(Observer.prototype, 'disconnect', (_, self) => change(self, (targets) => targets.clear()));
   }
 
-  const heard = new Map<unknown, Map<string, Set<unknown>>>();
+  let listeners = 0;
+  const heard = new WeakMap<object, Set<string>>();
+  const identities = new WeakMap<object, number>();
+  let identified = 0;
+  const identityOf = (listener: object): number => {
+    const present = identities.get(listener) ?? (identified += 1);
+    identities.set(listener, present);
+    return present;
+  };
   const isGlobal = (target: unknown): boolean =>
     target === window || target === document || target instanceof MediaQueryList;
-  const listenersOf = (target: unknown, type: unknown): Set<unknown> => {
-    const types = heard.get(target) ?? new Map<string, Set<unknown>>();
-    heard.set(target, types);
-    const present = types.get(String(type)) ?? new Set();
-    types.set(String(type), present);
-    return present;
+  const listen = (target: object, type: unknown, listener: unknown, on: boolean): void => {
+    const present = heard.get(target) ?? new Set();
+    heard.set(target, present);
+    const key = `${String(type)} ${identityOf(listener as object)}`;
+    const before = present.size;
+    if (on) present.add(key);
+    else present.delete(key);
+    listeners += present.size - before;
   };
   wrap(EventTarget.prototype, 'addEventListener', ([type, listener, options], self) => {
     const target = self ?? window;
     // Playwright listens too, once it has looked for an element.
     if (!isGlobal(target) || !new Error().stack?.includes('/dist/')) return;
-    const present = listenersOf(target, type);
-    present.add(listener);
+    listen(target, type, listener, true);
     const signal = (options as AddEventListenerOptions | undefined)?.signal;
-    signal?.addEventListener('abort', () => present.delete(listener));
+    signal?.addEventListener('abort', () => listen(target, type, listener, false));
   });
   wrap(EventTarget.prototype, 'removeEventListener', ([type, listener], self) => {
     const target = self ?? window;
-    if (isGlobal(target)) listenersOf(target, type).delete(listener);
+    if (isGlobal(target)) listen(target, type, listener, false);
   });
 
   const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'contexts', 'logs', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
@@ -166,13 +175,14 @@ function wrapEverything(): void {
     let sheetPixels = 0;
     for (const weak of canvases) {
       const canvas = weak.deref();
-      if (canvas === undefined) continue;
+      if (canvas === undefined) {
+        canvases.delete(weak);
+        continue;
+      }
       const pixels = canvas.width * canvas.height;
       canvasPixels += pixels;
       if (sheets.has(canvas)) sheetPixels = Math.max(sheetPixels, pixels);
     }
-    let listeners = 0;
-    for (const types of heard.values()) for (const set of types.values()) listeners += set.size;
     const present = Object.fromEntries(names.map((name) => [name, counts[name] ?? 0]));
     return { ...present, listeners, canvasPixels, sheetPixels } as unknown as Counts;
   };

@@ -41,11 +41,12 @@ test('nothing at all happens while nothing changes, and again once every motion 
   }
 });
 
-/** Sets `auto-rotate` and, some frames later, takes it away. */
+/** Sets `auto-rotate` and, once it has turned for some frames, takes it away. */
 const turnAWhile = (viewer: Locator): Promise<void> =>
   viewer.evaluate(async (element: PhongViewer) => {
+    const end = element.stats.frames + 3;
     element.autoRotate = 45;
-    for (let i = 0; i < 5; i++) await new Promise(requestAnimationFrame);
+    while (element.stats.frames < end) await new Promise(requestAnimationFrame);
     element.autoRotate = 0;
   });
 

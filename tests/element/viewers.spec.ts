@@ -57,7 +57,7 @@ test('pictures of any sizes beside each other show what each shows alone', async
   const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // prettier-ignore
   const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
   const markup = sizes.map(
-    ([w], i) => `<phong-viewer id="v${i}" geometry="torus" theta="${w}"></phong-viewer>`,
+    ([w], i) => `<phong-viewer id="v${i}" geometry="sphere" segments="16" theta="${w}"></phong-viewer>`,
   );
   await mount(markup.join(''), { ...small, css });
   for (const [i, [width, height]] of sizes.entries()) {

@@ -43,13 +43,14 @@ test('@release a thousand viewers come and go and leave nothing behind', async (
     '<phong-viewer src="/assets/models/bunny.glb" terms="diffuse"></phong-viewer>',
   ];
   const ledger = await Ledger.of(page);
-  await comeAndGo(page, kinds, 50);
+  for (let round = 0; round < 4; round++) await comeAndGo(page, kinds, 50); // until the browser has compiled what is hot
   const before = await ledger.read();
-  for (let round = 0; round < 19; round++) await comeAndGo(page, kinds, 50);
+  for (let round = 0; round < 16; round++) await comeAndGo(page, kinds, 50);
   await nextFrame(page);
   const { counts, objects, heap } = await ledger.read();
   expect(counts).toEqual(before.counts);
   expect(objects).toEqual(before.objects);
-  console.log(`heap: ${before.heap} bytes after 50, ${heap} after 1000`);
-  expect(heap - before.heap).toBeLessThan(950 * 1024); // a kilobyte for each that went: no viewer is that small
+  console.log(`heap: ${before.heap} bytes after 200, ${heap} after 1000`);
+  // Counting from outside and compiling take some: 5 to 450 bytes each were measured. No viewer is that small.
+  expect(heap - before.heap).toBeLessThan(800 * 1024);
 });
