@@ -24,6 +24,7 @@ export class LazyInput {
   #input: OrbitInput | null = null;
   #listeners: AbortController | null = null;
   #fetching = false;
+  #failed = false;
   #kept: Event[] = [];
 
   constructor(surface: HTMLElement, host: OrbitInputHost) {
@@ -37,7 +38,7 @@ export class LazyInput {
 
   connect(): void {
     this.#input?.connect();
-    if (this.#input !== null || this.#listeners !== null) return;
+    if (this.#input !== null || this.#listeners !== null || this.#failed) return;
     this.#listeners = new AbortController();
     const options = { signal: this.#listeners.signal, passive: false };
     for (const type of [...SIGNS, ...CONSEQUENCES]) this.#surface.addEventListener(type, this.#keep, options);
@@ -57,24 +58,22 @@ export class LazyInput {
     if (event.defaultPrevented) return;
     if ((SIGNS as readonly string[]).includes(type)) void this.#fetch();
     else if (this.#kept.length === 0) return;
-    const { orbit, zoom } = this.#host.allows();
-    if (event instanceof KeyboardEvent) {
-      if (event.ctrlKey || event.altKey || event.metaKey || !(orbit || zoom) || !CAMERA_KEY.test(event.key))
-        return;
-      event.preventDefault();
-    } else if (event instanceof WheelEvent) {
-      if (!zoom || !this.#surface.matches(':focus')) return;
-      event.preventDefault();
-    } else if (type === 'contextmenu') {
-      event.preventDefault(); // nobody knows yet whether what was pressed drags
-      return;
-    } else if (!(event instanceof PointerEvent) || type === 'pointerover') {
-      return;
-    } else if (type === 'pointerdown') {
-      capture(this.#surface, event.pointerId);
-    }
+    if (type === 'pointerdown') capture(this.#surface, (event as PointerEvent).pointerId);
+    // What the page would do with a key or the wheel it must not do as well; nor open a menu: what was pressed may drag.
+    else if (type === 'contextmenu' || this.#isKey(event) || this.#isWheel(event)) event.preventDefault();
+    else if (!/^(lost)?pointer(?!over)/.test(type)) return;
     this.#kept.push(event);
   };
+
+  #isKey(event: Event): boolean {
+    if (!(event instanceof KeyboardEvent) || event.ctrlKey || event.altKey || event.metaKey) return false;
+    const { orbit, zoom } = this.#host.allows();
+    return (orbit || zoom) && CAMERA_KEY.test(event.key);
+  }
+
+  #isWheel({ type }: Event): boolean {
+    return type === 'wheel' && this.#host.allows().zoom && this.#surface.matches(':focus');
+  }
 
   async #fetch(): Promise<void> {
     if (this.#fetching) return;
@@ -82,8 +81,12 @@ export class LazyInput {
     const code = await fetched(() => import('../camera/orbit-input.js'), 'drags, wheel and keys');
     const kept = this.#kept;
     this.#kept = [];
-    // Browsers remember what could not be fetched: it would be in vain to ask again.
-    if (code === null) return;
+    if (code === null) {
+      // Browsers remember what could not be fetched: it would be in vain to ask again.
+      this.#failed = true;
+      this.#stopKeeping();
+      return;
+    }
     this.#fetching = false;
     // Taken out of the page meanwhile, it waits for the next sign.
     if (this.#listeners === null) return;

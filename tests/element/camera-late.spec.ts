@@ -105,7 +105,7 @@ test.describe('while its code is on the way', () => {
   });
 });
 
-test('where its code cannot be fetched the picture goes on, with one warning', async ({
+test('where its code cannot be fetched the picture and the page go on, with one warning', async ({
   page,
   mount,
   consoleGuard,
@@ -113,10 +113,12 @@ test('where its code cannot be fetched the picture goes on, with one warning', a
   consoleGuard.allow(/drags, wheel and keys could not be fetched/, 1);
   consoleGuard.allow(/Failed to load resource/, 1);
   await page.route(/orbit-input/, (route) => route.abort());
-  const viewer = await mount(box);
+  const viewer = await mount(box, tall);
   await drag(page, [300, 200], [60, 0]);
   await page.mouse.move(900, 600);
   await drag(page, [300, 200], [60, 0]);
+  await page.keyboard.press('PageDown');
+  await expect.poll(() => page.evaluate('scrollY')).toBeGreaterThan(0);
   expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
   await assign(viewer, { theta: 40 });
   expect(await cameraOf(viewer)).toMatchObject({ theta: 40, phi: 70 });
