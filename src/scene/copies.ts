@@ -21,6 +21,8 @@ export const screenPixels = (): number => screen.width * screen.height * deviceP
 export class Copies {
   /** The one drawn longest ago comes first. */
   readonly #canvases = new Map<CopyClient, HTMLCanvasElement>();
+  /** Shown since the last trimming. */
+  readonly #fresh = new Set<CopyClient>();
 
   /**
    * Shows a part of `source`. Into a 2D canvas, so that one drawing of all pictures of a frame serves them all: with 16
@@ -32,6 +34,7 @@ export class Copies {
     const canvas = this.#canvases.get(client) ?? document.createElement('canvas');
     this.#canvases.delete(client);
     this.#canvases.set(client, canvas);
+    this.#fresh.add(client);
     if (canvas.width !== width || canvas.height !== height) {
       canvas.width = width;
       canvas.height = height;
@@ -48,21 +51,27 @@ export class Copies {
     const canvas = this.#canvases.get(client);
     if (canvas === undefined) return;
     this.#canvases.delete(client);
+    this.#fresh.delete(client);
     canvas.remove();
     canvas.width = 0;
     canvas.height = 0;
   }
 
-  /** Of the pictures that cannot be seen, those drawn longest ago give back what is beyond the bound. */
+  /**
+   * After a frame: of the pictures that cannot be seen, those drawn longest ago give back what is beyond the bound. None
+   * that this frame has shown: what is drawn unseen will be printed.
+   */
   trim(): void {
+    const spared = (client: CopyClient): boolean => client.drawable || this.#fresh.has(client);
     let surplus = -KEPT_SCREENS * screenPixels();
-    for (const [client, { width, height }] of this.#canvases) if (!client.drawable) surplus += width * height;
+    for (const [client, { width, height }] of this.#canvases) if (!spared(client)) surplus += width * height;
     for (const [client, { width, height }] of this.#canvases) {
-      if (surplus <= 0) return;
-      if (client.drawable) continue;
+      if (surplus <= 0) break;
+      if (spared(client)) continue;
       surplus -= width * height;
       this.drop(client);
       client.invalidate();
     }
+    this.#fresh.clear();
   }
 }

@@ -182,7 +182,6 @@ class Stage {
     if (source !== undefined)
       for (const [client, place] of this.#drawn) this.#copies.show(client, source, place);
     this.#drawn.clear();
-    this.#copies.trim();
   }
 
   #count(): void {
@@ -197,6 +196,7 @@ class Stage {
   readonly #endFrame = (): void => {
     this.#inFrame = false;
     this.#showDrawn();
+    this.#copies.trim();
   };
 
   #open(): WebGLRenderer {

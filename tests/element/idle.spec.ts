@@ -130,6 +130,9 @@ test('many changes in one task make one frame', async ({ page, mount }) => {
       element.lights[0]!.setAttribute('cutoff', String(i));
       element.append(document.createElement('phong-light'));
     }
+    element.append(document.createElement('phong-mesh'));
+    element.meshes[0]!.geometry = 'sphere';
+    element.setAttribute('fov', '50');
     const other = element.nextElementSibling as PhongViewer;
     other.theta = 3;
   });

@@ -87,6 +87,26 @@ test('viewers that were scrolled past give their pixels back, and have them agai
   await scrollThrough(page, mount, 56);
 });
 
+test('all viewers of a long page are printed, those too that may not keep their pixels', async ({
+  page,
+  mount,
+}) => {
+  const count = 56;
+  const viewer = await mount(reddening(count), { width: 300, height: 200 });
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const reds = await redsShown(page);
+  expect(reds).toHaveLength(count);
+  expect(reds.every((red, i) => red > (reds[i - 1] ?? -1))).toBe(true);
+  const printed = (await countsOf(page)).canvasPixels;
+  // The next frame of any viewer gives back what was lent for paper.
+  await viewer.evaluate((element: PhongViewer) => {
+    element.theta = 77;
+    return element.ready;
+  });
+  await nextFrame(page);
+  expect((await countsOf(page)).canvasPixels).toBeLessThan(printed / 1.2);
+});
+
 test('the canvas that all draw on shrinks when the large viewer has gone, or is not seen', async ({
   page,
   mount,
