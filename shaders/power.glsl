@@ -16,3 +16,23 @@ float powerNearOne(float x, float y, float k) {
   float log2x = y < 0.25 ? series : log2(x);
   return exp2(k * log2x);
 }
+
+/**
+ * x^k for a whole k from 1 to LARGEST_WHOLE_POWER: a literal, so that nothing but its multiplications is left. An error
+ * of x is multiplied by k; x = 1 - y of a chord has 2^-25.
+ */
+float wholePower(float x, int k) {
+  float result = (k & 1) != 0 ? x : 1.0;
+  float square = x * x;
+  if ((k & 2) != 0) result *= square;
+  square *= square;
+  if ((k & 4) != 0) result *= square;
+  square *= square;
+  if ((k & 8) != 0) result *= square;
+  square *= square;
+  if ((k & 16) != 0) result *= square;
+  square *= square;
+  if ((k & 32) != 0) result *= square;
+  square *= square;
+  return (k & 64) != 0 ? result * square : result;
+}

@@ -5,8 +5,10 @@ export interface ViewerStats {
   readonly frames: number;
   readonly lightsDeclared: number;
   readonly lightsActive: number;
-  /** Lights that the shader loops over; the others bring ambient light only, or nothing. */
+  /** Lights that the shader loops over for any mesh; the others bring ambient light only, or nothing. */
   readonly lightsSent: number;
+  /** The same for each mesh by itself: the viewer's own, if it has one, and then `meshes` in the order they came. */
+  readonly lightsSentByMesh: readonly number[];
   /** Programs of the page's WebGL context. */
   readonly programs: number;
   /** In the last frame. */

@@ -30,6 +30,8 @@ export interface LightFacts {
   point: boolean;
   spot: boolean;
   attenuation: boolean;
+  cone: boolean;
+  decay: boolean;
   ambient: boolean;
   diffuse: boolean;
   specular: boolean;
@@ -40,6 +42,8 @@ export const noFacts = (): LightFacts => ({
   point: false,
   spot: false,
   attenuation: false,
+  cone: false,
+  decay: false,
   ambient: false,
   diffuse: false,
   specular: false,
@@ -50,7 +54,10 @@ export const noFacts = (): LightFacts => ({
  * back: what has been declared once may come again.
  */
 export function gatherFacts(light: Values, facts: LightFacts): void {
-  facts[kindOf(light)] = true;
+  const kind = kindOf(light);
+  facts[kind] = true;
+  facts.cone ||= kind === 'spot' && light.aperture < 180;
+  facts.decay ||= kind === 'spot' && light.cutoff >= LEAST_EXPONENT;
   facts.attenuation ||= isAttenuated(light);
   facts.ambient ||= !isZero(light.ambient);
   facts.diffuse ||= !isZero(light.diffuse);

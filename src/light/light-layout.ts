@@ -45,6 +45,28 @@ export const ROWS = {
 export const LIMIT_OPEN = 4;
 
 /**
+ * What a light needs beyond its kind, as bits of one number that both the packing and the GLSL know. `power` and above
+ * hold a spot's cutoff where it is whole and at most LARGEST_WHOLE_POWER; other cutoffs above 0 have `decay`.
+ */
+export const SHAPE = {
+  ambient: 1,
+  diffuse: 2,
+  specular: 4,
+  attenuated: 8,
+  /** A cone of up to 90 degrees; more than that is `wide`. */
+  narrow: 16,
+  wide: 32,
+  decay: 64,
+  powerShift: 8,
+} as const;
+
+/**
+ * Largest exponent that is multiplied out where it is whole. The base's rounding, 2^-25, grows with it, to 2e-6 here: less
+ * than the lobe's own bound.
+ */
+export const LARGEST_WHOLE_POWER = 64;
+
+/**
  * Rows in a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE). More lights than fit go
  * into a texture.
  */
@@ -68,6 +90,7 @@ export const LEAST_EXPONENT = 1e-6;
  */
 const TINY = 2 ** -120;
 
+const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCase();
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
 /** `#define` lines for the GLSL: the whole layout. */
@@ -77,6 +100,7 @@ export function layoutDefines(): string {
     `#define HEADER_AMBIENT ${String(HEADER.ambient)}`,
     `#define HEADER_ROWS ${String(HEADER.rows)}`,
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
+    ...Object.entries(SHAPE).map(([name, bit]) => `#define SHAPE_${snake(name)} ${String(bit)}`),
     `#define BLOCK_ROWS ${String(BLOCK_ROWS)}`,
     `#define TEXTURE_ROWS_LOG2 ${String(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,

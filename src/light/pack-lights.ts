@@ -3,9 +3,9 @@
 // vectors, the sum of ambient light, a directional light's cone. Knows neither three.js nor where rows are stored.
 import { radians } from '../math/angle.js';
 import { srgbDecode } from '../math/color.js';
-import { add, dot, type Mat4, negate, normalize, scale, transform, type Vec3 } from '../math/vector.js';
-import { isSpot, kindOf, type LightKind } from './light-kind.js';
-import { HEADER, LEAST_EXPONENT, LIMIT_OPEN, ROWS } from './light-layout.js';
+import { add, dot, map, type Mat4, negate, normalize, scale, transform, type Vec3 } from '../math/vector.js';
+import { isAttenuated, isSpot, kindOf, type LightKind } from './light-kind.js';
+import { HEADER, LARGEST_WHOLE_POWER, LEAST_EXPONENT, LIMIT_OPEN, ROWS, SHAPE } from './light-layout.js';
 import type { LightValues } from './light-state.js';
 
 /** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
@@ -18,7 +18,7 @@ export interface PackSpace {
   readonly linear: boolean;
 }
 
-/** Packed lights. Kept and reused from frame to frame: `data` only ever grows. */
+/** Packed lights. Kept and reused from frame to frame: `data` and `shapes` only ever grow. */
 export interface PackedLights {
   /** Rows of four floats; those from `rows` on are stale. */
   data: Float32Array;
@@ -27,6 +27,10 @@ export interface PackedLights {
   active: number;
   /** Lights that the loop runs over. Others bring ambient light only, or nothing. */
   sent: number;
+  /** How many of each kind are sent, in the order of their rows. */
+  readonly counts: Record<LightKind, number>;
+  /** What each sent light needs of a program, see SHAPE; those from `sent` on are stale. */
+  shapes: Uint16Array;
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -34,20 +38,24 @@ export const emptyPack = (): PackedLights => ({
   rows: HEADER.rows,
   active: 0,
   sent: 0,
+  counts: { directional: 0, point: 0, spot: 0 },
+  shapes: new Uint16Array(8),
 });
 
 type Values = Readonly<LightValues>;
 
-const KINDS: readonly LightKind[] = ['directional', 'point', 'spot'];
+/** In the order of their rows. */
+export const KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
 
 /** Packs the active lights of `lights` for one shading space, into `into`. */
 export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
-  const counts: [number, number, number] = [0, 0, 0];
   let ambient: Vec3 = [0, 0, 0];
   into.rows = HEADER.rows;
   into.active = 0;
+  into.sent = 0;
   for (const light of lights) if (light.active) into.active += 1;
-  KINDS.forEach((kind, k) => {
+  for (const kind of KINDS) {
+    const before = into.sent;
     for (const light of lights) {
       if (!light.active || kindOf(light) !== kind) continue;
       const factor = kind === 'directional' ? directionalDecay(light) : 1;
@@ -57,14 +65,32 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
       if (!reaches(light, kind, colors)) continue;
       reserve(into, ROWS[kind].rows);
       WRITERS[kind](into.data, into.rows * 4, light, colors, space);
+      into.shapes[into.sent] = shapeOf(light, kind, colors);
       into.rows += ROWS[kind].rows;
-      counts[k] = (counts[k] ?? 0) + 1;
+      into.sent += 1;
     }
-  });
-  write(into.data, HEADER.counts * 4, counts, 0);
+    into.counts[kind] = into.sent - before;
+  }
+  const { directional, point, spot } = into.counts;
+  write(into.data, HEADER.counts * 4, [directional, point, spot], 0);
   write(into.data, HEADER.ambient * 4, ambient, 0);
-  into.sent = counts[0] + counts[1] + counts[2];
 }
+
+/** What this light needs of a program beyond its kind: SHAPE's bits. */
+function shapeOf(light: Values, kind: LightKind, { ambient, diffuse, specular }: LightColors): number {
+  let shape = (isBlack(diffuse) ? 0 : SHAPE.diffuse) + (isBlack(specular) ? 0 : SHAPE.specular);
+  if (isAttenuated(light)) shape += SHAPE.attenuated;
+  if (kind !== 'spot') return shape;
+  if (!isBlack(ambient)) shape += SHAPE.ambient;
+  if (light.aperture < 180) shape += light.aperture <= 90 ? SHAPE.narrow : SHAPE.wide;
+  const { cutoff } = light;
+  if (cutoff < LEAST_EXPONENT) return shape;
+  return shape + (isWholePower(cutoff) ? cutoff << SHAPE.powerShift : SHAPE.decay);
+}
+
+/** An exponent that is multiplied out where a program is made for it. */
+export const isWholePower = (exponent: number): boolean =>
+  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_WHOLE_POWER;
 
 interface LightColors {
   readonly ambient: Vec3;
@@ -76,12 +102,12 @@ interface LightColors {
 function lightColors(light: Values, factor: number, linear: boolean): LightColors {
   const color = (c: Vec3): Vec3 => {
     const unit = scale(c, 1 / 255);
-    return scale(linear ? [srgbDecode(unit[0]), srgbDecode(unit[1]), srgbDecode(unit[2])] : unit, factor);
+    return scale(linear ? map(unit, srgbDecode) : unit, factor);
   };
   return { ambient: color(light.ambient), diffuse: color(light.diffuse), specular: color(light.specular) };
 }
 
-const isBlack = (c: Vec3): boolean => c[0] === 0 && c[1] === 0 && c[2] === 0;
+export const isBlack = (c: Vec3): boolean => c[0] === 0 && c[1] === 0 && c[2] === 0;
 
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
 function reaches(light: Values, kind: LightKind, { ambient, diffuse, specular }: LightColors): boolean {
@@ -178,6 +204,11 @@ function write(data: Float32Array, at: number, xyz: Vec3, w: number): void {
 }
 
 function reserve(into: PackedLights, rows: number): void {
+  if (into.sent === into.shapes.length) {
+    const grown = new Uint16Array(into.sent * 2);
+    grown.set(into.shapes);
+    into.shapes = grown;
+  }
   const needed = (into.rows + rows) * 4;
   if (needed <= into.data.length) return;
   const grown = new Float32Array(Math.max(needed, into.data.length * 2));

@@ -1,11 +1,13 @@
 // The lights of one picture on their way to its materials: packs when lights or eye have changed, keeps the facts
 // that programs are made by, and holds what all materials of the picture share. Knows neither meshes nor frames.
-import { Vector3 } from 'three';
+import { type Mesh, Vector3 } from 'three';
 import { gatherFacts, type LightFacts, noFacts } from '../light/light-kind.js';
 import { LightSet } from '../light/light-set.js';
 import { emptyPack, packLights, type PackedLights } from '../light/pack-lights.js';
+import { SRGB } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
-import { LightRows } from './light-rows.js';
+import type { LightList } from './light-list.js';
+import { MeshLights, type ReachQuestion } from './mesh-lights.js';
 
 /**
  * Where a picture is seen from. Shading space has the world's axes and its origin at `origin`: differences to it are
@@ -25,19 +27,20 @@ export interface ShadingFrame {
 
 export class PhongLighting {
   readonly lights: LightSet;
-  readonly rows = new LightRows();
   /** Uniform `uEye`, shared by all materials. */
   readonly eye = { value: new Vector3() };
   /** What any light declared so far needs of a program. Only ever grows. */
   readonly facts: LightFacts = noFacts();
   /** Shade in linear light: colours decoded first, the sum encoded last. */
   linear = false;
+  /** Colour, in 1/255, that may be given up per fragment for fewer lights. */
+  errorBudget = 0;
+  readonly #lists = new MeshLights();
   #origin: Vec3 = [0, 0, 0];
   readonly #packed: PackedLights = emptyPack();
   #packedFor = { version: -1, linear: false, origin: this.#origin };
   #factsVersion = -1;
   #programVersion = 0;
-  #storage = this.rows.storage;
   readonly #worldToShading = identity();
   readonly #cameraToShading = identity();
 
@@ -50,7 +53,7 @@ export class PhongLighting {
     return this.#origin;
   }
 
-  /** Goes up when materials may need other programs: what lights need, the colour space or the storage has changed. */
+  /** Goes up when materials may need other programs: what lights need or the colour space has changed. */
   get programVersion(): number {
     return this.#programVersion;
   }
@@ -66,13 +69,41 @@ export class PhongLighting {
     this.eye.value.set(frame.eye[0], frame.eye[1], frame.eye[2]);
     if (this.#gather() || this.linear !== this.#packedFor.linear) this.#programVersion += 1;
     if (this.#mustPack(frame)) this.#pack(frame);
-    if (this.rows.storage !== this.#storage) this.#programVersion += 1;
-    this.#storage = this.rows.storage;
-    this.rows.prepare();
   }
 
+  /**
+   * Leaves out for `mesh` the lights that cannot reach its bounds; without it a mesh is drawn with all. After
+   * {@link update}, in every frame, with the mesh's world matrix up to date.
+   */
+  reach(mesh: Mesh, surface: Pick<ReachQuestion, 'surface' | 'surfaceVersion'>): LightList {
+    // In linear light the last step, the curve, makes more of a small difference: its slope is largest at black.
+    const budget = this.errorBudget / 255 / (this.linear ? SRGB.slope : 1);
+    return this.#lists.choose(mesh, { origin: this.#origin, budget, ...surface });
+  }
+
+  /** The lights that `mesh` is drawn with. */
+  lightsOf(mesh: object): LightList {
+    return this.#lists.of(mesh);
+  }
+
+  /** How many lights reach any of these meshes. */
+  reaching(meshes: Iterable<object>): number {
+    return this.#lists.reaching(meshes);
+  }
+
+  /** How often light data has been sent. */
+  get uploads(): number {
+    return this.#lists.uploads;
+  }
+
+  /** Another GPU, or one that has lost everything: all is sent again. */
+  restore(): void {
+    this.#lists.restore();
+  }
+
+  /** Frees what the GPU holds; drawing again sends it again. */
   dispose(): void {
-    this.rows.dispose();
+    this.#lists.dispose();
   }
 
   /** True where the lights need something of a program that none has needed before. */
@@ -108,7 +139,7 @@ export class PhongLighting {
       space,
       this.#packed,
     );
-    this.rows.write(this.#packed);
+    this.#lists.take(this.#packed);
     this.#packedFor = { version: this.lights.version, linear: this.linear, origin };
   }
 }

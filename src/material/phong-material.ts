@@ -9,7 +9,10 @@ import {
   ShaderMaterial,
   type Texture,
   Vector3,
+  type WebGLRenderer,
 } from 'three';
+import type { Reflectance } from '../light/light-reach.js';
+import { isBlack, isWholePower } from '../light/pack-lights.js';
 import { srgbDecode } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
@@ -70,7 +73,11 @@ export class PhongMaterial extends ShaderMaterial {
   readonly #look: BaseLook;
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
+  /** Terms that have ever been summed: their code stays, so that turning one off and on compiles nothing. */
+  readonly #terms = new Set<Term>();
   #programKey = '';
+  #programVersion = 0;
+  #surfaceVersion = 0;
   /** The lighting's version that the program was last chosen for; -1 after a change of its own. */
   #chosenFor = -1;
   readonly #model = new Matrix4();
@@ -92,7 +99,7 @@ export class PhongMaterial extends ShaderMaterial {
         uAlphaCutoff: { value: look.alphaCutoff },
         uMap: { value: look.map },
         uMapTransform: { value: look.map?.matrix ?? new Matrix3() },
-        uLightTexture: lighting.rows.texture,
+        uLightTexture: { value: null },
       },
       side: DoubleSide,
       vertexColors: look.vertexColors,
@@ -123,6 +130,28 @@ export class PhongMaterial extends ShaderMaterial {
     return this.#lighting.linear;
   }
 
+  /** Goes up when this material needs another program than before. */
+  get programVersion(): number {
+    return this.#programVersion;
+  }
+
+  /** What of the surface a program for exactly this material has in it; see ExactMaterial. */
+  get exactKey(): string {
+    const { ks, shininess } = this.#surface;
+    return `${isWholePower(shininess) ? String(shininess) : ''} ${String(isBlack(ks))} ${this.#style.terms.join()}`;
+  }
+
+  /** Goes up when what the surface gives back changes. */
+  get surfaceVersion(): number {
+    return this.#surfaceVersion;
+  }
+
+  /** What the surface gives back at most: Ka, Kd and Ks as the shader has them, 0 for terms that are not summed. */
+  get reflectance(): Reflectance {
+    const k = (name: string): number[] => (this.uniforms[name]?.value as Vector3).toArray();
+    return { ka: k('uKa'), kd: k('uKd'), ks: k('uKs') };
+  }
+
   /** Ka, Kd, Ks (255 = 1) and the exponent; throws for values outside their domain and then changes nothing. */
   setSurface(values: Partial<SurfaceValues>): void {
     const { ka, kd, ks, shininess } = { ...this.#surface, ...values };
@@ -139,56 +168,26 @@ export class PhongMaterial extends ShaderMaterial {
   setStyle(style: Partial<ShadingStyle>): void {
     this.#style = { ...this.#style, ...style };
     this.#chosenFor = -1;
+    this.#writeSurface();
   }
 
   /** three.js calls this before each mesh that it draws with this material. */
-  override onBeforeRender(...[, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
-    if (this.#chosenFor !== this.#lighting.programVersion) this.#writeVariant();
-    this.#writePlace(object);
+  override onBeforeRender(...[renderer, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
+    this.chooseProgram();
+    const { uLightTexture } = this.uniforms;
+    if (uLightTexture !== undefined)
+      uLightTexture.value = this.#lighting.lightsOf(object).rows.sendTexture(renderer as WebGLRenderer);
+    this.place(object);
     this.uniformsNeedUpdate = true;
   }
 
-  #writeSurface(): void {
-    const { uniforms } = this;
-    const linear = this.#lighting.linear;
-    const color = (target: string, k: Vec3, base: Vec3): void => {
-      const channel = (i: 0 | 1 | 2): number =>
-        linear ? srgbDecode(k[i] / 255) * srgbDecode(base[i]) : (k[i] / 255) * base[i];
-      (uniforms[target]?.value as Vector3).set(channel(0), channel(1), channel(2));
-    };
-    color('uKa', this.#surface.ka, this.#look.baseColor);
-    color('uKd', this.#surface.kd, this.#look.baseColor);
-    color('uKs', this.#surface.ks, PLAIN_LOOK.baseColor);
-    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = this.#surface.shininess;
+  /** Brings the program's defines in step with surface, style and lights. */
+  chooseProgram(): void {
+    if (this.#chosenFor !== this.#lighting.programVersion) this.#writeVariant();
   }
 
-  #writeVariant(): void {
-    const lighting = this.#lighting;
-    this.#chosenFor = lighting.programVersion;
-    const look = this.#look;
-    const defines = variantDefines(
-      {
-        ...this.#style,
-        linear: lighting.linear,
-        storage: lighting.rows.storage,
-        map: look.map !== null,
-        vertexColors: look.vertexColors,
-        alphaMode: look.alphaMode,
-        matte: this.#surface.ks.every((k) => k === 0),
-      },
-      lighting.facts,
-    );
-    const key = Object.entries(defines).join();
-    if (key === this.#programKey) return;
-    this.#programKey = key;
-    this.defines = defines;
-    // A group that the program has no block for is an error to WebGL.
-    this.uniformsGroups = lighting.rows.storage === 'block' ? [lighting.rows.group] : [];
-    this.needsUpdate = true;
-    this.#writeSurface(); // linear or not may be what changed
-  }
-
-  #writePlace(object: Object3D): void {
+  /** Writes where `object` stands into the uniforms. */
+  place(object: Object3D): void {
     const { origin } = this.#lighting;
     const model = this.#model.copy(object.matrixWorld);
     const e = model.elements;
@@ -198,4 +197,51 @@ export class PhongMaterial extends ShaderMaterial {
     (this.uniforms['uModelToShading']?.value as Matrix4).copy(model);
     normalMatrix(model, this.uniforms['uNormalToShading']?.value as Matrix3);
   }
+
+  #writeSurface(): void {
+    const { uniforms } = this;
+    const { linear } = this.#lighting;
+    const { terms } = this.#style;
+    const color = (target: string, term: Term, k: Vec3, base: Vec3): void => {
+      const channel = (i: 0 | 1 | 2): number =>
+        linear ? srgbDecode(k[i] / 255) * srgbDecode(base[i]) : (k[i] / 255) * base[i];
+      const summed = terms.includes(term);
+      (uniforms[target]?.value as Vector3).set(
+        ...(summed ? ([channel(0), channel(1), channel(2)] as const) : NONE),
+      );
+    };
+    color('uKa', 'ambient', this.#surface.ka, this.#look.baseColor);
+    color('uKd', 'diffuse', this.#surface.kd, this.#look.baseColor);
+    color('uKs', 'specular', this.#surface.ks, PLAIN_LOOK.baseColor);
+    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = this.#surface.shininess;
+    this.#surfaceVersion += 1;
+  }
+
+  #writeVariant(): void {
+    const lighting = this.#lighting;
+    this.#chosenFor = lighting.programVersion;
+    const look = this.#look;
+    const matte = isBlack(this.#surface.ks);
+    for (const term of this.#style.terms) if (term !== 'specular' || !matte) this.#terms.add(term);
+    const defines = variantDefines(
+      {
+        ...this.#style,
+        terms: [...this.#terms],
+        linear: lighting.linear,
+        map: look.map !== null,
+        vertexColors: look.vertexColors,
+        alphaMode: look.alphaMode,
+      },
+      lighting.facts,
+    );
+    const key = Object.entries(defines).join();
+    if (key === this.#programKey) return;
+    this.#programKey = key;
+    this.#programVersion += 1;
+    this.defines = defines;
+    this.needsUpdate = true;
+    this.#writeSurface(); // linear or not may be what changed
+  }
 }
+
+const NONE = [0, 0, 0] as const;

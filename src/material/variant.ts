@@ -6,7 +6,6 @@ export type Shading = 'phong' | 'gouraud' | 'flat';
 export type Reflection = 'phong' | 'blinn-phong';
 export type Term = 'ambient' | 'diffuse' | 'specular';
 export type AlphaMode = 'opaque' | 'mask' | 'blend';
-export type LightStorage = 'block' | 'texture';
 
 export const SHADINGS = ['phong', 'gouraud', 'flat'] as const satisfies readonly Shading[];
 export const REFLECTIONS = ['phong', 'blinn-phong'] as const satisfies readonly Reflection[];
@@ -15,16 +14,13 @@ export const TERMS = ['ambient', 'diffuse', 'specular'] as const satisfies reado
 export interface Variant {
   readonly shading: Shading;
   readonly reflection: Reflection;
-  /** The terms that are summed. */
+  /** The terms whose code is needed. */
   readonly terms: readonly Term[];
   /** Shading happens in linear light: `color-interpolation="linear"`. */
   readonly linear: boolean;
-  readonly storage: LightStorage;
   readonly map: boolean;
   readonly vertexColors: boolean;
   readonly alphaMode: AlphaMode;
-  /** Ks is zero on every channel: no specular code for this material. */
-  readonly matte: boolean;
 }
 
 /** The defines of a program, each present only where its code is needed. Values are empty: presence is the meaning. */
@@ -41,15 +37,15 @@ export function variantDefines(variant: Variant, facts: Readonly<LightFacts>): R
     IS_BLENDED: alphaMode === 'blend',
     HAS_AMBIENT: facts.ambient && terms.includes('ambient'),
     HAS_DIFFUSE: facts.diffuse && terms.includes('diffuse'),
-    HAS_SPECULAR: facts.specular && terms.includes('specular') && !variant.matte,
+    HAS_SPECULAR: facts.specular && terms.includes('specular'),
     HAS_DIRECTIONAL: facts.directional,
     HAS_POINT: facts.point,
     HAS_SPOT: facts.spot,
     HAS_ATTENUATION: facts.attenuation,
+    HAS_CONE: facts.cone,
+    HAS_DECAY: facts.decay,
   };
-  const defines: Record<string, string> = {
-    LIGHT_STORAGE: variant.storage === 'block' ? 'STORAGE_BLOCK' : 'STORAGE_TEXTURE',
-  };
+  const defines: Record<string, string> = { LIGHT_STORAGE: 'STORAGE_TEXTURE' };
   for (const [name, on] of Object.entries(wanted)) if (on) defines[name] = '';
   return defines;
 }

@@ -76,6 +76,11 @@ export class SceneMesh {
     return this.#showsModel && this.#asked !== null && !this.loading;
   }
 
+  /** What shows this mesh: three.js meshes, each with its material. */
+  get parts(): readonly Part[] {
+    return this.#parts;
+  }
+
   /** Whether `object` is one of those that show this mesh. */
   shows(object: Object3D): boolean {
     return this.#parts.some(({ mesh }) => mesh === object);

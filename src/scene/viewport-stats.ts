@@ -4,6 +4,7 @@ export interface ViewportStats {
   readonly frames: number;
   readonly lightsActive: number;
   readonly lightsSent: number;
+  readonly lightsSentByMesh: readonly number[];
   readonly programs: number;
   readonly drawCalls: number;
   readonly uploads: number;

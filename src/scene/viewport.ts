@@ -11,6 +11,7 @@ import { TERMS } from '../material/variant.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
+import type { DrawnPart, ExactPrograms } from './exact-programs.js';
 import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
 import { releaseGpu } from './release-gpu.js';
 import type { SceneMesh } from './scene-mesh.js';
@@ -24,6 +25,9 @@ export interface Framing {
   readonly target: Vec3 | 'auto';
   readonly radius: number | 'auto';
 }
+
+/** Frames drawn before the code for faster programs is fetched: a still picture never does. */
+const FRAMES_OF_MOTION = 10;
 
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
@@ -51,6 +55,7 @@ export class Viewport implements StageClient, Framed {
   #aspect = 1;
   /** Whose GPU memory holds the lights: another renderer is sent all of them. */
   #renderer: WebGLRenderer | null = null;
+  #exact: ExactPrograms | null = null;
   #frames = 0;
   #drawCalls = 0;
 
@@ -59,6 +64,7 @@ export class Viewport implements StageClient, Framed {
     this.holder = holder;
     this.lighting = new PhongLighting(lights);
     this.#events = events;
+    this.scene.matrixWorldAutoUpdate = false; // done here, before the lights that reach a mesh are chosen
   }
 
   /** Joins the page's stage; throws NoWebGL2Error. */
@@ -102,6 +108,12 @@ export class Viewport implements StageClient, Framed {
   set linear(linear: boolean) {
     if (linear !== this.lighting.linear) this.invalidate();
     this.lighting.linear = linear;
+  }
+
+  /** Colour, in 1/255, that may be given up per fragment for fewer lights. */
+  set errorBudget(budget: number) {
+    if (budget !== this.lighting.errorBudget) this.invalidate();
+    this.lighting.errorBudget = budget;
   }
 
   /** How target and radius are found; null leaves them where the user has put them. */
@@ -200,6 +212,7 @@ export class Viewport implements StageClient, Framed {
         this.#render(renderer, this.width, this.height);
       });
       this.#frames += 1;
+      this.#quicken();
       this.#events.drawn();
     } finally {
       this.#events.tried();
@@ -243,14 +256,16 @@ export class Viewport implements StageClient, Framed {
   }
 
   get stats(): ViewportStats {
-    const { packed, rows } = this.lighting;
+    const { packed, uploads } = this.lighting;
+    const sent = [...this.#meshes].map(({ parts }) => this.lighting.reaching(parts.map(({ mesh }) => mesh)));
     return {
       frames: this.#frames,
       lightsActive: packed.active,
-      lightsSent: packed.sent,
+      lightsSent: this.lighting.reaching(this.#parts().map(({ mesh }) => mesh)),
+      lightsSentByMesh: sent,
       programs: stage.programs,
       drawCalls: this.#drawCalls,
-      uploads: rows.uploads,
+      uploads,
       viewersDrawn: stage.viewersDrawn,
     };
   }
@@ -267,6 +282,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   #release(): void {
+    this.#exact?.dispose(this.#parts());
     releaseGpu(this.scene);
     this.lighting.dispose();
   }
@@ -278,12 +294,34 @@ export class Viewport implements StageClient, Framed {
   }
 
   #render(renderer: WebGLRenderer, width: number, height: number, part?: Region): void {
-    if (renderer !== this.#renderer) this.lighting.rows.restore();
+    if (renderer !== this.#renderer) this.lighting.restore();
     this.#renderer = renderer;
     this.#view.aim(this.#fov, this.#bounds, width, height, part);
+    this.scene.updateMatrixWorld();
     this.lighting.update(this.#view.frame);
+    const parts = this.#parts();
+    for (const { mesh, material } of parts) this.lighting.reach(mesh, material);
+    this.#exact?.choose(parts);
     renderer.render(this.scene, this.#view.camera);
     this.#drawCalls = renderer.info.render.calls;
+    this.#exact?.settle(renderer, this.#view.camera, parts);
+  }
+
+  #parts(): DrawnPart[] {
+    const parts: DrawnPart[] = [];
+    for (const mesh of this.#meshes) parts.push(...mesh.parts);
+    return parts;
+  }
+
+  /** A picture that keeps being drawn is worth programs of its own; their code comes with the first one that does. */
+  #quicken(): void {
+    if (this.#frames !== FRAMES_OF_MOTION) return;
+    void import('./exact-programs.js').then(
+      ({ ExactPrograms }) => {
+        this.#exact = new ExactPrograms(this.lighting);
+      },
+      () => undefined, // it draws without, only not as fast
+    );
   }
 
   #measure(): void {

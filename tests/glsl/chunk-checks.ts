@@ -100,7 +100,7 @@ const CHECKS: readonly Check[] = [
   },
   {
     title: 'insideCone compares the nearer side of the axis, and the far side beyond 90°',
-    glsl: 'result.x = insideCone(a.x, a.y, a.z) ? 1.0 : 0.0;',
+    glsl: 'result.x = insideCone(a.x, a.y, a.z, SHAPE_NARROW + SHAPE_WIDE) ? 1.0 : 0.0;',
     inputs(random) {
       const q = f(random.from(0, 1));
       const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, 0)), LIMIT_OPEN]);
@@ -108,6 +108,49 @@ const CHECKS: readonly Check[] = [
     },
     expected: ([q, p, limit]) => [(limit! < 0 ? p! >= -limit! : q! <= limit!) ? 1 : 0],
     bound: 0,
+  },
+  {
+    title:
+      'insideCone does the same where a shape says which side it is, and lets all through where it has no cone',
+    glsl: `
+      int shape = a.z < 0.0 ? SHAPE_WIDE : SHAPE_NARROW;
+      result.xy = vec2(insideCone(a.x, a.y, a.z, shape), insideCone(a.x, a.y, a.z, SHAPE_DECAY));`,
+    inputs(random) {
+      const q = f(random.from(0, 1));
+      return [
+        [q, f(1 - q), random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, -1e-6))])],
+      ];
+    },
+    expected: ([q, p, limit]) => [(limit! < 0 ? p! >= -limit! : q! <= limit!) ? 1 : 0, 1],
+    bound: 0,
+  },
+  {
+    title: 'wholePower keeps x^k to the rounding of x for every whole k to 64, and 1 at 1',
+    glsl: 'result.x = wholePower(a.x, int(a.y));',
+    inputs: (random) => [
+      [
+        f(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
+        Math.floor(random.from(1, 65)),
+      ],
+    ],
+    expected: ([x, k]) => [x! ** k!],
+    // Six squarings and six products, half a step each, up to 64 times over.
+    bound: 4e-6,
+    floor: 1,
+  },
+  {
+    title: 'spotDecay multiplies whole cutoffs out, raises others and leaves 1 without either',
+    glsl: `
+      result.x = spotDecay(a.x, a.y, a.z, int(a.z) << SHAPE_POWER_SHIFT);
+      result.y = spotDecay(a.x, a.y, a.w, SHAPE_DECAY);
+      result.z = spotDecay(a.x, a.y, a.z, SHAPE_NARROW);`,
+    inputs(random) {
+      const q = f(random.pick([0, 1, random.from(0, 1), random.magnitude(1e-9, 0.1)]));
+      return [[q, f(1 - q), Math.floor(random.from(1, 65)), f(random.magnitude(1e-3, 1e3))]];
+    },
+    expected: ([q, p, whole, cutoff]) => [power(1 - q!, q!, whole!), power(p!, q!, cutoff!), 1],
+    bound: 5e-6,
+    floor: 1,
   },
   {
     title: 'diffuseLobe is Lambert’s law',
@@ -118,7 +161,7 @@ const CHECKS: readonly Check[] = [
   },
   {
     title: 'specularLobe is max(R·V, 0)^n for exponents to 100',
-    glsl: 'vec3 N = vec3(0.0, 0.0, 1.0); result.x = specularLobe(N, a.xyz, b.xyz, a.z, a.w);',
+    glsl: 'vec3 N = vec3(0.0, 0.0, 1.0); result.x = specularLobe(N, a.xyz, specularView(N, b.xyz), a.w);',
     inputs(random) {
       const L = random.unit();
       return [[...float32([L[0], L[1], Math.abs(L[2])]), f(random.from(1, 100))], float32(random.unit())];

@@ -24,7 +24,17 @@ vec4 lightRow(int i) {
 `;
 
 /** All code that lights may need: `HAS_` and these. */
-export const FACTS = ['AMBIENT', 'DIFFUSE', 'SPECULAR', 'DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION'];
+export const FACTS = [
+  'AMBIENT',
+  'DIFFUSE',
+  'SPECULAR',
+  'DIRECTIONAL',
+  'POINT',
+  'SPOT',
+  'ATTENUATION',
+  'CONE',
+  'DECAY',
+];
 
 function loopSource({ reflection, linear }: Variant, driver: Driver, edit: Edit | null): string {
   const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);

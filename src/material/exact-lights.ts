@@ -1,0 +1,52 @@
+// The light loop for the very lights of a list: written out, each light with literal rows and its own shape, or for many lights
+// as loops over the shapes that they have in common. Pure text; knows neither programs nor when one is worth it.
+import { HEADER, ROWS, SHAPE } from '../light/light-layout.js';
+import { forEachLight } from '../light/light-reach.js';
+import { KINDS, type PackedLights } from '../light/pack-lights.js';
+import type { LightKind } from '../light/light-kind.js';
+
+const ADD: Readonly<Record<LightKind, (row: string, shape: number) => string>> = {
+  directional: (row, shape) => `addDirectional(sums,${row},N,seen,n,${String(shape)});`,
+  point: (row, shape) => `addPoint(sums,${row},p,N,seen,n,${String(shape)});`,
+  spot: (row, shape) => `addSpot(sums,${row},p,N,seen,n,${String(shape)});`,
+};
+
+const COUNT: Readonly<Record<LightKind, string>> = { directional: 'x', point: 'y', spot: 'z' };
+
+/** The value of the define EXACT_LIGHTS that adds each light by itself. `terms`: which terms are summed, SHAPE's bits. */
+export function writtenOut(packed: PackedLights, terms: number): string {
+  const calls: string[] = [];
+  forEachLight(packed, (light, kind, row) => {
+    calls.push(ADD[kind](String(row), shapeIn(packed.shapes[light] ?? 0, terms)));
+  });
+  return calls.join(' ');
+}
+
+/** The same as a loop per kind, for any number of lights of these shapes. */
+export function inLoops(packed: PackedLights, terms: number): string {
+  const common: Partial<Record<LightKind, number>> = {};
+  forEachLight(packed, (light, kind) => {
+    const shape = shapeIn(packed.shapes[light] ?? 0, terms);
+    const before = common[kind];
+    common[kind] = before === undefined ? shape : union(before, shape);
+  });
+  const loops = KINDS.filter((kind) => common[kind] !== undefined).map((kind) => {
+    const step = String(ROWS[kind].rows);
+    return `for(int i=0;i<counts.${COUNT[kind]};i++,row+=${step})${ADD[kind]('row', common[kind] ?? 0)}`;
+  });
+  const start = `ivec3 counts=ivec3(lightRow(${String(HEADER.counts)}).xyz);int row=${String(HEADER.rows)};`;
+  return [start, ...loops].join(' ');
+}
+
+const TERMS = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
+const BITS = (1 << SHAPE.powerShift) - 1;
+
+const shapeIn = (shape: number, terms: number): number => shape & (terms | ~TERMS);
+
+/** What lights of both shapes need: a cutoff that not all have is a number like any other. */
+function union(a: number, b: number): number {
+  const bits = (a | b) & BITS;
+  const power = a >> SHAPE.powerShift;
+  if (power === b >> SHAPE.powerShift) return bits | (power << SHAPE.powerShift);
+  return bits | SHAPE.decay;
+}

@@ -1,0 +1,137 @@
+// Programs for exactly what is drawn, compiled in the background while general ones go on drawing, as a just-in-time compiler
+// does. A mesh gets one when its lights' number and shapes have stood still for a while of drawing, and loses it at once when
+// they have not: nothing is ever waited for. Works only in frames that are drawn anyway: no timer, no promise.
+import { type Camera, type Material, Mesh, Scene, type WebGLRenderer } from 'three';
+import { ExactMaterial } from '../material/exact-material.js';
+import type { LightList } from '../material/light-list.js';
+import type { PhongLighting } from '../material/phong-lighting.js';
+import type { PhongMaterial } from '../material/phong-material.js';
+
+/** Frames of the same lights before a program is made for them: a third of a second of motion. */
+const SETTLED_FRAMES = 20;
+
+/** Exact programs that a page keeps at most; further meshes stay with general ones. */
+const MOST_PROGRAMS = 8;
+
+/**
+ * Lights that a program has written out at most: a GPU's driver compiles 64 in under a second, in the background; in
+ * software the first draw compiles, in line with the others, 16 in a quarter of one.
+ */
+const MOST_WRITTEN = { gpu: 64, software: 16 } as const;
+
+export interface DrawnPart {
+  readonly mesh: Mesh;
+  readonly material: PhongMaterial;
+}
+
+interface Record {
+  key: string;
+  frames: number;
+  twin: ExactMaterial | null;
+  ready: boolean;
+  seen: boolean;
+}
+
+let programs = 0;
+
+export class ExactPrograms {
+  readonly #lighting: PhongLighting;
+  readonly #records = new Map<Mesh, Record>();
+  #compiling: Record | null = null;
+
+  constructor(lighting: PhongLighting) {
+    this.#lighting = lighting;
+  }
+
+  /** Before a frame: gives each mesh the material that draws it, exact where one is ready. */
+  choose(parts: Iterable<DrawnPart>): void {
+    for (const record of this.#records.values()) record.seen = false;
+    for (const { mesh, material } of parts) {
+      const record = this.#records.get(mesh) ?? this.#add(mesh);
+      record.seen = true;
+      const key = keyOf(material, this.#lighting.lightsOf(mesh));
+      if (key === record.key) {
+        record.frames += 1;
+      } else {
+        this.#drop(record);
+        record.key = key;
+        record.frames = 0;
+      }
+      mesh.material = record.ready && record.twin !== null ? record.twin : material;
+    }
+    for (const [mesh, record] of this.#records) {
+      if (record.seen) continue;
+      this.#drop(record);
+      this.#records.delete(mesh);
+    }
+  }
+
+  /** After a frame: begins or ends compiling, one program at a time. */
+  settle(renderer: WebGLRenderer, camera: Camera, parts: Iterable<DrawnPart>): void {
+    if (this.#compiling !== null) {
+      const { twin } = this.#compiling;
+      if (twin !== null && !isReady(renderer, twin)) return;
+      this.#compiling.ready = twin !== null;
+      this.#compiling = null;
+    }
+    // Without the extension only waiting would tell when a program is ready.
+    if (!renderer.extensions.has('KHR_parallel_shader_compile')) return;
+    for (const { mesh, material } of parts) {
+      const record = this.#records.get(mesh);
+      if (record === undefined || record.twin !== null || record.frames < SETTLED_FRAMES) continue;
+      if (material.transparent || programs >= MOST_PROGRAMS) continue; // three.js draws blended ones in two passes
+      programs += 1;
+      record.twin = new ExactMaterial(material, this.#lighting.lightsOf(mesh), mostWritten(renderer));
+      this.#compiling = record;
+      renderer.compile(new Scene().add(new Mesh(mesh.geometry, record.twin)), camera);
+      return;
+    }
+  }
+
+  /** Gives all programs back. */
+  dispose(parts: Iterable<DrawnPart>): void {
+    for (const { mesh, material } of parts) mesh.material = material;
+    for (const record of this.#records.values()) this.#drop(record);
+    this.#records.clear();
+  }
+
+  #add(mesh: Mesh): Record {
+    const record = { key: '', frames: 0, twin: null, ready: false, seen: true };
+    this.#records.set(mesh, record);
+    return record;
+  }
+
+  #drop(record: Record): void {
+    if (this.#compiling === record) this.#compiling = null;
+    if (record.twin === null) return;
+    record.twin.dispose();
+    record.twin = null;
+    record.ready = false;
+    programs -= 1;
+  }
+}
+
+/** All that an exact program is made for. */
+function keyOf(material: PhongMaterial, list: LightList): string {
+  material.chooseProgram();
+  return `${String(list.id)} ${String(list.shapeVersion)} ${String(material.programVersion)} ${material.exactKey}`;
+}
+
+function isReady(renderer: WebGLRenderer, material: Material): boolean {
+  const { currentProgram } = renderer.properties.get(material) as { currentProgram?: { isReady(): boolean } };
+  return currentProgram?.isReady() ?? false;
+}
+
+const written = new WeakMap<WebGLRenderer, number>();
+
+function mostWritten(renderer: WebGLRenderer): number {
+  const known = written.get(renderer);
+  if (known !== undefined) return known;
+  const gl = renderer.getContext();
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+  const most =
+    MOST_WRITTEN[/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'software' : 'gpu'];
+  written.set(renderer, most);
+  return most;
+}
