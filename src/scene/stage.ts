@@ -132,6 +132,7 @@ class Stage {
         context.drawImage(canvas, 0, top, part.width, part.height, x, y, part.width, part.height);
       }
     }
+    this.#linkCheck?.check(renderer);
     // The drawing went over what the one picture of the page was showing.
     if (this.#clients.size === 1) for (const client of this.#clients) client.redraw();
     else resize(renderer, before.width, before.height); // a large one would stay large
