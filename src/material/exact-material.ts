@@ -1,6 +1,6 @@
 // A material that draws what another one draws, by a program for exactly its lights, exponent and terms. It shares the other's
 // uniforms, so only the program differs; it is right only as long as neither list nor material asks for another one.
-import { ShaderMaterial, type WebGLRenderer } from 'three';
+import { ShaderMaterial } from 'three';
 import { SHAPE } from '../light/light-layout.js';
 import { isBlack, isWholePower } from '../light/pack-lights.js';
 import { inLoops, writtenOut } from './exact-lights.js';
@@ -52,7 +52,7 @@ export class ExactMaterial extends ShaderMaterial {
     const { rows } = this.#list;
     const { uLightTexture } = this.uniforms;
     if (this.#written) rows.sendBlock();
-    else if (uLightTexture !== undefined) uLightTexture.value = rows.sendTexture(renderer as WebGLRenderer);
+    else if (uLightTexture !== undefined) uLightTexture.value = rows.sendTexture(renderer);
     this.#source.place(object);
     this.uniformsNeedUpdate = true;
   }

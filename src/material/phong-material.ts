@@ -9,7 +9,6 @@ import {
   ShaderMaterial,
   type Texture,
   Vector3,
-  type WebGLRenderer,
 } from 'three';
 import type { Reflectance } from '../light/light-reach.js';
 import { isBlack, isWholePower } from '../light/pack-lights.js';
@@ -176,7 +175,7 @@ export class PhongMaterial extends ShaderMaterial {
     this.chooseProgram();
     const { uLightTexture } = this.uniforms;
     if (uLightTexture !== undefined)
-      uLightTexture.value = this.#lighting.lightsOf(object).rows.sendTexture(renderer as WebGLRenderer);
+      uLightTexture.value = this.#lighting.lightsOf(object).rows.sendTexture(renderer);
     this.place(object);
     this.uniformsNeedUpdate = true;
   }

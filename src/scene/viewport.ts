@@ -1,19 +1,18 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import { Scene, type WebGLRenderer } from 'three';
+import type { Scene, WebGLRenderer } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
-import { PhongLighting } from '../material/phong-lighting.js';
+import type { PhongLighting } from '../material/phong-lighting.js';
 import type { ShadingStyle } from '../material/phong-material.js';
 import { TERMS } from '../material/variant.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
-import type { DrawnPart, ExactPrograms } from './exact-programs.js';
 import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
-import { releaseGpu } from './release-gpu.js';
+import { Painter } from './painter.js';
 import type { SceneMesh } from './scene-mesh.js';
 import { type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
@@ -26,14 +25,10 @@ export interface Framing {
   readonly radius: number | 'auto';
 }
 
-/** Frames drawn before the code for faster programs is fetched: a still picture never does. */
-const FRAMES_OF_MOTION = 10;
-
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
-  readonly scene = new Scene();
   readonly orbit = new Orbit();
-  readonly lighting: PhongLighting;
+  readonly #painter: Painter;
   readonly #events: ViewportEvents;
   readonly #view = new ViewCamera(this.orbit);
   readonly #meshes = new Set<SceneMesh>();
@@ -53,18 +48,21 @@ export class Viewport implements StageClient, Framed {
   #fitStale = true;
   /** Width over height of the last size that was not nothing: a hidden picture keeps its camera. */
   #aspect = 1;
-  /** Whose GPU memory holds the lights: another renderer is sent all of them. */
-  #renderer: WebGLRenderer | null = null;
-  #exact: ExactPrograms | null = null;
   #frames = 0;
-  #drawCalls = 0;
 
   /** `holder` is an element for the canvas alone. */
   constructor(holder: HTMLElement, lights: LightSet, events: ViewportEvents) {
     this.holder = holder;
-    this.lighting = new PhongLighting(lights);
+    this.#painter = new Painter(lights, this.#meshes);
     this.#events = events;
-    this.scene.matrixWorldAutoUpdate = false; // done here, before the lights that reach a mesh are chosen
+  }
+
+  get scene(): Scene {
+    return this.#painter.scene;
+  }
+
+  get lighting(): PhongLighting {
+    return this.#painter.lighting;
   }
 
   /** Joins the page's stage; throws NoWebGL2Error. */
@@ -81,7 +79,7 @@ export class Viewport implements StageClient, Framed {
     stage.remove(this);
     // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
     queueMicrotask(() => {
-      if (!this.#attached) this.#release();
+      if (!this.#attached) this.#painter.release();
     });
   }
 
@@ -212,7 +210,6 @@ export class Viewport implements StageClient, Framed {
         this.#render(renderer, this.width, this.height);
       });
       this.#frames += 1;
-      this.#quicken();
       this.#events.drawn();
     } finally {
       this.#events.tried();
@@ -256,35 +253,23 @@ export class Viewport implements StageClient, Framed {
   }
 
   get stats(): ViewportStats {
-    const { packed, uploads } = this.lighting;
-    const sent = [...this.#meshes].map(({ parts }) => this.lighting.reaching(parts.map(({ mesh }) => mesh)));
     return {
+      ...this.#painter.stats,
       frames: this.#frames,
-      lightsActive: packed.active,
-      lightsSent: this.lighting.reaching(this.#parts().map(({ mesh }) => mesh)),
-      lightsSentByMesh: sent,
       programs: stage.programs,
-      drawCalls: this.#drawCalls,
-      uploads,
       viewersDrawn: stage.viewersDrawn,
     };
   }
 
   contextLost(): void {
     frameLoop.cancel(this);
-    this.#release();
+    this.#painter.release();
     this.#events.contextLost();
   }
 
   contextRestored(): void {
     this.invalidate();
     this.#events.contextRestored();
-  }
-
-  #release(): void {
-    this.#exact?.dispose(this.#parts());
-    releaseGpu(this.scene);
-    this.lighting.dispose();
   }
 
   /** Visibility, size or context changed: what waited for them is asked for, what cannot be shown is not. */
@@ -294,34 +279,8 @@ export class Viewport implements StageClient, Framed {
   }
 
   #render(renderer: WebGLRenderer, width: number, height: number, part?: Region): void {
-    if (renderer !== this.#renderer) this.lighting.restore();
-    this.#renderer = renderer;
     this.#view.aim(this.#fov, this.#bounds, width, height, part);
-    this.scene.updateMatrixWorld();
-    this.lighting.update(this.#view.frame);
-    const parts = this.#parts();
-    for (const { mesh, material } of parts) this.lighting.reach(mesh, material);
-    this.#exact?.choose(parts);
-    renderer.render(this.scene, this.#view.camera);
-    this.#drawCalls = renderer.info.render.calls;
-    this.#exact?.settle(renderer, this.#view.camera, parts);
-  }
-
-  #parts(): DrawnPart[] {
-    const parts: DrawnPart[] = [];
-    for (const mesh of this.#meshes) parts.push(...mesh.parts);
-    return parts;
-  }
-
-  /** A picture that keeps being drawn is worth programs of its own; their code comes with the first one that does. */
-  #quicken(): void {
-    if (this.#frames !== FRAMES_OF_MOTION) return;
-    void import('./exact-programs.js').then(
-      ({ ExactPrograms }) => {
-        this.#exact = new ExactPrograms(this.lighting);
-      },
-      () => undefined, // it draws without, only not as fast
-    );
+    this.#painter.paint(renderer, this.#view);
   }
 
   #measure(): void {
