@@ -3,7 +3,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import { type BaseLook, PLAIN_LOOK } from '../material/phong-material.js';
 import type { SurfaceValues } from '../material/material-values.js';
 import { acquireGeometry, type GeometryName, releaseGeometry } from './geometry.js';
-import type { LoadOptions, ModelLook } from './model/load-model.js';
+import type { LoadOptions } from './model/load-model.js';
 
 /** Geometry with everything a file, or a built-in shape, says of how it looks. */
 export interface ContentPart {
@@ -38,28 +38,5 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
 }
 
 /** A model from its address. The code that reads models is fetched with the first one. */
-export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const { loadModel } = await import('./model/load-model.js');
-  const model = await loadModel(url, options);
-  return {
-    parts: model.parts.map(({ name, geometry, matrix, look }) => ({
-      name,
-      geometry,
-      matrix,
-      look: { ...look, vertexColors: 'color' in geometry.attributes },
-      surface: surfaceOf(look),
-    })),
-    dispose: () => {
-      model.dispose();
-    },
-  };
-}
-
-function surfaceOf({ ka, kd, ks, shininess }: ModelLook): Partial<SurfaceValues> {
-  const surface: Partial<SurfaceValues> = {};
-  if (ka !== undefined) surface.ka = [ka[0] * 255, ka[1] * 255, ka[2] * 255];
-  if (kd !== undefined) surface.kd = [kd[0] * 255, kd[1] * 255, kd[2] * 255];
-  if (ks !== undefined) surface.ks = [ks[0] * 255, ks[1] * 255, ks[2] * 255];
-  if (shininess !== undefined) surface.shininess = shininess;
-  return surface;
-}
+export const modelContent = async (url: URL, options: LoadOptions): Promise<Content> =>
+  (await import('./model/model-content.js')).modelContent(url, options);

@@ -2,7 +2,7 @@
 // one width is 360° of azimuth, one height 180° of polar angle.
 
 import { compare, expect, pixels, test } from '../support/test.js';
-import { assign, cameraOf, drag, handsReady, nextFrame, type PhongViewer, record } from './support.js';
+import { assign, cameraOf, drag, nextFrame, type PhongViewer, record } from './support.js';
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70"></phong-viewer>';
 const odd = { theta: 12.345678901234567, phi: 71.30000000000001, radius: 3.3333333333333335 };
@@ -218,7 +218,6 @@ test.describe('what happens during a drag', () => {
 
 test('tells of the camera once a task, with the pointer as its source', async ({ page, mount }) => {
   const viewer = await mount(box);
-  await handsReady(page, viewer);
   const events = await record(viewer, 'camera-change');
   await drag(page, [300, 200], [60, 0], { steps: 1 });
   expect(await events.take()).toEqual([{ type: 'camera-change', detail: { source: 'pointer' } }]);

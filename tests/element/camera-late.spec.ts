@@ -3,10 +3,18 @@
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, nextFrame, record } from './support.js';
+import { assign, cameraOf, drag as readyDrag, nextFrame, record } from './support.js';
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 const tall = { css: 'body { height: 3000px }' };
+
+/** At once, whether or not the code is there. */
+const drag = (
+  page: Page,
+  from: readonly [number, number],
+  by: readonly [number, number],
+  options: { readonly release?: boolean } = {},
+): Promise<void> => readyDrag(page, from, by, { ...options, ready: false });
 
 /** Holds the code back until the returned function is called; that waits until it is at work. */
 async function heldBack(page: Page): Promise<() => Promise<void>> {

@@ -2,7 +2,16 @@
 // float64 formulas worked out here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from './support.js';
+import {
+  assign,
+  cameraOf,
+  drag,
+  handsReady,
+  nextFrame,
+  type PhongViewer,
+  record,
+  settled,
+} from './support.js';
 
 const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
@@ -30,10 +39,12 @@ test.describe('the wheel', () => {
   });
 
   test('counts a line as 16 pixels and a page as the height, and stays within 1e-3 to 1e3 of the scene', async ({
+    page,
     mount,
   }) => {
     const viewer = await mount(near);
     await viewer.focus();
+    await handsReady(page);
     const turn = (deltaY: number, deltaMode: number): Promise<number> =>
       viewer.evaluate(
         (element: PhongViewer, wheel) => {
@@ -95,6 +106,7 @@ test.describe('keys', () => {
     const start = await cameraOf(viewer);
     await page.keyboard.press('ArrowRight');
     await viewer.focus();
+    await handsReady(page);
     await page.keyboard.press('Control+ArrowRight');
     await assign(viewer, { orbit: false, zoom: false });
     for (const key of ['ArrowRight', 'ArrowUp', '+', 'PageDown']) await page.keyboard.press(key);
@@ -104,6 +116,7 @@ test.describe('keys', () => {
   test('turn over the poles no further, and turn the azimuth smoothly there', async ({ page, mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" theta="0" phi="4" radius="5"></phong-viewer>');
     await viewer.focus();
+    await handsReady(page);
     await page.keyboard.press('ArrowDown');
     expect(await cameraOf(viewer)).toMatchObject({ phi: 0, eye: [0, 5, 0], up: [0, 0, -1] });
     for (let i = 0; i < 18; i++) await page.keyboard.press('ArrowLeft');
@@ -191,6 +204,7 @@ test.describe('camera-change', () => {
     await assign(viewer, { theta: 1 });
     expect(await sources()).toEqual([]);
     await viewer.focus();
+    await handsReady(page);
     await page.keyboard.press('ArrowLeft');
     expect(await sources()).toEqual(['key']);
     await page.keyboard.press('Home');
@@ -205,7 +219,7 @@ test.describe('camera-change', () => {
     await assign(viewer, { radius: 'auto', target: 'auto' });
     await sources();
     await assign(viewer, { geometry: 'torus' });
-    await nextFrame(page);
+    await settled(viewer);
     expect(await sources()).toEqual(['auto']);
   });
 

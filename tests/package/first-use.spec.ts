@@ -58,7 +58,7 @@ const uses: readonly Use[] = [
   {
     what: 'a model',
     use: set({ src: '/fixtures/models/textured.glb' }),
-    chunks: ['load-model', 'read-gltf'],
+    chunks: ['model-content', 'read-gltf'],
   },
   { what: 'another model', use: set({ src: '/fixtures/models/mask.glb' }), chunks: [] },
   { what: 'a model compressed with Draco', use: set({ src: '/assets/models/bunny.glb' }), chunks: ['draco'] },

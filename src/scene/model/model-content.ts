@@ -1,0 +1,31 @@
+// A loaded model in the form in which meshes show built-in shapes too. The door to all that reads models, fetched with the
+// first one; knows neither materials nor elements.
+import type { SurfaceValues } from '../../material/material-values.js';
+import type { Content } from '../content.js';
+import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
+
+/** The model at `url`, loaded as {@link loadModel} says. */
+export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
+  const model = await loadModel(url, options);
+  return {
+    parts: model.parts.map(({ name, geometry, matrix, look }) => ({
+      name,
+      geometry,
+      matrix,
+      look: { ...look, vertexColors: 'color' in geometry.attributes },
+      surface: surfaceOf(look),
+    })),
+    dispose: () => {
+      model.dispose();
+    },
+  };
+}
+
+function surfaceOf({ ka, kd, ks, shininess }: ModelLook): Partial<SurfaceValues> {
+  const surface: Partial<SurfaceValues> = {};
+  if (ka !== undefined) surface.ka = [ka[0] * 255, ka[1] * 255, ka[2] * 255];
+  if (kd !== undefined) surface.kd = [kd[0] * 255, kd[1] * 255, kd[2] * 255];
+  if (ks !== undefined) surface.ks = [ks[0] * 255, ks[1] * 255, ks[2] * 255];
+  if (shininess !== undefined) surface.shininess = shininess;
+  return surface;
+}
