@@ -2,16 +2,7 @@
 // float64 formulas worked out here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../support/test.js';
-import {
-  assign,
-  cameraOf,
-  drag,
-  handsReady,
-  nextFrame,
-  type PhongViewer,
-  record,
-  settled,
-} from './support.js';
+import { assign, cameraOf, drag, handsReady, type PhongViewer, record, settled } from './support.js';
 
 const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
