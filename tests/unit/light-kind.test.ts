@@ -79,7 +79,27 @@ describe('the facts', () => {
       specular: true,
     });
     gatherFacts(light({ ...at, aperture: 20, attenuation: [1, 1, 0] }), facts);
+    gatherFacts(light({ ...at, cutoff: 2 }), facts);
     expect(Object.values(facts).every(Boolean)).toBe(true);
+  });
+
+  it.each<[string, Partial<LightValues>, readonly string[]]>([
+    ['a cone', { ...at, aperture: 20 }, ['spot', 'cone']],
+    ['a cone of no width', { ...at, aperture: 0 }, ['spot', 'cone']],
+    ['a decay', { ...at, cutoff: 1e-6 }, ['spot', 'decay']],
+    ['a cone with a decay too slight to be one', { ...at, aperture: 179, cutoff: 9.99e-7 }, ['spot', 'cone']],
+    ['both', { ...at, aperture: 20, cutoff: 2 }, ['spot', 'cone', 'decay']],
+    ['both, about no axis', { ...at, aperture: 20, cutoff: 2, axis: [0, 0, 0] }, ['point']],
+    ['both, of a directional light', { aperture: 20, cutoff: 2 }, ['directional']],
+  ])('name of %s no more than a lamp with it needs, and keep it', (_, values, needed) => {
+    const black = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
+    const facts = noFacts();
+    gatherFacts(light({ ...black, ...values }), facts);
+    const named = Object.entries(facts).filter(([, known]) => known);
+    expect(named.map(([fact]) => fact).sort()).toStrictEqual([...needed].sort());
+    const before = { ...facts };
+    gatherFacts(light({ ...black, ...at }), facts);
+    expect(facts).toStrictEqual({ ...before, point: true });
   });
 
   it.each(['ambient', 'diffuse', 'specular'] as const)(

@@ -4,11 +4,13 @@ import { describe, expect, it } from 'vitest';
 import {
   BLOCK_ROWS,
   HEADER,
+  LARGEST_WHOLE_POWER,
   layoutDefines,
   LEAST_EXPONENT,
   LIMIT_OPEN,
   NEAREST,
   ROWS,
+  SHAPE,
   TEXTURE_ROWS_LOG2,
 } from '../../src/light/light-layout.js';
 
@@ -35,6 +37,10 @@ describe('the defines of the layout', () => {
       `HEADER_${row.toUpperCase()}`,
       String(offset),
     ]);
+    const shapes = Object.entries(SHAPE).map(([name, bit]) => [
+      name === 'powerShift' ? 'SHAPE_POWER_SHIFT' : `SHAPE_${name.toUpperCase()}`,
+      String(bit),
+    ]);
     const others = [
       'LIMIT_OPEN',
       'BLOCK_ROWS',
@@ -44,9 +50,9 @@ describe('the defines of the layout', () => {
       'TINY',
     ];
     expect(Object.fromEntries([...defines].filter(([name]) => !others.includes(name)))).toStrictEqual(
-      Object.fromEntries([...header, ...offsets]),
+      Object.fromEntries([...header, ...shapes, ...offsets]),
     );
-    expect(defines.size).toBe(header.length + offsets.length + others.length);
+    expect(defines.size).toBe(header.length + shapes.length + offsets.length + others.length);
   });
 
   it('write whole numbers as ints and real ones as floats, as GLSL tells them apart', () => {
@@ -82,6 +88,20 @@ describe('the layout', () => {
   it('fills 16 KiB, which every device has, and texture rows by a shift', () => {
     expect(BLOCK_ROWS * 16).toBe(16384);
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);
+  });
+
+  it('gives each bit of a shape a place of its own, below the exponent, and all of it 16 bits', () => {
+    const { powerShift, ...bits } = SHAPE;
+    const all = Object.values(bits);
+    for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
+    expect(new Set(all).size).toBe(all.length);
+    expect(Math.max(...all)).toBeLessThan(1 << powerShift);
+    expect((LARGEST_WHOLE_POWER + 1) << powerShift).toBeLessThanOrEqual(1 << 16);
+  });
+
+  it('multiplies out no exponent whose rounding of its base would be seen: half a step of 2^-24 each', () => {
+    expect(LARGEST_WHOLE_POWER * 2 ** -25).toBeLessThan(2e-6);
+    expect(Math.log2(LARGEST_WHOLE_POWER) % 1).toBe(0);
   });
 
   it('keeps its thresholds normal float32 numbers', () => {

@@ -1,187 +1,333 @@
-// Packed lights on their way to the GPU: only what changed waits, and the storage follows the number of rows.
+// Packed lights on their way to the GPU: only what changed is sent, to the texture that loops read and to the block that
+// programs for exactly these lights read.
 
+import fc from 'fast-check';
 import { DataTexture } from 'three';
-import { describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import type { PackedLights } from '../../src/light/pack-lights.js';
+import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
 import { LightRows } from '../../src/material/light-rows.js';
+import { FakeRenderer } from './fake-renderer.js';
 
-const PIECE_ROWS = 64;
 const WIDTH = 2 ** TEXTURE_ROWS_LOG2;
 
+let gpu = new FakeRenderer();
+beforeEach(() => {
+  gpu = new FakeRenderer();
+});
+
 /** Rows that all differ, each float from the next. */
-function packed(rows: number, first = 1): PackedLights {
-  return { data: Float32Array.from({ length: rows * 4 + 8 }, (_, i) => first + i), rows, active: 0, sent: 0 };
+const packed = (rows: number, first = 1): PackedLights => ({
+  ...emptyPack(),
+  data: Float32Array.from({ length: rows * 4 + 8 }, (_, i) => first + i),
+  rows,
+});
+
+/** The same with some floats changed. */
+function changed(rows: number, ...floats: number[]): PackedLights {
+  const pack = packed(rows);
+  for (const i of floats) pack.data[i] = -1 - i;
+  return pack;
 }
 
-/** Which pieces of the block would be sent in this frame; sending them, as three.js does, by reading their values. */
-function send(rows: LightRows): Float32Array[] {
-  rows.prepare();
+/** The pieces of the block that would be sent in this frame; sent, as three.js does it, by reading their values. */
+function sendBlock(rows: LightRows): Float32Array[] {
+  rows.sendBlock();
   return rows.group.uniforms.map((uniform) => (uniform as { value: Float32Array }).value);
 }
 
-const settled = (count: number): LightRows => {
+/** A draw that reads the texture. */
+function draw(rows: LightRows): DataTexture {
+  const texture = rows.sendTexture(gpu.renderer);
+  gpu.draw(texture);
+  return texture;
+}
+
+/** Rows that the GPU has seen, in both places. */
+function settled(count: number): LightRows {
   const rows = new LightRows();
   rows.write(packed(count));
-  send(rows);
+  sendBlock(rows);
+  draw(rows);
   return rows;
-};
+}
+
+const floatsOf = ({ data, rows }: PackedLights): number[] => [...data.slice(0, rows * 4)];
 
 describe('the uniform block', () => {
   it('is sent whole at first, so that the GPU has all of its 16 KiB', () => {
     const rows = new LightRows();
-    const pieces = send(rows);
+    const pieces = sendBlock(rows);
     expect(pieces.reduce((sum, piece) => sum + piece.length, 0)).toBe(BLOCK_ROWS * 4);
-    expect(send(rows)).toStrictEqual([]);
+    expect(sendBlock(rows)).toStrictEqual([]);
+  });
+
+  it('is measured whole by three.js before anything is sent', () => {
+    const { uniforms } = new LightRows().group;
+    expect(uniforms.flat().map(({ value }) => (value as Float32Array).length)).toStrictEqual([
+      256, 768, 3072,
+    ]);
+  });
+
+  it('is three calls at most, and 1 KiB for a few lights', () => {
+    expect(sendBlock(new LightRows())).toHaveLength(3);
+    const rows = settled(BLOCK_ROWS);
+    rows.write(changed(BLOCK_ROWS, 0, 63 * 4 + 3));
+    expect(sendBlock(rows).map((piece) => piece.byteLength)).toStrictEqual([1024]);
+    rows.write(packed(BLOCK_ROWS, 9));
+    expect(sendBlock(rows)).toHaveLength(3);
   });
 
   it('holds the rows in order, across pieces', () => {
     const rows = new LightRows();
-    rows.write(packed(200));
-    const all = send(rows).flatMap((piece) => [...piece]);
-    expect(all.slice(0, 800)).toStrictEqual([...packed(200).data.slice(0, 800)]);
-    expect(all.slice(800).every((x) => x === 0)).toBe(true);
+    rows.write(packed(300));
+    const all = sendBlock(rows).flatMap((piece) => [...piece]);
+    expect(all.slice(0, 1200)).toStrictEqual(floatsOf(packed(300)));
+    expect(all.slice(1200).every((x) => x === 0)).toBe(true);
+  });
+
+  it.each([
+    [0, 0],
+    [64 * 4 - 1, 0],
+    [64 * 4, 1],
+    [256 * 4 - 1, 1],
+    [256 * 4, 2],
+    [BLOCK_ROWS * 4 - 1, 2],
+  ])('sends for float %i piece %i alone', (float, piece) => {
+    const rows = settled(BLOCK_ROWS);
+    const sizes = sendBlock(new LightRows()).map(({ length }) => length);
+    rows.write(changed(BLOCK_ROWS, float));
+    const sent = sendBlock(rows);
+    expect(sent.map(({ length }) => length)).toStrictEqual([sizes[piece]]);
+    expect(sent[0]).toContain(-1 - float);
+    expect(sendBlock(rows)).toStrictEqual([]);
   });
 
   it('sends nothing where nothing changed, and does not count it', () => {
     const rows = settled(200);
-    expect(rows.uploads).toBe(1);
+    expect(rows.uploads).toBe(2); // the block and the texture
     rows.write(packed(200));
-    expect(send(rows)).toStrictEqual([]);
-    expect(rows.uploads).toBe(1);
-  });
-
-  it('sends only the piece that changed', () => {
-    const rows = settled(200);
-    const next = packed(200);
-    next.data[(PIECE_ROWS + 3) * 4] = -1;
-    rows.write(next);
-    const pieces = send(rows);
-    expect(pieces).toHaveLength(1);
-    expect(pieces[0]![3 * 4]).toBe(-1);
+    expect(sendBlock(rows)).toStrictEqual([]);
     expect(rows.uploads).toBe(2);
+    rows.write(changed(200, 5));
+    sendBlock(rows);
+    expect(rows.uploads).toBe(3);
   });
 
   it('keeps what waits until it is read, however many frames that takes', () => {
     const rows = settled(10);
     rows.write(packed(10, 5));
-    rows.prepare();
-    rows.prepare();
+    rows.sendBlock();
+    rows.sendBlock();
     expect(rows.group.uniforms).toHaveLength(1);
-    expect(send(rows)).toHaveLength(1);
-    expect(send(rows)).toStrictEqual([]);
+    expect(sendBlock(rows)).toHaveLength(1);
+    expect(sendBlock(rows)).toStrictEqual([]);
   });
 
-  it('does not look at floats beyond the last row', () => {
+  it('waits for nothing beyond its last row', () => {
+    const rows = settled(BLOCK_ROWS + 10);
+    rows.write(changed(BLOCK_ROWS + 10, BLOCK_ROWS * 4));
+    expect(sendBlock(rows)).toStrictEqual([]);
+  });
+
+  it('follows the rows into the memory that they grow into', () => {
     const rows = settled(10);
-    const next = packed(10);
-    next.data[10 * 4] = -1;
-    rows.write(next);
-    expect(send(rows)).toStrictEqual([]);
+    rows.write(packed(2 * WIDTH));
+    expect(sendBlock(rows).flatMap((piece) => [...piece])).toStrictEqual(
+      floatsOf(packed(2 * WIDTH)).slice(0, BLOCK_ROWS * 4),
+    );
+    rows.write(changed(2 * WIDTH, 7));
+    expect(sendBlock(rows)[0]![7]).toBe(-8);
+  });
+});
+
+describe('what has changed', () => {
+  it('does not include floats beyond the last row', () => {
+    const rows = settled(10);
+    rows.write(changed(10, 10 * 4));
+    expect(sendBlock(rows)).toStrictEqual([]);
+    draw(rows);
+    expect(gpu.patches).toStrictEqual([]);
   });
 
-  it('sees a value that differs by one bit', () => {
+  it('includes a value that differs by one bit', () => {
     const rows = settled(10);
     const next = packed(10);
     next.data[7] = 8 + 2 ** -20;
     rows.write(next);
-    expect(send(rows)).toHaveLength(1);
+    expect(sendBlock(rows)).toHaveLength(1);
+    draw(rows);
+    expect(gpu.patches).toHaveLength(1);
+  });
+
+  it('is nothing of what others write, once it was taken', () => {
+    const rows = new LightRows();
+    const pack = packed(10);
+    rows.write(pack);
+    pack.data[0] = 99;
+    expect(sendBlock(rows)[0]![0]).toBe(1);
   });
 });
 
 describe('the texture', () => {
-  it('takes over above what the block holds, and hands back below', () => {
+  it('is made by three.js once, and after that only patched', () => {
     const rows = new LightRows();
-    rows.write(packed(BLOCK_ROWS));
-    expect(rows.storage).toBe('block');
-    expect(rows.texture.value).toBeNull();
-    rows.write(packed(BLOCK_ROWS + 1));
-    expect(rows.storage).toBe('texture');
-    rows.write(packed(BLOCK_ROWS, 7));
-    expect(rows.storage).toBe('block');
-    expect(send(rows)[0]![0]).toBe(7);
-  });
-
-  it('has a row of lights to a texel, by shift and mask', () => {
-    const rows = new LightRows();
-    const many = packed(3 * WIDTH + 5);
-    rows.write(many);
-    const { image } = rows.texture.value!;
-    expect(image.width).toBe(WIDTH);
-    expect(image.height).toBeGreaterThanOrEqual(4);
-    const data = image.data as Float32Array;
-    expect(data).toHaveLength(image.width * image.height * 4);
-    for (const row of [0, WIDTH - 1, WIDTH, 3 * WIDTH + 4]) {
-      const texel = ((row >> TEXTURE_ROWS_LOG2) * image.width + (row & (WIDTH - 1))) * 4;
-      expect(data[texel]).toBe(many.data[row * 4]);
-      expect(data[texel + 3]).toBe(many.data[row * 4 + 3]);
-    }
-  });
-
-  it('is sent again only where a row changed', () => {
-    const rows = new LightRows();
-    rows.write(packed(2000));
-    const texture = rows.texture.value!;
-    const { version } = texture;
-    rows.write(packed(2000));
-    expect(texture.version).toBe(version);
-    rows.write(packed(2000, 2));
-    expect(rows.texture.value).toBe(texture);
-    expect(texture.version).toBe(version + 1);
+    rows.write(packed(10));
+    const texture = draw(rows);
+    expect(texture.version).toBe(1);
+    expect(gpu.patches).toStrictEqual([]);
+    rows.write(packed(10, 2));
+    expect(draw(rows)).toBe(texture);
+    expect(texture.version).toBe(1);
+    expect(gpu.patches).toStrictEqual([{ x: 0, y: 0, width: 10, height: 1 }]);
     expect(rows.uploads).toBe(2);
   });
 
-  it('grows by doubling, and frees the smaller one', () => {
+  it('is made again where a draw was called off before three.js had made it', () => {
     const rows = new LightRows();
-    rows.write(packed(1500));
-    const first = rows.texture.value!;
+    rows.write(packed(10));
+    rows.sendTexture(gpu.renderer);
+    rows.write(packed(10, 2));
+    expect(gpu.pixels(draw(rows)).slice(0, 40)).toStrictEqual(floatsOf(packed(10, 2)));
+  });
+
+  it('is sent to no draw where nothing changed', () => {
+    const rows = settled(10);
+    const { uploads } = rows;
+    for (let frame = 0; frame < 3; frame++) {
+      rows.write(packed(10));
+      draw(rows);
+    }
+    expect(gpu.patches).toStrictEqual([]);
+    expect(rows.uploads).toBe(uploads);
+  });
+
+  it.each<[string, number[], object]>([
+    ['one float', [4 * 5 + 2], { x: 5, y: 0, width: 1, height: 1 }],
+    ['two rows and what lies between', [4 * 5, 4 * 9 + 3], { x: 5, y: 0, width: 5, height: 1 }],
+    ['the last row of a line', [4 * (WIDTH - 1)], { x: WIDTH - 1, y: 0, width: 1, height: 1 }],
+    ['the first row of the next line', [4 * WIDTH], { x: 0, y: 1, width: 1, height: 1 }],
+    ['part of a later line', [4 * (2 * WIDTH + 7)], { x: 7, y: 2, width: 1, height: 1 }],
+    ['across two lines', [4 * (WIDTH - 1), 4 * WIDTH], { x: 0, y: 0, width: WIDTH, height: 2 }],
+    ['a whole line', [4 * WIDTH, 4 * (2 * WIDTH - 1)], { x: 0, y: 1, width: WIDTH, height: 1 }],
+  ])('takes a change of %s by one call, of exactly that', (_, floats, patch) => {
+    const rows = settled(3 * WIDTH);
+    rows.write(changed(3 * WIDTH, ...floats));
+    draw(rows);
+    expect(gpu.patches).toStrictEqual([patch]);
+  });
+
+  it('sends the changes of several frames that drew without it by one call', () => {
+    const rows = settled(100);
+    rows.write(changed(100, 4 * 80));
+    rows.write(changed(100, 4 * 80, 4 * 20));
+    rows.write(changed(100, 4 * 80, 4 * 20, 4 * 30));
+    draw(rows);
+    expect(gpu.patches).toStrictEqual([{ x: 20, y: 0, width: 61, height: 1 }]);
+  });
+
+  it('is patched as it is: not flipped, not multiplied, by whole floats', () => {
+    const rows = settled(10);
+    rows.write(packed(10, 2));
+    draw(rows);
+    expect([...gpu.unpack]).toStrictEqual([
+      [4, false],
+      [5, false],
+      [6, 4],
+    ]);
+  });
+
+  it('has on the GPU, after any changes, what was written last', () => {
+    const sizes = fc.oneof(fc.integer({ min: 1, max: 40 }), fc.integer({ min: WIDTH - 2, max: 3 * WIDTH }));
+    const change = fc.record({ rows: sizes, first: fc.integer({ min: 1, max: 5 }), draws: fc.boolean() });
+    fc.assert(
+      fc.property(fc.array(change, { minLength: 1, maxLength: 12 }), (changes) => {
+        gpu = new FakeRenderer();
+        const rows = new LightRows();
+        for (const { rows: count, first, draws } of changes) {
+          const pack = packed(count, first);
+          rows.write(pack);
+          if (!draws) continue;
+          const before = gpu.patches.length;
+          const pixels = gpu.pixels(draw(rows));
+          expect(gpu.patches.length - before).toBeLessThanOrEqual(1);
+          expect(pixels.slice(0, count * 4)).toStrictEqual(floatsOf(pack));
+        }
+      }),
+      { numRuns: 60 },
+    );
+  });
+
+  it('grows by doubling, and frees the smaller one', () => {
+    const rows = settled(10);
+    const first = draw(rows);
     const freed = vi.fn();
     first.addEventListener('dispose', freed);
-    rows.write(packed(2 * WIDTH + 1));
-    const second = rows.texture.value!;
+    rows.write(packed(WIDTH + 1));
+    const second = draw(rows);
     expect(freed).toHaveBeenCalledTimes(1);
-    expect(second.image.height).toBe(4);
-    rows.write(packed(4 * WIDTH));
-    expect(rows.texture.value).toBe(second);
+    expect(second).not.toBe(first);
+    expect(second.image).toMatchObject({ width: WIDTH, height: 2 });
+    expect(gpu.patches).toStrictEqual([]);
+    rows.write(packed(2 * WIDTH));
+    expect(draw(rows)).toBe(second);
+    rows.write(packed(2 * WIDTH + 1));
+    expect(draw(rows).image).toMatchObject({ height: 4 });
+    rows.write(packed(20 * WIDTH));
+    expect(draw(rows).image).toMatchObject({ height: 20 });
   });
 
   it('stays for a scene that shrinks and grows again', () => {
-    const rows = new LightRows();
-    rows.write(packed(2000));
-    const texture = rows.texture.value;
+    const rows = settled(2000);
+    const texture = draw(rows);
     rows.write(packed(10));
     rows.write(packed(2000));
-    expect(rows.texture.value).toBe(texture);
+    expect(draw(rows)).toBe(texture);
   });
 });
 
 describe('a lost context', () => {
   it('sends everything again, block and texture', () => {
-    const rows = new LightRows();
-    rows.write(packed(2000));
-    rows.write(packed(200));
-    send(rows);
-    const { version } = rows.texture.value!;
+    const rows = settled(2000);
+    const texture = draw(rows);
+    gpu.loseContext();
     rows.restore();
-    expect(send(rows)).toHaveLength(BLOCK_ROWS / PIECE_ROWS);
-    expect(rows.texture.value!.version).toBe(version + 1);
+    expect(sendBlock(rows)).toHaveLength(3);
+    expect(draw(rows)).toBe(texture);
+    expect(texture.version).toBe(2);
+    expect(gpu.pixels(texture).slice(0, 8000)).toStrictEqual(floatsOf(packed(2000)));
   });
 
   it('sends what was there before', () => {
     const rows = settled(200);
     rows.restore();
-    const all = send(rows).flatMap((piece) => [...piece]);
-    expect(all.slice(0, 800)).toStrictEqual([...packed(200).data.slice(0, 800)]);
+    const all = sendBlock(rows).flatMap((piece) => [...piece]);
+    expect(all.slice(0, 800)).toStrictEqual(floatsOf(packed(200)));
+  });
+
+  it('patches all of a texture that is there nevertheless', () => {
+    const rows = settled(WIDTH + 5);
+    rows.restore();
+    draw(rows);
+    expect(gpu.patches).toStrictEqual([{ x: 0, y: 0, width: WIDTH, height: 2 }]);
   });
 });
 
-it('gives back all that it took', () => {
-  const rows = new LightRows();
-  rows.write(packed(2000));
-  const freed = vi.spyOn(DataTexture.prototype, 'dispose');
-  const group = vi.spyOn(rows.group, 'dispose');
-  rows.dispose();
-  expect(freed).toHaveBeenCalledTimes(1);
-  expect(group).toHaveBeenCalledTimes(1);
-  freed.mockRestore();
+describe('what is given back', () => {
+  it('is all that was taken', () => {
+    const rows = settled(2000);
+    const freed = vi.spyOn(DataTexture.prototype, 'dispose');
+    const group = vi.spyOn(rows.group, 'dispose');
+    rows.dispose();
+    expect(freed).toHaveBeenCalledTimes(1);
+    expect(group).toHaveBeenCalledTimes(1);
+    freed.mockRestore();
+  });
+
+  it('comes again with the next draw', () => {
+    const rows = settled(2000);
+    rows.dispose();
+    expect(gpu.pixels(draw(rows)).slice(0, 8000)).toStrictEqual(floatsOf(packed(2000)));
+    expect(sendBlock(rows)).toHaveLength(3);
+  });
 });

@@ -155,7 +155,12 @@ describe('numbers that TypeScript and GLSL share', () => {
 
   it.each([...chunks])('%s writes none of their values by hand', (_, text) => {
     // Small whole numbers mean many things; every other shared value would be a copy.
-    const numbers = (withoutComments(text).match(/(?<![\w.])\d+\.?\d*(e[+-]?\d+)?/gi) ?? []).map(Number);
+    // Nor is a bit of an exponent that is multiplied out: k & 16.
+    const numbers = (
+      withoutComments(text)
+        .replace(/\bk & \d+/g, '')
+        .match(/(?<![\w.])\d+\.?\d*(e[+-]?\d+)?/gi) ?? []
+    ).map(Number);
     const shared = defined.map(({ value }) => Number(value)).filter((n) => !Number.isInteger(n) || n > 10);
     for (const n of shared) expect(numbers).not.toContain(n);
   });
@@ -180,20 +185,45 @@ describe('numbers that TypeScript and GLSL share', () => {
 
 describe('code for what no light has', () => {
   const loopWith = (...on: string[]): string => preprocess(LIGHT_LOOP_GLSL, new Set([BLOCK, ...on]));
+  const facts = [
+    ...['DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION', 'CONE', 'DECAY'],
+    ...['AMBIENT', 'DIFFUSE', 'SPECULAR'],
+  ].map((name) => `HAS_${name}`);
 
   it.each([
-    ['HAS_DIRECTIONAL', 'row + DIRECTIONAL_DIRECTION'],
-    ['HAS_POINT', 'row + POINT_POSITION'],
-    ['HAS_SPOT', 'insideCone(toAxis'],
-    ['HAS_ATTENUATION', 'attenuation(vec3('],
+    ['HAS_DIRECTIONAL', 'addDirectional(sums, '],
+    ['HAS_POINT', 'addPoint(sums, '],
+    ['HAS_SPOT', 'addSpot(sums, '],
+    ['HAS_ATTENUATION', '+ SHAPE_ATTENUATED'],
+    ['HAS_CONE', '+ SHAPE_NARROW + SHAPE_WIDE'],
+    ['HAS_DECAY', '+ SHAPE_DECAY'],
     ['HAS_AMBIENT', 'HEADER_AMBIENT)'],
-    ['HAS_DIFFUSE', 'sums.diffuse +='],
-    ['HAS_SPECULAR', 'sums.specular +='],
-  ])('without %s is not in the loop', (fact, code) => {
-    const others = ['DIRECTIONAL', 'POINT', 'SPOT', 'ATTENUATION', 'AMBIENT', 'DIFFUSE', 'SPECULAR']
-      .map((name) => `HAS_${name}`)
-      .filter((name) => name !== fact);
-    expect(loopWith(...others).includes(code)).toBe(false);
-    expect(loopWith(...others, fact).includes(code)).toBe(true);
+    ['HAS_AMBIENT', '+ SHAPE_AMBIENT'],
+    ['HAS_DIFFUSE', '+ SHAPE_DIFFUSE'],
+    ['HAS_SPECULAR', '+ SHAPE_SPECULAR'],
+  ])('without %s is not in the loop: %s', (fact, code) => {
+    const others = facts.filter((name) => name !== fact);
+    expect(loopWith(...others)).not.toContain(code);
+    expect(count(loopWith(...facts), code)).toBe(1);
+  });
+
+  it.each([
+    ['SHAPE_ATTENUATED', /attenuation\(vec3\(/],
+    ['SHAPE_AMBIENT', /sums\.ambient \+=/],
+    ['SHAPE_DIFFUSE', /sums\.diffuse \+=/],
+    ['SHAPE_SPECULAR', /sums\.specular \+=/],
+  ])('goes where a light has no %s', (bit, code) => {
+    const lines = withoutComments(chunk('light_loop'))
+      .split('\n')
+      .filter((line) => code.test(line));
+    expect(lines.length).toBeGreaterThan(0);
+    for (const line of lines) expect(line).toContain(`if (has(shape, ${bit})) `);
+  });
+
+  it('asks each light for its shape alone where programs are for exactly these lights', () => {
+    const exact = loopWith(...facts, 'EXACT_LIGHTS');
+    expect(exact).not.toMatch(/\bDECLARED_SHAPE\b|\bcounts\b|\bfor \(/);
+    expect(count(exact, 'EXACT_LIGHTS')).toBe(1);
+    expect(loopWith(...facts)).not.toContain('EXACT_LIGHTS');
   });
 });

@@ -11,11 +11,9 @@ const plain: Variant = {
   reflection: 'phong',
   terms: TERMS,
   linear: false,
-  storage: 'block',
   map: false,
   vertexColors: false,
   alphaMode: 'opaque',
-  matte: false,
 };
 
 const allFacts = Object.fromEntries(
@@ -30,16 +28,14 @@ const anyVariant: fc.Arbitrary<Variant> = fc.record({
   reflection: fc.constantFrom(...REFLECTIONS),
   terms: fc.subarray([...TERMS]),
   linear: fc.boolean(),
-  storage: fc.constantFrom('block', 'texture'),
   map: fc.boolean(),
   vertexColors: fc.boolean(),
   alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
-  matte: fc.boolean(),
 });
 
 describe("a program's code", () => {
   it('is nothing but where lights are read from, for a plain surface without lights', () => {
-    expect(variantDefines(plain, noFacts())).toStrictEqual({ LIGHT_STORAGE: 'STORAGE_BLOCK' });
+    expect(variantDefines(plain, noFacts())).toStrictEqual({ LIGHT_STORAGE: 'STORAGE_TEXTURE' });
   });
 
   it.each<[Partial<Variant>, string[]]>([
@@ -63,23 +59,19 @@ describe("a program's code", () => {
     ['point', 'HAS_POINT'],
     ['spot', 'HAS_SPOT'],
     ['attenuation', 'HAS_ATTENUATION'],
+    ['cone', 'HAS_CONE'],
+    ['decay', 'HAS_DECAY'],
   ] as const)('for %s light is there once a light has declared it: %s', (fact, define) => {
     expect(names({}, { ...noFacts(), [fact]: true })).toStrictEqual([define, 'LIGHT_STORAGE'].sort());
     expect(names({}, { ...allFacts, [fact]: false })).not.toContain(define);
   });
 
-  it('leaves out the terms that are not summed, and specular light on a matte surface', () => {
+  it('leaves out the terms that have never been needed', () => {
     const terms = (variant: Partial<Variant>): string[] =>
       names(variant, allFacts).filter((name) => /AMBIENT|DIFFUSE|SPECULAR/.test(name));
     expect(terms({ terms: ['diffuse'] })).toStrictEqual(['HAS_DIFFUSE']);
+    expect(terms({ terms: ['ambient', 'diffuse'] })).toStrictEqual(['HAS_AMBIENT', 'HAS_DIFFUSE']);
     expect(terms({ terms: [] })).toStrictEqual([]);
-    expect(terms({ matte: true })).toStrictEqual(['HAS_AMBIENT', 'HAS_DIFFUSE']);
-  });
-
-  it('reads lights from a texture where the block is too small', () => {
-    expect(variantDefines({ ...plain, storage: 'texture' }, noFacts())).toStrictEqual({
-      LIGHT_STORAGE: 'STORAGE_TEXTURE',
-    });
   });
 
   it('has a light fact only where that fact was declared', () => {
@@ -136,7 +128,7 @@ describe('the number of programs', () => {
       gatherFacts(values, facts);
       return [plain, { ...facts }] as const;
     });
-    expect(programs(states)).toBe(3);
+    expect(programs(states)).toBe(4); // a cone about a directional light needs none: it is the same everywhere
   });
 
   it('is the same for flat and phong, and for the order of terms', () => {
