@@ -1,17 +1,19 @@
 // Which kind of light a light's values make, and which facts about declared lights the shader must know.
 // Knows nothing of packing or GLSL.
 import { LEAST_EXPONENT } from './light-layout.js';
+import type { Vec3 } from '../math/vector.js';
 import type { LightValues } from './light-state.js';
 
 export type LightKind = 'directional' | 'point' | 'spot';
 
 type Values = Readonly<LightValues>;
 
-const isZero = (v: readonly number[]): boolean => v.every((n) => n === 0);
+/** All three components are 0. */
+export const isBlack = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
 
 /** A cone or a decay, and an axis to measure it from. */
 export const isSpot = (light: Values): boolean =>
-  !isZero(light.axis) && (light.aperture < 180 || light.cutoff >= LEAST_EXPONENT);
+  !isBlack(light.axis) && (light.aperture < 180 || light.cutoff >= LEAST_EXPONENT);
 
 export function kindOf(light: Values): LightKind {
   if (light.position[3] === 0) return 'directional'; // its cone and decay are the same everywhere: see pack-lights
@@ -59,7 +61,7 @@ export function gatherFacts(light: Values, facts: LightFacts): void {
   facts.cone ||= kind === 'spot' && light.aperture < 180;
   facts.decay ||= kind === 'spot' && light.cutoff >= LEAST_EXPONENT;
   facts.attenuation ||= isAttenuated(light);
-  facts.ambient ||= !isZero(light.ambient);
-  facts.diffuse ||= !isZero(light.diffuse);
-  facts.specular ||= !isZero(light.specular);
+  facts.ambient ||= !isBlack(light.ambient);
+  facts.diffuse ||= !isBlack(light.diffuse);
+  facts.specular ||= !isBlack(light.specular);
 }

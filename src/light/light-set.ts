@@ -1,10 +1,11 @@
 // Which lights there are, in which order, and whether anything about them has changed. Knows neither the DOM nor
 // how lights are packed.
-import type { LightState } from './light-state.js';
+import type { LightState, LightValues } from './light-state.js';
 
 /** The lights of one picture, in order. */
 export class LightSet {
   readonly #lights: LightState[] = [];
+  readonly #values: Readonly<LightValues>[] = [];
   readonly #listeners = new Map<LightState, () => void>();
   readonly #changed: (light: LightState | null) => void;
   #version = 0;
@@ -23,13 +24,19 @@ export class LightSet {
     return this.#lights;
   }
 
+  /** The lights' values, in order; live. */
+  get values(): readonly Readonly<LightValues>[] {
+    return this.#values;
+  }
+
   /** Makes these the lights, in this order. A light tells the set that took it last. */
   assign(lights: readonly LightState[]): void {
     if (lights.length === this.#lights.length && lights.every((light, i) => light === this.#lights[i]))
       return;
     for (const [light, listener] of this.#listeners) light.unlisten(listener);
     this.#listeners.clear();
-    this.#lights.splice(0, this.#lights.length, ...lights);
+    this.#lights.splice(0, Infinity, ...lights);
+    this.#values.splice(0, Infinity, ...lights.map(({ values }) => values));
     for (const light of lights) this.#listen(light);
     this.#bump(null);
   }

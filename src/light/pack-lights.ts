@@ -1,12 +1,11 @@
 // Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
 // lights left out. Everything that is the same for all fragments is done here, in float64: units, cosines, unit
 // vectors, the sum of ambient light, a directional light's cone. Knows neither three.js nor where rows are stored.
-import { radians } from '../math/angle.js';
-import { srgbDecode } from '../math/color.js';
-import { add, dot, map, type Mat4, negate, normalize, scale, transform, type Vec3 } from '../math/vector.js';
-import { isAttenuated, isSpot, kindOf, type LightKind } from './light-kind.js';
-import { HEADER, LARGEST_WHOLE_POWER, LEAST_EXPONENT, LIMIT_OPEN, ROWS, SHAPE } from './light-layout.js';
+import { add, dot, type Mat4, negate, normalize, type Vec3, type Vec4 } from '../math/vector.js';
+import type { LightKind } from './light-kind.js';
+import { HEADER, LEAST_EXPONENT, ROWS } from './light-layout.js';
 import type { LightValues } from './light-state.js';
+import { coneLimit, SteadyLight } from './steady-light.js';
 
 /** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
 export interface PackSpace {
@@ -17,6 +16,8 @@ export interface PackSpace {
   /** Light colours are decoded by the sRGB curve first. */
   readonly linear: boolean;
 }
+
+type Values = Readonly<LightValues>;
 
 /** Packed lights. Kept and reused from frame to frame: `data` and `shapes` only ever grow. */
 export interface PackedLights {
@@ -31,6 +32,8 @@ export interface PackedLights {
   readonly counts: Record<LightKind, number>;
   /** What each sent light needs of a program, see SHAPE; those from `sent` on are stale. */
   shapes: Uint16Array;
+  /** What was found of lights that may only move. */
+  readonly steady: WeakMap<Values, SteadyLight>;
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -40,81 +43,66 @@ export const emptyPack = (): PackedLights => ({
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
   shapes: new Uint16Array(8),
+  steady: new WeakMap(),
 });
-
-type Values = Readonly<LightValues>;
 
 /** In the order of their rows. */
 export const KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
 
 /** Packs the active lights of `lights` for one shading space, into `into`. */
 export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
-  let ambient: Vec3 = [0, 0, 0];
+  const ambient: [number, number, number] = [0, 0, 0];
   into.rows = HEADER.rows;
-  into.active = 0;
   into.sent = 0;
-  for (const light of lights) if (light.active) into.active += 1;
+  const found: SteadyLight[] = [];
+  const active: Values[] = [];
+  for (const light of lights) {
+    if (!light.active) continue;
+    active.push(light);
+    found.push(steadyOf(light, space.linear, into));
+  }
+  into.active = active.length;
   for (const kind of KINDS) {
     const before = into.sent;
-    for (const light of lights) {
-      if (!light.active || kindOf(light) !== kind) continue;
-      const factor = kind === 'directional' ? directionalDecay(light) : 1;
+    for (let i = 0; i < active.length; i++) {
+      const light = active[i];
+      const steady = found[i];
+      if (light === undefined || steady?.kind !== kind) continue;
+      const factor = kind === 'directional' && steady.spot ? directionalDecay(light) : 1;
       if (factor === 0) continue;
-      const colors = lightColors(light, factor, space.linear);
-      if (kind !== 'spot') ambient = add(ambient, colors.ambient);
-      if (!reaches(light, kind, colors)) continue;
+      if (kind !== 'spot') for (const c of CHANNELS) ambient[c] += steady.ambient[c] * factor;
+      if (!reaches(light, kind, steady)) continue;
       reserve(into, ROWS[kind].rows);
-      WRITERS[kind](into.data, into.rows * 4, light, colors, space);
-      into.shapes[into.sent] = shapeOf(light, kind, colors);
+      const at = into.rows * 4;
+      if (kind === 'directional') writeDirectional(into.data, at, light, steady, factor, space);
+      else writePoint(into.data, at, light, steady, space);
+      if (kind === 'spot') writeSpot(into.data, at, light, steady, space);
+      into.shapes[into.sent] = kind === 'spot' ? steady.spotShape : steady.pointShape;
       into.rows += ROWS[kind].rows;
       into.sent += 1;
     }
     into.counts[kind] = into.sent - before;
   }
   const { directional, point, spot } = into.counts;
-  write(into.data, HEADER.counts * 4, [directional, point, spot], 0);
-  write(into.data, HEADER.ambient * 4, ambient, 0);
+  write(into.data, HEADER.counts * 4, directional, point, spot, 0);
+  write(into.data, HEADER.ambient * 4, ambient[0], ambient[1], ambient[2], 0);
 }
 
-/** What this light needs of a program beyond its kind: SHAPE's bits. */
-function shapeOf(light: Values, kind: LightKind, { ambient, diffuse, specular }: LightColors): number {
-  let shape = (isBlack(diffuse) ? 0 : SHAPE.diffuse) + (isBlack(specular) ? 0 : SHAPE.specular);
-  if (isAttenuated(light)) shape += SHAPE.attenuated;
-  if (kind !== 'spot') return shape;
-  if (!isBlack(ambient)) shape += SHAPE.ambient;
-  if (light.aperture < 180) shape += light.aperture <= 90 ? SHAPE.narrow : SHAPE.wide;
-  const { cutoff } = light;
-  if (cutoff < LEAST_EXPONENT) return shape;
-  return shape + (isWholePower(cutoff) ? cutoff << SHAPE.powerShift : SHAPE.decay);
+const CHANNELS = [0, 1, 2] as const;
+
+function steadyOf(light: Values, linear: boolean, { steady }: PackedLights): SteadyLight {
+  const kept = steady.get(light);
+  if (kept?.holds(light, linear) === true) return kept;
+  const found = new SteadyLight(light, linear);
+  steady.set(light, found);
+  return found;
 }
-
-/** An exponent that is multiplied out where a program is made for it. */
-export const isWholePower = (exponent: number): boolean =>
-  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_WHOLE_POWER;
-
-interface LightColors {
-  readonly ambient: Vec3;
-  readonly diffuse: Vec3;
-  readonly specular: Vec3;
-}
-
-/** 255 to 1, decoded where the picture is linear, times what is the same at every fragment. */
-function lightColors(light: Values, factor: number, linear: boolean): LightColors {
-  const color = (c: Vec3): Vec3 => {
-    const unit = scale(c, 1 / 255);
-    return scale(linear ? map(unit, srgbDecode) : unit, factor);
-  };
-  return { ambient: color(light.ambient), diffuse: color(light.diffuse), specular: color(light.specular) };
-}
-
-export const isBlack = (c: Vec3): boolean => c[0] === 0 && c[1] === 0 && c[2] === 0;
 
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
-function reaches(light: Values, kind: LightKind, { ambient, diffuse, specular }: LightColors): boolean {
-  if (kind === 'spot') return !(isBlack(ambient) && isBlack(diffuse) && isBlack(specular));
-  const [x, y, z] = light.position;
-  if (kind === 'directional' && x === 0 && y === 0 && z === 0) return false;
-  return !(isBlack(diffuse) && isBlack(specular));
+function reaches({ position }: Values, kind: LightKind, { shines, ambient }: SteadyLight): boolean {
+  if (kind === 'spot') return shines || ambient[0] > 0 || ambient[1] > 0 || ambient[2] > 0;
+  if (kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0) return false;
+  return shines;
 }
 
 /**
@@ -123,7 +111,7 @@ function reaches(light: Values, kind: LightKind, { ambient, diffuse, specular }:
  */
 function directionalDecay(light: Values): number {
   const L = normalize([light.position[0], light.position[1], light.position[2]]);
-  if (!isSpot(light) || dot(L, L) === 0) return 1;
+  if (dot(L, L) === 0) return 1;
   const A = normalize(light.axis);
   const q = chord(L, A);
   const p = chord(L, negate(A));
@@ -143,63 +131,74 @@ function chord(a: Vec3, b: Vec3): number {
   return dot(sum, sum) / 4;
 }
 
-/** An aperture in degrees as the one float the shader compares with; see LIMIT_OPEN. */
-export function coneLimit(aperture: number): number {
-  if (aperture >= 180) return LIMIT_OPEN;
-  // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
-  return aperture <= 90
-    ? Math.sin(radians(aperture) / 2) ** 2
-    : -(Math.sin(radians(180 - aperture) / 2) ** 2);
-}
-
-/**
- * The same for float32: unit vectors there may be 2 ULP too long or short (inversesqrt's allowance) and round beside, so
- * what lies exactly on the axis can be 1e-6 rad off it, and a cone of no width must be that wide to hold its axis.
- */
-function packedLimit(aperture: number): number {
-  const limit = coneLimit(aperture);
-  return limit < 0 ? limit : Math.max(limit, LEAST_LIMIT);
-}
-
-/** sin² of half of 1e-6 rad. */
-const LEAST_LIMIT = 2.5e-13;
-
-type Writer = (data: Float32Array, at: number, light: Values, colors: LightColors, space: PackSpace) => void;
-
 const matrixOf = (light: Values, space: PackSpace): Mat4 =>
   light.space === 'camera' ? space.cameraToShading : space.worldToShading;
 
-const writePoint: Writer = (data, at, light, colors, space) => {
-  const [x, y, z] = light.position;
-  const [kc, kl, kq] = light.attenuation;
+function writeDirectional(
+  data: Float32Array,
+  at: number,
+  light: Values,
+  { diffuse, specular }: SteadyLight,
+  factor: number,
+  space: PackSpace,
+): void {
+  const { position } = light;
+  const row = ROWS.directional;
+  const L = normalize([position[0], position[1], position[2]]);
+  writeThrough(matrixOf(light, space), data, at + row.direction * 4, L, 0, 0);
+  write(data, at + row.diffuse * 4, diffuse[0] * factor, diffuse[1] * factor, diffuse[2] * factor, 0);
+  write(data, at + row.specular * 4, specular[0] * factor, specular[1] * factor, specular[2] * factor, 0);
+}
+
+/** Also what a spot begins with. */
+function writePoint(
+  data: Float32Array,
+  at: number,
+  light: Values,
+  { diffuse, specular }: SteadyLight,
+  space: PackSpace,
+): void {
+  const { position, attenuation } = light;
   const row = ROWS.point;
-  write(data, at + row.position * 4, transform(matrixOf(light, space), [x, y, z], 1), kc);
-  write(data, at + row.diffuse * 4, colors.diffuse, kl);
-  write(data, at + row.specular * 4, colors.specular, kq);
-};
+  writeThrough(matrixOf(light, space), data, at + row.position * 4, position, 1, attenuation[0]);
+  write(data, at + row.diffuse * 4, diffuse[0], diffuse[1], diffuse[2], attenuation[1]);
+  write(data, at + row.specular * 4, specular[0], specular[1], specular[2], attenuation[2]);
+}
 
-const WRITERS: Readonly<Record<LightKind, Writer>> = {
-  directional(data, at, light, colors, space) {
-    const [x, y, z] = light.position;
-    const row = ROWS.directional;
-    write(data, at + row.direction * 4, transform(matrixOf(light, space), normalize([x, y, z]), 0), 0);
-    write(data, at + row.diffuse * 4, colors.diffuse, 0);
-    write(data, at + row.specular * 4, colors.specular, 0);
-  },
-  point: writePoint,
-  spot(data, at, light, colors, space) {
-    const row = ROWS.spot;
-    writePoint(data, at, light, colors, space);
-    const A = transform(matrixOf(light, space), normalize(light.axis), 0);
-    write(data, at + row.axis * 4, A, light.cutoff);
-    write(data, at + row.ambient * 4, colors.ambient, packedLimit(light.aperture));
-  },
-};
+function writeSpot(
+  data: Float32Array,
+  at: number,
+  light: Values,
+  { ambient, axis, limit }: SteadyLight,
+  space: PackSpace,
+): void {
+  const row = ROWS.spot;
+  writeThrough(matrixOf(light, space), data, at + row.axis * 4, axis, 0, light.cutoff);
+  write(data, at + row.ambient * 4, ambient[0], ambient[1], ambient[2], limit);
+}
 
-function write(data: Float32Array, at: number, xyz: Vec3, w: number): void {
-  data[at] = xyz[0];
-  data[at + 1] = xyz[1];
-  data[at + 2] = xyz[2];
+/** A place (w = 1) or a direction (w = 0) through a matrix, and a scalar beside it. */
+function writeThrough(
+  m: Mat4,
+  data: Float32Array,
+  at: number,
+  v: Vec3 | Vec4,
+  w: 0 | 1,
+  scalar: number,
+): void {
+  const x = v[0];
+  const y = v[1];
+  const z = v[2];
+  data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
+  data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
+  data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;
+  data[at + 3] = scalar;
+}
+
+function write(data: Float32Array, at: number, x: number, y: number, z: number, w: number): void {
+  data[at] = x;
+  data[at + 1] = y;
+  data[at + 2] = z;
   data[at + 3] = w;
 }
 

@@ -2,7 +2,8 @@
 // uniforms, so only the program differs; it is right only as long as neither list nor material asks for another one.
 import { ShaderMaterial } from 'three';
 import { SHAPE } from '../light/light-layout.js';
-import { isBlack, isWholePower } from '../light/pack-lights.js';
+import { isBlack } from '../light/light-kind.js';
+import { isWholePower } from '../light/steady-light.js';
 import { inLoops, writtenOut } from './exact-lights.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';

@@ -5,6 +5,7 @@ import { gatherFacts, type LightFacts, noFacts } from '../light/light-kind.js';
 import { LightSet } from '../light/light-set.js';
 import { emptyPack, packLights, type PackedLights } from '../light/pack-lights.js';
 import { SRGB } from '../math/color.js';
+import { sameValue } from '../math/declared.js';
 import type { Vec3 } from '../math/vector.js';
 import type { LightList } from './light-list.js';
 import { MeshLights, type ReachQuestion } from './mesh-lights.js';
@@ -111,7 +112,7 @@ export class PhongLighting {
     if (this.#factsVersion === this.lights.version) return false;
     this.#factsVersion = this.lights.version;
     const before = countTrue(this.facts);
-    for (const light of this.lights.lights) gatherFacts(light.values, this.facts);
+    for (const light of this.lights.values) gatherFacts(light, this.facts);
     return countTrue(this.facts) !== before;
   }
 
@@ -120,8 +121,8 @@ export class PhongLighting {
     return (
       last.version !== this.lights.version ||
       last.linear !== this.linear ||
-      last.origin.some((x, i) => x !== origin[i]) ||
-      this.lights.lights.some(({ values }) => values.active && values.space === 'camera')
+      !sameValue(last.origin, origin) ||
+      this.lights.values.some(({ active, space }) => active && space === 'camera')
     );
   }
 
@@ -134,11 +135,7 @@ export class PhongLighting {
       cameraToShading: this.#cameraToShading,
       linear: this.linear,
     };
-    packLights(
-      this.lights.lights.map(({ values }) => values),
-      space,
-      this.#packed,
-    );
+    packLights(this.lights.values, space, this.#packed);
     this.#lists.take(this.#packed);
     this.#packedFor = { version: this.lights.version, linear: this.linear, origin };
   }

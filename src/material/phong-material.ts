@@ -11,7 +11,8 @@ import {
   Vector3,
 } from 'three';
 import type { Reflectance } from '../light/light-reach.js';
-import { isBlack, isWholePower } from '../light/pack-lights.js';
+import { isBlack } from '../light/light-kind.js';
+import { isWholePower } from '../light/steady-light.js';
 import { srgbDecode } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';

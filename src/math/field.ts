@@ -83,17 +83,17 @@ function tupleField<T extends readonly number[]>(
       if (!isNumberList(value)) throw wrong(expected, value);
       const numbers = finish === undefined ? [...value] : finish([...value]);
       if (numbers.length !== size) throw wrong(expected, value);
-      return Object.freeze(numbers.map((n) => checkNumber(n, range, expected))) as unknown as T;
+      for (let i = 0; i < size; i++) numbers[i] = checkNumber(numbers[i], range, expected);
+      return Object.freeze(numbers) as unknown as T;
     },
   };
 }
 
 export function isNumberList(value: unknown): value is readonly number[] {
-  const list =
-    Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView))
-      ? Array.from(value as ArrayLike<unknown>)
-      : undefined;
-  return list?.every((n) => typeof n === 'number') === true;
+  if (!Array.isArray(value))
+    return ArrayBuffer.isView(value) && !(value instanceof DataView) && isNumberList([...(value as never)]);
+  for (const n of value) if (typeof n !== 'number') return false; // a hole is undefined
+  return true;
 }
 
 export const vectorField = (fallback: Vec3, range: Range): Field<Vec3> => tupleField(fallback, range);

@@ -34,6 +34,7 @@ class Stage {
   readonly #places = new Map<StageClient, Place>();
   /** What lies on the canvas and is not shown yet. */
   readonly #drawn = new Map<StageClient, Place>();
+  #lostContext = false;
   #sparing = 0;
   #inFrame = false;
   #viewersDrawn = 0;
@@ -59,8 +60,9 @@ class Stage {
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
   }
 
+  /** By what the events have told: asking the context is a call to it, and this is asked with every change. */
   get lost(): boolean {
-    return this.#renderer?.getContext().isContextLost() ?? false;
+    return this.#lostContext;
   }
 
   /** Facts for `stats`. */
@@ -220,6 +222,7 @@ class Stage {
   readonly #lost = (event: Event): void => {
     event.stopImmediatePropagation();
     event.preventDefault(); // else it is never restored
+    this.#lostContext = true;
     this.#drawn.clear();
     this.#places.clear();
     for (const client of this.#clients) client.contextLost();
@@ -230,6 +233,7 @@ class Stage {
   readonly #restored = (event: Event): void => {
     event.stopImmediatePropagation();
     if (this.#renderer === null) return;
+    this.#lostContext = false;
     this.#draws(rendererOf(this.#renderer.getContext() as WebGL2RenderingContext));
     for (const client of this.#clients) client.contextRestored();
   };
@@ -239,6 +243,7 @@ class Stage {
     if (renderer === null || this.#clients.size > 0) return;
     this.#renderer = null;
     this.#linkCheck = null;
+    this.#lostContext = false;
     renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
     renderer.domElement.removeEventListener('webglcontextrestored', this.#restored);
     closeContext(renderer);

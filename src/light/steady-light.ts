@@ -1,0 +1,101 @@
+// What of a light stays while it moves: colours as the shader takes them, cone, shape. Found once and kept until one of the
+// values it is found from changes: most frames of a moving light only move it.
+import { radians } from '../math/angle.js';
+import { srgbDecode } from '../math/color.js';
+import { map, normalize, scale, type Vec3 } from '../math/vector.js';
+import { isAttenuated, isBlack, isSpot, kindOf, type LightKind } from './light-kind.js';
+import { LARGEST_WHOLE_POWER, LEAST_EXPONENT, LIMIT_OPEN, SHAPE } from './light-layout.js';
+import type { LightValues } from './light-state.js';
+
+type Values = Readonly<LightValues>;
+
+export class SteadyLight {
+  readonly kind: LightKind;
+  /** A cone or a decay: a directional light's are the same everywhere. */
+  readonly spot: boolean;
+  /** Unit, or zero. */
+  readonly axis: Vec3;
+  /** 1 is full; decoded where the picture is linear. */
+  readonly ambient: Vec3;
+  readonly diffuse: Vec3;
+  readonly specular: Vec3;
+  /** Diffuse or specular light at all. */
+  readonly shines: boolean;
+  /** The cone, as the shader compares with it. */
+  readonly limit: number;
+  /** SHAPE's bits: of a spot, and of a light without cone and decay. */
+  readonly spotShape: number;
+  readonly pointShape: number;
+  readonly #light: Values;
+  readonly #linear: boolean;
+
+  constructor(light: Values, linear: boolean) {
+    // A copy of what it was found from; arrays are never written to, so they tell by themselves.
+    this.#light = { ...light };
+    this.#linear = linear;
+    const color = (c: Vec3): Vec3 => {
+      const unit = scale(c, 1 / 255);
+      return linear ? map(unit, srgbDecode) : unit;
+    };
+    this.kind = kindOf(light);
+    this.spot = isSpot(light);
+    this.axis = normalize(light.axis);
+    this.ambient = color(light.ambient);
+    this.diffuse = color(light.diffuse);
+    this.specular = color(light.specular);
+    this.shines = !(isBlack(light.diffuse) && isBlack(light.specular));
+    this.limit = packedLimit(light.aperture);
+    this.pointShape = termsOf(light) + (isAttenuated(light) ? SHAPE.attenuated : 0);
+    this.spotShape = this.pointShape + (isBlack(light.ambient) ? 0 : SHAPE.ambient) + coneShape(light);
+  }
+
+  /** Whether it still stands for `light` as it is now, wherever that is. */
+  holds(light: Values, linear: boolean): boolean {
+    const last = this.#light;
+    return (
+      last.ambient === light.ambient &&
+      last.diffuse === light.diffuse &&
+      last.specular === light.specular &&
+      last.axis === light.axis &&
+      last.attenuation === light.attenuation &&
+      last.aperture === light.aperture &&
+      last.cutoff === light.cutoff &&
+      last.position[3] === light.position[3] &&
+      linear === this.#linear
+    );
+  }
+}
+
+const termsOf = ({ diffuse, specular }: Values): number =>
+  (isBlack(diffuse) ? 0 : SHAPE.diffuse) + (isBlack(specular) ? 0 : SHAPE.specular);
+
+function coneShape({ aperture, cutoff }: Values): number {
+  const cone = aperture >= 180 ? 0 : aperture <= 90 ? SHAPE.narrow : SHAPE.wide;
+  if (cutoff < LEAST_EXPONENT) return cone;
+  return cone + (isWholePower(cutoff) ? cutoff << SHAPE.powerShift : SHAPE.decay);
+}
+
+/** An exponent that is multiplied out where a program is made for it. */
+export const isWholePower = (exponent: number): boolean =>
+  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_WHOLE_POWER;
+
+/** An aperture in degrees as the one float the shader compares with; see LIMIT_OPEN. */
+export function coneLimit(aperture: number): number {
+  if (aperture >= 180) return LIMIT_OPEN;
+  // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
+  return aperture <= 90
+    ? Math.sin(radians(aperture) / 2) ** 2
+    : -(Math.sin(radians(180 - aperture) / 2) ** 2);
+}
+
+/**
+ * The same for float32: unit vectors there may be 2 ULP too long or short (inversesqrt's allowance) and round beside, so
+ * what lies exactly on the axis can be 1e-6 rad off it, and a cone of no width must be that wide to hold its axis.
+ */
+function packedLimit(aperture: number): number {
+  const limit = coneLimit(aperture);
+  return limit < 0 ? limit : Math.max(limit, LEAST_LIMIT);
+}
+
+/** sin² of half of 1e-6 rad. */
+const LEAST_LIMIT = 2.5e-13;
