@@ -3,7 +3,8 @@
 import { describe, expect, it } from 'vitest';
 import { HEADER, LIMIT_OPEN } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { coneLimit, emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { coneLimit } from '../../src/light/steady-light.js';
 import { srgbDecode } from '../../src/math/color.js';
 import { light } from './arbitraries.js';
 import { pack, type PackedLight, read, WORLD } from './packed-reader.js';
