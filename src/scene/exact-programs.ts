@@ -19,6 +19,12 @@ const MOST_PROGRAMS = 8;
  */
 const MOST_WRITTEN = { gpu: 64, software: 16 } as const;
 
+/**
+ * Frames until a program is taken for compiled where the browser does not tell: commands are carried out in order, so by
+ * then it has been, and asking waits for nothing.
+ */
+const UNTOLD_FRAMES = 4;
+
 export interface DrawnPart {
   readonly mesh: Mesh;
   readonly material: PhongMaterial;
@@ -38,6 +44,7 @@ export class ExactPrograms {
   readonly #lighting: PhongLighting;
   readonly #records = new Map<Mesh, Record>();
   #compiling: Record | null = null;
+  #framesCompiling = 0;
 
   constructor(lighting: PhongLighting) {
     this.#lighting = lighting;
@@ -70,12 +77,11 @@ export class ExactPrograms {
   settle(renderer: WebGLRenderer, camera: Camera, parts: Iterable<DrawnPart>): void {
     if (this.#compiling !== null) {
       const { twin } = this.#compiling;
-      if (twin !== null && !isReady(renderer, twin)) return;
+      this.#framesCompiling += 1;
+      if (twin !== null && !isReady(renderer, twin, this.#framesCompiling)) return;
       this.#compiling.ready = twin !== null;
       this.#compiling = null;
     }
-    // Without the extension only waiting would tell when a program is ready.
-    if (!renderer.extensions.has('KHR_parallel_shader_compile')) return;
     for (const { mesh, material } of parts) {
       const record = this.#records.get(mesh);
       if (record === undefined || record.twin !== null || record.frames < SETTLED_FRAMES) continue;
@@ -83,6 +89,7 @@ export class ExactPrograms {
       programs += 1;
       record.twin = new ExactMaterial(material, this.#lighting.lightsOf(mesh), mostWritten(renderer));
       this.#compiling = record;
+      this.#framesCompiling = 0;
       renderer.compile(new Scene().add(new Mesh(mesh.geometry, record.twin)), camera);
       return;
     }
@@ -117,7 +124,8 @@ function keyOf(material: PhongMaterial, list: LightList): string {
   return `${String(list.id)} ${String(list.shapeVersion)} ${String(material.programVersion)} ${material.exactKey}`;
 }
 
-function isReady(renderer: WebGLRenderer, material: Material): boolean {
+function isReady(renderer: WebGLRenderer, material: Material, frames: number): boolean {
+  if (frames < UNTOLD_FRAMES && !renderer.extensions.has('KHR_parallel_shader_compile')) return false;
   const { currentProgram } = renderer.properties.get(material) as { currentProgram?: { isReady(): boolean } };
   return currentProgram?.isReady() ?? false;
 }
