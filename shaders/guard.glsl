@@ -8,6 +8,13 @@ vec3 refined(vec3 unit) {
   return unit * (1.5 - 0.5 * dot(unit, unit));
 }
 
+#ifdef USUAL_LENGTHS
+/** The same for vectors of lengths from 1e-10 to 1e15, and shorter ones that are nothing but rounding: those give zero. */
+vec3 unitOrZero(vec3 v) {
+  float squared = dot(v, v);
+  return squared >= 1e-20 ? v * inversesqrt(max(squared, 1e-20)) : vec3(0.0);
+}
+#else
 /** The unit vector along v, or zero where v is zero. Any finite v; denormal ones as far as the device keeps them. */
 vec3 unitOrZero(vec3 v) {
   float squared = dot(v, v);
@@ -24,3 +31,4 @@ vec3 unitOrZero(vec3 v) {
   }
   return v * inversesqrt(squared);
 }
+#endif

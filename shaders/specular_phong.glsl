@@ -5,10 +5,11 @@
  * |R - V| = |L - W|: a reflection keeps lengths. N, V unit; a zero V gives what no light is near to.
  */
 vec3 specularView(vec3 N, vec3 V) {
+  vec3 W = 2.0 * dot(N, V) * N - V;
 #ifdef WHOLE_SHININESS
-  if (dot(V, V) == 0.0) return vec3(3.0);
+  W = dot(V, V) > 0.0 ? W : vec3(3.0);
 #endif
-  return 2.0 * dot(N, V) * N - V;
+  return W;
 }
 
 /** max(dot(R, V), 0)^n with R = 2 NoL N - L. N, L unit, W as above; NoL > 0. */

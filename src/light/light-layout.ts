@@ -5,6 +5,14 @@
 export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
 
 /**
+ * Rows before the lists of a divided box, relative to the row that the counts' w names. `low`: the box's low corner, w = the
+ * first cell's row; `scale`: cells a unit, w = the first row of listed lights, four a row; `size`: cells along each axis;
+ * `everywhere`: of each kind, how many lights stand in no list because they reach everywhere: the first ones.
+ * A cell's row: the place of its first light among the listed, how many are points, and how many, after them, spots.
+ */
+export const GRID = { low: 0, scale: 1, size: 2, everywhere: 3, rows: 4 } as const;
+
+/**
  * Rows of each kind of light, relative to the light's first row. xyz (or rgb) is the vector; w holds a scalar.
  * Lights stand sorted by kind in this order: directional, point, spot.
  */
@@ -99,6 +107,7 @@ export function layoutDefines(): string {
     `#define HEADER_COUNTS ${String(HEADER.counts)}`,
     `#define HEADER_AMBIENT ${String(HEADER.ambient)}`,
     `#define HEADER_ROWS ${String(HEADER.rows)}`,
+    ...Object.entries(GRID).map(([name, row]) => `#define GRID_${name.toUpperCase()} ${String(row)}`),
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
     ...Object.entries(SHAPE).map(([name, bit]) => `#define SHAPE_${snake(name)} ${String(bit)}`),
     `#define BLOCK_ROWS ${String(BLOCK_ROWS)}`,

@@ -1,6 +1,6 @@
 // The light loop for the very lights of a list: written out, each light with literal rows and its own shape, or for many lights
 // as loops over the shapes that they have in common. Pure text; knows neither programs nor when one is worth it.
-import { HEADER, ROWS, SHAPE } from '../light/light-layout.js';
+import { ROWS, SHAPE } from '../light/light-layout.js';
 import { forEachLight } from '../light/light-reach.js';
 import { KINDS, type PackedLights } from '../light/pack-lights.js';
 import type { LightKind } from '../light/light-kind.js';
@@ -24,24 +24,59 @@ export function writtenOut(packed: PackedLights, terms: number): string {
 
 /** The same as a loop per kind, for any number of lights of these shapes. */
 export function inLoops(packed: PackedLights, terms: number): string {
-  const common: Partial<Record<LightKind, number>> = {};
+  const shapes = commonShapes(packed, terms);
+  return [COUNTS, ROW, ...loops(shapes)].join(' ');
+}
+
+/** The same for lights that have been divided: those that reach everywhere in loops, then the cell's own. */
+export function inCells(packed: PackedLights, terms: number): string {
+  const shapes = commonShapes(packed, terms);
+  const { point, spot } = shapes;
+  const text = [
+    COUNTS,
+    `ivec3 all=counts;counts=ivec3(lightRow(int(lightRow(HEADER_COUNTS).w)+GRID_EVERYWHERE).xyz);`,
+    ROW,
+  ];
+  for (const [kind, loop] of KINDS.map((each) => [each, loops({ [each]: shapes[each] })] as const)) {
+    const skipped = `row+=(all.${COUNT[kind]}-counts.${COUNT[kind]})*${String(ROWS[kind].rows)};`;
+    text.push(...loop, loop.length > 0 ? skipped : '');
+  }
+  text.push('CellList listed=cellList(p);int place=listed.first;');
+  if (point !== undefined)
+    text.push(`for(int i=0;i<listed.points;i++,place++)${ADD.point('listedRow(place)', point)}`);
+  if (spot !== undefined)
+    text.push(`for(int i=0;i<listed.spots;i++,place++)${ADD.spot('listedRow(place)', spot)}`);
+  return text.join(' ');
+}
+
+const COUNTS = 'ivec3 counts=ivec3(lightRow(HEADER_COUNTS).xyz);';
+const ROW = 'int row=HEADER_ROWS;';
+
+type Shapes = Partial<Record<LightKind, number | undefined>>;
+
+const loops = (shapes: Shapes): string[] =>
+  KINDS.flatMap((kind) => {
+    const shape = shapes[kind];
+    if (shape === undefined) return [];
+    const step = `${kind.toUpperCase()}_ROWS`;
+    return [`for(int i=0;i<counts.${COUNT[kind]};i++,row+=${step})${ADD[kind]('row', shape)}`];
+  });
+
+function commonShapes(packed: PackedLights, terms: number): Shapes {
+  const common: Shapes = {};
   forEachLight(packed, (light, kind) => {
     const shape = shapeIn(packed.shapes[light] ?? 0, terms);
     const before = common[kind];
     common[kind] = before === undefined ? shape : union(before, shape);
   });
-  const loops = KINDS.filter((kind) => common[kind] !== undefined).map((kind) => {
-    const step = String(ROWS[kind].rows);
-    return `for(int i=0;i<counts.${COUNT[kind]};i++,row+=${step})${ADD[kind]('row', common[kind] ?? 0)}`;
-  });
-  const start = `ivec3 counts=ivec3(lightRow(${String(HEADER.counts)}).xyz);int row=${String(HEADER.rows)};`;
-  return [start, ...loops].join(' ');
+  return common;
 }
 
-const TERMS = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
+/** All of `terms`. */
+export const ALL_TERMS = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
 const BITS = (1 << SHAPE.powerShift) - 1;
 
-const shapeIn = (shape: number, terms: number): number => shape & (terms | ~TERMS);
+const shapeIn = (shape: number, terms: number): number => shape & (terms | ~ALL_TERMS);
 
 /** What lights of both shapes need: a cutoff that not all have is a number like any other. */
 function union(a: number, b: number): number {

@@ -3,8 +3,9 @@
 import { ShaderMaterial } from 'three';
 import { SHAPE } from '../light/light-layout.js';
 import { isBlack } from '../light/light-kind.js';
+import type { PackedLights } from '../light/pack-lights.js';
 import { isWholePower } from '../light/steady-light.js';
-import { inLoops, writtenOut } from './exact-lights.js';
+import { inCells, inLoops, writtenOut } from './exact-lights.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';
 import type { Term } from './variant.js';
@@ -15,13 +16,27 @@ const TERM_BITS: Readonly<Record<Term, number>> = {
   specular: SHAPE.specular,
 };
 
+/** How a program holds its lights: each written out, in loops, or in lists by cells of a divided box. */
+export type ExactForm = 'written' | 'loops' | 'cells';
+
+export interface ExactChoice {
+  readonly list: LightList;
+  readonly form: ExactForm;
+  /** From the eye to what is drawn it is 1e-9 to 1e14: vectors need no rescue from float32's ends. */
+  readonly usual: boolean;
+}
+
+const TEXTS = { written: writtenOut, loops: inLoops, cells: inCells } as const;
+
+/** The value of the define EXACT_LIGHTS. */
+export const exactText = (form: ExactForm, packed: PackedLights, terms: number): string =>
+  TEXTS[form](packed, terms);
+
 export class ExactMaterial extends ShaderMaterial {
   readonly #source: PhongMaterial;
-  readonly #list: LightList;
-  readonly #written: boolean;
+  readonly #choice: ExactChoice;
 
-  /** Lists of up to `mostWritten` lights are written out; longer ones stay loops. */
-  constructor(source: PhongMaterial, list: LightList, mostWritten: number) {
+  constructor(source: PhongMaterial, choice: ExactChoice) {
     const { glslVersion, vertexShader, fragmentShader, uniforms, side, vertexColors } = source;
     const { premultipliedAlpha, blending, transparent, toneMapped } = source;
     super({
@@ -29,31 +44,30 @@ export class ExactMaterial extends ShaderMaterial {
       ...{ premultipliedAlpha, blending, transparent, toneMapped },
     });
     this.#source = source;
-    this.#list = list;
-    const { packed } = list;
-    this.#written = packed.sent <= mostWritten;
+    this.#choice = choice;
     source.chooseProgram();
-    this.defines = { ...source.defines };
+    const defines: Record<string, string> = { ...(source.defines as Record<string, string>) };
     const { terms } = source.style;
     const { ks, shininess } = source.surface;
     const summed = terms.filter((term) => term !== 'specular' || !isBlack(ks));
-    if (!terms.includes('ambient')) delete this.defines['HAS_AMBIENT'];
     const bits = summed.reduce((sum, term) => sum | TERM_BITS[term], 0);
-    if (isWholePower(shininess)) this.defines['WHOLE_SHININESS'] = String(shininess);
-    if (this.#written) {
-      this.defines['LIGHT_STORAGE'] = 'STORAGE_BLOCK';
-      this.defines['EXACT_LIGHTS'] = writtenOut(packed, bits);
-      this.uniformsGroups = [list.rows.group];
-    } else {
-      this.defines['EXACT_LIGHTS'] = inLoops(packed, bits);
+    if (!terms.includes('ambient')) delete defines['HAS_AMBIENT'];
+    if (isWholePower(shininess)) defines['WHOLE_SHININESS'] = String(shininess);
+    if (choice.usual) defines['USUAL_LENGTHS'] = '';
+    if (choice.form === 'cells') defines['HAS_GRID'] = '';
+    defines['EXACT_LIGHTS'] = exactText(choice.form, choice.list.packed, bits);
+    if (choice.form === 'written') {
+      defines['LIGHT_STORAGE'] = 'STORAGE_BLOCK';
+      this.uniformsGroups = [choice.list.rows.group];
     }
+    this.defines = defines;
   }
 
   override onBeforeRender(...[renderer, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
-    const { rows } = this.#list;
+    const { list, form } = this.#choice;
     const { uLightTexture } = this.uniforms;
-    if (this.#written) rows.sendBlock();
-    else if (uLightTexture !== undefined) uLightTexture.value = rows.sendTexture(renderer);
+    if (form === 'written') list.rows.sendBlock();
+    else if (uLightTexture !== undefined) uLightTexture.value = list.rows.sendTexture(renderer);
     this.#source.place(object);
     this.uniformsNeedUpdate = true;
   }

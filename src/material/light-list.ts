@@ -14,6 +14,7 @@ export class LightList {
   #shapes = new Uint16Array(0);
   #counts: readonly number[] = [];
   #version = 0;
+  #taken = 0;
 
   constructor(packed = emptyPack()) {
     this.#packed = packed;
@@ -21,6 +22,11 @@ export class LightList {
 
   get packed(): Readonly<PackedLights> {
     return this.#packed;
+  }
+
+  /** Goes up with every {@link take}. */
+  get version(): number {
+    return this.#taken;
   }
 
   /** Goes up when how many lights there are of each kind, or what one of them needs of a program, is other than before. */
@@ -31,6 +37,7 @@ export class LightList {
   /** These are the lights from now on; `packed` may be one that was given before, written anew. */
   take(packed: PackedLights): void {
     this.#packed = packed;
+    this.#taken += 1;
     this.rows.write(packed);
     if (this.#isAsBefore(packed)) return;
     this.#version += 1;

@@ -24,6 +24,8 @@ export interface ReachQuestion {
 
 interface Choice {
   list: LightList;
+  /** What of the budget is left over. */
+  left: number;
   mask: Uint8Array;
   lights: number;
   surfaceVersion: number;
@@ -65,9 +67,9 @@ export class MeshLights {
     return this.#choices.get(mesh)?.list ?? this.all;
   }
 
-  /** How many lights `mesh` is drawn with. */
-  sentTo(mesh: object): number {
-    return this.of(mesh).packed.sent;
+  /** What may still be given up at each point of `mesh`, 1 being full. */
+  budgetLeft(mesh: object): number {
+    return this.#choices.get(mesh)?.left ?? 0;
   }
 
   /** How many lights reach any of these meshes; all where there are none. */
@@ -91,13 +93,17 @@ export class MeshLights {
     const { geometry, matrixWorld } = mesh;
     let choice = this.#choices.get(mesh);
     if (choice === undefined) {
+      const { surfaceVersion, budget } = question;
       choice = {
-        list: this.all,
-        mask: new Uint8Array(0),
-        lights: -1,
-        geometry: null,
-        place: new Matrix4(),
-        ...question,
+        ...{
+          list: this.all,
+          left: 0,
+          mask: new Uint8Array(0),
+          lights: -1,
+          geometry: null,
+          place: new Matrix4(),
+        },
+        ...{ surfaceVersion, budget },
       };
       this.#choices.set(mesh, choice);
     }
@@ -133,11 +139,13 @@ export class MeshLights {
 
   #listFor(mesh: Mesh, { origin, surface, budget }: ReachQuestion, choice: Choice): LightList {
     const { packed } = this.all;
+    choice.left = budget;
     // Without a cone nothing is exactly out of reach.
     if (!this.#some && !(budget > 0 && packed.sent > 0)) return this.all;
     const box = boundsOf(mesh, origin);
     if (box === null) return this.all;
     reachedLights(packed, box, surface, budget, reached);
+    choice.left = budget - reached.given;
     if (reached.count === packed.sent) return this.all;
     choice.mask = reached.mask.slice(0, packed.sent);
     const key = asText.decode(choice.mask);
@@ -165,7 +173,7 @@ const reached: Reached = { mask: new Uint8Array(64), count: 0, given: 0 };
 const bounds = new Box3();
 
 /** The mesh's bounds in shading space; null where it has none. */
-function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
+export function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
   if (geometry.boundingBox === null) geometry.computeBoundingBox();
   if (geometry.boundingBox === null) return null;
   const { min, max } = bounds.copy(geometry.boundingBox).applyMatrix4(matrixWorld);

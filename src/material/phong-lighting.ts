@@ -87,6 +87,11 @@ export class PhongLighting {
     return this.#lists.of(mesh);
   }
 
+  /** What may still be given up at each point of `mesh`, 1 being full. */
+  budgetLeft(mesh: object): number {
+    return this.#lists.budgetLeft(mesh);
+  }
+
   /** How many lights reach any of these meshes. */
   reaching(meshes: Iterable<object>): number {
     return this.#lists.reaching(meshes);

@@ -59,6 +59,7 @@ export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
 
 /** Gouraud sums the lights at the vertices, everything else at the fragments; the other stage has no use for it. */
 export const VERTEX_SHADER = [
+  '#undef USUAL_LENGTHS', // a model's own normals may have any length
   '#ifdef SHADING_GOURAUD',
   LIGHT_LOOP_GLSL,
   '#else',

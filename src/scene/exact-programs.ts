@@ -1,14 +1,19 @@
 // Programs for exactly what is drawn, compiled in the background while general ones go on drawing, as a just-in-time compiler
 // does. A mesh gets one when its lights' number and shapes have stood still for a while of drawing, and loses it at once when
 // they have not: nothing is ever waited for. Works only in frames that are drawn anyway: no timer, no promise.
-import { type Camera, type Material, Mesh, Scene, type WebGLRenderer } from 'three';
-import { ExactMaterial } from '../material/exact-material.js';
+import { type Material, Mesh, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
+import { DividedLights } from '../material/divided-lights.js';
+import { type ExactChoice, type ExactForm, ExactMaterial, exactText } from '../material/exact-material.js';
 import type { LightList } from '../material/light-list.js';
+import { ALL_TERMS } from '../material/exact-lights.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
 import type { PhongMaterial } from '../material/phong-material.js';
 
-/** Frames of the same lights before a program is made for them: a third of a second of motion. */
-const SETTLED_FRAMES = 20;
+/** Of the same lights, before a program is made for them: a third of a second of motion, or a few frames of a slow picture. */
+const SETTLED = { frames: 20, slowFrames: 3, slowTime: 300 } as const;
+
+/** Distances of what is drawn for which float32 needs no rescue: ten times what the shader takes, either way. */
+const USUAL = { near: 1e-9, far: 1e14 } as const;
 
 /** Exact programs that a page keeps at most; further meshes stay with general ones. */
 const MOST_PROGRAMS = 8;
@@ -31,8 +36,14 @@ export interface DrawnPart {
 }
 
 interface Record {
+  readonly divided: DividedLights;
+  choice: ExactChoice | null;
+  /** The text that the lights of a list have in common, as last found. */
+  readonly common: { list: LightList | null; version: number; text: string };
   key: string;
+  /** Frames drawn, and when the first was, with this key. */
   frames: number;
+  since: number;
   twin: ExactMaterial | null;
   ready: boolean;
   seen: boolean;
@@ -51,30 +62,36 @@ export class ExactPrograms {
   }
 
   /** Before a frame: gives each mesh the material that draws it, exact where one is ready. */
-  choose(parts: Iterable<DrawnPart>): void {
+  choose(renderer: WebGLRenderer, camera: PerspectiveCamera, parts: Iterable<DrawnPart>): void {
+    const usual = camera.near > USUAL.near && camera.far < USUAL.far;
     for (const record of this.#records.values()) record.seen = false;
     for (const { mesh, material } of parts) {
       const record = this.#records.get(mesh) ?? this.#add(mesh);
       record.seen = true;
-      const key = keyOf(material, this.#lighting.lightsOf(mesh));
+      const cells = record.divided.of(mesh, material, this.#lighting);
+      const list = cells ?? this.#lighting.lightsOf(mesh);
+      const written = list.packed.sent <= mostWritten(renderer);
+      record.choice = { list, form: cells !== null ? 'cells' : written ? 'written' : 'loops', usual };
+      const key = keyOf(material, record);
       if (key === record.key) {
         record.frames += 1;
       } else {
         this.#drop(record);
         record.key = key;
         record.frames = 0;
+        record.since = performance.now();
       }
       mesh.material = record.ready && record.twin !== null ? record.twin : material;
     }
     for (const [mesh, record] of this.#records) {
       if (record.seen) continue;
-      this.#drop(record);
+      this.#end(record);
       this.#records.delete(mesh);
     }
   }
 
   /** After a frame: begins or ends compiling, one program at a time. */
-  settle(renderer: WebGLRenderer, camera: Camera, parts: Iterable<DrawnPart>): void {
+  settle(renderer: WebGLRenderer, camera: PerspectiveCamera, parts: Iterable<DrawnPart>): void {
     if (this.#compiling !== null) {
       const { twin } = this.#compiling;
       this.#framesCompiling += 1;
@@ -84,10 +101,11 @@ export class ExactPrograms {
     }
     for (const { mesh, material } of parts) {
       const record = this.#records.get(mesh);
-      if (record === undefined || record.twin !== null || record.frames < SETTLED_FRAMES) continue;
+      if (record === undefined || record.twin !== null || !isSettled(record)) continue;
+      if (record.choice === null) continue;
       if (material.transparent || programs >= MOST_PROGRAMS) continue; // three.js draws blended ones in two passes
       programs += 1;
-      record.twin = new ExactMaterial(material, this.#lighting.lightsOf(mesh), mostWritten(renderer));
+      record.twin = new ExactMaterial(material, record.choice);
       this.#compiling = record;
       this.#framesCompiling = 0;
       renderer.compile(new Scene().add(new Mesh(mesh.geometry, record.twin)), camera);
@@ -98,14 +116,37 @@ export class ExactPrograms {
   /** Gives all programs back. */
   dispose(parts: Iterable<DrawnPart>): void {
     for (const { mesh, material } of parts) mesh.material = material;
-    for (const record of this.#records.values()) this.#drop(record);
+    for (const record of this.#records.values()) this.#end(record);
     this.#records.clear();
   }
 
+  /** How often lights in cells have been sent. */
+  get uploads(): number {
+    let sum = 0;
+    for (const { divided } of this.#records.values()) sum += divided.uploads;
+    return sum;
+  }
+
   #add(mesh: Mesh): Record {
-    const record = { key: '', frames: 0, twin: null, ready: false, seen: true };
+    const divided = new DividedLights();
+    const common = { list: null, version: -1, text: '' };
+    const record = {
+      divided,
+      common,
+      choice: null,
+      key: '',
+      frames: 0,
+      twin: null,
+      ready: false,
+      seen: true,
+    };
     this.#records.set(mesh, record);
     return record;
+  }
+
+  #end(record: Record): void {
+    this.#drop(record);
+    record.divided.dispose();
   }
 
   #drop(record: Record): void {
@@ -118,10 +159,28 @@ export class ExactPrograms {
   }
 }
 
+const isSettled = ({ frames, since }: Record): boolean =>
+  frames >= SETTLED.frames || (frames >= SETTLED.slowFrames && performance.now() - since >= SETTLED.slowTime);
+
 /** All that an exact program is made for. */
-function keyOf(material: PhongMaterial, list: LightList): string {
+function keyOf(material: PhongMaterial, record: Record): string {
+  const { choice } = record;
+  if (choice === null) return '';
   material.chooseProgram();
-  return `${String(list.id)} ${String(list.shapeVersion)} ${String(material.programVersion)} ${material.exactKey}`;
+  const { list, form, usual } = choice;
+  // Written out, every light's shape and row is in the program; in loops only what the shapes have in common.
+  const lights =
+    form === 'written' ? `${String(list.id)} ${String(list.shapeVersion)}` : commonText(list, form, record);
+  return `${form} ${lights} ${String(usual)} ${String(material.programVersion)} ${material.exactKey}`;
+}
+
+function commonText(list: LightList, form: ExactForm, { common }: Record): string {
+  if (common.list !== list || common.version !== list.version) {
+    common.list = list;
+    common.version = list.version;
+    common.text = exactText(form, list.packed, ALL_TERMS);
+  }
+  return `${String(list.id)} ${common.text}`;
 }
 
 function isReady(renderer: WebGLRenderer, material: Material, frames: number): boolean {

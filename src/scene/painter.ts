@@ -10,7 +10,7 @@ import type { ViewCamera } from './view-camera.js';
 import type { ViewportStats } from './viewport-stats.js';
 
 /** Drawings before the code for faster programs is fetched: a still picture never does. */
-const DRAWINGS_OF_MOTION = 10;
+const DRAWINGS_OF_MOTION = 4;
 
 export class Painter {
   readonly scene = new Scene();
@@ -37,7 +37,7 @@ export class Painter {
     lighting.update(frame);
     const parts = this.#parts();
     for (const { mesh, material } of parts) lighting.reach(mesh, material);
-    this.#exact?.choose(parts);
+    this.#exact?.choose(renderer, camera, parts);
     renderer.render(scene, camera);
     this.#drawCalls = renderer.info.render.calls;
     this.#exact?.settle(renderer, camera, parts);
@@ -62,8 +62,10 @@ export class Painter {
     return {
       lightsActive: lighting.packed.active,
       lightsSent: reaching(this.#parts()),
-      lightsSentByMesh: [...this.#meshes].map(({ parts }) => reaching(parts)),
-      uploads: lighting.uploads,
+      lightsSentByMesh: [...this.#meshes]
+        .filter(({ parts }) => parts.length > 0)
+        .map(({ parts }) => reaching(parts)),
+      uploads: lighting.uploads + (this.#exact?.uploads ?? 0),
       drawCalls: this.#drawCalls,
     };
   }
