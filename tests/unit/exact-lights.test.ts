@@ -1,0 +1,208 @@
+// The text that adds exactly some lights: one call a light or loops for all of them, in words that the light loop has.
+
+import fc from 'fast-check';
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { HEADER, layoutDefines, ROWS, SHAPE } from '../../src/light/light-layout.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import type { PackedLights } from '../../src/light/pack-lights.js';
+import { inLoops, writtenOut } from '../../src/material/exact-lights.js';
+import { anyLight, light } from './arbitraries.js';
+import { pack } from './packed-reader.js';
+
+const TERMS = SHAPE.ambient + SHAPE.diffuse + SHAPE.specular;
+const BITS = (1 << SHAPE.powerShift) - 1;
+
+const loop = readFileSync(new URL('../../shaders/light_loop.glsl', import.meta.url), 'utf8');
+const defines = new Map(
+  [...layoutDefines().matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, value]) => [name!, value!]),
+);
+
+const lamp = (values: Partial<LightValues> = {}): LightValues => light({ position: [1, 2, 3, 1], ...values });
+const spot = (values: Partial<LightValues> = {}): LightValues =>
+  lamp({ ambient: [9, 9, 9], aperture: 20, ...values });
+
+const KINDS = { directional: 'addDirectional', point: 'addPoint', spot: 'addSpot' } as const;
+
+interface Call {
+  readonly name: string;
+  readonly args: readonly string[];
+}
+
+/** The calls of add… in a text, in order, with the layout's names as their numbers. */
+const callsIn = (text: string): Call[] =>
+  [...text.matchAll(/\b(add\w+)\(([^()]*)\)/g)].map(([, name = '', args = '']) => ({
+    name,
+    args: args.split(',').map((arg) => defines.get(arg.trim()) ?? arg.trim()),
+  }));
+
+const shapesIn = (text: string): number[] => callsIn(text).map(({ args }) => Number(args.at(-1)));
+
+/** Name, first row and shape of each packed light, as they have to be called. */
+function expected({ counts, shapes }: PackedLights, terms: number): (string | number)[][] {
+  let [row, i] = [HEADER.rows as number, 0];
+  return (['directional', 'point', 'spot'] as const).flatMap((kind) =>
+    Array.from({ length: counts[kind] }, () => {
+      const first = row;
+      row += ROWS[kind].rows;
+      return [KINDS[kind], first, shapes[i++]! & (~TERMS | terms)];
+    }),
+  );
+}
+
+describe('lights written out', () => {
+  it('are one call each, with its first row and its shape, less the terms that are not summed', () => {
+    fc.assert(
+      fc.property(fc.array(anyLight, { maxLength: 9 }), fc.integer({ min: 0, max: 7 }), (lights, terms) => {
+        const packed = pack(lights);
+        const calls = callsIn(writtenOut(packed, terms));
+        expect(calls.map(({ name, args }) => [name, Number(args[1]), Number(args.at(-1))])).toStrictEqual(
+          expected(packed, terms),
+        );
+      }),
+      { numRuns: 300 },
+    );
+  });
+
+  it('are nothing without lights', () => {
+    expect(writtenOut(pack([]), TERMS)).toBe('');
+  });
+
+  it('have no loops and no counts: literals alone', () => {
+    const text = writtenOut(pack([light(), lamp(), spot()]), TERMS);
+    expect(text).not.toMatch(/for|counts|lightRow/);
+    for (const { args } of callsIn(text)) expect(args[1]).toMatch(/^\d+$/);
+  });
+});
+
+describe('lights in loops', () => {
+  it('are one loop a kind that there is, in the order of their rows', () => {
+    const text = inLoops(pack([spot(), light(), spot(), light()]), TERMS);
+    expect(callsIn(text).map(({ name }) => name)).toStrictEqual(['addDirectional', 'addSpot']);
+    expect(callsIn(inLoops(pack([lamp()]), TERMS)).map(({ name }) => name)).toStrictEqual(['addPoint']);
+    expect(callsIn(inLoops(pack([]), TERMS))).toStrictEqual([]);
+  });
+
+  it('begin at the first row, count by the header, and step by a light', () => {
+    const text = inLoops(pack([spot(), light(), lamp()]), TERMS);
+    const numbers = text.replace(/\b[A-Z_]{5,}\b/g, (name) => defines.get(name) ?? name);
+    expect(numbers).toContain(`counts=ivec3(lightRow(${String(HEADER.counts)}).xyz)`);
+    expect(numbers).toContain(`int row=${String(HEADER.rows)};`);
+    for (const [kind, component] of [
+      ['directional', 'x'],
+      ['point', 'y'],
+      ['spot', 'z'],
+    ] as const)
+      expect(numbers).toContain(
+        `i<counts.${component};i++,row+=${String(ROWS[kind].rows)})${KINDS[kind]}(sums,row,`,
+      );
+  });
+
+  it.each<[string, LightValues[], number]>([
+    [
+      'the terms of any',
+      [lamp({ diffuse: [0, 0, 0] }), lamp({ specular: [0, 0, 0] })],
+      SHAPE.diffuse + SHAPE.specular,
+    ],
+    ['no term that none has', [lamp({ diffuse: [0, 0, 0] }), lamp({ diffuse: [0, 0, 0] })], SHAPE.specular],
+    [
+      'an attenuation',
+      [lamp(), lamp({ attenuation: [1, 1, 1] })],
+      SHAPE.diffuse + SHAPE.specular + SHAPE.attenuated,
+    ],
+    ['a cone on either side', [spot(), spot({ aperture: 120 })], TERMS + SHAPE.narrow + SHAPE.wide],
+    [
+      'the cutoff that all share',
+      [spot({ cutoff: 5 }), spot({ cutoff: 5 })],
+      TERMS + SHAPE.narrow + (5 << SHAPE.powerShift),
+    ],
+    [
+      'any decay for different cutoffs',
+      [spot({ cutoff: 5 }), spot({ cutoff: 6 })],
+      TERMS + SHAPE.narrow + SHAPE.decay,
+    ],
+    [
+      'any decay for a cutoff that one lacks',
+      [spot({ cutoff: 5 }), spot()],
+      TERMS + SHAPE.narrow + SHAPE.decay,
+    ],
+    ['any decay where the first lacks it', [spot(), spot({ cutoff: 5 })], TERMS + SHAPE.narrow + SHAPE.decay],
+    [
+      'any decay beside a cutoff that is not whole',
+      [spot({ cutoff: 5 }), spot({ cutoff: 5.5 })],
+      TERMS + SHAPE.narrow + SHAPE.decay,
+    ],
+    [
+      'any decay for a third cutoff',
+      [spot({ cutoff: 5 }), spot({ cutoff: 6 }), spot({ cutoff: 5 })],
+      TERMS + SHAPE.narrow + SHAPE.decay,
+    ],
+    ['no decay where none has one', [spot(), spot()], TERMS + SHAPE.narrow],
+  ])('have %s in common', (_, lights, shape) => {
+    expect(shapesIn(inLoops(pack(lights), TERMS))).toStrictEqual([shape]);
+  });
+
+  it('have nothing of another kind in common', () => {
+    const [directional, point, cone] = shapesIn(
+      inLoops(
+        pack([light({ specular: [0, 0, 0] }), lamp({ diffuse: [0, 0, 0] }), spot({ cutoff: 3 })]),
+        TERMS,
+      ),
+    );
+    expect([directional, point]).toStrictEqual([SHAPE.diffuse, SHAPE.specular]);
+    expect(cone).toBe(TERMS + SHAPE.narrow + (3 << SHAPE.powerShift));
+  });
+
+  it('have what each of them needs, and no bit that none does, whichever terms are summed', () => {
+    fc.assert(
+      fc.property(fc.array(anyLight, { maxLength: 12 }), fc.integer({ min: 0, max: 7 }), (lights, terms) => {
+        const packed = pack(lights);
+        const wanted = expected(packed, terms);
+        for (const { name, args } of callsIn(inLoops(packed, terms))) {
+          const shape = Number(args.at(-1));
+          const shapes = wanted.filter(([call]) => call === name).map((call) => Number(call[2]));
+          const bits = shapes.reduce((sum, one) => sum | (one & BITS), 0);
+          const powers = new Set(shapes.map((one) => one >> SHAPE.powerShift));
+          expect(shape & BITS & ~SHAPE.decay).toBe(bits & ~SHAPE.decay);
+          expect(shape >> SHAPE.powerShift).toBe(powers.size === 1 ? [...powers][0] : 0);
+          expect((shape & SHAPE.decay) !== 0).toBe((bits & SHAPE.decay) !== 0 || powers.size > 1);
+        }
+      }),
+      { numRuns: 300 },
+    );
+  });
+});
+
+describe('the words', () => {
+  const [, body = ''] = /LightSums lightSums\(([^]*)/.exec(loop) ?? [];
+
+  it.each(Object.values(KINDS))('of %s are those of its declaration', (name) => {
+    const [, declared = ''] = new RegExp(`void ${name}\\(([^)]*)\\)`).exec(loop) ?? [];
+    const names = declared.split(',').map((parameter) => parameter.trim().split(' ').at(-1)!);
+    expect(names).toContain('shape');
+    for (const text of [writtenOut, inLoops].map((make) => make(pack([light(), lamp(), spot()]), TERMS))) {
+      const { args } = callsIn(text).find((call) => call.name === name)!;
+      expect(args).toHaveLength(names.length);
+      names.forEach((parameter, i) => {
+        expect(args[i]).toMatch(/row|shape/.test(parameter) ? /^(\d+|row)$/ : new RegExp(`^${parameter}$`));
+      });
+    }
+  });
+
+  it('are known where the lights are added', () => {
+    const before = body.slice(0, body.indexOf('EXACT_LIGHTS'));
+    for (const name of ['p', 'N', 'n', 'sums', 'seen'])
+      expect(before).toMatch(new RegExp(`\\b\\w+ ${name}\\b`));
+    for (const text of [writtenOut, inLoops].map((make) => make(pack([light(), lamp(), spot()]), TERMS))) {
+      for (const word of text.match(/\b[a-zA-Z_]\w*/g) ?? []) {
+        const own = ['i', 'xyz', 'x', 'y', 'z'].includes(word) || defines.has(word);
+        if (!own) expect(loop, word).toMatch(new RegExp(`\\b${word}\\b`));
+      }
+    }
+  });
+
+  it('fit on the one line of a define', () => {
+    expect(inLoops(pack([light(), lamp(), spot()]), TERMS)).not.toMatch(/[\n\\#]|\/\//);
+    expect(writtenOut(pack([light(), lamp(), spot()]), TERMS)).not.toMatch(/[\n\\#]|\/\//);
+  });
+});
