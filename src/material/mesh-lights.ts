@@ -12,12 +12,16 @@ import type { PackedLights } from '../light/pack-lights.js';
 import type { Vec3 } from '../math/vector.js';
 import { LightList } from './light-list.js';
 
+/** What of a material counts: what it gives back at most, and a number that goes up when that changes. */
+export interface ReflectingSurface {
+  readonly reflectance: Reflectance;
+  readonly surfaceVersion: number;
+}
+
 /** What the choice is made from, besides mesh and lights. */
 export interface ReachQuestion {
   readonly origin: Vec3;
-  readonly surface: Reflectance;
-  /** Goes up when `surface` changes. */
-  readonly surfaceVersion: number;
+  readonly surface: ReflectingSurface;
   /** Colour that may be given up, 1 being full. */
   readonly budget: number;
 }
@@ -93,7 +97,8 @@ export class MeshLights {
     const { geometry, matrixWorld } = mesh;
     let choice = this.#choices.get(mesh);
     if (choice === undefined) {
-      const { surfaceVersion, budget } = question;
+      const { budget } = question;
+      const { surfaceVersion } = question.surface;
       choice = {
         ...{
           list: this.all,
@@ -109,13 +114,13 @@ export class MeshLights {
     }
     const same =
       choice.lights === this.#lights &&
-      choice.surfaceVersion === question.surfaceVersion &&
+      choice.surfaceVersion === question.surface.surfaceVersion &&
       choice.budget === question.budget &&
       choice.geometry === geometry &&
       choice.place.equals(matrixWorld);
     if (same) return choice.list;
     choice.lights = this.#lights;
-    choice.surfaceVersion = question.surfaceVersion;
+    choice.surfaceVersion = question.surface.surfaceVersion;
     choice.budget = question.budget;
     choice.geometry = geometry;
     choice.place.copy(matrixWorld);
@@ -144,7 +149,7 @@ export class MeshLights {
     if (!this.#some && !(budget > 0 && packed.sent > 0)) return this.all;
     const box = boundsOf(mesh, origin);
     if (box === null) return this.all;
-    reachedLights(packed, box, surface, budget, reached);
+    reachedLights(packed, box, surface.reflectance, budget, reached);
     choice.left = budget - reached.given;
     if (reached.count === packed.sent) return this.all;
     choice.mask = reached.mask.slice(0, packed.sent);

@@ -8,7 +8,7 @@ import { SRGB } from '../math/color.js';
 import { sameValue } from '../math/declared.js';
 import type { Vec3 } from '../math/vector.js';
 import type { LightList } from './light-list.js';
-import { MeshLights, type ReachQuestion } from './mesh-lights.js';
+import { MeshLights, type ReflectingSurface } from './mesh-lights.js';
 
 /**
  * Where a picture is seen from. Shading space has the world's axes and its origin at `origin`: differences to it are
@@ -76,10 +76,10 @@ export class PhongLighting {
    * Leaves out for `mesh` the lights that cannot reach its bounds; without it a mesh is drawn with all. After
    * {@link update}, in every frame, with the mesh's world matrix up to date.
    */
-  reach(mesh: Mesh, surface: Pick<ReachQuestion, 'surface' | 'surfaceVersion'>): LightList {
+  reach(mesh: Mesh, surface: ReflectingSurface): LightList {
     // In linear light the last step, the curve, makes more of a small difference: its slope is largest at black.
     const budget = this.errorBudget / 255 / (this.linear ? SRGB.slope : 1);
-    return this.#lists.choose(mesh, { origin: this.#origin, budget, ...surface });
+    return this.#lists.choose(mesh, { origin: this.#origin, budget, surface });
   }
 
   /** The lights that `mesh` is drawn with. */

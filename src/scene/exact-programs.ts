@@ -128,17 +128,9 @@ export class ExactPrograms {
   }
 
   #add(mesh: Mesh): Record {
-    const divided = new DividedLights();
-    const common = { list: null, version: -1, text: '' };
-    const record = {
-      divided,
-      common,
-      choice: null,
-      key: '',
-      frames: 0,
-      twin: null,
-      ready: false,
-      seen: true,
+    const record: Record = {
+      ...{ divided: new DividedLights(), common: { list: null, version: -1, text: '' }, choice: null },
+      ...{ key: '', frames: 0, since: 0, twin: null, ready: false, seen: true },
     };
     this.#records.set(mesh, record);
     return record;
