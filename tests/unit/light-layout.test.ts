@@ -3,6 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import {
   BLOCK_ROWS,
+  GRID,
   HEADER,
   LARGEST_WHOLE_POWER,
   layoutDefines,
@@ -37,6 +38,7 @@ describe('the defines of the layout', () => {
       `HEADER_${row.toUpperCase()}`,
       String(offset),
     ]);
+    const grid = Object.entries(GRID).map(([row, offset]) => [`GRID_${row.toUpperCase()}`, String(offset)]);
     const shapes = Object.entries(SHAPE).map(([name, bit]) => [
       name === 'powerShift' ? 'SHAPE_POWER_SHIFT' : `SHAPE_${name.toUpperCase()}`,
       String(bit),
@@ -50,9 +52,9 @@ describe('the defines of the layout', () => {
       'TINY',
     ];
     expect(Object.fromEntries([...defines].filter(([name]) => !others.includes(name)))).toStrictEqual(
-      Object.fromEntries([...header, ...shapes, ...offsets]),
+      Object.fromEntries([...header, ...grid, ...shapes, ...offsets]),
     );
-    expect(defines.size).toBe(header.length + shapes.length + offsets.length + others.length);
+    expect(defines.size).toBe(header.length + grid.length + shapes.length + offsets.length + others.length);
   });
 
   it('write whole numbers as ints and real ones as floats, as GLSL tells them apart', () => {
@@ -74,6 +76,11 @@ describe('the layout', () => {
       expect(places).toStrictEqual(Array.from({ length: rows }, (_row, i) => i));
     },
   );
+
+  it('gives the rows before a divided box’s lists distinct places that fill them', () => {
+    const { rows, ...offsets } = GRID;
+    expect(Object.values(offsets)).toStrictEqual(Array.from({ length: rows }, (_row, i) => i));
+  });
 
   it('has its header before the first light', () => {
     expect([HEADER.counts, HEADER.ambient].sort()).toStrictEqual([0, 1]);

@@ -21,8 +21,7 @@ beforeEach(() => {
 
 const QUESTION: ReachQuestion = {
   origin: [0, 0, 0],
-  surface: { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] },
-  surfaceVersion: 1,
+  surface: { reflectance: { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] }, surfaceVersion: 1 },
   budget: 0,
 };
 
@@ -74,7 +73,8 @@ describe('a mesh', () => {
     parent.add(mesh);
     const reached = (origin: ReachQuestion['origin'] = [0, 0, 0]): number[] => {
       parent.updateMatrixWorld();
-      return spotsOf(lights.choose(mesh, { ...QUESTION, origin, surfaceVersion: Math.random() }));
+      lights.take(pack([spotOver(0), spotOver(5)])); // another origin is always another pack
+      return spotsOf(lights.choose(mesh, { ...QUESTION, origin }));
     };
     expect(reached()).toStrictEqual([0]);
     mesh.rotation.z = Math.PI / 2;
@@ -110,6 +110,19 @@ describe('a mesh', () => {
     expect(read(list.packed).counts).toStrictEqual([1, 0, 0]);
   });
 
+  it('keeps what its lights left of the budget for others to give up', () => {
+    const lamp = light({ position: [0, 100.5, 0, 1], attenuation: [0, 0, 1], specular: [0, 0, 0] });
+    const lights = lit(lamp, light());
+    const mesh = meshAt(0);
+    expect(lights.budgetLeft(mesh)).toBe(0);
+    lights.choose(mesh, { ...QUESTION, budget: 0.01 });
+    expect(lights.budgetLeft(mesh)).toBeCloseTo(0.01 - 1 / 100 ** 2, 9);
+    lights.choose(mesh, { ...QUESTION, budget: 1e-9 });
+    expect(lights.budgetLeft(mesh)).toBe(1e-9);
+    lights.choose(mesh, QUESTION);
+    expect(lights.budgetLeft(mesh)).toBe(0);
+  });
+
   it('shares its list with others that the same lights reach', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const [a, b, c] = [meshAt(5), meshAt(5.1), meshAt(0)].map((mesh) => lights.choose(mesh, QUESTION));
@@ -142,7 +155,7 @@ describe('nothing is found out anew', () => {
   it.each<[string, (lights: MeshLights, mesh: Mesh) => Partial<ReachQuestion>]>([
     ['the mesh moves', (_, mesh) => (moveTo(mesh, 1), {})],
     ['the mesh has another geometry', (_, mesh) => ((mesh.geometry = new BoxGeometry(2, 2, 2)), {})],
-    ['the surface changes', () => ({ surfaceVersion: 2 })],
+    ['the surface changes', () => ({ surface: { ...QUESTION.surface, surfaceVersion: 2 } })],
     ['the budget changes', () => ({ budget: 0.1 })],
     ['the lights change', (lights) => (lights.take(pack([spotOver(0), spotOver(5)])), {})],
   ])('but once where %s', (_, change) => {
