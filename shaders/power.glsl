@@ -17,8 +17,14 @@ float powerNearOne(float x, float y, float k) {
   return exp2(k * log2x);
 }
 
+/** x^k as powerNearOne gives it, for k up to LARGEST_MILD: log2's error near 1 is too small there to need the series. */
+float mildPower(float x, float k) {
+  float power = exp2(k * log2(max(x, TINY)));
+  return x >= TINY || k < LEAST_EXPONENT ? power : 0.0;
+}
+
 /**
- * x^k for a whole k from 1 to LARGEST_WHOLE_POWER: a literal, so that nothing but its multiplications is left. An error
+ * x^k for a whole k from 1 to LARGEST_MILD: a literal, so that nothing but its multiplications is left. An error
  * of x is multiplied by k; x = 1 - y of a chord has 2^-25.
  */
 float wholePower(float x, int k) {

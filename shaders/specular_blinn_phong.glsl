@@ -16,6 +16,8 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   float y = 0.5 * dot(d, d);
 #ifdef WHOLE_SHININESS
   return squared >= TINY ? wholePower(max(1.0 - y, 0.0), WHOLE_SHININESS) : 0.0;
+#elif defined(MILD_SHININESS)
+  return mildPower(dot(N, H), n);
 #else
   return powerNearOne(dot(N, H), y, n);
 #endif

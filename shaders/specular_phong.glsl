@@ -18,6 +18,8 @@ float specularLobe(vec3 N, vec3 L, vec3 W, float n) {
   float y = 0.5 * dot(d, d); // 1 - dot(R, V) of unit vectors, without cancelling at the highlight's centre
 #ifdef WHOLE_SHININESS
   return wholePower(max(1.0 - y, 0.0), WHOLE_SHININESS);
+#elif defined(MILD_SHININESS)
+  return mildPower(dot(L, W), n);
 #else
   return powerNearOne(dot(L, W), y, n);
 #endif

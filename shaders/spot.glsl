@@ -23,6 +23,7 @@ bool insideCone(float toAxis, float toBack, float limit, int shape) {
 float spotDecay(float toAxis, float toBack, float cutoff, int shape) {
   int whole = shape >> SHAPE_POWER_SHIFT;
   if (whole > 0) return wholePower(1.0 - toAxis, whole);
+  if ((shape & SHAPE_MILD) != 0) return mildPower(toBack, cutoff);
   if ((shape & SHAPE_DECAY) != 0) return powerNearOne(toBack, toAxis, cutoff);
   return 1.0;
 }

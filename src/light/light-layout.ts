@@ -54,7 +54,8 @@ export const LIMIT_OPEN = 4;
 
 /**
  * What a light needs beyond its kind, as bits of one number that both the packing and the GLSL know. `power` and above
- * hold a spot's cutoff where it is whole and at most LARGEST_WHOLE_POWER; other cutoffs above 0 have `decay`.
+ * hold a spot's cutoff where it is whole and at most LARGEST_MILD; other cutoffs above 0 have `decay`, and also `mild` up
+ * to LARGEST_MILD.
  */
 export const SHAPE = {
   ambient: 1,
@@ -65,14 +66,15 @@ export const SHAPE = {
   narrow: 16,
   wide: 32,
   decay: 64,
+  mild: 128,
   powerShift: 8,
 } as const;
 
 /**
- * Largest exponent that is multiplied out where it is whole. The base's rounding, 2^-25, grows with it, to 2e-6 here: less
- * than the lobe's own bound.
+ * Largest exponent for which errors that it multiplies stay small: a base's rounding of 2^-25 grows to 2e-6 where it is
+ * multiplied out, and log2's lawful 2^-21 to 2e-5, or 0.005 of a code.
  */
-export const LARGEST_WHOLE_POWER = 64;
+export const LARGEST_MILD = 64;
 
 /**
  * Rows in a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE). More lights than fit go

@@ -1,7 +1,7 @@
 // Which of the packed lights can bring anything to a box: by their cones at no cost to the picture, and by how little they
 // could bring within a budget. All in shading space and float64, from the very rows that the GLSL reads. Always on the
 // safe side: a light that is left out brings nothing (or what the budget allows) to any point of the box.
-import { HEADER, LIMIT_OPEN, ROWS, SHAPE } from './light-layout.js';
+import { HEADER, LIMIT_OPEN, NEAREST, ROWS, SHAPE } from './light-layout.js';
 import { KINDS, type PackedLights } from './pack-lights.js';
 
 /** Axis-aligned, in shading space: low x y z, high x y z. */
@@ -160,6 +160,21 @@ export function reachedLights(
     mask[light] = 0;
     into.count -= 1;
   }
+}
+
+/** Whether every place of a light is outside the box, by more than float32 can hide. */
+export function areApart(packed: PackedLights, box: Box): boolean {
+  let apart = true;
+  forEachLight(packed, (_light, kind, row) => {
+    if (kind === 'directional' || !apart) return;
+    const gap = (i: 0 | 1 | 2): number => {
+      const place = packed.data[row * 4 + i] ?? 0;
+      const slack = ROUNDING * (Math.abs(place) + Math.abs(box[i]) + Math.abs(box[i + 3]!));
+      return Math.max(box[i] - place, place - box[i + 3]!) - slack;
+    };
+    apart = Math.max(gap(0), gap(1), gap(2)) > NEAREST;
+  });
+  return apart;
 }
 
 /** Calls `visit` with each sent light's number, kind and first row. */

@@ -4,7 +4,7 @@ import { radians } from '../math/angle.js';
 import { srgbDecode } from '../math/color.js';
 import { map, normalize, scale, type Vec3 } from '../math/vector.js';
 import { isAttenuated, isBlack, isSpot, kindOf, type LightKind } from './light-kind.js';
-import { LARGEST_WHOLE_POWER, LEAST_EXPONENT, LIMIT_OPEN, SHAPE } from './light-layout.js';
+import { LARGEST_MILD, LEAST_EXPONENT, LIMIT_OPEN, SHAPE } from './light-layout.js';
 import type { LightValues } from './light-state.js';
 
 type Values = Readonly<LightValues>;
@@ -72,12 +72,17 @@ const termsOf = ({ diffuse, specular }: Values): number =>
 function coneShape({ aperture, cutoff }: Values): number {
   const cone = aperture >= 180 ? 0 : aperture <= 90 ? SHAPE.narrow : SHAPE.wide;
   if (cutoff < LEAST_EXPONENT) return cone;
-  return cone + (isWholePower(cutoff) ? cutoff << SHAPE.powerShift : SHAPE.decay);
+  if (isWholePower(cutoff)) return cone + (cutoff << SHAPE.powerShift);
+  return cone + SHAPE.decay + (isMildPower(cutoff) ? SHAPE.mild : 0);
 }
 
 /** An exponent that is multiplied out where a program is made for it. */
 export const isWholePower = (exponent: number): boolean =>
-  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_WHOLE_POWER;
+  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_MILD;
+
+/** An exponent whose power needs no series. */
+export const isMildPower = (exponent: number): boolean =>
+  exponent >= LEAST_EXPONENT && exponent <= LARGEST_MILD;
 
 /** An aperture in degrees as the one float the shader compares with; see LIMIT_OPEN. */
 export function coneLimit(aperture: number): number {

@@ -78,10 +78,17 @@ const BITS = (1 << SHAPE.powerShift) - 1;
 
 const shapeIn = (shape: number, terms: number): number => shape & (terms | ~ALL_TERMS);
 
+const DECAYS = SHAPE.decay | SHAPE.mild;
+
+/** No decay, a whole one or another small one. */
+const isMild = (shape: number): boolean => (shape & DECAYS) !== SHAPE.decay;
+
 /** What lights of both shapes need: a cutoff that not all have is a number like any other. */
 function union(a: number, b: number): number {
   const bits = (a | b) & BITS;
   const power = a >> SHAPE.powerShift;
-  if (power === b >> SHAPE.powerShift) return bits | (power << SHAPE.powerShift);
-  return bits | SHAPE.decay;
+  if (power === b >> SHAPE.powerShift && (a & DECAYS) === (b & DECAYS))
+    return bits | (power << SHAPE.powerShift);
+  const mild = isMild(a) && isMild(b) ? SHAPE.mild : 0;
+  return (bits & ~DECAYS) | SHAPE.decay | mild;
 }

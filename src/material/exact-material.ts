@@ -4,7 +4,7 @@ import { ShaderMaterial } from 'three';
 import { SHAPE } from '../light/light-layout.js';
 import { isBlack } from '../light/light-kind.js';
 import type { PackedLights } from '../light/pack-lights.js';
-import { isWholePower } from '../light/steady-light.js';
+import { isMildPower, isWholePower } from '../light/steady-light.js';
 import { inCells, inLoops, writtenOut } from './exact-lights.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';
@@ -24,6 +24,8 @@ export interface ExactChoice {
   readonly form: ExactForm;
   /** From the eye to what is drawn it is 1e-9 to 1e14: vectors need no rescue from float32's ends. */
   readonly usual: boolean;
+  /** No light stands at what is drawn. */
+  readonly apart: boolean;
 }
 
 const TEXTS = { written: writtenOut, loops: inLoops, cells: inCells } as const;
@@ -53,6 +55,8 @@ export class ExactMaterial extends ShaderMaterial {
     const bits = summed.reduce((sum, term) => sum | TERM_BITS[term], 0);
     if (!terms.includes('ambient')) delete defines['HAS_AMBIENT'];
     if (isWholePower(shininess)) defines['WHOLE_SHININESS'] = String(shininess);
+    else if (isMildPower(shininess)) defines['MILD_SHININESS'] = '';
+    if (choice.apart) defines['LIGHTS_APART'] = '';
     if (choice.usual) defines['USUAL_LENGTHS'] = '';
     if (choice.form === 'cells') defines['HAS_GRID'] = '';
     defines['EXACT_LIGHTS'] = exactText(choice.form, choice.list.packed, bits);

@@ -12,7 +12,7 @@ import {
 } from 'three';
 import type { Reflectance } from '../light/light-reach.js';
 import { isBlack } from '../light/light-kind.js';
-import { isWholePower } from '../light/steady-light.js';
+import { isMildPower, isWholePower } from '../light/steady-light.js';
 import { srgbDecode } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
@@ -138,7 +138,8 @@ export class PhongMaterial extends ShaderMaterial {
   /** What of the surface a program for exactly this material has in it; see ExactMaterial. */
   get exactKey(): string {
     const { ks, shininess } = this.#surface;
-    return `${isWholePower(shininess) ? String(shininess) : ''} ${String(isBlack(ks))} ${this.#style.terms.join()}`;
+    const power = isWholePower(shininess) ? shininess : isMildPower(shininess);
+    return `${String(power)} ${String(isBlack(ks))} ${this.#style.terms.join()}`;
   }
 
   /** Goes up when what the surface gives back changes. */

@@ -2,7 +2,7 @@
 // does. A mesh gets one when its lights' number and shapes have stood still for a while of drawing, and loses it at once when
 // they have not: nothing is ever waited for. Works only in frames that are drawn anyway: no timer, no promise.
 import { type Material, Mesh, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
-import { DividedLights } from '../material/divided-lights.js';
+import { NearLights } from '../material/near-lights.js';
 import { type ExactChoice, type ExactForm, ExactMaterial, exactText } from '../material/exact-material.js';
 import type { LightList } from '../material/light-list.js';
 import { ALL_TERMS } from '../material/exact-lights.js';
@@ -36,7 +36,7 @@ export interface DrawnPart {
 }
 
 interface Record {
-  readonly divided: DividedLights;
+  readonly near: NearLights;
   choice: ExactChoice | null;
   /** The text that the lights of a list have in common, as last found. */
   readonly common: { list: LightList | null; version: number; text: string };
@@ -68,10 +68,11 @@ export class ExactPrograms {
     for (const { mesh, material } of parts) {
       const record = this.#records.get(mesh) ?? this.#add(mesh);
       record.seen = true;
-      const cells = record.divided.of(mesh, material, this.#lighting);
+      record.near.update(mesh, material, this.#lighting);
+      const { cells, apart } = record.near;
       const list = cells ?? this.#lighting.lightsOf(mesh);
       const written = list.packed.sent <= mostWritten(renderer);
-      record.choice = { list, form: cells !== null ? 'cells' : written ? 'written' : 'loops', usual };
+      record.choice = { list, form: cells !== null ? 'cells' : written ? 'written' : 'loops', usual, apart };
       const key = keyOf(material, record);
       if (key === record.key) {
         record.frames += 1;
@@ -123,13 +124,13 @@ export class ExactPrograms {
   /** How often lights in cells have been sent. */
   get uploads(): number {
     let sum = 0;
-    for (const { divided } of this.#records.values()) sum += divided.uploads;
+    for (const { near } of this.#records.values()) sum += near.uploads;
     return sum;
   }
 
   #add(mesh: Mesh): Record {
     const record: Record = {
-      ...{ divided: new DividedLights(), common: { list: null, version: -1, text: '' }, choice: null },
+      ...{ near: new NearLights(), common: { list: null, version: -1, text: '' }, choice: null },
       ...{ key: '', frames: 0, since: 0, twin: null, ready: false, seen: true },
     };
     this.#records.set(mesh, record);
@@ -138,7 +139,7 @@ export class ExactPrograms {
 
   #end(record: Record): void {
     this.#drop(record);
-    record.divided.dispose();
+    record.near.dispose();
   }
 
   #drop(record: Record): void {
@@ -159,11 +160,11 @@ function keyOf(material: PhongMaterial, record: Record): string {
   const { choice } = record;
   if (choice === null) return '';
   material.chooseProgram();
-  const { list, form, usual } = choice;
+  const { list, form, usual, apart } = choice;
   // Written out, every light's shape and row is in the program; in loops only what the shapes have in common.
   const lights =
     form === 'written' ? `${String(list.id)} ${String(list.shapeVersion)}` : commonText(list, form, record);
-  return `${form} ${lights} ${String(usual)} ${String(material.programVersion)} ${material.exactKey}`;
+  return `${form} ${lights} ${String(usual)} ${String(apart)} ${String(material.programVersion)} ${material.exactKey}`;
 }
 
 function commonText(list: LightList, form: ExactForm, { common }: Record): string {
