@@ -1,0 +1,54 @@
+// Pictures that keep being drawn: frames one after another, as motion makes them, until a viewer draws by a program for
+// exactly its lights. Needs the page's log of WebGL (gl-log.ts).
+
+import type { Locator, Page } from '@playwright/test';
+import { expect } from '../support/test.js';
+import { drawnWith, glSpent, isExact, isLit } from './gl-log.js';
+import type { PhongViewer } from './support.js';
+
+/** Frames after which it is too late; many, because the code for such programs is fetched first, on a busy machine perhaps. */
+const MOST_FRAMES = 400;
+
+/** Draws all the page's viewers in this many frames, one after another, unchanged. */
+export async function drawFrames(page: Page, frames: number): Promise<void> {
+  await page.evaluate(async (count) => {
+    for (let i = 0; i < count; i++) {
+      for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) viewer.requestRender();
+      await new Promise(requestAnimationFrame);
+    }
+    await new Promise(requestAnimationFrame);
+  }, frames);
+}
+
+/** Whether everything on the page was drawn by programs of its own in its last frame. */
+async function allExact(page: Page): Promise<boolean> {
+  await glSpent(page);
+  await drawFrames(page, 1);
+  const lit = (await drawnWith(page)).filter(isLit);
+  return lit.length > 0 && lit.every(isExact);
+}
+
+/** Keeps drawing until everything on the page is drawn by programs of its own; says how many frames that took. */
+export async function drawUntilExact(page: Page): Promise<number> {
+  for (let frames = 0; frames < MOST_FRAMES; frames += 8) {
+    if (await allExact(page)) return frames;
+    await drawFrames(page, 7);
+  }
+  throw new Error(`No exact programs after ${MOST_FRAMES} frames: ${await programsDrawnWith(page)}`);
+}
+
+async function programsDrawnWith(page: Page): Promise<string> {
+  await glSpent(page);
+  await drawFrames(page, 1);
+  return (await drawnWith(page)).map((one) => (isExact(one) ? 'exact' : 'general')).join();
+}
+
+/** One lit program draws, and it is a general one. */
+export async function expectGeneral(page: Page, viewer: Locator): Promise<void> {
+  await glSpent(page);
+  await viewer.evaluate((element: PhongViewer) => element.requestRender());
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  const lit = (await drawnWith(page)).filter(isLit);
+  expect(lit.length).toBeGreaterThan(0);
+  expect(lit.some(isExact)).toBe(false);
+}

@@ -1,0 +1,219 @@
+// What a page sends to WebGL, counted from outside: draws, uploads and their bytes, programs and their text. Everything is
+// wrapped before any script runs; limits can be imposed that the machine at hand does not have.
+
+import type { Page } from '@playwright/test';
+
+/** What was called since it was last asked. */
+export interface GlSpent {
+  /** Calls of any WebGL 2 function. */
+  readonly calls: number;
+  readonly draws: number;
+  /** Of programs and shaders, without those of exact ones. */
+  readonly links: number;
+  readonly compiles: number;
+  /** Of programs for exactly the lights at hand, which are made in the background. */
+  readonly exactLinks: number;
+  /** Calls that send data into a texture or buffer that is there already, and their bytes. */
+  readonly uploads: number;
+  readonly bytes: number;
+  /** Calls that make a texture's or buffer's memory. */
+  readonly allocations: number;
+  readonly uniforms: number;
+}
+
+export interface GlProgram {
+  readonly vertex: string;
+  readonly fragment: string;
+  /** Linked, and neither deleted nor lost. */
+  readonly live: boolean;
+  /** How often something was drawn with it. */
+  readonly draws: number;
+  /** vec4s that its active uniforms outside of blocks take together, both stages. */
+  readonly uniformVectors: number;
+  /** Bytes of its largest uniform block; 0 without any. */
+  readonly blockBytes: number;
+}
+
+/** What `getParameter` is to answer: the constant's name and its value. */
+export type Limits = Readonly<Record<string, number>>;
+
+interface GlLog {
+  take(): GlSpent;
+  programs(): GlProgram[];
+  drawnWith(): GlProgram[];
+}
+
+declare global {
+  interface Window {
+    glLog: GlLog;
+  }
+}
+
+/** Writes down what pages of this context do from now on that are opened later. */
+export async function logGl(page: Page, limits: Limits = {}): Promise<void> {
+  await page.addInitScript(wrapGl, limits);
+}
+
+/** What was called since the last time, or since the page was opened. */
+export const glSpent = (page: Page): Promise<GlSpent> => page.evaluate(() => window.glLog.take());
+
+/** All programs that were ever linked, in that order. */
+export const glPrograms = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.programs());
+
+/** The programs of the draws since {@link glSpent} was last asked. */
+export const drawnWith = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.drawnWith());
+
+/** A program for exactly the lights at hand. */
+export const isExact = ({ fragment, vertex }: GlProgram): boolean =>
+  /#define EXACT_LIGHTS/.test(fragment + vertex);
+
+/** A program that runs the light loop, and not the page's own. */
+export const isLit = ({ fragment, vertex }: GlProgram): boolean => /LightSums/.test(fragment + vertex);
+
+/** Runs in the page. */
+function wrapGl(limits: Limits): void {
+  type Call = (this: unknown, ...given: unknown[]) => unknown;
+  interface Linked extends GlProgram {
+    live: boolean;
+    draws: number;
+  }
+  const gl = WebGL2RenderingContext.prototype;
+  const none = () => ({
+    calls: 0,
+    draws: 0,
+    links: 0,
+    compiles: 0,
+    exactLinks: 0,
+    uploads: 0,
+    bytes: 0,
+    allocations: 0,
+    uniforms: 0,
+  });
+  let spent = none();
+  const wrap = (name: string, before: (given: unknown[], self: WebGL2RenderingContext) => void): void => {
+    const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call | undefined;
+    if (typeof real !== 'function') return;
+    Reflect.set(gl, name, function (this: WebGL2RenderingContext, ...given: unknown[]) {
+      before(given, this);
+      return Reflect.apply(real, this, given);
+    });
+  };
+  const wrapAfter = (name: string, after: (given: unknown[], self: WebGL2RenderingContext) => void): void => {
+    const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call;
+    Reflect.set(gl, name, function (this: WebGL2RenderingContext, ...given: unknown[]) {
+      const answer = Reflect.apply(real, this, given);
+      after(given, this);
+      return answer;
+    });
+  };
+
+  const named = new Map(
+    Object.entries(limits).map(([name, value]) => [Reflect.get(gl, name) as unknown, value]),
+  );
+  const realParameter = Object.getOwnPropertyDescriptor(gl, 'getParameter')?.value as Call;
+  gl.getParameter = function (this: unknown, name: number): unknown {
+    return named.get(name) ?? Reflect.apply(realParameter, this, [name]);
+  };
+
+  for (const name of Object.getOwnPropertyNames(gl)) {
+    wrap(name, () => (spent.calls += 1));
+    if (/^uniform\d|^uniformMatrix/.test(name)) wrap(name, () => (spent.uniforms += 1));
+    if (/^draw(?!ingBuffer|Buffers)/.test(name)) wrap(name, (_, self) => draw(self));
+    if (/^tex(Image|Storage)/.test(name)) wrap(name, () => (spent.allocations += 1));
+  }
+  wrap('bufferData', () => (spent.allocations += 1));
+
+  const CHANNELS: Readonly<Record<number, number>> = { [gl.RED]: 1, [gl.RG]: 2, [gl.RGB]: 3, [gl.RGBA]: 4 };
+  wrap('texSubImage2D', ([, , , , width, height, format, type]) => {
+    spent.uploads += 1;
+    if (typeof type !== 'number') return; // of a picture
+    const size = type === gl.FLOAT ? 4 : 1;
+    spent.bytes += Number(width) * Number(height) * (CHANNELS[Number(format)] ?? 4) * size;
+  });
+  wrap('bufferSubData', ([, , data, , length]) => {
+    spent.uploads += 1;
+    const view = data as ArrayBufferView & { readonly BYTES_PER_ELEMENT?: number };
+    spent.bytes +=
+      typeof length === 'number' && length > 0 ? length * (view.BYTES_PER_ELEMENT ?? 1) : view.byteLength;
+  });
+
+  const texts = new WeakMap<object, string>();
+  const stages = new WeakMap<object, WebGLShader[]>();
+  const linked = new Map<WebGLProgram, Linked>();
+  const current = new WeakMap<WebGL2RenderingContext, WebGLProgram>();
+  const recent = new Set<Linked>();
+  wrap('shaderSource', ([shader, text]) => texts.set(shader as object, String(text)));
+  wrap('attachShader', ([program, shader]) => {
+    const present = stages.get(program as object) ?? [];
+    stages.set(program as object, [...present, shader as WebGLShader]);
+  });
+  wrap('compileShader', ([shader]) => (spent.compiles += isExactText(texts.get(shader as object)) ? 0 : 1));
+  wrap('useProgram', ([program], self) => {
+    if (program === null) current.delete(self);
+    else current.set(self, program as WebGLProgram);
+  });
+  wrapAfter('linkProgram', ([given], self) => {
+    const program = given as WebGLProgram;
+    const of = (kind: number): string =>
+      (stages.get(program) ?? [])
+        .filter((shader) => self.getShaderParameter(shader, gl.SHADER_TYPE) === kind)
+        .map((shader) => texts.get(shader) ?? '')
+        .join('');
+    const text = { vertex: of(gl.VERTEX_SHADER), fragment: of(gl.FRAGMENT_SHADER) };
+    if (isExactText(text.fragment)) spent.exactLinks += 1;
+    else spent.links += 1;
+    linked.set(program, { ...text, ...sizes(program, self), live: true, draws: 0 });
+  });
+  wrap('deleteProgram', ([program]) => {
+    const one = linked.get(program as WebGLProgram);
+    if (one !== undefined) one.live = false;
+  });
+
+  function isExactText(text = ''): boolean {
+    return text.includes('#define EXACT_LIGHTS');
+  }
+
+  function draw(self: WebGL2RenderingContext): void {
+    spent.draws += 1;
+    const one = linked.get(current.get(self) ?? {});
+    if (one === undefined) return;
+    one.draws += 1;
+    recent.add(one);
+  }
+
+  /** How many vec4s a uniform's type takes, unpacked: the most that any packing can make of it. */
+  function vectors(type: number): number {
+    if (type === gl.FLOAT_MAT4) return 4;
+    if (type === gl.FLOAT_MAT3) return 3;
+    return type === gl.FLOAT_MAT2 ? 2 : 1;
+  }
+
+  function sizes(program: WebGLProgram, self: WebGL2RenderingContext) {
+    const before = spent.calls;
+    const count = (what: number): number => Number(self.getProgramParameter(program, what));
+    let uniformVectors = 0;
+    for (let i = 0; i < count(gl.ACTIVE_UNIFORMS); i++) {
+      const [block] = self.getActiveUniforms(program, [i], gl.UNIFORM_BLOCK_INDEX) as number[];
+      const info = self.getActiveUniform(program, i);
+      if (block === -1 && info !== null) uniformVectors += info.size * vectors(info.type);
+    }
+    let blockBytes = 0;
+    for (let i = 0; i < count(gl.ACTIVE_UNIFORM_BLOCKS); i++) {
+      const bytes = self.getActiveUniformBlockParameter(program, i, gl.UNIFORM_BLOCK_DATA_SIZE) as number;
+      blockBytes = Math.max(blockBytes, bytes);
+    }
+    spent.calls = before; // these were ours
+    return { uniformVectors, blockBytes };
+  }
+
+  window.glLog = {
+    take() {
+      const taken = spent;
+      spent = none();
+      recent.clear();
+      return taken;
+    },
+    programs: () => [...linked.values()],
+    drawnWith: () => [...recent],
+  };
+}

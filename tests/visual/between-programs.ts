@@ -1,0 +1,110 @@
+// How far are two pictures of one scene by two programs from each other? And how such pictures come about: pages of a few
+// viewers at a time, drawn by general programs at first and by programs of their own once they keep being drawn.
+
+import type { Locator, Page } from '@playwright/test';
+import { drawUntilExact } from '../element/driving.js';
+import { drawnWith, glSpent, isExact, isLit } from '../element/gl-log.js';
+import type { PhongViewer } from '../element/support.js';
+import { allReady, expect, pixels, type Picture } from '../support/test.js';
+
+export interface ProgramDifference {
+  /** Codes. */
+  readonly max: number;
+  /** Channels that differ, of those of pixels that show something. */
+  readonly differing: number;
+  readonly channels: number;
+}
+
+export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
+  expect([a.width, a.height]).toEqual([b.width, b.height]);
+  let max = 0;
+  let differing = 0;
+  let channels = 0;
+  for (let i = 0; i < a.data.length; i++) {
+    const shown = a.data[i | 3] !== 0 || b.data[i | 3] !== 0;
+    if (i % 4 === 3 || !shown) continue;
+    const difference = Math.abs(a.data[i]! - b.data[i]!);
+    channels += 1;
+    if (difference > 0) differing += 1;
+    max = Math.max(max, difference);
+  }
+  return { max, differing, channels };
+}
+
+export class DifferenceSum {
+  max = 0;
+  differing = 0;
+  channels = 0;
+
+  add({ max, differing, channels }: ProgramDifference): void {
+    this.max = Math.max(this.max, max);
+    this.differing += differing;
+    this.channels += channels;
+  }
+
+  /** The promise: one code at most, on 0.02 % of the channels at most. */
+  expectPromise(): void {
+    expect(this.max).toBeLessThanOrEqual(1);
+    expect(this.differing / this.channels).toBeLessThanOrEqual(2e-4);
+  }
+
+  toString(): string {
+    const share = ((100 * this.differing) / this.channels).toFixed(4);
+    return `${this.differing} of ${this.channels} channels differ (${share} %), by ${this.max} at most`;
+  }
+}
+
+/** So many programs of their own a page has at most. */
+export const A_PAGE = 8;
+
+/** Puts these viewers into the page in place of all it has. Gives each one's locator. */
+export async function showAll(page: Page, markups: readonly string[]): Promise<Locator[]> {
+  await page.evaluate((html) => (document.body.innerHTML = html), markups.join('\n'));
+  await allReady(page);
+  return markups.map((_, i) => page.locator('phong-viewer').nth(i));
+}
+
+/** What all the programs of the pictures since `glSpent` were: exact ones, or general ones. */
+export async function expectDrawnBy(page: Page, kind: 'exact' | 'general'): Promise<void> {
+  const lit = (await drawnWith(page)).filter(isLit);
+  expect(lit.length).toBeGreaterThan(0);
+  expect(lit.map((one) => (isExact(one) ? 'exact' : 'general'))).toEqual(lit.map(() => kind));
+}
+
+export async function picturesBy(
+  page: Page,
+  viewers: readonly Locator[],
+  kind: 'exact' | 'general',
+  size: { readonly width: number; readonly height: number },
+): Promise<Picture[]> {
+  await glSpent(page);
+  const pictures: Picture[] = [];
+  for (const viewer of viewers) pictures.push(await pixels(viewer, size));
+  await expectDrawnBy(page, kind);
+  return pictures;
+}
+
+export interface TwoPictures {
+  readonly general: Picture;
+  readonly exact: Picture;
+}
+
+/** Each viewer's picture by its first program and by its own one; `markups` are of one mesh each, A_PAGE at most. */
+export async function bothPictures(
+  page: Page,
+  markups: readonly string[],
+  size: { readonly width: number; readonly height: number },
+): Promise<TwoPictures[]> {
+  const viewers = await showAll(page, markups);
+  const general = await picturesBy(page, viewers, 'general', size);
+  const programs = await programsOf(viewers[0]!);
+  await drawUntilExact(page);
+  // Viewers of the same lights and surface share one.
+  expect(await programsOf(viewers[0]!)).toBeGreaterThan(programs);
+  const exact = await picturesBy(page, viewers, 'exact', size);
+  return general.map((picture, i) => ({ general: picture, exact: exact[i]! }));
+}
+
+/** Programs of the page, as a viewer tells. */
+export const programsOf = (viewer: Locator): Promise<number> =>
+  viewer.evaluate((element: PhongViewer) => element.stats.programs);

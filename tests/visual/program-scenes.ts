@@ -1,0 +1,178 @@
+// Scenes that are drawn by two programs each: every look that has code of its own, and random ones.
+
+import type { Page } from '@playwright/test';
+import { expect } from '../support/test.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import { compareWithReference } from './against-reference.js';
+import { compareWithTriangles } from './against-triangles.js';
+import { A_PAGE, betweenPrograms, bothPictures, DifferenceSum } from './between-programs.js';
+import { Dice, randomScene, sceneMarkup } from './random-scene.js';
+import type { CastMesh, CastScene } from './ray-cast.js';
+
+export const SIZE = { width: 120, height: 84 };
+
+const LIGHTS: readonly LightValues[] = [
+  {
+    name: '',
+    active: true,
+    ambient: [20, 25, 30],
+    diffuse: [120, 110, 100],
+    specular: [90, 90, 90],
+    position: [1, 2, 1, 0],
+    axis: [0, 0, -1],
+    aperture: 180,
+    cutoff: 0,
+    attenuation: [1, 0, 0],
+    space: 'world',
+  },
+  {
+    name: '',
+    active: true,
+    ambient: [5, 0, 0],
+    diffuse: [90, 120, 160],
+    specular: [120, 60, 60],
+    position: [-1.5, 1.2, 1, 1],
+    axis: [0, 0, -1],
+    aperture: 180,
+    cutoff: 0,
+    attenuation: [0.8, 0.1, 0.05],
+    space: 'world',
+  },
+  {
+    name: '',
+    active: true,
+    ambient: [0, 10, 0],
+    diffuse: [160, 90, 60],
+    specular: [80, 160, 80],
+    position: [0.5, 2, 0.5, 1],
+    axis: [-0.2, -1, -0.2],
+    aperture: 35,
+    cutoff: 3,
+    attenuation: [1, 0, 0],
+    space: 'world',
+  },
+];
+
+const SPHERE: CastMesh = {
+  geometry: 'sphere',
+  position: [0, 0, 0],
+  rotation: [10, 20, 30],
+  scale: [1.6, 1.6, 1.6],
+  ka: [255, 255, 255],
+  kd: [220, 200, 180],
+  ks: [150, 150, 150],
+  shininess: 32,
+  segments: 24,
+};
+
+interface Look {
+  readonly mesh?: Partial<CastMesh>;
+  readonly shading?: 'phong' | 'gouraud' | 'flat';
+  readonly options?: CastScene['options'];
+  readonly light?: Partial<LightValues>;
+}
+
+/** What a program of its own differs by from a general one, one thing at a time. */
+export const LOOKS: Readonly<Record<string, Look>> = {
+  'shininess 32': {},
+  'shininess 33.5': { mesh: { shininess: 33.5 } },
+  'shininess 1e3': { mesh: { shininess: 1e3 } },
+  'shininess 64, the last that is multiplied out': { mesh: { shininess: 64 } },
+  'shininess 0': { mesh: { shininess: 0 } },
+  'shininess 1': { mesh: { shininess: 1 } },
+  matte: { mesh: { ks: [0, 0, 0] } },
+  'blinn-phong': { mesh: { geometry: 'box' }, options: { reflection: 'blinn-phong' } },
+  'blinn-phong, shininess 200': { mesh: { shininess: 200 }, options: { reflection: 'blinn-phong' } },
+  gouraud: { shading: 'gouraud' },
+  'gouraud, linear, blinn-phong': {
+    shading: 'gouraud',
+    options: { linear: true, reflection: 'blinn-phong' },
+  },
+  flat: { shading: 'flat' },
+  linear: { options: { linear: true } },
+  mirrored: { mesh: { scale: [-1.5, 1.7, 1.3] } },
+  'ambient alone': { options: { terms: ['ambient'] } },
+  'diffuse alone': { options: { terms: ['diffuse'] } },
+  'specular alone': { options: { terms: ['specular'] } },
+  'no ambient': { options: { terms: ['diffuse', 'specular'] } },
+  'a cutoff that is not whole': { light: { cutoff: 2.5 } },
+  'a cutoff of 64': { light: { cutoff: 64 } },
+  'a cone of more than a right angle': { light: { aperture: 120 } },
+  'no cone, only decay': { light: { aperture: 180, cutoff: 7 } },
+  'a cone without decay': { light: { cutoff: 0 } },
+  'a spot of the camera': { light: { space: 'camera', position: [0.3, 0.3, 0, 1], axis: [0, 0, -1] } },
+};
+
+/** One of {@link LOOKS} as a scene of three lights. */
+export function look(name: string): { readonly scene: CastScene; readonly shading: string } {
+  const { mesh, shading = 'phong', options, light } = LOOKS[name]!;
+  return {
+    shading,
+    scene: {
+      pose: { theta: 25, phi: 55, radius: 3, target: [0, 0, 0] },
+      fov: 45,
+      meshes: [{ ...SPHERE, ...mesh }],
+      lights: LIGHTS.map((one, i) => (i === 2 ? { ...one, ...light } : one)),
+      options: { reflection: 'phong', terms: ['ambient', 'diffuse', 'specular'], linear: false, ...options },
+    },
+  };
+}
+
+/** To how many parts of a pixel the rasteriser snaps vertices, as a power of two. */
+export const subpixelBitsOf = (page: Page): Promise<number> =>
+  page.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    return Number(gl?.getParameter(gl.SUBPIXEL_BITS));
+  });
+
+interface Drawn {
+  readonly scene: CastScene;
+  readonly shading: string;
+  readonly seed: number;
+}
+
+/** A scene for a seed, of all shapes that float64 can tell of. */
+function drawnScene(seed: number): Drawn {
+  const dice = new Dice(seed);
+  const geometry = dice.pick(['plane', 'box', 'sphere'] as const);
+  const shading = dice.pick(['phong', 'phong', 'flat', 'gouraud'] as const);
+  const scene = randomScene(seed, geometry);
+  const segments = dice.pick([8, 24]);
+  if (geometry !== 'sphere') return { scene, seed, shading: shading === 'gouraud' ? 'phong' : shading };
+  return { scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, segments })) }, shading, seed };
+}
+
+/** Draws so many scenes from this seed on by both their programs and holds them against each other and against float64. */
+export async function compareRandomScenes(page: Page, first: number, count: number): Promise<void> {
+  const subpixelBits = await subpixelBitsOf(page);
+  const sum = new DifferenceSum();
+  const errors = { compared: 0, exact: 0 };
+  for (let from = first; from < first + count; from += A_PAGE) {
+    const drawn = Array.from({ length: Math.min(A_PAGE, first + count - from) }, (_, i) => drawnScene(from + i)); // prettier-ignore
+    const pictures = await bothPictures(
+      page,
+      drawn.map(({ scene, shading }) => sceneMarkup(scene, shading)),
+      SIZE,
+    );
+    for (const [i, { general, exact }] of pictures.entries()) {
+      const { scene, shading, seed } = drawn[i]!;
+      const difference = betweenPrograms(general, exact);
+      sum.add(difference);
+      const told = `seed ${seed}\n${sceneMarkup(scene, shading)}`;
+      expect.soft(difference.max, told).toBeLessThanOrEqual(1);
+      for (const picture of [general, exact]) {
+        const found =
+          scene.meshes[0]!.geometry === 'sphere'
+            ? compareWithTriangles(picture, scene, shading, subpixelBits)
+            : compareWithReference(picture, scene);
+        expect.soft(found.max, `${told}\n${found.at}`).toBeLessThanOrEqual(1);
+        errors.compared += found.compared;
+        errors.exact += found.exact;
+      }
+    }
+  }
+  const exactly = ((100 * errors.exact) / errors.compared).toFixed(2);
+  console.log(`Seeds ${first} to ${first + count - 1}, two programs each: ${String(sum)}; ${errors.compared} against float64, ${exactly} % exact`); // prettier-ignore
+  sum.expectPromise();
+  expect(errors.exact / errors.compared).toBeGreaterThan(0.98);
+}

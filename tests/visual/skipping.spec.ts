@@ -1,0 +1,147 @@
+// Does what is skipped change no picture? The same scenes by general programs, which hold what was ever declared, and by
+// programs for exactly what they show; with and without lights that reach nothing; and all of them against float64.
+
+import { expect, pixels, test } from '../support/test.js';
+import { drawFrames, drawUntilExact } from '../element/driving.js';
+import { glSpent, logGl } from '../element/gl-log.js';
+import { assign, type PhongViewer } from '../element/support.js';
+import { compareWithReference } from './against-reference.js';
+import { compareWithTriangles } from './against-triangles.js';
+import { betweenPrograms, bothPictures, DifferenceSum, expectDrawnBy, picturesBy, showAll } from './between-programs.js'; // prettier-ignore
+import { compareRandomScenes } from './program-scenes.js';
+import { sceneMarkup } from './random-scene.js';
+import { look, LOOKS, SIZE, subpixelBitsOf } from './program-scenes.js';
+
+const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+test('random scenes differ by a code on few channels between their two programs, and by none more from float64', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  await compareRandomScenes(page, FIRST, 30);
+});
+
+test('every kind of surface and light differs as little between its two programs', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  const subpixelBits = await subpixelBitsOf(page);
+  const names = Object.keys(LOOKS);
+  const sum = new DifferenceSum();
+  for (let from = 0; from < names.length; from += 8) {
+    const some = names.slice(from, from + 8);
+    const scenes = some.map((name) => look(name));
+    const pictures = await bothPictures(
+      page,
+      scenes.map(({ scene, shading }) => sceneMarkup(scene, shading)),
+      SIZE,
+    );
+    for (const [i, { general, exact }] of pictures.entries()) {
+      const { scene, shading } = scenes[i]!;
+      const difference = betweenPrograms(general, exact);
+      expect.soft(difference.max, some[i]).toBeLessThanOrEqual(1);
+      sum.add(difference);
+      for (const picture of [general, exact]) {
+        const errors = compareWithTriangles(picture, scene, shading, subpixelBits);
+        expect.soft(errors.max, `${some[i]}: ${errors.at}`).toBeLessThanOrEqual(1);
+        expect(errors.compared, some[i]).toBeGreaterThan(1500);
+      }
+    }
+  }
+  console.log(`${names.length} looks: ${String(sum)}`);
+  sum.expectPromise();
+});
+
+test('a textured model differs as little between its two programs, under every shading', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  const lights =
+    '<phong-light position="1 2 2 0" ambient="30" diffuse="180 170 160" specular="90"></phong-light>' +
+    '<phong-light position="-2 2 1" axis="2 -2 -1" aperture="25" cutoff="4" attenuation="1 0.1 0"></phong-light>';
+  const models = ['/assets/models/bunny.glb', '/fixtures/models/textured.glb'];
+  const markups = models.flatMap((src) =>
+    ['shading="phong"', 'shading="gouraud"', 'shading="flat" color-interpolation="linear"'].map(
+      (how) => `<phong-viewer src="${src}" ${how}>${lights}</phong-viewer>`,
+    ),
+  );
+  const sum = new DifferenceSum();
+  for (const { general, exact } of await bothPictures(page, markups, SIZE)) sum.add(betweenPrograms(general, exact)); // prettier-ignore
+  console.log(`textured models: ${String(sum)}`);
+  expect(sum.channels).toBeGreaterThan(20_000);
+  sum.expectPromise();
+});
+
+/** Attributes of a light that brings nothing to what is seen, declared beside all that the scene's own light needs. */
+const IDLE = {
+  inactive: 'active="false" position="0.3 1 0" axis="0 -1 0" aperture="40" cutoff="2"',
+  'turned away': 'position="0.3 1 0" axis="0 1 0" aperture="40" cutoff="2"',
+  black: 'diffuse="0" specular="0" position="0.3 1 0" axis="0 -1 0" aperture="40" cutoff="2"',
+  'without a direction': 'position="0 0 0 0"',
+} as const;
+
+test('lights that reach nothing leave every bit as it is, in the same program', async ({ page, mount }) => {
+  await logGl(page);
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  const own = '<phong-light position="1 1 0.5" ambient="20" attenuation="1 0.2 0.1"></phong-light>';
+  const declared = `<phong-light active="false" position="0 1 0" axis="0 -1 0" aperture="40" cutoff="2"></phong-light>`;
+  for (const shading of ['phong', 'gouraud', 'flat']) {
+    const markup = (idle: string): string =>
+      `<phong-viewer geometry="torus-knot" shading="${shading}" theta="20" phi="50" target="0 0 0" radius="2">${own}${declared}${idle}</phong-viewer>`;
+    const viewers = await showAll(page, [
+      markup(''),
+      ...Object.values(IDLE).map((attributes) => markup(`<phong-light ${attributes}></phong-light>`)),
+      markup(Object.values(IDLE).map((attributes) => `<phong-light ${attributes}></phong-light>`).join('')), // prettier-ignore
+    ]);
+    for (const kind of ['general', 'exact'] as const) {
+      if (kind === 'exact') await drawUntilExact(page);
+      const [alone, ...others] = await picturesBy(page, viewers, kind, SIZE);
+      for (const [i, other] of others.entries()) {
+        const { max } = betweenPrograms(alone!, other);
+        expect(max, `${shading}, ${kind}, ${Object.keys(IDLE)[i] ?? 'all'}`).toBe(0);
+      }
+    }
+  }
+});
+
+test('terms that go and come again, lights that go out and on: the same program gives the same bits', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const { scene, shading } = look('blinn-phong');
+  const viewer = await mount(sceneMarkup(scene, shading), SIZE);
+  const first = await pixels(viewer, SIZE);
+  const expectSame = async (what: string): Promise<void> => {
+    await glSpent(page);
+    expect(betweenPrograms(first, await pixels(viewer, SIZE)).max, what).toBe(0);
+    await expectDrawnBy(page, 'general');
+  };
+  for (const terms of ['', 'ambient', 'diffuse specular', null]) await assign(viewer, { terms });
+  await expectSame('terms');
+  await drawUntilExact(page);
+  const exact = await pixels(viewer, SIZE);
+  for (const off of [true, false]) {
+    await viewer.evaluate(async (element: PhongViewer, active) => {
+      element.lights[0]!.active = active;
+      await element.ready;
+    }, !off);
+    if (!off) await expectSame('a light out and on');
+  }
+  await drawUntilExact(page);
+  expect(betweenPrograms(exact, await pixels(viewer, SIZE)).max, 'exact again').toBe(0);
+  await assign(viewer, { terms: 'diffuse' });
+  await drawFrames(page, 1);
+  const diffuse: typeof scene = { ...scene, options: { ...scene.options, terms: ['diffuse'] } };
+  const errors = compareWithReference(await pixels(viewer, SIZE), diffuse);
+  expect(errors.max, errors.at).toBeLessThanOrEqual(1);
+});
