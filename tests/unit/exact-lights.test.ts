@@ -116,27 +116,43 @@ describe('lights in loops', () => {
       [spot({ cutoff: 5 }), spot({ cutoff: 5 })],
       TERMS + SHAPE.narrow + (5 << SHAPE.powerShift),
     ],
-    [
-      'any decay for different cutoffs',
-      [spot({ cutoff: 5 }), spot({ cutoff: 6 })],
-      TERMS + SHAPE.narrow + SHAPE.decay,
-    ],
-    [
-      'any decay for a cutoff that one lacks',
-      [spot({ cutoff: 5 }), spot()],
-      TERMS + SHAPE.narrow + SHAPE.decay,
-    ],
-    ['any decay where the first lacks it', [spot(), spot({ cutoff: 5 })], TERMS + SHAPE.narrow + SHAPE.decay],
-    [
-      'any decay beside a cutoff that is not whole',
-      [spot({ cutoff: 5 }), spot({ cutoff: 5.5 })],
-      TERMS + SHAPE.narrow + SHAPE.decay,
-    ],
-    [
-      'any decay for a third cutoff',
-      [spot({ cutoff: 5 }), spot({ cutoff: 6 }), spot({ cutoff: 5 })],
-      TERMS + SHAPE.narrow + SHAPE.decay,
-    ],
+    ...(
+      [
+        ['for different cutoffs', 5, 6],
+        ['for a cutoff that one lacks', 5, 0],
+        ['where the first lacks it', 0, 5],
+        ['beside a cutoff that is not whole', 5, 5.5],
+        ['beside a cutoff that is not whole, and one that is', 5.5, 5],
+        ['for a third cutoff', 5, 6, 5],
+        ['for none and two alike', 0, 5, 5],
+        ['for cutoffs that are not whole', 0.5, 5.5],
+      ] as const
+    ).map(
+      ([name, ...cutoffs]) =>
+        [
+          `any mild decay ${name}`,
+          cutoffs.map((cutoff) => spot({ cutoff })),
+          TERMS + SHAPE.narrow + SHAPE.decay + SHAPE.mild,
+        ] as [string, LightValues[], number],
+    ),
+    ...(
+      [
+        [65, 66],
+        [5, 65],
+        [65, 5],
+        [0, 65],
+        [65, 0],
+        [0.5, 65, 0.5],
+        [65, 0.5, 5],
+      ] as const
+    ).map(
+      (cutoffs) =>
+        [
+          `any decay for cutoffs ${cutoffs.join()}`,
+          cutoffs.map((cutoff) => spot({ cutoff })),
+          TERMS + SHAPE.narrow + SHAPE.decay,
+        ] as [string, LightValues[], number],
+    ),
     ['no decay where none has one', [spot(), spot()], TERMS + SHAPE.narrow],
   ])('have %s in common', (_, lights, shape) => {
     expect(shapesIn(inLoops(pack(lights), TERMS))).toStrictEqual([shape]);
@@ -163,9 +179,13 @@ describe('lights in loops', () => {
           const shapes = wanted.filter(([call]) => call === name).map((call) => Number(call[2]));
           const bits = shapes.reduce((sum, one) => sum | (one & BITS), 0);
           const powers = new Set(shapes.map((one) => one >> SHAPE.powerShift));
-          expect(shape & BITS & ~SHAPE.decay).toBe(bits & ~SHAPE.decay);
-          expect(shape >> SHAPE.powerShift).toBe(powers.size === 1 ? [...powers][0] : 0);
-          expect((shape & SHAPE.decay) !== 0).toBe((bits & SHAPE.decay) !== 0 || powers.size > 1);
+          const DECAYS = SHAPE.decay + SHAPE.mild;
+          const decays = new Set(shapes.map((one) => one & (DECAYS | ~BITS)));
+          expect(shape & BITS & ~DECAYS).toBe(bits & ~DECAYS);
+          expect(shape >> SHAPE.powerShift).toBe(decays.size === 1 ? [...powers][0] : 0);
+          expect((shape & SHAPE.decay) !== 0).toBe((bits & SHAPE.decay) !== 0 || decays.size > 1);
+          const strong = shapes.some((one) => (one & DECAYS) === SHAPE.decay);
+          if ((shape & SHAPE.decay) !== 0) expect((shape & SHAPE.mild) !== 0).toBe(!strong);
         }
       }),
       { numRuns: 300 },

@@ -5,7 +5,7 @@ import {
   BLOCK_ROWS,
   GRID,
   HEADER,
-  LARGEST_WHOLE_POWER,
+  LARGEST_MILD,
   layoutDefines,
   LEAST_EXPONENT,
   LIMIT_OPEN,
@@ -103,12 +103,13 @@ describe('the layout', () => {
     for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
     expect(new Set(all).size).toBe(all.length);
     expect(Math.max(...all)).toBeLessThan(1 << powerShift);
-    expect((LARGEST_WHOLE_POWER + 1) << powerShift).toBeLessThanOrEqual(1 << 16);
+    expect((LARGEST_MILD + 1) << powerShift).toBeLessThanOrEqual(1 << 16);
   });
 
-  it('multiplies out no exponent whose rounding of its base would be seen: half a step of 2^-24 each', () => {
-    expect(LARGEST_WHOLE_POWER * 2 ** -25).toBeLessThan(2e-6);
-    expect(Math.log2(LARGEST_WHOLE_POWER) % 1).toBe(0);
+  it('calls mild no exponent whose errors would be seen: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {
+    expect(LARGEST_MILD * 2 ** -25).toBeLessThan(2e-6);
+    expect(LARGEST_MILD * 2 ** -21 * Math.LN2).toBeLessThan(0.01 / 255);
+    expect(Math.log2(LARGEST_MILD) % 1).toBe(0);
   });
 
   it('keeps its thresholds normal float32 numbers', () => {

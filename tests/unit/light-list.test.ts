@@ -109,7 +109,7 @@ describe('the version of the shapes', () => {
     ['turns', spot(1), spot(1, { axis: [1, 1, 1] })],
     ['widens its cone within 90°', spot(1), spot(1, { aperture: 90 })],
     ['widens its cone beyond 90°', spot(1, { aperture: 100 }), spot(1, { aperture: 170 })],
-    ['changes a cutoff that is not whole', spot(1, { cutoff: 0.5 }), spot(1, { cutoff: 99 })],
+    ['changes a cutoff that is not whole', spot(1, { cutoff: 65.5 }), spot(1, { cutoff: 99 })],
     [
       'changes how it is attenuated',
       lamp(1, { attenuation: [1, 1, 0] }),
@@ -134,6 +134,7 @@ describe('the version of the shapes', () => {
     ['is switched off', lamp(1), lamp(1, { active: false })],
     ['is attenuated', lamp(1), lamp(1, { attenuation: [1, 1, 0] })],
     ['gets a decay', spot(1), spot(1, { cutoff: 0.5 })],
+    ['gets a cutoff too large to be mild', spot(1, { cutoff: 0.5 }), spot(1, { cutoff: 99 })],
     ['gets another whole cutoff', spot(1, { cutoff: 7 }), spot(1, { cutoff: 8 })],
     ['opens beyond 90°', spot(1), spot(1, { aperture: 91 })],
     ['opens wholly', spot(1, { cutoff: 2 }), spot(1, { cutoff: 2, aperture: 180 })],

@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { LARGEST_WHOLE_POWER, ROWS, SHAPE } from '../../src/light/light-layout.js';
+import { LARGEST_MILD, ROWS, SHAPE } from '../../src/light/light-layout.js';
 import { forEachLight } from '../../src/light/light-reach.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights } from '../../src/light/pack-lights.js';
@@ -51,7 +51,7 @@ describe('the shape of a light', () => {
     ['a cone of 90°', { ...lamp, aperture: 90 }, inCone + SHAPE.narrow],
     ['a cone of a little more', { ...lamp, aperture: 90.0001 }, inCone + SHAPE.wide],
     ['a cone of nearly all', { ...lamp, aperture: 179.9999 }, inCone + SHAPE.wide],
-    ['a decay without a cone', { ...lamp, cutoff: 0.5 }, inCone + SHAPE.decay],
+    ['a decay without a cone', { ...lamp, cutoff: 0.5 }, inCone + SHAPE.decay + SHAPE.mild],
     [
       'all at once',
       { ...lamp, aperture: 100, cutoff: 7, attenuation: [1, 1, 1] },
@@ -62,14 +62,17 @@ describe('the shape of a light', () => {
   });
 
   it('has whole cutoffs from 1 to 64 as they are, and no others', () => {
-    const { powerShift, decay, narrow } = SHAPE;
+    const { powerShift, decay, mild, narrow } = SHAPE;
     const cone = { ...lamp, aperture: 20 };
-    for (let cutoff = 1; cutoff <= LARGEST_WHOLE_POWER; cutoff++) {
+    for (let cutoff = 1; cutoff <= LARGEST_MILD; cutoff++) {
       expect(shapeOf({ ...cone, cutoff })).toBe(inCone + narrow + (cutoff << powerShift));
-      expect(shapeOf({ ...cone, cutoff: cutoff + 1e-12 })).toBe(inCone + narrow + decay);
-      expect(shapeOf({ ...cone, cutoff: cutoff - 1e-12 })).toBe(inCone + narrow + decay);
+      expect(shapeOf({ ...cone, cutoff: cutoff - 1e-12 })).toBe(inCone + narrow + decay + mild);
+      if (cutoff === LARGEST_MILD) continue;
+      expect(shapeOf({ ...cone, cutoff: cutoff + 1e-12 })).toBe(inCone + narrow + decay + mild);
     }
-    for (const cutoff of [1e-6, 0.5, LARGEST_WHOLE_POWER + 1, 128, 256, 1e6])
+    for (const cutoff of [1e-6, 0.5, 63.5])
+      expect(shapeOf({ ...cone, cutoff })).toBe(inCone + narrow + decay + mild);
+    for (const cutoff of [LARGEST_MILD + 1e-12, LARGEST_MILD + 1, 128, 256, 1e6])
       expect(shapeOf({ ...cone, cutoff })).toBe(inCone + narrow + decay);
     for (const cutoff of [0, 5e-324, 9.99e-7]) expect(shapeOf({ ...cone, cutoff })).toBe(inCone + narrow);
   });
@@ -127,6 +130,8 @@ describe('the shape of a light', () => {
           const whole = shape >> SHAPE.powerShift;
           if (whole > 0) expect(whole).toBe(cutoff);
           else expect(lets(SHAPE.decay)).toBe(cutoff >= Math.fround(1e-6));
+          if (lets(SHAPE.mild)) expect(lets(SHAPE.decay) && whole === 0 && cutoff <= LARGEST_MILD).toBe(true);
+          if (cutoff > LARGEST_MILD) expect(lets(SHAPE.decay)).toBe(true);
         });
       }),
       { numRuns: 300 },

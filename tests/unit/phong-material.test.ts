@@ -109,10 +109,18 @@ describe('what an exact program is made for', () => {
     expect(keyAfter(change)).not.toBe(plain);
   });
 
-  it('is no exponent that is not whole or too large to multiply out, and no colour', () => {
-    for (const shininess of [0, 2.5, 65, 1e6])
+  it('is that an exponent is mild where it is not whole, and neither which nor a colour', () => {
+    for (const shininess of [0.1, 2.5, 63.5])
       expect(keyAfter((material) => material.setSurface({ shininess, ka: [1, 2, 3], ks: [1, 0, 0] }))).toBe(
         plain,
       );
+  });
+
+  it('is no exponent that is 0 or large', () => {
+    const keys = [0, 65, 128.5, 1e6].map((shininess) =>
+      keyAfter((material) => material.setSurface({ shininess })),
+    );
+    expect(new Set(keys).size).toBe(1);
+    expect(keys[0]).not.toBe(plain);
   });
 });
