@@ -15,6 +15,10 @@ export interface ProgramDifference {
   readonly channels: number;
 }
 
+/**
+ * A pixel that is covered in part has been drawn in as many codes less: there one code is several of straight alpha, up to
+ * four where one sample of four is covered. Differences are those of what was drawn.
+ */
 export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
   expect([a.width, a.height]).toEqual([b.width, b.height]);
   let max = 0;
@@ -25,8 +29,9 @@ export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
     if (i % 4 === 3 || !shown) continue;
     const difference = Math.abs(a.data[i]! - b.data[i]!);
     channels += 1;
-    if (difference > 0) differing += 1;
-    max = Math.max(max, difference);
+    if (difference === 0) continue;
+    differing += 1;
+    max = Math.max(max, 1, Math.round((difference * a.data[i | 3]!) / 255));
   }
   return { max, differing, channels };
 }

@@ -1,0 +1,265 @@
+// Does any number of lights shine, on the least device that WebGL 2 promises, and do many small ones cost only where they
+// reach? Pictures are held against float64 where it can be afforded, and against the loop over all lights.
+
+import type { Page } from '@playwright/test';
+import type { LightValues } from '../../src/light/light-state.js';
+import { expect, pixels, test, type Picture } from '../support/test.js';
+import { drawFrames, drawUntilExact } from '../element/driving.js';
+import { glPrograms, glSpent, isExact, isLit, logGl } from '../element/gl-log.js';
+import { assign, type PhongViewer } from '../element/support.js';
+import { CONE_EDGE } from './against-reference.js';
+import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
+import { caster, type CastScene } from './ray-cast.js';
+import { compareBudgets } from './program-scenes.js';
+import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
+
+const SIZE = { width: 60, height: 42 };
+
+/** What WebGL 2 promises of uniforms, and of a uniform block; nothing may need more. */
+const PROMISED = { vectors: 224, blockBytes: 16_384 } as const;
+
+/** So many pixels, evenly strewn over a picture without its rim, are told by float64. */
+const SAMPLES = 96;
+
+/** The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared. */
+function sampled(picture: Picture, scene: CastScene): { readonly max: number; readonly compared: number } {
+  const { width, height, data } = picture;
+  const cast = caster(scene, width, height);
+  const inner = (width - 4) * (height - 4);
+  let max = 0;
+  let compared = 0;
+  for (let i = 0; i < SAMPLES; i++) {
+    const at = Math.floor((i * inner) / SAMPLES);
+    const [x, y] = [2 + (at % (width - 4)), 2 + Math.floor(at / (width - 4))];
+    const hit = cast(x, y);
+    if (hit === null || hit.coneMargin < CONE_EDGE) continue;
+    if ([-2, 2].some((by) => cast(x + by, y)?.face !== hit.face || cast(x, y + by)?.face !== hit.face))
+      continue;
+    for (const channel of [0, 1, 2] as const) {
+      const off = data[4 * (y * width + x) + channel]! - 255 * hit.shaded.color[channel];
+      max = Math.max(max, Math.abs(off) - 0.5);
+      compared += 1;
+    }
+  }
+  return { max, compared };
+}
+
+/** Of all kinds, so dim that `count` of them together are in range; cones on the first few alone, or no pixel is away from all. */
+function crowd(count: number, seed: number): LightValues[] {
+  const dice = new Dice(seed);
+  return Array.from({ length: count }, (_, i) => {
+    const light = randomLight(dice);
+    const dim = (c: readonly number[]) =>
+      c.map((x) => Number((x / count).toFixed(5))) as unknown as LightValues['diffuse'];
+    return {
+      ...light,
+      active: true,
+      aperture: i < 8 ? light.aperture : 180,
+      ambient: dim(light.ambient),
+      diffuse: dim(light.diffuse),
+      specular: dim(light.specular),
+    };
+  });
+}
+
+async function expectWithinPromises(page: Page): Promise<void> {
+  const programs = await glPrograms(page);
+  expect(programs.some(isLit)).toBe(true);
+  for (const { uniformVectors, blockBytes, fragment } of programs) {
+    expect(uniformVectors, fragment).toBeLessThanOrEqual(PROMISED.vectors);
+    expect(blockBytes, fragment).toBeLessThanOrEqual(PROMISED.blockBytes);
+  }
+}
+
+test('one to 4,096 lights shine as float64 says, with the uniforms that WebGL 2 promises', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page, {
+    MAX_FRAGMENT_UNIFORM_VECTORS: PROMISED.vectors,
+    MAX_VERTEX_UNIFORM_VECTORS: PROMISED.vectors,
+    MAX_UNIFORM_BLOCK_SIZE: PROMISED.blockBytes,
+  });
+  const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+  const found: Record<string, number> = {};
+  for (const count of [1, 16, 256, 4096]) {
+    const scene: CastScene = { ...randomScene(4), lights: crowd(count, 7) };
+    const markup = sceneMarkup(scene);
+    await viewer.evaluate((element, html) => (element.outerHTML = html), markup);
+    await viewer.evaluate((element: PhongViewer) => element.ready);
+    const { lightsActive, lightsSent } = await viewer.evaluate((element: PhongViewer) => element.stats);
+    expect(lightsActive).toBe(count);
+    expect(lightsSent).toBeGreaterThan(count - 8 - 1); // but for cones that miss
+    const general = (await picturesBy(page, [viewer], 'general', SIZE))[0]!;
+    const errors = sampled(general, scene);
+    // Within a code of the rounded value, as elsewhere: half a code beyond rounding is 1 code of difference at most.
+    expect(errors.max, `${count} lights`).toBeLessThan(0.5);
+    expect(errors.compared).toBeGreaterThan(100);
+    found[count] = errors.max;
+    if (count > 256) continue; // 0.1 s and more a frame in software
+    await drawUntilExact(page);
+    const exact = (await picturesBy(page, [viewer], 'exact', SIZE))[0]!;
+    expect(sampled(exact, scene).max, `${count} lights, exact`).toBeLessThan(0.5);
+    const difference = new DifferenceSum();
+    difference.add(betweenPrograms(general, exact));
+    difference.expectPromise();
+  }
+  console.log('Codes beyond rounding, by number of lights:', JSON.stringify(found));
+  await expectWithinPromises(page);
+});
+
+/** Spots over a floor of 20 × 20, each reaching about a hundredth of it: a circle of radius 1.13. */
+const FLOOR = { size: 20, height: 3, aperture: 20.6 } as const;
+
+function spots(count: number, seed: number): LightValues[] {
+  const dice = new Dice(seed);
+  return Array.from({ length: count }, () => ({
+    name: '',
+    active: true,
+    ambient: [dice.from(0, 4), 0, dice.from(0, 4)],
+    diffuse: dice.vector(10, 40),
+    specular: dice.vector(0, 30),
+    position: [dice.from(-10, 10), FLOOR.height, dice.from(-10, 10), 1],
+    axis: [dice.from(-0.1, 0.1), -1, dice.from(-0.1, 0.1)],
+    aperture: FLOOR.aperture,
+    cutoff: dice.pick([0, 2, 8.5]),
+    attenuation: dice.chance(0.5) ? [1, 0, 0] : [1, 0.1, 0.05],
+    space: 'world',
+  }));
+}
+
+const overFloor = (lights: readonly LightValues[], shading = 'phong'): CastScene => ({
+  pose: { theta: 30, phi: 40, radius: 22, target: [0, 0, 0] },
+  fov: 45,
+  meshes: [
+    {
+      geometry: 'plane',
+      position: [0, 0, 0],
+      rotation: [0, 0, 0],
+      scale: [FLOOR.size, 1, FLOOR.size],
+      ka: [255, 255, 255],
+      kd: [200, 210, 220],
+      ks: [120, 120, 120],
+      shininess: 20,
+      ...(shading === 'gouraud' ? { segments: 24 } : {}),
+    },
+  ],
+  lights,
+  options: { reflection: 'phong', terms: ['ambient', 'diffuse', 'specular'], linear: false },
+});
+
+/** Whether the last frame looked its lights up by where they are. */
+async function looksUp(page: Page): Promise<boolean> {
+  await glSpent(page);
+  await drawFrames(page, 1);
+  const drawn = await page.evaluate(() => window.glLog.drawnWith());
+  return drawn
+    .filter(isLit)
+    .every((one) => /#define HAS_GRID/.test(one.vertex + one.fragment) && isExact(one));
+}
+
+test('five hundred spots on a floor look as the loop over all of them does, whatever changes', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  const scene = overFloor(spots(500, 3));
+  const viewer = await mount(sceneMarkup(scene), SIZE);
+  const sum = new DifferenceSum();
+  /** The same state drawn once by the loop: in a viewer of its own, whose first pictures are of general programs. */
+  const expectLike = async (what: string, floats: boolean): Promise<void> => {
+    await glSpent(page);
+    const shown = await pixels(viewer, SIZE);
+    const markup = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+    const looped = await firstPicture(page, markup);
+    const difference = betweenPrograms(shown, looped);
+    expect(difference.max, what).toBeLessThanOrEqual(1);
+    sum.add(difference);
+    if (floats) expect(sampled(shown, scene).max, what).toBeLessThan(0.5);
+  };
+  await expectLike('at first', true);
+  await drawUntilExact(page);
+  expect(await looksUp(page)).toBe(true);
+  expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({ lightsActive: 500, drawCalls: 1 }); // prettier-ignore
+  await expectLike('settled', true);
+  await assign(viewer, { theta: 75, phi: 25 });
+  await expectLike('with the camera turned', false);
+  await viewer.evaluate((element: PhongViewer) => {
+    for (const light of element.lights.slice(0, 200)) {
+      const [x, y, z, w] = light.position;
+      light.position = [-z, y, x, w];
+    }
+  });
+  await expectLike('after lights have moved', false);
+  expect(await looksUp(page)).toBe(true);
+  await viewer.evaluate((element: PhongViewer) =>
+    element.lights.forEach((light, i) => (light.active = i % 3 > 0)),
+  );
+  await expectLike('with a third of the lights out', false);
+  await drawUntilExact(page);
+  expect(await looksUp(page)).toBe(true);
+  await expectLike('settled with a third of the lights out', false);
+  await assign(viewer.locator('phong-mesh'), { rotation: [25, 40, 10], scale: [14, 1, 25] });
+  await expectLike('with the floor turned and stretched', false);
+  await assign(viewer, { reflection: 'blinn-phong', colorInterpolation: 'linear' });
+  await drawUntilExact(page);
+  await expectLike('in linear light', false);
+  console.log(`500 spots: ${String(sum)}`);
+  sum.expectPromise();
+});
+
+/** What this viewer's markup shows in its first frame, beside the one on the page, which then is alone again. */
+async function firstPicture(page: Page, markup: string): Promise<Picture> {
+  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', `<section>${html}</section>`), markup); // prettier-ignore
+  const other = page.locator('section > phong-viewer');
+  await other.evaluate((element: PhongViewer) => element.ready);
+  await glSpent(page);
+  const picture = await pixels(other, SIZE);
+  await expectDrawnBy(page, 'general');
+  await other.evaluate((element) => element.parentElement?.remove());
+  return picture;
+}
+
+test('five hundred spots on a floor of many vertices look alike under Gouraud', async ({ page, mount }) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  const markup = sceneMarkup(overFloor(spots(500, 4), 'gouraud'), 'gouraud');
+  const viewer = await mount(markup, SIZE);
+  const [looped] = await picturesBy(page, [viewer], 'general', SIZE);
+  await drawUntilExact(page);
+  expect(await looksUp(page)).toBe(true);
+  const [shown] = await picturesBy(page, [viewer], 'exact', SIZE);
+  const sum = new DifferenceSum();
+  sum.add(betweenPrograms(looped!, shown!));
+  console.log(`500 spots, Gouraud: ${String(sum)}`);
+  sum.expectPromise();
+});
+
+test('an error budget is kept at every pixel, also where lights are looked up by place', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  const scene = overFloor(spots(500, 5));
+  const viewer = await mount(sceneMarkup(scene), SIZE);
+  for (const errorBudget of [0, 1]) {
+    await assign(viewer, { errorBudget });
+    await drawUntilExact(page);
+    expect(await looksUp(page)).toBe(true);
+    const { max, compared } = sampled((await picturesBy(page, [viewer], 'exact', SIZE))[0]!, scene);
+    expect(max, `budget ${errorBudget}`).toBeLessThan(errorBudget + 0.5);
+    expect(compared).toBeGreaterThan(60);
+  }
+});
+
+test('random scenes under many fading lights lose no more than their error budget, and lights', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  await compareBudgets(page, Number(process.env['PHONG_VIEWER_SEED'] ?? 1), 8);
+});
