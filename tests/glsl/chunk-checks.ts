@@ -4,16 +4,21 @@ import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
+import { EXACT_CHECKS } from './exact-checks.js';
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
 
 /** Up to four numbers in, up to four out. */
-type Numbers = readonly number[];
+export type Numbers = readonly number[];
 
-interface Check {
+export interface Check {
   /** What holds, as a sentence. */
   readonly title: string;
+  /** Defines that the program has besides, a name and a value each. */
+  readonly defines?: readonly string[];
+  /** Text that comes before the loop's: where rows are from, where any are read. */
+  readonly rows?: string;
   /** Of inputs `a` and `b` (vec4) to `result`. */
   readonly glsl: string;
   readonly inputs: (random: Random) => readonly [Numbers, Numbers?];
@@ -205,10 +210,13 @@ export function checkChunks(
   edit: Edit | null = null,
 ): Checked[] {
   const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
-  const source = head('STORAGE_OWN') + NO_ROWS + glsl;
+  const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
+    head('STORAGE_OWN') + defines.map((define) => `#define ${define}\n`).join('') + rows + glsl;
   return [
-    ...CHECKS.map((check) => runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source, seed)),
-    checkCodes(gl, source),
+    ...[...CHECKS, ...EXACT_CHECKS].map((check) =>
+      runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed),
+    ),
+    checkCodes(gl, source({})),
     checkStorage(gl, 'STORAGE_BLOCK', BLOCK_ROWS),
     checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2),
   ];

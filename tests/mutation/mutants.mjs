@@ -5,8 +5,10 @@
 import { equationMutants } from './mutants-equation.mjs';
 import { glslMutants } from './mutants-glsl.mjs';
 import { lightMutants } from './mutants-light.mjs';
+import { materialMutants } from './mutants-material.mjs';
 import { normalMutants } from './mutants-normals.mjs';
 import { packingMutants } from './mutants-packing.mjs';
+import { reachMutants } from './mutants-reach.mjs';
 
 /**
  * @typedef {object} Mutant
@@ -21,6 +23,8 @@ export const MUTANTS = [
   ...glslMutants,
   ...packingMutants,
   ...lightMutants,
+  ...reachMutants,
+  ...materialMutants,
   ...normalMutants,
   ...equationMutants,
 ];
@@ -30,9 +34,27 @@ export const nameOf = ({ file, removes }) => `${file}: ${removes}`;
 
 /** The unit tests that concern a file, in the order in which they are tried. @type {Readonly<Record<string, readonly string[]>>} */
 export const UNIT_TESTS = {
-  'src/light/pack-lights.ts': ['pack-lights', 'pack-lights-directional', 'pack-lights-domain'],
+  'src/light/pack-lights.ts': [
+    'pack-lights',
+    'light-shapes',
+    'pack-lights-directional',
+    'pack-lights-domain',
+  ],
+  'src/light/steady-light.ts': [
+    'light-shapes',
+    'pack-lights',
+    'pack-lights-directional',
+    'pack-lights-domain',
+  ],
   'src/light/light-kind.ts': ['light-kind', 'pack-lights'],
-  'src/light/light-layout.ts': ['light-layout', 'light-kind', 'light-rows', 'pack-lights', 'equation-limits'],
+  'src/light/light-layout.ts': [
+    ...['light-layout', 'light-kind', 'light-rows', 'light-shapes', 'pack-lights', 'equation-limits'],
+  ],
+  'src/light/light-reach.ts': ['light-reach', 'light-reach-budget', 'light-reach-bound'],
+  'src/material/light-list.ts': ['light-list'],
+  'src/material/mesh-lights.ts': ['mesh-lights'],
+  'src/material/exact-lights.ts': ['exact-lights'],
+  'src/material/light-rows.ts': ['light-rows'],
   'src/material/normal-matrix.ts': ['normal-matrix'],
   'src/reference/equation.ts': ['equation-limits', 'equation-vectors', 'equation-metamorphic'],
 };

@@ -4,6 +4,7 @@
 // harness built with it. A mutant that lives is a failure. Writes results.json and TABLE.md.
 //
 //   npm run mutation -- --only power.glsl   (a part of names: the results of all others stay as they are)
+//   npm run mutation -- --new   (those alone that have no result yet)
 //   npm run mutation -- --quick   (few cases; only prints)
 
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -18,13 +19,20 @@ import { failingUnitTest } from './unit-tests.mjs';
 /** @typedef {{ name: string, file: string, removes: string, killedBy: string | null }} Result */
 
 const { values: options } = parseArgs({
-  options: { only: { type: 'string', default: '' }, quick: { type: 'boolean', default: false } },
+  options: {
+    only: { type: 'string', default: '' },
+    new: { type: 'boolean', default: false },
+    quick: { type: 'boolean', default: false },
+  },
 });
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const here = join(repository, 'tests/mutation');
 process.chdir(repository);
 
-const chosen = MUTANTS.filter((mutant) => nameOf(mutant).includes(options.only));
+const known = new Set(options.new ? resultsBefore().map(({ name }) => name) : []);
+const chosen = MUTANTS.map((mutant) => ({ mutant, name: nameOf(mutant) }))
+  .filter(({ name }) => name.includes(options.only) && !known.has(name))
+  .map(({ mutant }) => mutant);
 for (const mutant of chosen) mutated(readFileSync(mutant.file, 'utf8'), mutant);
 
 const start = performance.now();
@@ -59,8 +67,12 @@ process.exit(living.length > 0 ? 1 : 0);
 function keptResults() {
   const others = new Set(MUTANTS.filter((mutant) => !chosen.includes(mutant)).map(nameOf));
   if (others.size === 0) return [];
-  const before = /** @type {Result[]} */ (JSON.parse(readFileSync(join(here, 'results.json'), 'utf8')));
-  return before.filter(({ name }) => others.has(name));
+  return resultsBefore().filter(({ name }) => others.has(name));
+}
+
+/** @returns {Result[]} */
+function resultsBefore() {
+  return JSON.parse(readFileSync(join(here, 'results.json'), 'utf8'));
 }
 
 /** A test that fails anyway kills nothing. */

@@ -6,6 +6,7 @@ import { describe, expect, it } from 'vitest';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
 import { mutated, MUTANTS, nameOf, UNIT_TESTS } from '../mutation/mutants.mjs';
 import { table } from '../mutation/table.mjs';
+import { EXACT_CHECKS } from '../glsl/exact-checks.js';
 import { CATEGORIES } from '../stress/categories.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -70,6 +71,8 @@ describe('the results of the last run', () => {
   });
 });
 
-/** Of tests/glsl/chunk-checks.ts, which only a browser can load. */
-const chunkTitles = (): string[] =>
-  [...read('tests/glsl/chunk-checks.ts').matchAll(/title: '([^']+)'/g)].map((match) => match[1]!);
+/** Of tests/glsl, which only a browser can load. */
+const chunkTitles = (): string[] => [
+  ...[...read('tests/glsl/chunk-checks.ts').matchAll(/title:\s+'([^']+)'/g)].map((match) => match[1]!),
+  ...EXACT_CHECKS.map(({ title }) => title),
+];

@@ -1,0 +1,158 @@
+// What only programs for exactly some lights have: whole exponents, vectors of usual lengths, lights written out or in loops
+// over what they have in common. Each against the same law in float64.
+import { SHAPE } from '../../src/light/light-layout.js';
+import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
+import { inLoops, writtenOut } from '../../src/material/exact-lights.js';
+import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
+import { shade } from '../../src/reference/equation.js';
+import { float32, Random } from '../stress/random.js';
+import type { Check } from './chunk-checks.js';
+
+/** L of a light in front, and V anywhere, exactly opposite L and zero among them. */
+function lobeInputs(random: Random): readonly [number[], number[]] {
+  const [x, y, z] = random.unit();
+  const L: Vec3 = [x, y, Math.abs(z)];
+  const V = random.pick([random.unit(), scale(L, -1), [0, 0, 0] as Vec3, add(L, scale(random.unit(), 0.1))]);
+  return [[...float32(L)], [...float32(normalize(V))]];
+}
+
+const lobe = (
+  defines: readonly string[],
+  title: string,
+  expected: Check['expected'],
+  bound: number,
+): Check => ({
+  title,
+  defines,
+  glsl: 'vec3 N = vec3(0.0, 0.0, 1.0); result.x = specularLobe(N, a.xyz, specularView(N, b.xyz), 8.0);',
+  inputs: lobeInputs,
+  expected,
+  bound,
+  floor: 1,
+});
+
+const LOBES: readonly Check[] = [
+  lobe(
+    ['WHOLE_SHININESS 8'],
+    'specularLobe multiplies a whole exponent out, and is 0 behind and without a view',
+    ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
+    5e-6,
+  ),
+  lobe(
+    ['WHOLE_SHININESS 8', 'REFLECTION_BLINN_PHONG'],
+    'specularLobe multiplies Blinn’s whole exponent out, and is 0 where there is no H',
+    ([x, y, z], V) => {
+      const sum = add([x!, y!, z!], V as unknown as Vec3);
+      // L = -V but for the roundings of either: nothing is left to point anywhere.
+      return [Math.hypot(...sum) < 1e-3 ? 0 : Math.max(normalize(sum)[2], 0) ** 8];
+    },
+    5e-6,
+  ),
+  {
+    title: 'unitOrZero gives unit vectors of vectors of usual lengths, and zero of zero',
+    defines: ['USUAL_LENGTHS'],
+    glsl: 'result.xyz = unitOrZero(a.xyz);',
+    inputs: (random) => [
+      float32(scale(random.unit(), random.pick([0, 1, 1.1e-10, random.magnitude(1.1e-10, 1e15)]))),
+    ],
+    expected: (v) => normalize(v as unknown as Vec3),
+    bound: 4e-7, // as of any lengths
+    floor: 1,
+  },
+];
+
+const TERMS = { ambient: SHAPE.ambient, diffuse: SHAPE.diffuse, specular: SHAPE.specular } as const;
+type Term = keyof typeof TERMS;
+const ALL: readonly Term[] = ['ambient', 'diffuse', 'specular'];
+
+const EYE: Vec3 = [0, 0, 5];
+
+const light = (values: Partial<LightValues>): LightValues => ({
+  ...(Object.fromEntries(
+    Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]),
+  ) as unknown as LightValues),
+  ...values,
+});
+
+/** Lights of every kind and shape around a unit ball. */
+function lights(): LightValues[] {
+  const random = new Random(1);
+  const lamp = (values: Partial<LightValues>): LightValues => {
+    const place = scale(random.unit(), random.from(2, 4));
+    const color = { ambient: random.color(60), diffuse: random.color(60), specular: random.color(60) };
+    const aim = { position: [...place, 1], axis: subtract(random.vector(-0.5, 0.5), place) } as const;
+    return light({ ...color, ...aim, ...values });
+  };
+  const none = [0, 0, 0] as const;
+  return [
+    lamp({ position: [1, 2, 3, 0] }),
+    lamp({ position: [-1, 1, 3, 0], specular: none }),
+    lamp({ attenuation: [1, 0.2, 0.05] }),
+    lamp({ diffuse: none }),
+    lamp({ aperture: 25 }),
+    lamp({ aperture: 110, cutoff: 3, attenuation: [0, 0, 1] }),
+    lamp({ cutoff: 64 }),
+    lamp({ cutoff: 2.5, ambient: none }),
+    lamp({ aperture: 30, cutoff: 70.5, specular: none }),
+    lamp({ aperture: 60, cutoff: 1, diffuse: none, specular: none }),
+  ];
+}
+
+function sumsOf(
+  form: 'written out' | 'in loops',
+  terms: readonly Term[],
+  only: (light: LightValues) => boolean = () => true,
+): Check {
+  const chosen = lights().filter(only);
+  const packed = emptyPack();
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  packLights(chosen, { worldToShading: identity, cameraToShading: identity, linear: false }, packed);
+  const bits = terms.reduce((sum, term) => sum | TERMS[term], 0);
+  const text = (form === 'written out' ? writtenOut : inLoops)(packed, bits);
+  const rows = Array.from({ length: packed.rows }, (_, row) => {
+    const four = [...packed.data.subarray(row * 4, row * 4 + 4)];
+    return `vec4(${four.map((x) => x.toExponential(9)).join(', ')})`;
+  });
+  const all = terms.length === ALL.length;
+  return {
+    title: `lights ${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
+    defines: [`EXACT_LIGHTS ${text}`, ...terms.map((term) => `HAS_${term.toUpperCase()}`)],
+    rows: `const vec4 ROWS[${packed.rows}] = vec4[](${rows.join(', ')});\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
+    glsl: `
+      LightSums sums = lightSums(a.xyz, b.xyz, unitOrZero(vec3(${EYE.map((x) => x.toFixed(1)).join(', ')}) - a.xyz), 8.0);
+      result.xyz = sums.ambient + sums.diffuse + sums.specular;`,
+    inputs(random) {
+      for (;;) {
+        const N = random.unit();
+        const p = float32(scale(N, random.from(0.5, 1)));
+        if (chosen.every((one) => !isAtEdge(one, p))) return [[...p], [...float32(N)]];
+      }
+    },
+    expected: ([x, y, z], N) => {
+      const fragment = { p: [x!, y!, z!] as Vec3, normal: N as unknown as Vec3, eye: EYE };
+      const white = [255, 255, 255] as const;
+      const surface = { ka: white, kd: white, ks: white, shininess: 8 };
+      return shade(fragment, surface, chosen, { terms }).sum;
+    },
+    bound: 2e-5,
+    floor: 1,
+  };
+}
+
+/** So near to the edge of its cone that float32 may take it for either side. */
+function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {
+  if (aperture === 180 || position[3] === 0) return false;
+  const c = dot(normalize(subtract(p, [position[0], position[1], position[2]])), normalize(axis));
+  return Math.abs(Math.acos(c) - (aperture * Math.PI) / 180) < 1e-4;
+}
+
+const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
+
+export const EXACT_CHECKS: readonly Check[] = [
+  ...LOBES,
+  sumsOf('written out', ALL),
+  sumsOf('written out', ['specular']),
+  sumsOf('in loops', ALL),
+  sumsOf('in loops', ['ambient', 'diffuse'], isSpot),
+];
