@@ -24,8 +24,8 @@ float mildPower(float x, float k) {
 }
 
 /**
- * x^k for a whole k from 1 to LARGEST_MILD: a literal, so that nothing but its multiplications is left. An error
- * of x is multiplied by k; x = 1 - y of a chord has 2^-25.
+ * x^k for a whole k from 1 to LARGEST_MILD: a literal, so that nothing but its multiplications is left. A relative error
+ * of x is multiplied by k.
  */
 float wholePower(float x, int k) {
   float result = (k & 1) != 0 ? x : 1.0;
