@@ -17,6 +17,12 @@ function lobeInputs(random: Random): readonly [number[], number[]] {
   return [[...float32(L)], [...float32(normalize(V))]];
 }
 
+const blinn: Check['expected'] = ([x, y, z], V) => {
+  const sum = add([x!, y!, z!], V as unknown as Vec3);
+  // L = -V but for the roundings of either: nothing is left to point anywhere.
+  return [Math.hypot(...sum) < 1e-3 ? 0 : Math.max(normalize(sum)[2], 0) ** 8];
+};
+
 const lobe = (
   defines: readonly string[],
   title: string,
@@ -42,13 +48,34 @@ const LOBES: readonly Check[] = [
   lobe(
     ['WHOLE_SHININESS 8', 'REFLECTION_BLINN_PHONG'],
     'specularLobe multiplies Blinn’s whole exponent out, and is 0 where there is no H',
-    ([x, y, z], V) => {
-      const sum = add([x!, y!, z!], V as unknown as Vec3);
-      // L = -V but for the roundings of either: nothing is left to point anywhere.
-      return [Math.hypot(...sum) < 1e-3 ? 0 : Math.max(normalize(sum)[2], 0) ** 8];
-    },
+    blinn,
     5e-6,
   ),
+  lobe(
+    ['MILD_SHININESS', 'REFLECTION_BLINN_PHONG'],
+    'specularLobe raises Blinn’s mild exponent without the series',
+    blinn,
+    2e-5,
+  ),
+  lobe(
+    ['MILD_SHININESS'],
+    'specularLobe raises a mild exponent without the series',
+    ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
+    2e-5,
+  ),
+  {
+    title: 'mildPower keeps x^k to the error of log2 for exponents to 64, 0^k = 0 and x^0 = 1',
+    glsl: 'result.x = mildPower(a.x, a.y);',
+    inputs: (random) => [
+      [
+        Math.fround(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
+        Math.fround(random.pick([0, 1e-7, 0.01, 64, random.magnitude(1e-6, 64)])),
+      ],
+    ],
+    expected: ([x, k]) => [k! < 1e-6 ? 1 : x! ** k!],
+    bound: 3e-5, // 64 · 2^-21 · ln 2 of log2, and exp2's own
+    floor: 1,
+  },
   {
     title: 'unitOrZero gives unit vectors of vectors of usual lengths, and zero of zero',
     defines: ['USUAL_LENGTHS'],

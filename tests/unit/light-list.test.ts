@@ -62,10 +62,18 @@ describe('some of the lights', () => {
         mask[1]! + mask[2]!,
         mask[3]! + mask[4]!,
       ]);
+      expect(list.packed.sent).toBe(mask.reduce((sum, one) => sum + one, 0));
       expect([...point, ...spots].map((one) => one['position']!.xyz[0])).toStrictEqual(
         [1, 2, 3, 4].filter((i) => mask[i] === 1),
       );
     }
+  });
+
+  it('may be any number', () => {
+    const all = pack(Array.from({ length: 100 }, (_, i) => spot(i, { cutoff: 1 + (i % 64) })));
+    const list = new LightList();
+    list.select(all, new Uint8Array(100).fill(1));
+    expect(essence(list.packed)).toStrictEqual(essence(all));
   });
 
   it('leave all lights as they are', () => {

@@ -2,10 +2,12 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { LARGEST_MILD, ROWS, SHAPE } from '../../src/light/light-layout.js';
+import { HEADER, LARGEST_MILD, ROWS, SHAPE } from '../../src/light/light-layout.js';
 import { forEachLight } from '../../src/light/light-reach.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { srgbDecode } from '../../src/math/color.js';
+import type { Vec3 } from '../../src/math/vector.js';
 import { anyLight, light } from './arbitraries.js';
 import { pack, WORLD } from './packed-reader.js';
 
@@ -99,6 +101,25 @@ describe('the shape of a light', () => {
       expect(packed.data.slice(0, packed.rows * 4)).toStrictEqual(fresh.data.slice(0, fresh.rows * 4));
     }
     expect(shapeOf(after)).not.toBe(shapeOf(before));
+  });
+
+  it('stays, and its colours are found anew, where the picture becomes linear', () => {
+    const packed = emptyPack();
+    const gray = light({ ...lamp, diffuse: [128, 128, 128] });
+    const colors = [false, true, false].map((linear) => {
+      packLights([gray], { ...WORLD, linear }, packed);
+      expect(packed.shapes[0]).toBe(shining);
+      return packed.data[(HEADER.rows + ROWS.point.diffuse) * 4];
+    });
+    expect(colors).toStrictEqual([128 / 255, srgbDecode(128 / 255), 128 / 255].map(Math.fround));
+  });
+
+  it.each([0, 1, 2])('keeps a spot that brings ambient light of channel %d alone', (channel) => {
+    const black = [0, 0, 0] as const;
+    const ambient = [0, 1, 2].map((c) => (c === channel ? 9 : 0)) as unknown as Vec3;
+    expect(shapeOf({ ...lamp, aperture: 20, diffuse: black, specular: black, ambient })).toBe(
+      SHAPE.ambient + SHAPE.narrow,
+    );
   });
 
   it('says no more of the darkest and the faintest than that they are there', () => {

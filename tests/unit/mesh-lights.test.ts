@@ -86,6 +86,8 @@ describe('a mesh', () => {
     expect(reached()).toStrictEqual([]);
     expect(reached([50, 0, 0])).toStrictEqual([0, 5]);
     expect(reached([45, 0, 0])).toStrictEqual([0, 5]);
+    mesh.scale.y = 0.2;
+    expect(reached([50, 0, 0])).toStrictEqual([0]);
     mesh.scale.y = -0.9;
     expect(reached([45, 0, 0])).toStrictEqual([5]);
   });
