@@ -196,14 +196,14 @@ export class SceneMesh {
 
   #show(content: Content): void {
     this.#showsModel = false;
-    for (const { mesh, material } of this.#parts) {
-      mesh.removeFromParent();
-      material.dispose();
-    }
+    const before = this.#parts;
+    for (const { mesh } of before) mesh.removeFromParent();
     this.#content.dispose();
     this.#content = content;
     this.#parts = content.parts.map((source) => {
-      const material = new PhongMaterial(this.#context.lighting, source.look);
+      // The same look keeps its material, and so its program: another shape compiles nothing.
+      const same = before.find((part) => part.source.look === source.look);
+      const material = same?.material ?? new PhongMaterial(this.#context.lighting, source.look);
       const mesh = new Mesh(source.geometry, material);
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
@@ -211,6 +211,9 @@ export class SceneMesh {
       this.root.add(mesh);
       return { mesh, material, source };
     });
+    for (const { material } of before) {
+      if (!this.#parts.some((part) => part.material === material)) material.dispose();
+    }
     this.restyle();
     this.#events.reshaped();
   }
