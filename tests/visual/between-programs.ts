@@ -24,14 +24,14 @@ export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
   let max = 0;
   let differing = 0;
   let channels = 0;
+  const drawn = ({ data }: Picture, i: number): number => Math.round((data[i]! * data[i | 3]!) / 255);
   for (let i = 0; i < a.data.length; i++) {
     const shown = a.data[i | 3] !== 0 || b.data[i | 3] !== 0;
     if (i % 4 === 3 || !shown) continue;
-    const difference = Math.abs(a.data[i]! - b.data[i]!);
     channels += 1;
-    if (difference === 0) continue;
+    if (a.data[i] === b.data[i]) continue;
     differing += 1;
-    max = Math.max(max, 1, Math.round((difference * a.data[i | 3]!) / 255));
+    max = Math.max(max, 1, Math.abs(drawn(a, i) - drawn(b, i)));
   }
   return { max, differing, channels };
 }

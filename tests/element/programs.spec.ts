@@ -1,0 +1,170 @@
+// Which code do programs hold, and how many are there? Their text is read from outside, as it went to WebGL, and what
+// `main` can reach in it after its conditions are decided.
+
+import type { Page } from '@playwright/test';
+import { expect, test } from '../support/test.js';
+import { drawUntilExact } from './driving.js';
+import { definesOf, reachableOf } from './glsl-reading.js';
+import { drawnWith, glPrograms, glSpent, isExact, isLit, logGl, type GlProgram } from './gl-log.js';
+import { expectFewPrograms, MOST_EXACT } from './program-walk.js';
+import type { PhongViewer } from './support.js';
+
+const size = { width: 60, height: 42 };
+
+/** What stands in a program for each thing that scenes may need: facts, and functions that `main` comes to. */
+const CODE = {
+  directional: { facts: ['HAS_DIRECTIONAL'], functions: ['addDirectional'] },
+  point: { facts: ['HAS_POINT'], functions: ['addPoint'] },
+  spot: { facts: ['HAS_SPOT'], functions: ['addSpot', 'insideCone', 'spotDecay'] },
+  cone: { facts: ['HAS_CONE'], functions: [] },
+  decay: { facts: ['HAS_DECAY'], functions: [] },
+  attenuation: { facts: ['HAS_ATTENUATION'], functions: [] },
+  ambient: { facts: ['HAS_AMBIENT'], functions: [] },
+  diffuse: { facts: ['HAS_DIFFUSE'], functions: [] },
+  specular: { facts: ['HAS_SPECULAR'], functions: [] },
+  texture: { facts: ['HAS_MAP'], functions: [] },
+  gouraud: { facts: ['SHADING_GOURAUD'], functions: ['shadeFace'] },
+  'blinn-phong': { facts: ['REFLECTION_BLINN_PHONG'], functions: [] },
+  linear: { facts: ['IS_LINEAR'], functions: ['srgbEncode'] },
+  'vertex colours': { facts: ['HAS_VERTEX_COLOR'], functions: [] },
+  mask: { facts: ['HAS_ALPHA_MASK'], functions: [] },
+} as const;
+
+type Need = keyof typeof CODE;
+
+/** Which of {@link CODE} is in a program. */
+function codeIn({ vertex, fragment }: GlProgram): Need[] {
+  const defines = new Set([...definesOf(vertex), ...definesOf(fragment)]);
+  const functions = new Set([...reachableOf(vertex), ...reachableOf(fragment)]);
+  return (Object.keys(CODE) as Need[]).filter((need) => {
+    const { facts, functions: named } = CODE[need];
+    const some = facts.some((fact) => defines.has(fact)) || named.some((name) => functions.has(name));
+    const all = facts.every((fact) => defines.has(fact)) && named.every((name) => functions.has(name));
+    expect(all, `${need}: its facts and its functions are there together`).toBe(some);
+    return some;
+  });
+}
+
+async function litPrograms(page: Page): Promise<GlProgram[]> {
+  return (await drawnWith(page)).filter(isLit);
+}
+
+/** Scenes, and what their one program holds besides a directional light's diffuse and specular light. */
+const SCENES: Readonly<Record<string, readonly [markup: string, needs: readonly Need[]]>> = {
+  'a sun': ['geometry="box"><phong-light>', ['directional', 'diffuse', 'specular']],
+  'a head-light': ['geometry="box">', ['directional', 'diffuse', 'specular']],
+  'a sun on a matte mesh': ['geometry="box" ks="0"><phong-light>', ['directional', 'diffuse']],
+  'a sun without highlights': ['geometry="box"><phong-light specular="0">', ['directional', 'diffuse']],
+  'ambient light alone': ['geometry="box"><phong-light ambient="9" diffuse="0" specular="0">', ['directional', 'ambient']], // prettier-ignore
+  'ambient and diffuse terms of all': ['geometry="box" terms="ambient diffuse"><phong-light ambient="9">', ['directional', 'ambient', 'diffuse']], // prettier-ignore
+  'no terms': ['geometry="box" terms=""><phong-light ambient="9">', ['directional']],
+  'a sun with a cone, which is decided beforehand': ['geometry="box"><phong-light axis="-1 -1 -1" aperture="50" cutoff="4">', ['directional', 'diffuse', 'specular']], // prettier-ignore
+  'a point': ['geometry="box"><phong-light position="1 2 3">', ['point', 'diffuse', 'specular']],
+  'a spot without an axis': ['geometry="box"><phong-light position="1 2 3" axis="0 0 0" aperture="20" cutoff="2">', ['point', 'diffuse', 'specular']], // prettier-ignore
+  'a point that fades': ['geometry="box"><phong-light position="1 2 3" attenuation="1 0 1">', ['point', 'attenuation', 'diffuse', 'specular']], // prettier-ignore
+  'attenuation that is none': ['geometry="box"><phong-light position="1 2 3" attenuation="0.5 0 0">', ['point', 'diffuse', 'specular']], // prettier-ignore
+  'a sun with attenuation, which it has not': ['geometry="box"><phong-light attenuation="9 9 9">', ['directional', 'diffuse', 'specular']], // prettier-ignore
+  'a cone': ['geometry="box"><phong-light position="1 2 3" axis="-1 -2 -3" aperture="30">', ['spot', 'cone', 'diffuse', 'specular']], // prettier-ignore
+  'a decay': ['geometry="box"><phong-light position="1 2 3" axis="-1 -2 -3" cutoff="3">', ['spot', 'decay', 'diffuse', 'specular']], // prettier-ignore
+  'an inactive spot beside a sun': ['geometry="box"><phong-light></phong-light><phong-light active="false" position="1 2 3" axis="-1 -2 -3" aperture="30">', ['directional', 'spot', 'cone', 'diffuse', 'specular']], // prettier-ignore
+  gouraud: [
+    'geometry="box" shading="gouraud"><phong-light>',
+    ['directional', 'diffuse', 'specular', 'gouraud'],
+  ],
+  flat: ['geometry="box" shading="flat"><phong-light>', ['directional', 'diffuse', 'specular']],
+  'blinn-phong': ['geometry="box" reflection="blinn-phong"><phong-light>', ['directional', 'diffuse', 'specular', 'blinn-phong']], // prettier-ignore
+  linear: ['geometry="box" color-interpolation="linear"><phong-light>', ['directional', 'diffuse', 'specular', 'linear']], // prettier-ignore
+  'a textured model': ['src="/fixtures/models/textured.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'texture']], // prettier-ignore
+  'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'vertex colours']], // prettier-ignore
+};
+
+test('a program holds the code that its scene has declared a need of, and no other', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  for (const [which, [markup, needs]] of Object.entries(SCENES)) {
+    await glSpent(page);
+    const html = `<phong-viewer ${markup}</phong-viewer>`;
+    await viewer.evaluate((element, text) => (element.outerHTML = text), html);
+    await viewer.evaluate((element: PhongViewer) => element.ready);
+    const lit = await litPrograms(page);
+    expect(lit.length, which).toBe(1);
+    expect(codeIn(lit[0]!), which).toEqual(Object.keys(CODE).filter((need) => needs.includes(need as Need)));
+    expect(lit[0]!.fragment, which).toMatch(/precision highp float/);
+  }
+});
+
+test('the code for lights is in one stage alone', async ({ page, mount }) => {
+  await logGl(page);
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  for (const shading of ['phong', 'flat', 'gouraud']) {
+    await glSpent(page);
+    await viewer.evaluate((element, how) => (element.outerHTML = `<phong-viewer geometry="box" shading="${how}"><phong-light position="1 2 3"></phong-light></phong-viewer>`), shading); // prettier-ignore
+    await viewer.evaluate((element: PhongViewer) => element.ready);
+    const [{ vertex, fragment }] = (await litPrograms(page)) as [GlProgram];
+    expect(reachableOf(vertex).has('lightSums'), shading).toBe(shading === 'gouraud');
+    expect(reachableOf(fragment).has('lightSums'), shading).toBe(shading !== 'gouraud');
+  }
+});
+
+test('a program of its own adds what each light has and no more', async ({ page, mount }) => {
+  await logGl(page);
+  const lights =
+    '<phong-light></phong-light><phong-light active="false" position="1 2 3" attenuation="1 1 1"></phong-light>';
+  await mount(`<phong-viewer geometry="box">${lights}</phong-viewer>`, size);
+  expect(codeIn((await litPrograms(page))[0]!)).toEqual(['directional', 'point', 'attenuation', 'diffuse', 'specular']); // prettier-ignore
+  await drawUntilExact(page);
+  const [exact] = (await litPrograms(page)) as [GlProgram];
+  const functions = reachableOf(exact.fragment);
+  expect(functions.has('addDirectional')).toBe(true);
+  expect(functions.has('addPoint')).toBe(false);
+  expect(/#define EXACT_LIGHTS (.*)/.exec(exact.fragment)?.[1]?.match(/add\w+\(/g)).toEqual([
+    'addDirectional(',
+  ]);
+});
+
+test('a long walk through scenes makes a program for each need once, and few of their own', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(120_000);
+  await logGl(page);
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  await expectFewPrograms(page, viewer, Number(process.env['PHONG_VIEWER_SEED'] ?? 1), 60);
+});
+
+test('ten meshes of ten lights each have eight programs of their own together', async ({ page, mount }) => {
+  await logGl(page);
+  // Each lit by one more light than the one before, so that no two share a program.
+  const meshes = Array.from({ length: 10 }, (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`); // prettier-ignore
+  const lights = Array.from({ length: 10 }, (_, i) =>
+    `<phong-light position="${3 * i} 1 0" axis="0 -1 0" aperture="30"></phong-light>`.repeat(i + 1),
+  );
+  const viewer = await mount(`<phong-viewer>${meshes.join('')}${lights.join('')}</phong-viewer>`, size);
+  const exactNow = async (): Promise<number> => {
+    const programs = await glPrograms(page);
+    return programs.filter((one) => one.live && isExact(one)).length;
+  };
+  await expect
+    .poll(async () => {
+      await viewer.evaluate(async (element: PhongViewer) => {
+        for (let i = 0; i < 20; i++) {
+          element.requestRender();
+          await new Promise(requestAnimationFrame);
+        }
+      });
+      return exactNow();
+    })
+    .toBe(MOST_EXACT);
+  await glSpent(page);
+  await viewer.evaluate(async (element: PhongViewer) => {
+    element.requestRender();
+    await element.ready;
+  });
+  const drawn = await litPrograms(page);
+  expect(drawn.filter(isExact).length).toBe(MOST_EXACT);
+  expect(drawn.length).toBe(MOST_EXACT + 1); // the general one draws both others
+  expect(await viewer.evaluate((element: PhongViewer) => element.stats.lightsSentByMesh)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]); // prettier-ignore
+});

@@ -1,0 +1,85 @@
+// The long forms of what is skipped and changes no picture: more scenes by two programs each, more budgets, longer walks.
+
+import { expect, pixels, test } from '../support/test.js';
+import { drawUntilExact } from '../element/driving.js';
+import { logGl } from '../element/gl-log.js';
+import { expectFewPrograms } from '../element/program-walk.js';
+import type { PhongViewer } from '../element/support.js';
+import { betweenPrograms, DifferenceSum, picturesBy } from '../visual/between-programs.js';
+import { compareBudgets, compareRandomScenes, SIZE } from '../visual/program-scenes.js';
+import { Dice, randomLight, randomScene, sceneMarkup } from '../visual/random-scene.js';
+
+const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? 300);
+
+test.beforeEach(async ({ page }) => {
+  test.setTimeout(1_800_000);
+  await logGl(page);
+});
+
+test('@release three hundred random scenes differ by a code on few channels between their two programs', async ({
+  page,
+  mount,
+}) => {
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  await compareRandomScenes(page, FIRST, SCENES);
+});
+
+test('@release a hundred scenes under many fading lights lose no more than their error budget', async ({
+  page,
+  mount,
+}) => {
+  await mount('<phong-viewer></phong-viewer>', SIZE);
+  await compareBudgets(page, FIRST, Math.ceil(SCENES / 3));
+});
+
+test('@release walks of four hundred steps make a program for each need once, whatever the seed', async ({
+  page,
+  mount,
+}) => {
+  for (let seed = FIRST; seed < FIRST + 5; seed++) {
+    const viewer = await mount('<phong-viewer></phong-viewer>', { width: 60, height: 42 });
+    await expectFewPrograms(page, viewer, seed, 400);
+  }
+});
+
+test('@release four thousand lights that keep moving look as they do standing still', async ({
+  page,
+  mount,
+}) => {
+  const dice = new Dice(FIRST);
+  const lights = Array.from({ length: 4096 }, () => {
+    const light = randomLight(dice);
+    const dim = (c: readonly number[]) =>
+      c.map((x) => Number((x / 4096).toFixed(5))) as unknown as typeof light.diffuse;
+    return {
+      ...light,
+      active: true,
+      ambient: dim(light.ambient),
+      diffuse: dim(light.diffuse),
+      specular: dim(light.specular),
+    };
+  });
+  const size = { width: 60, height: 42 };
+  const viewer = await mount(sceneMarkup({ ...randomScene(FIRST), lights }), size);
+  const [general] = await picturesBy(page, [viewer], 'general', size);
+  await drawUntilExact(page);
+  const [exact] = await picturesBy(page, [viewer], 'exact', size);
+  const sum = new DifferenceSum();
+  sum.add(betweenPrograms(general!, exact!));
+  await viewer.evaluate(async (element: PhongViewer) => {
+    for (const by of [0.5, -0.25, -0.25]) {
+      for (const light of element.lights) {
+        const [x, y, z, w] = light.position;
+        light.position = [x + by, y, z, w];
+      }
+      await element.ready;
+    }
+  });
+  const back = await pixels(viewer, size);
+  // Three sums of steps that binary numbers hold exactly: places to three decimals come back but for float64's rounding.
+  sum.add(betweenPrograms(general!, back));
+  console.log(`4,096 lights: ${String(sum)}`);
+  sum.expectPromise();
+  expect(sum.channels).toBeGreaterThan(1000);
+});
