@@ -130,6 +130,12 @@ describe('the uniform block', () => {
     expect(sendBlock(rows)).toStrictEqual([]);
   });
 
+  it('waits for nothing where the rows grow beyond it', () => {
+    const rows = settled(BLOCK_ROWS);
+    rows.write(packed(2 * WIDTH));
+    expect(sendBlock(rows)).toStrictEqual([]);
+  });
+
   it('follows the rows into the memory that they grow into', () => {
     const rows = settled(10);
     rows.write(packed(2 * WIDTH));
@@ -277,6 +283,14 @@ describe('the texture', () => {
     expect(draw(rows).image).toMatchObject({ height: 20 });
   });
 
+  it('is made again where it grows by nothing but zeros', () => {
+    const rows = settled(10);
+    const pack = { ...packed(WIDTH + 1), data: new Float32Array((WIDTH + 1) * 4) };
+    pack.data.set(packed(10).data.subarray(0, 40));
+    rows.write(pack);
+    expect(gpu.pixels(draw(rows)).slice(0, 40)).toStrictEqual(floatsOf(packed(10)));
+  });
+
   it('stays for a scene that shrinks and grows again', () => {
     const rows = settled(2000);
     const texture = draw(rows);
@@ -292,6 +306,7 @@ describe('a lost context', () => {
     const texture = draw(rows);
     gpu.loseContext();
     rows.restore();
+    expect(rows.group.uniforms).toHaveLength(3); // three.js measures the block anew before anything is sent
     expect(sendBlock(rows)).toHaveLength(3);
     expect(draw(rows)).toBe(texture);
     expect(texture.version).toBe(2);
