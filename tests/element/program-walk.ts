@@ -40,6 +40,7 @@ const STEPS: readonly Step[] = [
   (dice) => ['color-interpolation', dice.pick(['srgb', 'linear'])],
   (dice) => ['terms', dice.pick(['ambient diffuse specular', 'diffuse', 'ambient diffuse', ''])],
   (dice) => ['ks', dice.pick(['0', '128', '90 100 80'])],
+  (dice) => ['geometry', dice.pick(['box', 'sphere', 'torus'])],
   () => ['draw on', ''],
 ];
 

@@ -135,6 +135,17 @@ test('a long walk through scenes makes a program for each need once, and few of 
   await expectFewPrograms(page, viewer, Number(process.env['PHONG_VIEWER_SEED'] ?? 1), 60);
 });
 
+test('another shape is drawn by the program that is there', async ({ page, mount }) => {
+  await logGl(page);
+  const viewer = await mount('<phong-viewer geometry="box"><phong-light></phong-light></phong-viewer>', size);
+  for (const [key, value] of Object.entries({ geometry: 'sphere', segments: '12' })) {
+    await glSpent(page);
+    await viewer.evaluate((element, [name, text]) => element.setAttribute(name, text), [key, value] as const);
+    await viewer.evaluate((element: PhongViewer) => element.ready);
+    expect(await glSpent(page), `${key} ${value}`).toMatchObject({ draws: 1, links: 0, compiles: 0 });
+  }
+});
+
 test('ten meshes of ten lights each have eight programs of their own together', async ({ page, mount }) => {
   await logGl(page);
   // Each lit by one more light than the one before, so that no two share a program.
