@@ -304,6 +304,7 @@ describe('a lost context', () => {
   it('sends everything again, block and texture', () => {
     const rows = settled(2000);
     const texture = draw(rows);
+    expect(sendBlock(rows)).toStrictEqual([]);
     gpu.loseContext();
     rows.restore();
     expect(rows.group.uniforms).toHaveLength(3); // three.js measures the block anew before anything is sent
