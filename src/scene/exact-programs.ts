@@ -4,6 +4,7 @@
 import { type Material, Mesh, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import { NearLights } from '../material/near-lights.js';
 import { type ExactChoice, type ExactForm, ExactMaterial, exactText } from '../material/exact-material.js';
+import { unfinished } from './link-check.js';
 import type { LightList } from '../material/light-list.js';
 import { ALL_TERMS } from '../material/exact-lights.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
@@ -98,6 +99,7 @@ export class ExactPrograms {
       this.#framesCompiling += 1;
       if (twin !== null && !isReady(renderer, twin, this.#framesCompiling)) return;
       this.#compiling.ready = twin !== null;
+      if (twin !== null) unfinished.delete(programOf(renderer, twin) ?? twin);
       this.#compiling = null;
     }
     for (const { mesh, material } of parts) {
@@ -110,6 +112,7 @@ export class ExactPrograms {
       this.#compiling = record;
       this.#framesCompiling = 0;
       renderer.compile(new Scene().add(new Mesh(mesh.geometry, record.twin)), camera);
+      unfinished.add(programOf(renderer, record.twin) ?? record.twin);
       return;
     }
   }
@@ -178,9 +181,16 @@ function commonText(list: LightList, form: ExactForm, { common }: Record): strin
 
 function isReady(renderer: WebGLRenderer, material: Material, frames: number): boolean {
   if (frames < UNTOLD_FRAMES && !renderer.extensions.has('KHR_parallel_shader_compile')) return false;
-  const { currentProgram } = renderer.properties.get(material) as { currentProgram?: { isReady(): boolean } };
-  return currentProgram?.isReady() ?? false;
+  return programOf(renderer, material)?.isReady() ?? false;
 }
+
+/** Not in three.js's types. */
+interface Program {
+  isReady(): boolean;
+}
+
+const programOf = (renderer: WebGLRenderer, material: Material): Program | undefined =>
+  (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
 
 const written = new WeakMap<WebGLRenderer, number>();
 

@@ -8,6 +8,9 @@ type Program = ThreeProgram & {
   isReady(): boolean;
 };
 
+/** Programs that are made in the background and not drawn with yet: asking for them could wait. */
+export const unfinished = new WeakSet<object>();
+
 /**
  * three.js's own check asks for three logs of each program, and each answer is waited for. Whether a program that was
  * drawn with has linked is known to the browser by then; the logs are wanted only where it has not.
@@ -23,7 +26,7 @@ export class LinkCheck {
   check(renderer: WebGLRenderer): void {
     const gl = renderer.getContext();
     for (const program of (renderer.info.programs ?? []) as Program[]) {
-      if (this.#checked.has(program) || !program.isReady()) continue;
+      if (this.#checked.has(program) || unfinished.has(program) || !program.isReady()) continue;
       this.#checked.add(program);
       if (gl.getProgramParameter(program.program, gl.LINK_STATUS) === true || gl.isContextLost()) continue;
       reportError(new Error(`<phong-viewer> a program does not link: ${logOf(gl, program.program)}`));

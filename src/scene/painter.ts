@@ -41,6 +41,7 @@ export class Painter {
     renderer.render(scene, camera);
     this.#drawCalls = renderer.info.render.calls;
     this.#exact?.settle(renderer, camera, parts);
+    for (const mesh of this.#meshes) mesh.sweep();
     this.#drawings += 1;
     if (this.#drawings === DRAWINGS_OF_MOTION) this.#quicken();
   }
@@ -48,6 +49,7 @@ export class Painter {
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
     this.#exact?.dispose(this.#parts());
+    for (const mesh of this.#meshes) mesh.sweep();
     releaseGpu(this.scene);
     this.lighting.dispose();
   }

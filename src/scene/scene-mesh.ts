@@ -52,6 +52,7 @@ export class SceneMesh {
   #parts: readonly Part[] = [];
   #loading: AbortController | null = null;
   #asked: string | null = null;
+  readonly #retired = new Set<PhongMaterial>();
   #showsModel = false;
   /** Position, rotation and scale as last written to the scene: measuring it anew costs a pass over all vertices. */
   #placed: readonly number[] = [];
@@ -74,6 +75,12 @@ export class SceneMesh {
   /** Its `src` is what it shows. */
   get showsModel(): boolean {
     return this.#showsModel && this.#asked !== null && !this.loading;
+  }
+
+  /** After a drawing: gives back the programs of what was shown before, which what is shown now may have taken over. */
+  sweep(): void {
+    for (const material of this.#retired) material.dispose();
+    this.#retired.clear();
   }
 
   /** What shows this mesh: three.js meshes, each with its material. */
@@ -112,6 +119,7 @@ export class SceneMesh {
     this.#drop();
     this.#asked = null;
     this.#show(NOTHING);
+    this.sweep();
     this.root.removeFromParent();
   }
 
@@ -212,7 +220,7 @@ export class SceneMesh {
       return { mesh, material, source };
     });
     for (const { material } of before) {
-      if (!this.#parts.some((part) => part.material === material)) material.dispose();
+      if (!this.#parts.some((part) => part.material === material)) this.#retired.add(material);
     }
     this.restyle();
     this.#events.reshaped();
