@@ -118,10 +118,10 @@ describe('a cone that does not touch a box', () => {
       }),
       { numRuns: 200 },
     );
-    expect(left / asked).toBeGreaterThan(0.2); // 0.31 of these cones are left out
+    expect(left / asked).toBeGreaterThan(0.3); // 0.41 of these cones are left out
   });
 
-  it('is left out in 95 of 100 cases at least, where it misses the box by a tenth of its longest side', () => {
+  it('is left out in 98 of 100 cases at least, where it misses the box by a tenth of its longest side', () => {
     let missing = 0;
     let left = 0;
     const random = new Random(SEED);
@@ -134,7 +134,7 @@ describe('a cone that does not touch a box', () => {
       const view = anyView(random, box.size);
       left += 1 - reach(pack([spotOf(random, cone, view, bare)], spaceOf(view, false)), boxOf(box)).count;
     }
-    expect(left / missing, `seed ${String(SEED)}`).toBeGreaterThan(0.95); // measured: 0.98
+    expect(left / missing, `seed ${String(SEED)}`).toBeGreaterThan(0.98); // measured: 0.994
   });
 });
 
