@@ -2,6 +2,7 @@
 // could bring within a budget. All in shading space and float64, from the very rows that the GLSL reads. Always on the
 // safe side: a light that is left out brings nothing (or what the budget allows) to any point of the box.
 import { HEADER, LIMIT_OPEN, NEAREST, ROWS, SHAPE } from './light-layout.js';
+import { cross, dot, length, normalize, type Vec3 } from '../math/vector.js';
 import { KINDS, type PackedLights } from './pack-lights.js';
 
 /** Axis-aligned, in shading space: low x y z, high x y z. */
@@ -16,7 +17,7 @@ export interface Reflectance {
 
 /**
  * How far, in radians, what the GPU takes for the cone's edge may be from what it is here: 2e-6 measured on the worst
- * lawful driver (tests/stress), with a margin.
+ * lawful driver (tests/stress), with a margin. As a share of the coordinates it also covers their rounding to float32.
  */
 const EDGE = 1e-5;
 
@@ -28,16 +29,21 @@ const HALVINGS = 6;
 
 /** One spot's cone, taken apart once. */
 export class Cone {
-  readonly #data: Float32Array;
-  readonly #at: number;
+  readonly #place: Vec3;
+  /** Unit in float64: in float32 it is up to 6e-8 too long or short, which would be 3e-4 rad beside it. */
+  readonly #axis: Vec3;
   readonly #sin: number;
   readonly #cos: number;
   readonly #open: boolean;
 
   /** The spot whose first row is `row`. */
   constructor({ data }: PackedLights, row: number) {
-    this.#data = data;
-    this.#at = row * 4;
+    const three = (offset: number): Vec3 => {
+      const at = (row + offset) * 4;
+      return [data[at] ?? 0, data[at + 1] ?? 0, data[at + 2] ?? 0];
+    };
+    this.#place = three(ROWS.spot.position);
+    this.#axis = normalize(three(ROWS.spot.axis));
     const limit = data[(row + ROWS.spot.ambient) * 4 + 3] ?? 0;
     const half = Math.abs(limit); // sin² of half the aperture, or of half of what it lacks to 180°
     this.#open = limit === LIMIT_OPEN;
@@ -77,8 +83,9 @@ export class Cone {
   /** The largest cosine between the axis and any point of a ball around x y z; 1 where the ball holds the apex. */
   nearestCosine(x: number, y: number, z: number, radius: number): number {
     const { along, across, d } = this.#components(x, y, z);
-    if (d <= radius) return 1;
-    const sin = radius / d;
+    const reach = radius + this.#slack(x, y, z, radius);
+    if (d <= reach) return 1;
+    const sin = reach / d;
     const cos = Math.sqrt(1 - sin * sin);
     const axial = along / d;
     return axial >= cos ? 1 : axial * cos + (across / d) * sin;
@@ -93,23 +100,16 @@ export class Cone {
   }
 
   #components(x: number, y: number, z: number): { along: number; across: number; d: number } {
-    const data = this.#data;
-    const at = this.#at;
-    const axis = at + ROWS.spot.axis * 4;
-    const vx = x - (data[at] ?? 0);
-    const vy = y - (data[at + 1] ?? 0);
-    const vz = z - (data[at + 2] ?? 0);
-    const d = Math.hypot(vx, vy, vz);
-    const along = vx * (data[axis] ?? 0) + vy * (data[axis + 1] ?? 0) + vz * (data[axis + 2] ?? 0);
-    return { along, across: Math.sqrt(Math.max(d * d - along * along, 0)), d };
+    const [px, py, pz] = this.#place;
+    const v: Vec3 = [x - px, y - py, z - pz];
+    return { along: dot(v, this.#axis), across: length(cross(v, this.#axis)), d: length(v) };
   }
 
   #slack(x: number, y: number, z: number, radius: number): number {
-    const data = this.#data;
-    const at = this.#at;
-    const size = (i: number, center: number): number => Math.abs(data[at + i] ?? 0) + Math.abs(center);
-    const extent = size(0, x) + size(1, y) + size(2, z) + radius;
-    return EDGE * extent + ROUNDING * extent;
+    const [px, py, pz] = this.#place;
+    const extent =
+      Math.abs(px) + Math.abs(py) + Math.abs(pz) + Math.abs(x) + Math.abs(y) + Math.abs(z) + radius;
+    return EDGE * extent + NEAREST; // so near there is no angle, and every cone is reached
   }
 }
 
@@ -204,15 +204,16 @@ export function mostOf(
   const { position, diffuse, specular } = ROWS.spot; // a point light's rows begin alike
   const gap = (i: 0 | 1 | 2): number => {
     const place = value(position, i);
-    return Math.max(box[i] - place, place - box[i + 3]!, 0);
+    const rounding = ROUNDING * (Math.abs(place) + Math.max(Math.abs(box[i]), Math.abs(box[i + 3]!)));
+    return Math.max(box[i] - place - rounding, place - box[i + 3]! - rounding, 0);
   };
-  const d = Math.hypot(gap(0), gap(1), gap(2)) * (1 - ROUNDING);
+  const d = Math.hypot(gap(0), gap(1), gap(2));
   const att = 1 / Math.max(value(position, 3) + d * (value(diffuse, 3) + d * value(specular, 3)), 1);
   let decay = 1;
   if (cone !== null) {
     const half = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 2;
     const middle = (i: 0 | 1 | 2): number => (box[i] + box[i + 3]!) / 2;
-    const cosine = cone.nearestCosine(middle(0), middle(1), middle(2), half * (1 + EDGE));
+    const cosine = cone.nearestCosine(middle(0), middle(1), middle(2), half);
     decay = ((1 + cosine) / 2) ** value(ROWS.spot.axis, 3);
   }
   const ambient = (i: number): number =>

@@ -4,7 +4,7 @@
 import { mutantsOf } from './mutants-of.mjs';
 
 export const reachMutants = mutantsOf('src/light/light-reach.ts', [
-  ['the slack about a cone’s edge', 'return EDGE * extent + ROUNDING * extent;', 'return 0;'],
+  ['the slack about a cone’s edge', 'return EDGE * extent + NEAREST;', 'return NEAREST;'],
   ['the slack about a cone’s edge is 1e-5 rad', 'const EDGE = 1e-5;', 'const EDGE = 1e-3;'],
   ['the slack about a cone’s edge is all of 1e-5 rad', 'const EDGE = 1e-5;', 'const EDGE = 4e-6;'],
   ['halvings of wide boxes', 'const HALVINGS = 6;', 'const HALVINGS = 0;'],
@@ -27,7 +27,7 @@ export const reachMutants = mutantsOf('src/light/light-reach.ts', [
   ['a half along z: the near one', 'this.reaches(x0, y0, z0, x1, y1, z, next) || ', ''],
   ['a half along z: the far one', ' || this.reaches(x0, y0, z, x1, y1, z1, next)', ''],
   ['the longest side is halved: x always', 'if (sizeX >= sizeY && sizeX >= sizeZ)', 'if (sizeX >= 0)'],
-  ['a ball about the apex is in every cone’s middle', 'if (d <= radius) return 1;', ''],
+  ['a ball about the apex is in every cone’s middle', 'if (d <= reach) return 1;', ''],
   ['a ball about the axis holds the axis', 'axial >= cos ? 1 : axial', 'axial'],
   ['a ball’s width', 'axial * cos + (across / d) * sin', 'axial'],
   [
@@ -40,7 +40,9 @@ export const reachMutants = mutantsOf('src/light/light-reach.ts', [
     'outside > 0 && along * this.#cos + across * this.#sin < 0 ? d : outside',
     'outside > 0 ? d : outside',
   ],
-  ['the apex', 'const vx = x - (data[at] ?? 0);', 'const vx = x;'],
+  ['the apex', '[x - px, y - py, z - pz]', '[x, y - py, z - pz]'],
+  ['lights nearer than 1e-15 to a box', 'return EDGE * extent + NEAREST;', 'return EDGE * extent;'],
+  ['the axis at unit length', 'normalize(three(ROWS.spot.axis))', 'three(ROWS.spot.axis)'],
   [
     'the answer grows with the lights',
     'if (into.mask.length < packed.sent) into.mask = new Uint8Array(packed.shapes.length);',
@@ -74,18 +76,18 @@ export const reachMutants = mutantsOf('src/light/light-reach.ts', [
   ['rows are stepped by kind', 'row += ROWS[kind].rows', 'row += 3'],
   [
     'the distance to a box’s low side',
-    'Math.max(box[i] - place, place - box[i + 3]!, 0)',
-    'Math.max(place - box[i + 3]!, 0)',
+    'Math.max(box[i] - place - rounding, place - box[i + 3]! - rounding, 0)',
+    'Math.max(place - box[i + 3]! - rounding, 0)',
   ],
   [
     'the distance to a box’s high side',
-    'Math.max(box[i] - place, place - box[i + 3]!, 0)',
-    'Math.max(box[i] - place, 0)',
+    'Math.max(box[i] - place - rounding, place - box[i + 3]! - rounding, 0)',
+    'Math.max(box[i] - place - rounding, 0)',
   ],
   [
     'the distance in a box is 0',
-    'Math.max(box[i] - place, place - box[i + 3]!, 0)',
-    'Math.max(box[i] - place, place - box[i + 3]!)',
+    'Math.max(box[i] - place - rounding, place - box[i + 3]! - rounding, 0)',
+    'Math.max(box[i] - place - rounding, place - box[i + 3]! - rounding)',
   ],
   [
     'att is at most 1',
@@ -96,7 +98,7 @@ export const reachMutants = mutantsOf('src/light/light-reach.ts', [
   ['kl', '(value(diffuse, 3) + d * value(specular, 3))', '(d * value(specular, 3))'],
   ['kq', '(value(diffuse, 3) + d * value(specular, 3))', 'value(diffuse, 3)'],
   ['the decay', 'decay = ((1 + cosine) / 2) ** value(ROWS.spot.axis, 3);', ''],
-  ['the box’s size in the decay', 'middle(2), half * (1 + EDGE)', 'middle(2), 0'],
+  ['the box’s size in the decay', 'middle(2), half)', 'middle(2), 0)'],
   ['spots’ ambient light', '(ka[i] ?? 0) * value(ROWS.spot.ambient, i)', '0'],
   [
     'spots’ ambient light is not attenuated',

@@ -20,7 +20,7 @@ class Surface {
     this.#listeners.set(type, listener);
   }
   fire(type: string, event: object): void {
-    this.#listeners.get(type)?.(event);
+    this.#listeners.get(type)?.({ type, ...event });
   }
   focus(): void {
     // It has it.

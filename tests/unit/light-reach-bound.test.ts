@@ -39,7 +39,7 @@ describe('the most that a light can bring to one point', () => {
         for (const c of [0, 1, 2] as const) {
           const share = sum[c] / bound[c];
           expect(share, `seed ${String(SEED)}, case ${String(i)}`).toBeLessThan(1 + slack);
-          expect(share, `seed ${String(SEED)}, case ${String(i)}`).toBeGreaterThan(1 - 1e-5);
+          expect(share, `seed ${String(SEED)}, case ${String(i)}`).toBeGreaterThan(1 - 1e-5 * (1 + cutoff));
         }
       }
     },
