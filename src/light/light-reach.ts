@@ -2,7 +2,7 @@
 // could bring within a budget. All in shading space and float64, from the very rows that the GLSL reads. Always on the
 // safe side: a light that is left out brings nothing (or what the budget allows) to any point of the box.
 import { HEADER, LIMIT_OPEN, NEAREST, ROWS, SHAPE } from './light-layout.js';
-import { cross, dot, length, normalize, type Vec3 } from '../math/vector.js';
+import { cross, dot, length, type Vec3 } from '../math/vector.js';
 import { KINDS, type PackedLights } from './pack-lights.js';
 
 /** Axis-aligned, in shading space: low x y z, high x y z. */
@@ -30,7 +30,7 @@ const HALVINGS = 6;
 /** One spot's cone, taken apart once. */
 export class Cone {
   readonly #place: Vec3;
-  /** Unit in float64: in float32 it is up to 6e-8 too long or short, which would be 3e-4 rad beside it. */
+  /** As it was rounded to float32, so by up to 6e-8 too long or short: only ratios to it are taken. */
   readonly #axis: Vec3;
   readonly #sin: number;
   readonly #cos: number;
@@ -43,7 +43,7 @@ export class Cone {
       return [data[at] ?? 0, data[at + 1] ?? 0, data[at + 2] ?? 0];
     };
     this.#place = three(ROWS.spot.position);
-    this.#axis = normalize(three(ROWS.spot.axis));
+    this.#axis = three(ROWS.spot.axis);
     const limit = data[(row + ROWS.spot.ambient) * 4 + 3] ?? 0;
     const half = Math.abs(limit); // sin² of half the aperture, or of half of what it lacks to 180°
     this.#open = limit === LIMIT_OPEN;

@@ -47,6 +47,8 @@ interface Record {
   since: number;
   twin: ExactMaterial | null;
   ready: boolean;
+  /** The twin has been drawn with. */
+  drawn: boolean;
   seen: boolean;
 }
 
@@ -57,6 +59,7 @@ export class ExactPrograms {
   readonly #records = new Map<Mesh, Record>();
   #compiling: Record | null = null;
   #framesCompiling = 0;
+  #renderer: WebGLRenderer | null = null;
 
   constructor(lighting: PhongLighting) {
     this.#lighting = lighting;
@@ -64,6 +67,7 @@ export class ExactPrograms {
 
   /** Before a frame: gives each mesh the material that draws it, exact where one is ready. */
   choose(renderer: WebGLRenderer, camera: PerspectiveCamera, parts: Iterable<DrawnPart>): void {
+    this.#renderer = renderer;
     const usual = camera.near > USUAL.near && camera.far < USUAL.far;
     for (const record of this.#records.values()) record.seen = false;
     for (const { mesh, material } of parts) {
@@ -83,6 +87,7 @@ export class ExactPrograms {
         record.frames = 0;
         record.since = performance.now();
       }
+      record.drawn ||= record.ready;
       mesh.material = record.ready && record.twin !== null ? record.twin : material;
     }
     for (const [mesh, record] of this.#records) {
@@ -134,10 +139,19 @@ export class ExactPrograms {
   #add(mesh: Mesh): Record {
     const record: Record = {
       ...{ near: new NearLights(), common: { list: null, version: -1, text: '' }, choice: null },
-      ...{ key: '', frames: 0, since: 0, twin: null, ready: false, seen: true },
+      ...{ key: '', frames: 0, since: 0, twin: null, ready: false, drawn: false, seen: true },
     };
     this.#records.set(mesh, record);
     return record;
+  }
+
+  /** three.js deletes a program's shaders when it is first drawn with, and never those of one that is not. */
+  #deleteShaders(twin: ExactMaterial): void {
+    const renderer = this.#renderer;
+    const program = renderer === null ? undefined : programOf(renderer, twin)?.program;
+    const gl = renderer?.getContext();
+    if (program !== undefined)
+      for (const shader of gl?.getAttachedShaders(program) ?? []) gl?.deleteShader(shader);
   }
 
   #end(record: Record): void {
@@ -148,9 +162,11 @@ export class ExactPrograms {
   #drop(record: Record): void {
     if (this.#compiling === record) this.#compiling = null;
     if (record.twin === null) return;
+    if (!record.drawn) this.#deleteShaders(record.twin);
     record.twin.dispose();
     record.twin = null;
     record.ready = false;
+    record.drawn = false;
     programs -= 1;
   }
 }
@@ -186,6 +202,7 @@ function isReady(renderer: WebGLRenderer, material: Material, frames: number): b
 
 /** Not in three.js's types. */
 interface Program {
+  readonly program: WebGLProgram;
   isReady(): boolean;
 }
 

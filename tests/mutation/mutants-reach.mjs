@@ -42,7 +42,6 @@ export const reachMutants = mutantsOf('src/light/light-reach.ts', [
   ],
   ['the apex', '[x - px, y - py, z - pz]', '[x, y - py, z - pz]'],
   ['lights nearer than 1e-15 to a box', 'return EDGE * extent + NEAREST;', 'return EDGE * extent;'],
-  ['the axis at unit length', 'normalize(three(ROWS.spot.axis))', 'three(ROWS.spot.axis)'],
   [
     'the answer grows with the lights',
     'if (into.mask.length < packed.sent) into.mask = new Uint8Array(packed.shapes.length);',
