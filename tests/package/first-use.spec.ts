@@ -28,7 +28,11 @@ const explain = (x: number, y: number) => (viewer: Locator) =>
 
 /** In this order on one page: later ones find there what earlier ones have fetched. */
 const uses: readonly Use[] = [
-  { what: 'a picture that keeps being drawn', use: (viewer) => drawOften(viewer), chunks: ['exact-programs'] },
+  {
+    what: 'a picture that keeps being drawn',
+    use: (viewer) => drawOften(viewer),
+    chunks: ['exact-programs'],
+  },
   {
     what: 'changes of lights, camera and shading',
     use: set({ theta: 5, fov: 40, shading: 'gouraud' }),
