@@ -35,7 +35,8 @@ export const exactText = (form: ExactForm, packed: PackedLights, terms: number):
   TEXTS[form](packed, terms);
 
 export class ExactMaterial extends ShaderMaterial {
-  readonly #source: PhongMaterial;
+  /** The material that this one draws for. */
+  readonly standsFor: PhongMaterial;
   readonly #choice: ExactChoice;
 
   constructor(source: PhongMaterial, choice: ExactChoice) {
@@ -45,7 +46,7 @@ export class ExactMaterial extends ShaderMaterial {
       ...{ glslVersion, vertexShader, fragmentShader, uniforms, side, vertexColors },
       ...{ premultipliedAlpha, blending, transparent, toneMapped },
     });
-    this.#source = source;
+    this.standsFor = source;
     this.#choice = choice;
     source.chooseProgram();
     const defines: Record<string, string> = { ...(source.defines as Record<string, string>) };
@@ -72,7 +73,7 @@ export class ExactMaterial extends ShaderMaterial {
     const { uLightTexture } = this.uniforms;
     if (form === 'written') list.rows.sendBlock();
     else if (uLightTexture !== undefined) uLightTexture.value = list.rows.sendTexture(renderer);
-    this.#source.place(object);
+    this.standsFor.place(object);
     this.uniformsNeedUpdate = true;
   }
 }

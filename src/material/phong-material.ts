@@ -245,4 +245,11 @@ export class PhongMaterial extends ShaderMaterial {
   }
 }
 
+/** The Phong material that `material` is or, for one that draws with an exact program, stands for; null for any other. */
+export function phongOf(material: unknown): PhongMaterial | null {
+  if (material instanceof PhongMaterial) return material;
+  const { standsFor } = (material ?? {}) as { standsFor?: unknown };
+  return standsFor instanceof PhongMaterial ? standsFor : null;
+}
+
 const NONE = [0, 0, 0] as const;

@@ -2,7 +2,7 @@
 // the scene goes on meanwhile. Holds on to what is replaced when it changes and copies what is written to.
 import type { BufferGeometry, Material, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
 import type { ShadingFrame } from '../material/phong-lighting.js';
-import { type BaseLook, PhongMaterial, type ShadingStyle } from '../material/phong-material.js';
+import { type BaseLook, type PhongMaterial, phongOf, type ShadingStyle } from '../material/phong-material.js';
 import type { SurfaceValues } from '../material/material-values.js';
 
 /** How the Phong material shades. */
@@ -46,14 +46,15 @@ export function drawnObjects<Owner>(
   const { material, geometry, isMesh } = object as Partial<Mesh>;
   const hidden = material !== undefined && !Array.isArray(material) && !material.visible;
   if (!hidden && object.layers.test(camera.layers)) {
-    const owner = isMesh === true && material instanceof PhongMaterial ? ownerOf(object) : undefined;
+    const phong = phongOf(material);
+    const owner = isMesh === true && phong !== null ? ownerOf(object) : undefined;
     into.push({
       object,
       matrixWorld: object.matrixWorld.clone(),
       geometry,
       material,
       owner,
-      phong: owner === undefined ? null : phongLook(material as PhongMaterial),
+      phong: owner === undefined || phong === null ? null : phongLook(phong),
     });
   }
   for (const child of object.children) drawnObjects(child, camera, ownerOf, into);

@@ -179,3 +179,27 @@ test('ten meshes of ten lights each have eight programs of their own together', 
   expect(drawn.length).toBe(MOST_EXACT + 1); // the general one draws both others
   expect(await viewer.evaluate((element: PhongViewer) => element.stats.lightsSentByMesh)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]); // prettier-ignore
 });
+
+test('a fragment is explained alike whether a general or an exact program has drawn it', async ({
+  mount,
+}) => {
+  const viewer = await mount(
+    '<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>',
+    size,
+  );
+  const explain = () =>
+    viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.color ?? null);
+  const before = await explain();
+  expect(before).not.toBeNull();
+  const programs = await viewer.evaluate(async (element: PhongViewer) => {
+    for (let frame = 0; frame < 60; frame++) {
+      element.requestRender();
+      await new Promise((resolve) => {
+        element.addEventListener('render', resolve, { once: true });
+      });
+    }
+    return element.stats.programs;
+  });
+  expect(programs).toBe(2);
+  expect(await explain()).toEqual(before);
+});
