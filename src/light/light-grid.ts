@@ -4,7 +4,7 @@
 import { GRID, HEADER, ROWS } from './light-layout.js';
 import { type Box, Cone, forEachLight, mostOf, type Reflectance } from './light-reach.js';
 import type { LightKind } from './light-kind.js';
-import { KINDS, type PackedLights } from './pack-lights.js';
+import { KINDS, type PackedLights, reserve } from './pack-lights.js';
 
 /** Cells at most: 64 by 64 on a floor, which a light of a hundredth of it covers with 41 whole ones. */
 const MOST_CELLS = 4096;
@@ -145,8 +145,7 @@ function reachedCells(
 function writeLights(packed: PackedLights, reaches: Reach[], into: PackedLights): void {
   const rank = ({ kind, cells }: Reach): number => 2 * KINDS.indexOf(kind) + (cells === null ? 0 : 1);
   reaches.sort((a, b) => rank(a) - rank(b)); // stable
-  if (into.shapes.length < packed.sent) into.shapes = new Uint16Array(packed.shapes.length);
-  reserve(into, packed.rows);
+  reserve(into, packed.rows, packed.sent);
   into.data.set(packed.data.subarray(0, HEADER.rows * 4));
   into.rows = HEADER.rows;
   reaches.forEach((reach, i) => {
@@ -172,7 +171,7 @@ function writeLists(
   const firstCell = grid + GRID.rows;
   const firstListed = firstCell + count;
   into.rows = firstListed + Math.ceil(listed / 4);
-  reserve(into, into.rows);
+  reserve(into, into.rows, into.sent);
   const { data } = into;
   data.fill(0, grid * 4, into.rows * 4);
   const put = (row: number, values: readonly number[]): void => {
@@ -205,11 +204,4 @@ function writeLists(
       next[i]! += 1;
     }
   }
-}
-
-function reserve(into: PackedLights, rows: number): void {
-  if (rows * 4 <= into.data.length) return;
-  const grown = new Float32Array(Math.max(rows * 4, into.data.length * 2));
-  grown.set(into.data);
-  into.data = grown;
 }

@@ -72,7 +72,7 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
       if (factor === 0) continue;
       if (kind !== 'spot') for (const c of CHANNELS) ambient[c] += steady.ambient[c] * factor;
       if (!reaches(light, kind, steady)) continue;
-      reserve(into, ROWS[kind].rows);
+      reserve(into, into.rows + ROWS[kind].rows, into.sent + 1);
       const at = into.rows * 4;
       if (kind === 'directional') writeDirectional(into.data, at, light, steady, factor, space);
       else writePoint(into.data, at, light, steady, space);
@@ -202,15 +202,15 @@ function write(data: Float32Array, at: number, x: number, y: number, z: number, 
   data[at + 3] = w;
 }
 
-function reserve(into: PackedLights, rows: number): void {
-  if (into.sent === into.shapes.length) {
-    const grown = new Uint16Array(into.sent * 2);
+/** Room for this many rows and lights in all; what is there stays. */
+export function reserve(into: PackedLights, rows: number, lights: number): void {
+  if (lights > into.shapes.length) {
+    const grown = new Uint16Array(Math.max(lights, into.shapes.length * 2));
     grown.set(into.shapes);
     into.shapes = grown;
   }
-  const needed = (into.rows + rows) * 4;
-  if (needed <= into.data.length) return;
-  const grown = new Float32Array(Math.max(needed, into.data.length * 2));
+  if (rows * 4 <= into.data.length) return;
+  const grown = new Float32Array(Math.max(rows * 4, into.data.length * 2));
   grown.set(into.data);
   into.data = grown;
 }

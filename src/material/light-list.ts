@@ -1,7 +1,7 @@
 // The lights that some meshes are drawn with: all that are sent, or those that reach them. Knows neither meshes nor frames.
 import { HEADER, ROWS } from '../light/light-layout.js';
 import { forEachLight } from '../light/light-reach.js';
-import { emptyPack, KINDS, type PackedLights } from '../light/pack-lights.js';
+import { emptyPack, KINDS, type PackedLights, reserve } from '../light/pack-lights.js';
 import { LightRows } from './light-rows.js';
 
 let lists = 0;
@@ -48,8 +48,7 @@ export class LightList {
   /** Of the lights of `all` those that `mask` has a 1 for. */
   select(all: PackedLights, mask: Uint8Array): void {
     const into = this.#packed;
-    if (into.data.length < all.data.length) into.data = new Float32Array(all.data.length);
-    if (into.shapes.length < all.shapes.length) into.shapes = new Uint16Array(all.shapes.length);
+    reserve(into, all.rows, all.sent);
     into.active = all.active;
     into.sent = 0;
     into.rows = HEADER.rows;

@@ -19,16 +19,8 @@ export const materialMutants = [
       'packed.shapes.slice(0, packed.sent)',
       'packed.shapes.slice()',
     ],
-    [
-      'room for selected rows',
-      'if (into.data.length < all.data.length) into.data = new Float32Array(all.data.length);',
-      '',
-    ],
-    [
-      'room for selected shapes',
-      'if (into.shapes.length < all.shapes.length) into.shapes = new Uint16Array(all.shapes.length);',
-      '',
-    ],
+    ['room for selected rows', 'reserve(into, all.rows, all.sent);', 'reserve(into, 0, all.sent);'],
+    ['room for selected shapes', 'reserve(into, all.rows, all.sent);', 'reserve(into, all.rows, 0);'],
     ['how many lights are active', 'into.active = all.active;', ''],
     ['selected lights are counted from 0', '    into.sent = 0;', ''],
     ['selected rows begin anew', '    into.rows = HEADER.rows;', ''],

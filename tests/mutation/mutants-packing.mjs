@@ -25,7 +25,7 @@ export const packingMutants = [
     ['the decay of directional lights’ ambient light', 'steady.ambient[c] * factor', 'steady.ambient[c]'],
     ['the sum of ambient light leaves spots out', "if (kind !== 'spot') for", 'for'],
     ['black lights are skipped', 'if (!reaches(light, kind, steady)) continue;', ''],
-    ['room for more rows', 'reserve(into, ROWS[kind].rows);', ''],
+    ['room for more rows', 'reserve(into, into.rows + ROWS[kind].rows, into.sent + 1);', ''],
     ['rows start anew in a pack used again', '  into.rows = HEADER.rows;', ''],
     [
       'counts start anew in a pack used again',
@@ -153,7 +153,7 @@ export const packingMutants = [
     ...[0, 1, 2].map(
       (i) => /** @type {const} */ ([`translation of component ${i}`, ` + m[${12 + i}]! * w`, '']),
     ),
-    ['room for more shapes', 'if (into.sent === into.shapes.length) {', 'if (false) {'],
+    ['room for more shapes', 'if (lights > into.shapes.length) {', 'if (false) {'],
     ['growing keeps shapes', 'grown.set(into.shapes);', ''],
     ['growing keeps what is written', 'grown.set(into.data);', ''],
   ]),
