@@ -1,0 +1,45 @@
+// @ts-check
+// What a bench run leaves: one JSON file a stack. Says its shape, and reads those that lie in tests/bench/results.
+
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+
+/**
+ * @typedef {object} PeerRow
+ * @property {string} what 'start to first frame', …
+ * @property {string} peer
+ * @property {string} version
+ * @property {string} unit
+ * @property {import('./statistics.mjs').Spread} value
+ * @property {import('./statistics.mjs').Spread} [ratio] peer / phong-viewer, paired
+ * @property {string} [note]
+ *
+ * @typedef {object} BenchResult
+ * @property {Record<string, unknown>} machine
+ * @property {number} seed
+ * @property {number} launches
+ * @property {number} rounds
+ * @property {import('./front.mjs').Front[]} fronts
+ * @property {import('./growth.mjs').Growth[]} growth
+ * @property {PeerRow[]} peers
+ * @property {Record<string, import('./report.mjs').Figure[]>} figures
+ */
+
+/** A file of one run; what it did not measure is empty. @param {string} path @returns {BenchResult} */
+export function readResult(path) {
+  const empty = { fronts: [], growth: [], peers: [], figures: {} };
+  return { ...empty, ...JSON.parse(readFileSync(path, 'utf8')) };
+}
+
+/**
+ * All of a folder, by the names of their files.
+ * @param {string} folder
+ * @returns {(BenchResult & { stack: string })[]}
+ */
+export function readResults(folder) {
+  if (!existsSync(folder)) return [];
+  return readdirSync(folder)
+    .filter((file) => file.endsWith('.json'))
+    .sort()
+    .map((file) => ({ stack: file.slice(0, -'.json'.length), ...readResult(join(folder, file)) }));
+}
