@@ -2,7 +2,7 @@
 // One bench run: the built pages on a server of their own, fresh launches of one browser, and what is to be known of machine
 // and versions. Plain JavaScript, for machines with Node and a browser alone.
 
-import { execFileSync, execSync } from 'node:child_process';
+import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { cpus, release, tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -11,11 +11,11 @@ import { chromium } from 'playwright-core';
 import { launchOptions } from '../stress/launch-options.mjs';
 import { serveFolder } from '../stress/serve-folder.mjs';
 import { box, glbOf } from './glb.mjs';
+import { copyPeers, installPeers, peerVersions } from './peers/install.mjs';
 import { processesOf, tellsCpuTime } from './processes.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-const modelViewer = join(here, 'peers/model-viewer');
 
 /**
  * @typedef {object} SessionOptions
@@ -104,6 +104,7 @@ export async function buildPages(folder, source) {
     process.env['PHONG_VIEWER_BENCH_PAGE'] = page;
     await build({ configFile: join(here, 'vite.config.ts'), logLevel: 'error' });
   }
+  copyPeers(folder);
   writeFileSync(join(folder, 'box.glb'), glbOf(box()));
   const root = source || repository;
   /** @param {string} name */
@@ -113,21 +114,12 @@ export async function buildPages(folder, source) {
     execFileSync('git', args, { cwd: root, encoding: 'utf8' }).trim();
   const revision =
     git('rev-parse', '--short', 'HEAD') + (git('status', '--short', 'src', 'shaders') ? ' and changes' : '');
-  const peer = join(modelViewer, 'node_modules/@google/model-viewer/package.json');
   const about = {
     ...{ revision, three: version('three'), lit: version('lit'), vite: version('vite') },
-    'model-viewer': JSON.parse(readFileSync(peer, 'utf8')).version,
+    ...peerVersions(),
   };
   writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about));
   return folder;
-}
-
-/** What only the bench needs, by a lock of its own. */
-function installPeers() {
-  if (existsSync(join(modelViewer, 'node_modules/.package-lock.json'))) return;
-  console.log('Installing <model-viewer>, for the bench alone');
-  // A command line, since on Windows npm is a script that only a shell finds.
-  execSync('npm ci --no-audit --no-fund', { cwd: modelViewer, stdio: 'inherit' });
 }
 
 /** @param {string} folder @returns {Record<string, string>} */

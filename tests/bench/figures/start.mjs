@@ -16,16 +16,7 @@ const FLAGS = ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache']
  * @returns {Promise<Start>}
  */
 export async function startOf(session, path, { check } = {}) {
-  const browser = await session.launch(FLAGS);
-  // The GPU process is up before: it is the browser's start, not the page's.
-  const warm = await browser.newPage();
-  await warm.evaluate(() => {
-    const gl = document.createElement('canvas').getContext('webgl2');
-    gl?.clear(gl.COLOR_BUFFER_BIT);
-    gl?.finish();
-  });
-  await warm.close();
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const { browser, page } = await freshPage(session);
   const failed = failOnErrors(page);
   const before = await busySeconds(browser);
   await page.goto(`${session.origin}/${path}`, { waitUntil: 'commit' });
@@ -40,10 +31,7 @@ export async function startOf(session, path, { check } = {}) {
       .getEntriesByType('resource')
       .reduce((sum, entry) => sum + /** @type {PerformanceResourceTiming} */ (entry).encodedBodySize, 0),
   }));
-  const debug = await page.context().newCDPSession(page);
-  await debug.send('HeapProfiler.collectGarbage');
-  await debug.send('HeapProfiler.collectGarbage'); // what the first one's finalizers let go of
-  const { usedSize } = await debug.send('Runtime.getHeapUsage');
+  const heap = await heapOf(page);
   failed();
   await check?.(page);
   await browser.close();
@@ -51,13 +39,37 @@ export async function startOf(session, path, { check } = {}) {
     ms,
     pageMs: (after.page - before.page) * 1000,
     gpuMs: (after.gpu - before.gpu) * 1000,
-    heap: usedSize / 1024,
+    heap,
     bytes: bytes / 1024,
   };
 }
 
+/** @param {import('../session.mjs').Session} session @param {string[]} [more] the browser's arguments */
+export async function freshPage(session, more = []) {
+  const browser = await session.launch([...FLAGS, ...more]);
+  // The GPU process is up before: it is the browser's start, not the page's.
+  const warm = await browser.newPage();
+  await warm.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    gl?.clear(gl.COLOR_BUFFER_BIT);
+    gl?.finish();
+  });
+  await warm.close();
+  return { browser, page: await browser.newPage({ viewport: { width: 1280, height: 800 } }) };
+}
+
+/** What the page keeps, in KiB. @param {import('playwright-core').Page} page */
+export async function heapOf(page) {
+  const debug = await page.context().newCDPSession(page);
+  await debug.send('HeapProfiler.collectGarbage');
+  await debug.send('HeapProfiler.collectGarbage'); // what the first one's finalizers let go of
+  const { usedSize } = await debug.send('Runtime.getHeapUsage');
+  await debug.detach();
+  return usedSize / 1024;
+}
+
 /** CPU time of all pages and of the GPU process. @param {import('playwright-core').Browser} browser */
-async function busySeconds(browser) {
+export async function busySeconds(browser) {
   if (!tellsCpuTime()) return { page: NaN, gpu: NaN };
   /** @param {string} type */
   const of = async (type) =>
@@ -66,12 +78,21 @@ async function busySeconds(browser) {
 }
 
 /**
- * All of a tag's elements show something at their centre, by a screenshot that the page itself decodes.
+ * All of a tag's elements show something at their centre.
  * @param {import('playwright-core').Page} page @param {string} tag @param {number} count
  */
 export async function allShown(page, tag, count) {
+  const shown = await shownCount(page, tag);
+  if (shown !== count) throw new Error(`${shown} of ${count} ${tag} show something`);
+}
+
+/**
+ * How many of a tag's elements show something at their centre, by a screenshot that the page itself decodes.
+ * @param {import('playwright-core').Page} page @param {string} tag
+ */
+export async function shownCount(page, tag) {
   const picture = (await page.screenshot()).toString('base64');
-  const shown = await page.evaluate(async ([data, name]) => {
+  return page.evaluate(async ([data, name]) => {
     const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = canvas.getContext('2d');
@@ -82,5 +103,4 @@ export async function allShown(page, tag, count) {
       return pixel?.slice(0, 3).some((channel) => channel < 255); // not the page's white
     }).length;
   }, /** @type {const} */ ([picture, tag]));
-  if (shown !== count) throw new Error(`${shown} of ${count} ${tag} show something`);
 }
