@@ -122,10 +122,10 @@ async function* script(session, settings) {
 
 /**
  * Starts of pages in turns, one after another.
- * @param {import('../session.mjs').Session} session @param {Settings} settings
+ * @param {import('../session.mjs').Session} session @param {Pick<Settings, 'launches' | 'rounds'>} settings
  * @param {readonly { path: string, tag?: string, count?: number }[]} pages
  */
-async function startsOf(session, { launches, rounds }, pages) {
+export async function startsOf(session, { launches, rounds }, pages) {
   /** @type {import('./start.mjs').Start[][]} */
   const starts = pages.map(() => []);
   const indices = pages.map((_, i) => i);

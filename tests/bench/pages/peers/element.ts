@@ -26,6 +26,20 @@ export function contextOf(viewer: Viewer): WebGL2RenderingContext {
   return gl;
 }
 
+/** Gives what holds a viewer another size, and runs frames until its canvas has it. */
+export async function setSize(
+  holder: HTMLElement,
+  gl: WebGL2RenderingContext,
+  width: number,
+  height: number,
+): Promise<void> {
+  Object.assign(holder.style, { width: `${width}px`, height: `${height}px` });
+  while (gl.drawingBufferWidth !== width || gl.drawingBufferHeight !== height) {
+    await pause(5);
+    runFrame();
+  }
+}
+
 export const element: PeerMaker = async (holder, scene) => {
   const viewer = document.createElement('phong-viewer');
   viewer.style.cssText = 'display: block; width: 100%; height: 100%';
@@ -47,12 +61,6 @@ export const element: PeerMaker = async (holder, scene) => {
       if (runFrame() === 0) throw new Error('the viewer asked for no frame');
     },
     programs: () => viewer.stats.programs,
-    async resize(width, height) {
-      Object.assign(holder.style, { width: `${width}px`, height: `${height}px` });
-      while (gl.drawingBufferWidth !== width || gl.drawingBufferHeight !== height) {
-        await pause(5);
-        runFrame();
-      }
-    },
+    resize: (width, height) => setSize(holder, gl, width, height),
   };
 };

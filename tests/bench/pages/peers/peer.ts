@@ -12,6 +12,9 @@ export interface Peer {
   resize(width: number, height: number): Promise<void>;
 }
 
+/** What frames are timed of. */
+export type Drawing = Pick<Peer, 'gl' | 'draw'>;
+
 export type PeerMaker = (holder: HTMLElement, scene: SceneQuery) => Promise<Peer>;
 
 /** Waits until everything that was drawn is there: reading a pixel back needs it. */
@@ -23,21 +26,24 @@ export function finish(gl: WebGL2RenderingContext): void {
 export const pause = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** Faster programs may take over from the background: so many frames and so long without a new one, and it is settled. */
-const SETTLED = { frames: 200, ms: 1000, atMost: 20_000 } as const;
+const SETTLED = { frames: 200, ms: 1000, atMost: 20_000 };
 
-export async function settle(peer: Peer): Promise<{ frames: number; programs: number; most: number }> {
+export async function settle(
+  peer: Peer,
+  { frames: enough, ms, atMost } = SETTLED,
+): Promise<{ frames: number; programs: number; most: number }> {
   const begin = performance.now();
   let frames = 0;
   let most = 0;
   let seen = { program: null as unknown, since: begin };
-  while (performance.now() - begin < SETTLED.atMost) {
+  while (performance.now() - begin < atMost) {
     for (let i = 0; i < 5; i++) peer.draw();
     const program: unknown = peer.gl.getParameter(peer.gl.CURRENT_PROGRAM);
     finish(peer.gl);
     frames += 5;
     most = Math.max(most, peer.programs());
     if (program !== seen.program) seen = { program, since: performance.now() };
-    if (frames >= SETTLED.frames && performance.now() - seen.since > SETTLED.ms) break;
+    if (frames >= enough && performance.now() - seen.since > ms) break;
     await pause(10);
   }
   return { frames, programs: peer.programs(), most };
@@ -61,7 +67,7 @@ interface TimerQuery {
 }
 
 /** Milliseconds of GPU time that `frames` frames take; by the clock where the browser has no timer for it. */
-export async function timeFrames(peer: Peer, frames: number): Promise<number> {
+export async function timeFrames(peer: Drawing, frames: number): Promise<number> {
   const { gl } = peer;
   const timer = gl.getExtension('EXT_disjoint_timer_query_webgl2') as TimerQuery | null;
   if (timer === null) return clockFrames(peer, frames);
@@ -81,7 +87,7 @@ export async function timeFrames(peer: Peer, frames: number): Promise<number> {
 }
 
 /** Milliseconds by the clock, closed by reading a pixel back. */
-export function clockFrames(peer: Peer, frames: number): number {
+export function clockFrames(peer: Drawing, frames: number): number {
   finish(peer.gl);
   const start = performance.now();
   for (let i = 0; i < frames; i++) peer.draw();
