@@ -1,6 +1,7 @@
 // The element with boxes, or a floor, under many lamps: ?lamps=128&floor=0&seed=1&budget=0.5
 import { runFrame } from './manual-frames.js';
 import 'phong-viewer';
+import './framed.css';
 import { contextOf, drawnFirst, setSize } from './peers/element.js';
 import { settle } from './peers/peer.js';
 import { EYE, fieldOf, LOOK, SIZE } from '../stands/field.js';

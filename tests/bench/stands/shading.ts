@@ -7,6 +7,7 @@ import { roundSphere } from './sphere.js';
 import { type Axis, squareSide, type Stand, type Subject } from './stand.js';
 
 const SEGMENTS = [8, 16, 32, 64, 128, 256] as const;
+const QUICK_SIDE = 128;
 const QUICK_SEGMENTS = 128;
 const SHADINGS = ['flat', 'gouraud', 'phong'] as const;
 
@@ -27,7 +28,7 @@ export const shading: Axis = {
       (v) => new LightState(v).values,
     );
     const view = new CoreView(holder, values, false);
-    const side = squareSide(evaluations, count);
+    const side = squareSide(evaluations, count, quick ? QUICK_SIDE : undefined);
     const segmentsOf = quick ? SEGMENTS.filter((n) => n <= QUICK_SEGMENTS) : SEGMENTS;
     const subjects = segmentsOf.flatMap((segments) => {
       const geometry = new SphereGeometry(BALL.radius, segments, segments / 2);
@@ -49,7 +50,7 @@ export const shading: Axis = {
       });
     });
     const stand: Stand = {
-      title: `How often a sphere is shaded: ${name.replace('mixed', 'lights of mixed kinds')}`,
+      title: `How often a sphere is shaded: ${name.replace('mixed', 'lights of mixed kinds').replace('directional', 'directional light')}`,
       truth: 'the round sphere in float64, one sample a pixel',
       ...{ base: SHIPPED, shipped: SHIPPED, size, errorSize: [side, side], subjects },
       reference: (pace) => roundSphere(BALL, side, values, SHININESS, pace),
