@@ -14,7 +14,7 @@ import type { PeerMaker } from './peer.js';
 import { geometryOf, plainThree, threePeer } from './plain-three.js';
 
 /** How three.js has the same light: the nearest that it offers. Penumbra and decay are its cone and attenuation. */
-function lightOf({ position, diffuse, axis, aperture = 180 }: Light): Object3D[] {
+export function lightOf({ position, diffuse, axis, aperture = 180 }: Light): Object3D[] {
   const color = new Color(diffuse[0] / 255, diffuse[1] / 255, diffuse[2] / 255);
   const place = position.slice(0, 3) as [number, number, number];
   if (position[3] === 0) {
