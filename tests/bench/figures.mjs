@@ -1,6 +1,7 @@
 // @ts-check
-// How the element compares with its peers: frame time, JavaScript per frame, start, many viewers on a page.
-//   node tests/bench/figures.mjs [--only frame,loop,raw,idle,script,start,viewers] [--launches 3] [--rounds 5] [--out result.json]
+// How the element compares with its peers: frame time, JavaScript per frame, start, many viewers on a page; and, by
+// `peers`, with everything else that shows a lit 3D scene.
+//   node tests/bench/figures.mjs [--only frame,loop,raw,idle,script,start,viewers,peers] [--launches 3] [--rounds 5] [--out result.json]
 //   --source CHECKOUT  measures that checkout's src/        --seed 1  other lights
 //   --browser PATH --arg=--use-angle=vulkan --arg=…         a real GPU (none: software GL)
 //   --build FOLDER     only builds the pages; --page FOLDER uses such, for machines with Node and a browser alone
@@ -8,12 +9,14 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { parseArgs } from 'node:util';
 import { FIGURES } from './figures/index.mjs';
+import { peerLine } from './figures/peer-row.mjs';
+import { peers } from './figures/peers.mjs';
 import { heading, line } from './report.mjs';
 import { buildPages, Session } from './session.mjs';
 
 const { values: options } = parseArgs({
   options: {
-    only: { type: 'string', default: Object.keys(FIGURES).join() },
+    only: { type: 'string', default: [...Object.keys(FIGURES), 'peers'].join() },
     launches: { type: 'string', default: '3' },
     rounds: { type: 'string', default: '5' },
     width: { type: 'string', default: '800' },
@@ -38,24 +41,35 @@ if (options.build !== '') {
 const session = await Session.open({ ...options, args: options.arg });
 const machine = { ...(await session.machine()), seed: Number(options.seed) };
 console.log(heading(machine));
+const settings = {
+  launches: Number(options.launches),
+  rounds: Number(options.rounds),
+  width: Number(options.width),
+  height: Number(options.height),
+  seed: Number(options.seed),
+  sampleMs: Number(options.sample),
+  counts: options.lights.split(',').map(Number),
+  software: /SwiftShader|llvmpipe/i.test(machine.renderer),
+};
 /** @type {Record<string, import('./report.mjs').Figure[]>} */
 const results = {};
+/** @type {import('./figures/peer-row.mjs').PeerRow[] | undefined} */
+let rows;
 for (const name of options.only.split(',')) {
+  console.log(`\n${name}`);
+  if (name === 'peers') {
+    rows = [];
+    for await (const row of peers(session, settings)) {
+      rows.push(row);
+      console.log(peerLine(row));
+      keep();
+    }
+    continue;
+  }
   const measure = FIGURES[name];
   if (measure === undefined)
-    throw new Error(`no figure is named ${name}: ${Object.keys(FIGURES).join(', ')}`);
-  console.log(`\n${name}`);
+    throw new Error(`no figure is named ${name}: ${Object.keys(FIGURES).join(', ')}, peers`);
   const figures = (results[name] ??= []);
-  const settings = {
-    launches: Number(options.launches),
-    rounds: Number(options.rounds),
-    width: Number(options.width),
-    height: Number(options.height),
-    seed: Number(options.seed),
-    sampleMs: Number(options.sample),
-    counts: options.lights.split(',').map(Number),
-    software: /SwiftShader|llvmpipe/i.test(machine.renderer),
-  };
   for await (const figure of measure(session, settings)) {
     figures.push(figure);
     console.log(line(figure));
@@ -67,12 +81,14 @@ session.close();
 /** After each figure: a run that ends early keeps what it has; figures of other runs in the same file stay. */
 function keep() {
   if (options.out === '') return;
-  /** @type {Record<string, unknown>} */
+  /** @type {{ figures?: Record<string, unknown>, peers?: unknown }} */
   let before = {};
   try {
-    before = JSON.parse(readFileSync(options.out, 'utf8')).figures;
+    before = JSON.parse(readFileSync(options.out, 'utf8'));
   } catch {
     // the first of its file
   }
-  writeFileSync(options.out, `${JSON.stringify({ machine, figures: { ...before, ...results } }, null, 1)}\n`);
+  const figures = { ...before.figures, ...results };
+  const result = { machine, figures, peers: rows ?? before.peers ?? [] };
+  writeFileSync(options.out, `${JSON.stringify(result, null, 1)}\n`);
 }

@@ -44,6 +44,11 @@ export class Session {
     return this.#site.origin;
   }
 
+  /** Revision and versions that the pages were built from, by name. */
+  get versions() {
+    return builtFrom(this.folder);
+  }
+
   /** A fresh browser: one launch can misplace a program in memory, so figures come from several. @param {string[]} more arguments */
   async launch(more = []) {
     return chromium.launch({ ...this.#launch, args: [...(this.#launch.args ?? []), ...more] });
@@ -70,7 +75,7 @@ export class Session {
       node: process.version,
       browser: `Chromium ${version}`,
       renderer,
-      ...builtFrom(this.folder),
+      ...this.versions,
     };
   }
 }

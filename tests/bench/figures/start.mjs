@@ -82,25 +82,27 @@ export async function busySeconds(browser) {
  * @param {import('playwright-core').Page} page @param {string} tag @param {number} count
  */
 export async function allShown(page, tag, count) {
-  const shown = await shownCount(page, tag);
+  const colors = await middlesOf(page, tag);
+  const shown = colors.filter((color) => color.some((channel) => channel < 255)).length; // not the page's white
   if (shown !== count) throw new Error(`${shown} of ${count} ${tag} show something`);
 }
 
 /**
- * How many of a tag's elements show something at their centre, by a screenshot that the page itself decodes.
+ * What all of a tag's elements show at their centre, by a screenshot that the page itself decodes.
  * @param {import('playwright-core').Page} page @param {string} tag
  */
-export async function shownCount(page, tag) {
+export async function middlesOf(page, tag) {
   const picture = (await page.screenshot()).toString('base64');
   return page.evaluate(async ([data, name]) => {
     const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
     const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
     const context = canvas.getContext('2d');
     context?.drawImage(bitmap, 0, 0);
-    return [...document.querySelectorAll(name)].filter((element) => {
+    return [...document.querySelectorAll(name)].map((element) => {
       const { left, top, width, height } = element.getBoundingClientRect();
-      const pixel = context?.getImageData(left + width / 2, top + height / 2, 1, 1).data;
-      return pixel?.slice(0, 3).some((channel) => channel < 255); // not the page's white
-    }).length;
+      const [r = 255, g = 255, b = 255] =
+        context?.getImageData(left + width / 2, top + height / 2, 1, 1).data ?? [];
+      return /** @type {const} */ ([r, g, b]);
+    });
   }, /** @type {const} */ ([picture, tag]));
 }
