@@ -1,51 +1,34 @@
 // What becomes of a bench run's samples: fronts, growth, charts, comparisons and the report.
 import { describe, expect, test } from 'vitest';
-import { dominated, frontier, type Point } from '../bench/front.mjs';
+import { dominated, frontier } from '../bench/front.mjs';
 import { growthOf } from '../bench/growth.mjs';
 import { spread } from '../bench/statistics.mjs';
-
-const point = (id: string, ms: number, rmse: number, more: Partial<Point['error']> = {}): Point => ({
-  id,
-  label: `variant ${id}`,
-  time: { median: ms, low: 0.95 * ms, high: 1.1 * ms, count: 9 },
-  ratio: { median: ms / 10, low: ms / 11, high: ms / 9, count: 9 },
-  error: {
-    pixels: 100,
-    rmse,
-    p999: 3 * rmse,
-    max: 5 * rmse,
-    share: 0.01,
-    deltaE: 0.1,
-    deltaEMax: 1,
-    flip: 0.02,
-    ...more,
-  },
-});
+import { pointOf } from './bench-made-up.js';
 
 describe('a front', () => {
   test('leaves out what another variant beats in time or error and loses to in neither', () => {
     const points = [
-      point('exact', 10, 0),
-      point('slow', 12, 1),
-      point('rough', 5, 2),
-      point('worse', 5, 3),
-      point('late', 6, 2),
+      pointOf('exact', 10, 0),
+      pointOf('slow', 12, 1),
+      pointOf('rough', 5, 2),
+      pointOf('worse', 5, 3),
+      pointOf('late', 6, 2),
     ];
     expect([...dominated(points)].sort()).toEqual(['late', 'slow', 'worse']);
     expect(frontier(points).map(({ id }) => id)).toEqual(['rough', 'exact']);
   });
 
   test('keeps variants that are equal in both', () => {
-    const points = [point('a', 5, 1), point('b', 5, 1), point('c', 7, 1)];
+    const points = [pointOf('a', 5, 1), pointOf('b', 5, 1), pointOf('c', 7, 1)];
     expect([...dominated(points)]).toEqual(['c']);
   });
 
   test('keeps the only one', () => {
-    expect(dominated([point('a', 5, 1)]).size).toBe(0);
+    expect(dominated([pointOf('a', 5, 1)]).size).toBe(0);
   });
 
   test('can be of another error', () => {
-    const points = [point('a', 5, 1, { flip: 0.3 }), point('b', 6, 2, { flip: 0.1 })];
+    const points = [pointOf('a', 5, 1, { flip: 0.3 }), pointOf('b', 6, 2, { flip: 0.1 })];
     expect([...dominated(points)]).toEqual(['b']);
     expect([...dominated(points, 'flip')]).toEqual([]);
   });
