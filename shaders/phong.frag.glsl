@@ -52,7 +52,11 @@ vec4 baseColor() {
 void main() {
   vec4 base = baseColor();
 #ifdef HAS_ALPHA_MASK
+#ifdef FILTER_HIGHLIGHTS
+  bool masked = base.a < uAlphaCutoff; // discarded at the end: neighbours take derivatives of it
+#else
   if (base.a < uAlphaCutoff) discard;
+#endif
 #endif
 #ifndef IS_BLENDED
   base.a = 1.0;
@@ -66,6 +70,11 @@ void main() {
 #endif
 #ifdef IS_LINEAR
   color = srgbEncode(color);
+#endif
+#ifdef FILTER_HIGHLIGHTS
+#ifdef HAS_ALPHA_MASK
+  if (masked) discard;
+#endif
 #endif
   outColor = vec4(nearestCode(color) * base.a, base.a);
 }

@@ -1,10 +1,20 @@
 // What a point of a surface sends to the eye: the equation as a whole. Needs guard and light_loop.
 
+#ifdef FILTER_HIGHLIGHTS
+const float FARTHEST = 1e18;
+#endif
+
 /**
  * The colour at point p before clamping: Ka·ΣIa·decay + Kd·ΣId·att·NoL·decay + Ks·ΣIs·att·spec·decay. Everything in
  * shading space. The normal may have any length; zero leaves ambient light only. n >= 0.
  */
 vec3 surfaceColor(vec3 p, vec3 normal, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
+#ifdef FILTER_HIGHLIGHTS
+  // Derivatives come from neighbours too that the triangle does not reach, where interpolation may divide by zero beyond its
+  // horizon. Farther than any scene, and squares of differences are still finite.
+  p = clamp(p, -FARTHEST, FARTHEST);
+  normal = clamp(normal, -FARTHEST, FARTHEST);
+#endif
   LightSums sums = lightSums(p, unitOrZero(normal), unitOrZero(eye - p), n);
   return ka * sums.ambient + kd * sums.diffuse + ks * sums.specular;
 }

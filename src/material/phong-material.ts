@@ -21,6 +21,7 @@ import type { PhongLighting } from './phong-lighting.js';
 import { FRAGMENT_SHADER, VERTEX_SHADER } from './shader-source.js';
 import {
   type AlphaMode,
+  type Antialias,
   type Reflection,
   type Shading,
   type Term,
@@ -53,9 +54,18 @@ export interface ShadingStyle {
   readonly shading: Shading;
   readonly reflection: Reflection;
   readonly terms: readonly Term[];
+  /**
+   * `highlights`: the specular lobe is averaged over each pixel, so that highlights smaller than pixels keep their
+   * brightness; not under `gouraud`, which has no pixels. Default `edges`: one sample a pixel inside faces. Edges
+   * themselves are the renderer's.
+   */
+  readonly antialias: Antialias;
 }
 
-const DEFAULT_STYLE: ShadingStyle = { shading: 'phong', reflection: 'phong', terms: TERMS };
+export const DEFAULT_STYLE: ShadingStyle = {
+  ...{ shading: 'phong', reflection: 'phong', terms: TERMS },
+  antialias: 'edges',
+};
 
 const DEFAULT_SURFACE: SurfaceValues = {
   ka: SURFACE_FIELDS.ka.fallback,

@@ -2,6 +2,7 @@
 // GLSL share. Knows nothing of uniforms' values.
 import attenuation from '../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../shaders/diffuse_lobe.glsl?raw';
+import footprint from '../../shaders/footprint.glsl?raw';
 import guard from '../../shaders/guard.glsl?raw';
 import lightLoop from '../../shaders/light_loop.glsl?raw';
 import lightRows from '../../shaders/light_rows.glsl?raw';
@@ -36,6 +37,8 @@ const constants = `${layoutDefines()}
  * highp int;`, define LIGHT_STORAGE (STORAGE_BLOCK, STORAGE_TEXTURE, or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and
  * the HAS_… facts before it, and call `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the
  * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for.
+ * With FILTER_HIGHLIGHTS the specular lobe is averaged over the pixel: call it then in a fragment shader, where all fragments
+ * come by (in no branch or loop, before any `discard`), because it takes derivatives of what it is given.
  */
 export const LIGHT_LOOP_GLSL = [
   constants,
@@ -44,6 +47,9 @@ export const LIGHT_LOOP_GLSL = [
   attenuation,
   spot,
   diffuseLobe,
+  '#ifdef FILTER_HIGHLIGHTS',
+  footprint,
+  '#endif',
   '#ifdef REFLECTION_BLINN_PHONG',
   specularBlinnPhong,
   '#else',

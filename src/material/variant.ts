@@ -5,10 +5,12 @@ import type { LightFacts } from '../light/light-kind.js';
 export type Shading = 'phong' | 'gouraud' | 'flat';
 export type Reflection = 'phong' | 'blinn-phong';
 export type Term = 'ambient' | 'diffuse' | 'specular';
+export type Antialias = 'edges' | 'highlights';
 export type AlphaMode = 'opaque' | 'mask' | 'blend';
 
 export const SHADINGS = ['phong', 'gouraud', 'flat'] as const satisfies readonly Shading[];
 export const REFLECTIONS = ['phong', 'blinn-phong'] as const satisfies readonly Reflection[];
+export const ANTIALIASES = ['edges', 'highlights'] as const satisfies readonly Antialias[];
 export const TERMS = ['ambient', 'diffuse', 'specular'] as const satisfies readonly Term[];
 
 export interface Variant {
@@ -18,6 +20,7 @@ export interface Variant {
   readonly terms: readonly Term[];
   /** Shading happens in linear light: `color-interpolation="linear"`. */
   readonly linear: boolean;
+  readonly antialias: Antialias;
   readonly map: boolean;
   readonly vertexColors: boolean;
   readonly alphaMode: AlphaMode;
@@ -26,10 +29,13 @@ export interface Variant {
 /** The defines of a program, each present only where its code is needed. Values are empty: presence is the meaning. */
 export function variantDefines(variant: Variant, facts: Readonly<LightFacts>): Record<string, string> {
   const { shading, reflection, terms, alphaMode } = variant;
+  const specular = facts.specular && terms.includes('specular');
   const wanted: Record<string, boolean> = {
     // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
     SHADING_GOURAUD: shading === 'gouraud',
     REFLECTION_BLINN_PHONG: reflection === 'blinn-phong',
+    // A vertex has no pixel.
+    FILTER_HIGHLIGHTS: variant.antialias === 'highlights' && specular && shading !== 'gouraud',
     IS_LINEAR: variant.linear,
     HAS_MAP: variant.map,
     HAS_VERTEX_COLOR: variant.vertexColors,
@@ -37,7 +43,7 @@ export function variantDefines(variant: Variant, facts: Readonly<LightFacts>): R
     IS_BLENDED: alphaMode === 'blend',
     HAS_AMBIENT: facts.ambient && terms.includes('ambient'),
     HAS_DIFFUSE: facts.diffuse && terms.includes('diffuse'),
-    HAS_SPECULAR: facts.specular && terms.includes('specular'),
+    HAS_SPECULAR: specular,
     HAS_DIRECTIONAL: facts.directional,
     HAS_POINT: facts.point,
     HAS_SPOT: facts.spot,

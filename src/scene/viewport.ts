@@ -6,8 +6,7 @@ import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
-import type { ShadingStyle } from '../material/phong-material.js';
-import { TERMS } from '../material/variant.js';
+import { DEFAULT_STYLE, type ShadingStyle } from '../material/phong-material.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure, NO_EXTENT, type Extent } from './extent.js';
 import { type Framed, frameLoop } from './frame-loop.js';
@@ -40,7 +39,7 @@ export class Viewport implements StageClient, Framed {
   #attached = false;
   #dirty = true;
   #fov = 45;
-  #style: ShadingStyle = { shading: 'phong', reflection: 'phong', terms: TERMS };
+  #style: ShadingStyle = DEFAULT_STYLE;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
   #extent: Extent = NO_EXTENT;
   #bounds: Bounds | null = null;

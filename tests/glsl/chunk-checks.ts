@@ -5,6 +5,7 @@ import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
 import { EXACT_CHECKS } from './exact-checks.js';
+import { FOOTPRINT_CHECKS } from './footprint-checks.js';
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
@@ -213,7 +214,7 @@ export function checkChunks(
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
     head('STORAGE_OWN') + defines.map((define) => `#define ${define}\n`).join('') + rows + glsl;
   return [
-    ...[...CHECKS, ...EXACT_CHECKS].map((check) =>
+    ...[...CHECKS, ...EXACT_CHECKS, ...FOOTPRINT_CHECKS].map((check) =>
       runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed),
     ),
     checkCodes(gl, source({})),

@@ -86,9 +86,13 @@ describe('another program', () => {
     next(() => (lighting.linear = true));
     next(() => light!.set('position', [0, 1, 0, 0]));
     next(() => light!.set('active', false));
+    next(() => material.setStyle({ shading: 'phong' }));
+    next(() => material.setStyle({ antialias: 'highlights' }));
     next(() => material.setSurface({ shininess: 7, ka: [1, 2, 3] }));
     next(() => lighting.update(FRAME));
-    expect(versions.map((version) => version - versions[0]!)).toStrictEqual([0, 1, 2, 3, 4, 4, 4, 4, 4]);
+    expect(versions.map((version) => version - versions[0]!)).toStrictEqual([
+      0, 1, 2, 3, 4, 4, 4, 5, 6, 6, 6,
+    ]);
   });
 });
 

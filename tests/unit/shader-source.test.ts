@@ -17,7 +17,9 @@ const withoutComments = (glsl: string): string => glsl.replace(/\/\*[^]*?\*\/|\/
 
 const count = (text: string, part: string): number => text.split(part).length - 1;
 
-const defined = [...LIGHT_LOOP_GLSL.matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, value]) => ({
+/** What stands before the first chunk. */
+const head = LIGHT_LOOP_GLSL.slice(0, LIGHT_LOOP_GLSL.indexOf(chunk('guard')));
+const defined = [...head.matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, value]) => ({
   name: name!,
   value: value!,
 }));
@@ -92,6 +94,8 @@ describe('the chunks', () => {
     [],
     ['SHADING_GOURAUD'],
     ['REFLECTION_BLINN_PHONG', 'IS_LINEAR'],
+    ['FILTER_HIGHLIGHTS'],
+    ['FILTER_HIGHLIGHTS', 'REFLECTION_BLINN_PHONG', 'HAS_ALPHA_MASK'],
     ['SHADING_GOURAUD', 'REFLECTION_BLINN_PHONG', 'IS_LINEAR'],
   ];
   it.each(stages)('define no function twice in the %s stage, and one main', (_, source) => {
@@ -102,6 +106,32 @@ describe('the chunks', () => {
       ].map(([, name]) => name!);
       expect(functions).toContain('main');
       expect(new Set(functions).size).toBe(functions.length);
+    }
+  });
+
+  it('have nothing of filtered highlights in programs that do not ask for them', () => {
+    const traces = /dFdx|dFdy|Footprint|\bSeen\b|seenNear|FARTHEST|masked/;
+    for (const on of [[], ['REFLECTION_BLINN_PHONG'], ['HAS_ALPHA_MASK', 'HAS_SPOT', 'HAS_POINT']]) {
+      const text = (more: string[] = []): string =>
+        preprocess(FRAGMENT_SHADER, new Set([BLOCK, 'HAS_SPECULAR', ...on, ...more]));
+      expect(text()).not.toMatch(traces);
+      expect(text(['FILTER_HIGHLIGHTS'])).toMatch(traces);
+    }
+  });
+
+  it('take derivatives before the first loop, and discard after them', () => {
+    for (const on of [[], ['REFLECTION_BLINN_PHONG']]) {
+      const text = preprocess(
+        FRAGMENT_SHADER,
+        new Set([BLOCK, 'FILTER_HIGHLIGHTS', 'HAS_ALPHA_MASK', 'HAS_POINT', ...on]),
+      );
+      const sums = text.slice(text.indexOf('LightSums lightSums('));
+      expect(sums.indexOf('seenAcross(')).toBeGreaterThan(0);
+      expect(sums.indexOf('seenAcross(')).toBeLessThan(sums.indexOf('for ('));
+      expect(count(text, 'seenAcross(')).toBe(2);
+      const main = text.slice(text.indexOf('void main()'));
+      expect(main.indexOf('discard')).toBeGreaterThan(main.indexOf('surfaceColor('));
+      expect(count(main, 'discard')).toBe(1);
     }
   });
 

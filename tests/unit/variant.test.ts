@@ -3,13 +3,21 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { gatherFacts, type LightFacts, noFacts } from '../../src/light/light-kind.js';
-import { REFLECTIONS, SHADINGS, TERMS, type Variant, variantDefines } from '../../src/material/variant.js';
+import {
+  ANTIALIASES,
+  REFLECTIONS,
+  SHADINGS,
+  TERMS,
+  type Variant,
+  variantDefines,
+} from '../../src/material/variant.js';
 import { anyLight, light } from './arbitraries.js';
 
 const plain: Variant = {
   shading: 'phong',
   reflection: 'phong',
   terms: TERMS,
+  antialias: 'edges',
   linear: false,
   map: false,
   vertexColors: false,
@@ -27,6 +35,7 @@ const anyVariant: fc.Arbitrary<Variant> = fc.record({
   shading: fc.constantFrom(...SHADINGS),
   reflection: fc.constantFrom(...REFLECTIONS),
   terms: fc.subarray([...TERMS]),
+  antialias: fc.constantFrom(...ANTIALIASES),
   linear: fc.boolean(),
   map: fc.boolean(),
   vertexColors: fc.boolean(),
@@ -64,6 +73,17 @@ describe("a program's code", () => {
   ] as const)('for %s light is there once a light has declared it: %s', (fact, define) => {
     expect(names({}, { ...noFacts(), [fact]: true })).toStrictEqual([define, 'LIGHT_STORAGE'].sort());
     expect(names({}, { ...allFacts, [fact]: false })).not.toContain(define);
+  });
+
+  it('filters highlights where there is specular light to filter, at fragments alone', () => {
+    const filter = (variant: Partial<Variant>, facts = allFacts): boolean =>
+      names({ antialias: 'highlights', ...variant }, facts).includes('FILTER_HIGHLIGHTS');
+    expect(filter({})).toBe(true);
+    expect(filter({ shading: 'flat', reflection: 'blinn-phong' })).toBe(true);
+    expect(filter({ antialias: 'edges' })).toBe(false);
+    expect(filter({ shading: 'gouraud' })).toBe(false);
+    expect(filter({ terms: ['ambient', 'diffuse'] })).toBe(false);
+    expect(filter({}, { ...allFacts, specular: false })).toBe(false);
   });
 
   it('leaves out the terms that have never been needed', () => {
