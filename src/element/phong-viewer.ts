@@ -196,10 +196,10 @@ export class PhongViewer extends LitElement {
   /**
    * Explains the fragment that the picture shows at `x`, `y`: CSS pixels from the picture's top left corner, inside any
    * border, as `offsetX` and `offsetY` of a pointer event on the viewer. It is the one at the centre of the device pixel
-   * there, as the scene is at the call, in float64; blended surfaces are explained without what lies behind them, and
-   * textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene} is
-   * nearest (its lines and points are looked through), and while the viewer has no place on the page. Rejects with
-   * `TypeError` or `RangeError` where x or y is no finite number.
+   * there, as the scene is at the call, in float64, with highlights as they are there: unfiltered, whatever `antialias` says.
+   * Blended surfaces are explained without what lies behind them, and textures are sampled without mipmaps. Null where
+   * nothing is hit, where an object of your own in {@link scene} is nearest (its lines and points are looked through), and
+   * while the viewer has no place on the page. Rejects with `TypeError` or `RangeError` where x or y is no finite number.
    */
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#bringInStep();
@@ -274,8 +274,9 @@ export class PhongViewer extends LitElement {
     viewport.fov = values.fov;
     viewport.linear = values.colorInterpolation === 'linear';
     viewport.errorBudget = values.errorBudget;
-    if (['shading', 'reflection', 'terms'].some((key) => changed.has(key))) {
-      viewport.style = { shading: values.shading, reflection: values.reflection, terms: values.terms };
+    if (['shading', 'reflection', 'terms', 'antialias'].some((key) => changed.has(key))) {
+      const { shading, reflection, terms, antialias } = values;
+      viewport.style = { shading, reflection, terms, antialias };
     }
     if (changed.has('src')) this.#readiness.supersede();
     if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();

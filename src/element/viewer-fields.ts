@@ -2,6 +2,8 @@
 // domains and defaults. Knows nothing of how they are acted on.
 import { LIMITS } from '../light/light-state.js';
 import {
+  type Antialias,
+  ANTIALIASES,
   type Reflection,
   REFLECTIONS,
   type Shading,
@@ -63,6 +65,11 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   terms: readonly Term[];
   /** `srgb` shades encoded colours as they are; `linear` decodes first and encodes last. Default srgb. */
   colorInterpolation: ColorInterpolation;
+  /**
+   * `edges`: several samples a pixel where faces end, one inside them. `highlights`: the specular lobe is averaged over
+   * each pixel too, so that highlights smaller than pixels keep their brightness; not under `gouraud`. Default edges.
+   */
+  antialias: Antialias;
   /** How much colour may be given up per fragment for speed, in 1/255; 0 gives up nothing. Default 0. */
   errorBudget: number;
   /** The control panel is shown. Default false. */
@@ -95,6 +102,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   reflection: choiceField<Reflection>('phong', REFLECTIONS),
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
+  antialias: choiceField<Antialias>('edges', ANTIALIASES),
   errorBudget: numberField(0, { min: 0, max: 255 }),
   gui: presenceField(),
 };

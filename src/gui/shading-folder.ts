@@ -1,7 +1,7 @@
-// The folder of what holds for the whole picture: shading, lobe, terms, colour arithmetic. Knows no light or mesh.
+// The folder of what holds for the whole picture: shading, lobe, terms, colour arithmetic, antialiasing. Knows no light or mesh.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { REFLECTIONS, SHADINGS, TERMS } from '../material/variant.js';
+import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/variant.js';
 import { Folder } from './folder.js';
 import { addChoice, addFlag, addNumber, named } from './rows.js';
 import { linear } from './travel.js';
@@ -38,6 +38,13 @@ export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
       named(['srgb', 'linear'] as const),
       () => viewer.colorInterpolation,
       (space) => (viewer.colorInterpolation = space),
+    );
+    addChoice(
+      gui,
+      'antialias',
+      named(ANTIALIASES),
+      () => viewer.antialias,
+      (antialias) => (viewer.antialias = antialias),
     );
     addNumber(
       gui,

@@ -273,6 +273,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     choice('reflection', 'phong', 'phong', 'blinn-phong'),
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
+    choice('antialias', 'edges', 'edges', 'highlights'),
     number('error-budget', 0, 0, 255, 'errorBudget'),
     gui,
   ],

@@ -27,20 +27,24 @@ const meshes = `<phong-viewer gui>
 const valuesOf = (viewer: Locator, ...keys: (keyof PhongViewer)[]): Promise<unknown[]> =>
   viewer.evaluate((element: PhongViewer, names) => names.map((name) => element[name]), keys);
 
-test('writes and follows shading, reflection, terms, colour space and error budget', async ({ mount }) => {
+test('writes and follows shading, reflection, terms, colour space, antialiasing and error budget', async ({
+  mount,
+}) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Shading');
   await choice(folder, 'shading').selectOption('gouraud');
   await choice(folder, 'reflection').selectOption('blinn-phong');
   await flag(folder, 'diffuse term').click();
   await choice(folder, 'colour space').selectOption('linear');
+  await choice(folder, 'antialias').selectOption('highlights');
   await field(folder, 'error budget').fill('0.5');
-  const keys = ['shading', 'reflection', 'terms', 'colorInterpolation', 'errorBudget'] as const;
+  const keys = ['shading', 'reflection', 'terms', 'colorInterpolation', 'antialias', 'errorBudget'] as const;
   expect(await valuesOf(viewer, ...keys)).toEqual([
     'gouraud',
     'blinn-phong',
     ['ambient', 'specular'],
     'linear',
+    'highlights',
     0.5,
   ]);
   await viewer.evaluate((element) => {

@@ -38,6 +38,7 @@ const STEPS: readonly Step[] = [
   (dice) => ['shading', dice.pick(['phong', 'gouraud', 'flat'])],
   (dice) => ['reflection', dice.pick(['phong', 'blinn-phong'])],
   (dice) => ['color-interpolation', dice.pick(['srgb', 'linear'])],
+  (dice) => ['antialias', dice.pick(['edges', 'highlights'])],
   (dice) => ['terms', dice.pick(['ambient diffuse specular', 'diffuse', 'ambient diffuse', ''])],
   (dice) => ['ks', dice.pick(['0', '128', '90 100 80'])],
   (dice) => ['geometry', dice.pick(['box', 'sphere', 'torus'])],
@@ -146,7 +147,10 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       }
       // Flat shading differs in its triangles alone.
       const shading = element.shading === 'gouraud' ? 'gouraud' : 'fragment';
-      return { facts, style: [shading, element.reflection, element.colorInterpolation].join() };
+      return {
+        facts,
+        style: [shading, element.reflection, element.colorInterpolation, element.antialias].join(),
+      };
     },
     [what, value, step, DRAWN_ON] as const,
   );

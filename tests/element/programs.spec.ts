@@ -28,6 +28,7 @@ const CODE = {
   linear: { facts: ['IS_LINEAR'], functions: ['srgbEncode'] },
   'vertex colours': { facts: ['HAS_VERTEX_COLOR'], functions: [] },
   mask: { facts: ['HAS_ALPHA_MASK'], functions: [] },
+  'filtered highlights': { facts: ['FILTER_HIGHLIGHTS'], functions: ['averagedLobe', 'footprintOf'] },
 } as const;
 
 type Need = keyof typeof CODE;
@@ -74,6 +75,10 @@ const SCENES: Readonly<Record<string, readonly [markup: string, needs: readonly 
   flat: ['geometry="box" shading="flat"><phong-light>', ['directional', 'diffuse', 'specular']],
   'blinn-phong': ['geometry="box" reflection="blinn-phong"><phong-light>', ['directional', 'diffuse', 'specular', 'blinn-phong']], // prettier-ignore
   linear: ['geometry="box" color-interpolation="linear"><phong-light>', ['directional', 'diffuse', 'specular', 'linear']], // prettier-ignore
+  'filtered highlights': ['geometry="box" antialias="highlights"><phong-light>', ['directional', 'diffuse', 'specular', 'filtered highlights']], // prettier-ignore
+  'filtered highlights of Blinn and Phong': ['geometry="box" antialias="highlights" reflection="blinn-phong"><phong-light>', ['directional', 'diffuse', 'specular', 'blinn-phong', 'filtered highlights']], // prettier-ignore
+  'filtered highlights that there are none of': ['geometry="box" antialias="highlights" ks="0"><phong-light>', ['directional', 'diffuse']], // prettier-ignore
+  'filtered highlights under gouraud, which has none': ['geometry="box" antialias="highlights" shading="gouraud"><phong-light>', ['directional', 'diffuse', 'specular', 'gouraud']], // prettier-ignore
   'a textured model': ['src="/fixtures/models/textured.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'texture']], // prettier-ignore
   'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'vertex colours']], // prettier-ignore
 };
