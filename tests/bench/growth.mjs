@@ -37,10 +37,28 @@ export function growthOf(name, unit, measure, samples, note) {
   };
 }
 
-/** @param {Growth['points']} points */
-function slopeOf(points) {
+/**
+ * A slope with how far the quartiles of its times let it tilt: the lower counts up and the higher ones down, and the other
+ * way round.
+ * @param {Growth['points']} points fewest first
+ * @returns {import('./statistics.mjs').Spread}
+ */
+export function slopeSpread(points) {
+  const middle = mean(points.map(({ at }) => Math.log(at)));
+  /** @param {'low' | 'high'} few @param {'low' | 'high'} many */
+  const tilted = (few, many) => slopeOf(points, ({ at, time }) => time[Math.log(at) < middle ? few : many]);
+  return {
+    median: slopeOf(points),
+    low: tilted('high', 'low'),
+    high: tilted('low', 'high'),
+    count: points.length,
+  };
+}
+
+/** @param {Growth['points']} points @param {(point: Growth['points'][number]) => number} [msOf] */
+function slopeOf(points, msOf = ({ time }) => time.median) {
   const x = points.map(({ at }) => Math.log(at));
-  const y = points.map(({ time }) => Math.log(time.median));
+  const y = points.map((point) => Math.log(msOf(point)));
   const [centerX, centerY] = [mean(x), mean(y)];
   const along = x.reduce((sum, value, i) => sum + (value - centerX) * ((y[i] ?? NaN) - centerY), 0);
   return along / x.reduce((sum, value) => sum + (value - centerX) ** 2, 0);
