@@ -14,7 +14,7 @@ test('sees contexts, frames, timers and draws of a page that never rests, and no
   expect(await page.evaluate(() => window.work)).toEqual({ frames: 0, draws: 0, timers: 0 });
   expect(await page.evaluate(() => window.contextsMade?.length)).toBe(0);
 
-  const { work, given, contexts } = await page.evaluate(async () => {
+  const { work, given, contexts, lost } = await page.evaluate(async () => {
     document.createElement('canvas').getContext('2d');
     const canvas = document.createElement('canvas');
     const gl = canvas.getContext('webgl2')!;
@@ -37,14 +37,16 @@ test('sees contexts, frames, timers and draws of a page that never rests, and no
     cancelAnimationFrame(requestAnimationFrame(() => undefined));
     clearTimeout(setTimeout(() => undefined, 1));
     await new Promise((resolve) => setTimeout(resolve, 50));
-    return {
-      work: window.work,
-      given,
-      contexts: window.contextsMade?.map((context) => context.deref()?.isContextLost()),
-    };
+    const contexts = window.contextsMade!.map((context) => context.deref()?.isContextLost());
+    const { work, contextsLost: before } = window;
+    const gone = new Promise((resolve) => canvas.addEventListener('webglcontextlost', resolve));
+    gl.getExtension('WEBGL_lose_context')!.loseContext();
+    await gone;
+    return { work: { ...work }, given, contexts, lost: [before, window.contextsLost] };
   });
   expect(given).toBe('given');
   // One frame; a timeout, three ticks and the wait at the end; what was taken back never ran.
   expect(work).toEqual({ frames: 1, draws: 3, timers: 5 });
   expect(contexts).toEqual([false, false]);
+  expect(lost).toEqual([0, 1]);
 });

@@ -14,7 +14,7 @@ const NO_OTHER_HOST = '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE localhost'
 
 /** Longer than any peer took where all its viewers were lit in the end. */
 const LONGEST_MS = 60_000;
-/** Where contexts were lost, the rest comes within so long of the last that came, or never. */
+/** Where contexts were lost, and as many viewers have come as there are contexts left, no other comes after so long. */
 const LAST_MS = 4_000;
 /** A page whose contexts are lost goes blank after it has said that all is there. */
 const BLANK_MS = 500;
@@ -64,7 +64,7 @@ export async function openPeer(session, peer, { count, idle = false } = {}) {
   await page.waitForTimeout(idle ? SETTLED_MS : BLANK_MS);
   const second = idle ? await idleSecond(page) : { frames: NaN, draws: NaN, timers: NaN };
   const middles = await middlesOf(page, peer.tag);
-  const contexts = await contextsOf(page);
+  const { held, lost } = await contextsOf(page);
   failed();
   const { bytes, gzipped } = requests.total(session.folder);
   await browser.close();
@@ -74,8 +74,7 @@ export async function openPeer(session, peer, { count, idle = false } = {}) {
     ...{ ms, middles, heap, bytes, gzipped, idle: second },
     pageMs: (after.page - before.page) * 1000,
     gpuMs: (after.gpu - before.gpu) * 1000,
-    contexts: contexts.filter((lost) => !lost).length,
-    lost: contexts.filter((lost) => lost).length,
+    ...{ contexts: held, lost },
   };
 }
 
@@ -100,27 +99,25 @@ async function untilShown(page) {
   const begin = Date.now();
   let last = { loaded: 0, at: begin };
   while (Date.now() - begin < LONGEST_MS) {
-    const { ms, loaded, lost } = await page.evaluate(() => ({
+    const { ms, loaded } = await page.evaluate(() => ({
       ms: window.firstPicture,
       loaded: window.loadedViewers,
-      lost: (window.contextsMade ?? []).some((context) => context.deref()?.isContextLost() === true),
     }));
     if (ms !== undefined) return ms;
     if (loaded !== last.loaded) last = { loaded, at: Date.now() };
-    if (lost && Date.now() - last.at > LAST_MS) break;
+    const { held, lost } = await contextsOf(page);
+    if (lost > 0 && loaded >= held && Date.now() - last.at > LAST_MS) break;
     await new Promise((resolve) => setTimeout(resolve, 50));
   }
   return NaN;
 }
 
-/** Of each context that is still there, whether it is lost. @param {import('playwright-core').Page} page */
+/** @param {import('playwright-core').Page} page */
 const contextsOf = (page) =>
-  page.evaluate(() =>
-    (window.contextsMade ?? []).flatMap((reference) => {
-      const context = reference.deref();
-      return context === undefined ? [] : [context.isContextLost()];
-    }),
-  );
+  page.evaluate(() => ({
+    held: window.contextsMade?.filter((context) => context.deref()?.isContextLost() === false).length ?? 0,
+    lost: window.contextsLost,
+  }));
 
 /** Text and programs; pictures and fonts are compressed already. */
 const COMPRESSED = new Set(['', '.html', '.css', '.js', '.svg', '.wasm', '.glb']);

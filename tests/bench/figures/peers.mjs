@@ -29,7 +29,7 @@ const PEERS = [
 ];
 
 /** How often what is slow is measured at the most: its spread is small beside the peers' differences. */
-const MOST = { starts: 5, idle: 2, viewers: 3 };
+const MOST = { starts: 5, alone: 2, 16: 3, 64: 2 };
 
 /**
  * @param {import('../session.mjs').Session} session @param {PeerSettings} settings
@@ -40,15 +40,13 @@ export async function* peers(session, settings) {
   const { versions } = session;
   const named = PEERS.map(({ name, from }) => ({ name, version: versions[from] ?? 'unknown' }));
   yield* starts(session, named, Math.min(MOST.starts, launches * rounds));
-  const alone = await inTurns(Math.min(MOST.idle, launches), (peer) =>
+  const alone = await inTurns(Math.min(MOST.alone, launches), (peer) =>
     openPeer(session, peer, { count: 1, idle: true }),
   );
   yield* idling(named, alone);
   yield* viewers(named, 1, alone, alone);
-  for (const count of [16, 64]) {
-    const many = await inTurns(Math.min(MOST.viewers, launches), (peer) =>
-      openPeer(session, peer, { count }),
-    );
+  for (const count of /** @type {const} */ ([16, 64])) {
+    const many = await inTurns(Math.min(MOST[count], launches), (peer) => openPeer(session, peer, { count }));
     yield* viewers(named, count, many, alone);
   }
   yield* relinks(session, settings);

@@ -2,12 +2,13 @@
 // What a page does, counted from outside by scripts that run in it before its own: contexts made, and work while nothing
 // changes. Each function is sent to the page as it is and knows nothing of this file.
 
-/** Notes the page's WebGL contexts, without keeping any of them. */
+/** Notes the page's WebGL contexts, without keeping any of them, and how many of them were lost. */
 export function watchContexts() {
   /** @type {WeakRef<WebGLRenderingContext | WebGL2RenderingContext>[]} */
   const made = [];
   const seen = new WeakSet();
   window.contextsMade = made;
+  window.contextsLost = 0;
   for (const { prototype } of [HTMLCanvasElement, OffscreenCanvas]) {
     const getContext = prototype.getContext;
     Object.defineProperty(prototype, 'getContext', {
@@ -19,6 +20,9 @@ export function watchContexts() {
         if (ours && !seen.has(context)) {
           seen.add(context);
           made.push(new WeakRef(context));
+          this.addEventListener('webglcontextlost', () => {
+            window.contextsLost += 1;
+          });
         }
         return context;
       },

@@ -5,6 +5,8 @@ declare global {
   interface Window {
     /** WebGL contexts that the page has made, where the bench watches (figures/watch.mjs). */
     contextsMade?: readonly WeakRef<WebGLRenderingContext | WebGL2RenderingContext>[];
+    /** How many of them were lost, there. */
+    contextsLost: number;
     /** What it has done so far, where the bench watches for that too. */
     work: { frames: number; draws: number; timers: number };
     /** How many viewers have said that they are there. */
