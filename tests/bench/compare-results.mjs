@@ -4,6 +4,7 @@
 
 import { comparisonText } from './comparison-text.mjs';
 import { slopeSpread } from './growth.mjs';
+import { named } from './result-file.mjs';
 
 /**
  * @typedef {import('./result-file.mjs').BenchResult} BenchResult
@@ -119,13 +120,19 @@ function comparePeers(before, after, result) {
     `${what}, ${unit}: ${peer}`;
   for (const [called, a, b] of pairs(before.peers, after.peers, key, result)) {
     const group = `${b.what}, ${b.unit}`;
-    const note = a.version === b.version ? undefined : `${a.version} before, ${b.version} after`;
+    const name = called.slice(group.length + 2);
+    // Of rows of one name the note says what was asked for.
+    const notes = [
+      ...(a.version === b.version ? [] : [`${a.version} before, ${b.version} after`]),
+      ...(name === b.peer || b.note === undefined ? [] : [b.note]),
+    ];
+    const note = notes.length === 0 ? undefined : notes.join('; ');
     if (a.ratio !== undefined && b.ratio !== undefined) {
       const what = 'peer / phong-viewer';
-      result.changes.push({ ...spreadChange(group, b.peer, what, a.ratio, b.ratio), ...noted(note) });
+      result.changes.push({ ...spreadChange(group, name, what, a.ratio, b.ratio), ...noted(note) });
     } else if (a.value.count > 0 && b.value.count > 0) {
       if (isTime(b.unit)) result.incomparable.push(`${called}: ${b.unit} without a ratio`);
-      else result.changes.push({ ...spreadChange(group, b.peer, b.unit, a.value, b.value), ...noted(note) });
+      else result.changes.push({ ...spreadChange(group, name, b.unit, a.value, b.value), ...noted(note) });
     } else if (a.value.count !== b.value.count) {
       result.incomparable.push(`${called}: measured only ${a.value.count > 0 ? 'before' : 'after'}`);
     }
@@ -185,7 +192,7 @@ function sameFor(name, what, a, b, keys, result) {
  * @returns {[string, T, T][]}
  */
 function pairs(before, after, key, result) {
-  const [first, second] = [before, after].map((list) => new Map(list.map((one) => [key(one), one])));
+  const [first, second] = [before, after].map((list) => named(list, key));
   for (const name of first?.keys() ?? []) if (!second?.has(name)) result.onlyBefore.push(name);
   /** @type {[string, T, T][]} */
   const both = [];

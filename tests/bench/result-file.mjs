@@ -43,3 +43,22 @@ export function readResults(folder) {
     .sort()
     .map((file) => ({ stack: file.slice(0, -'.json'.length), ...readResult(join(folder, file)) }));
 }
+
+/**
+ * What a row is called in a list where several may have one name: the second gets " (2)". Their order is that of the run.
+ * @template T
+ * @param {readonly T[]} list @param {(one: T) => string} nameOf
+ * @returns {Map<string, T>}
+ */
+export function named(list, nameOf) {
+  /** @type {Map<string, number>} */
+  const counts = new Map();
+  return new Map(
+    list.map((one) => {
+      const name = nameOf(one);
+      const count = (counts.get(name) ?? 0) + 1;
+      counts.set(name, count);
+      return [count === 1 ? name : `${name} (${count})`, one];
+    }),
+  );
+}

@@ -1,10 +1,13 @@
-// What becomes of a bench run's samples: fronts, growth, charts, comparisons and the report.
-import { describe, expect, test, vi } from 'vitest';
-import { comparisonOf, movedBeyondNoise, printComparison, type Change } from '../bench/compare-results.mjs';
-import { comparisonText } from '../bench/comparison-text.mjs';
+// What becomes of a bench run's samples: fronts, growth and the report.
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterEach, beforeEach, describe, expect, test } from 'vitest';
 import { dominated, frontier } from '../bench/front.mjs';
 import { growthOf, slopeSpread } from '../bench/growth.mjs';
 import { spread } from '../bench/statistics.mjs';
+import { reportOf } from '../bench/report-text.mjs';
+import { writeReport } from '../bench/write-report.mjs';
 import { about, frontOf, pointOf, resultOf } from './bench-made-up.js';
 
 describe('a front', () => {
@@ -101,195 +104,177 @@ describe('growth', () => {
   });
 });
 
-describe('what moved between two runs', () => {
-  const front = frontOf([pointOf('exact', 10, 0.5), pointOf('fast', 4, 0.2), pointOf('rough', 2, 9)]);
-  const changed = (
-    id: string,
-    change: (point: (typeof front.points)[0]) => (typeof front.points)[0],
-  ): typeof front => ({
-    ...front,
-    points: front.points.map((point) => (point.id === id ? change(point) : point)),
-  });
-  const compare = (a: Parameters<typeof resultOf>[0], b: Parameters<typeof resultOf>[0]) =>
-    comparisonOf(resultOf(a), resultOf(b));
-  const moved = (changes: readonly Change[]): string[] =>
-    changes.filter((change) => change.moved).map(({ name, what }) => `${name}: ${what}`);
-
-  test('is more than both ranges: apart, and by more than the wider', () => {
-    const spread = (median: number, low: number, high: number) => ({ ...{ median, low, high }, count: 9 });
-    expect(movedBeyondNoise(spread(10, 9, 11), spread(13, 12, 14))).toBe(true);
-    expect(movedBeyondNoise(spread(13, 12, 14), spread(10, 9, 11))).toBe(true);
-    expect(movedBeyondNoise(spread(10, 9, 11), spread(12, 11, 13))).toBe(false);
-    expect(movedBeyondNoise(spread(10, 9.9, 11), spread(12, 11.1, 14))).toBe(false);
-  });
-
-  test('is nothing between a run and itself', () => {
-    const run = {
-      ...{
-        fronts: [front],
-        growth: [
-          growthOf(
-            'all',
-            'lights',
-            'GPU timer',
-            [1, 8].map((at) => ({ at, ms: [at] })),
-          ),
-        ],
+describe('the report', () => {
+  const run = resultOf({
+    fronts: [
+      frontOf([
+        pointOf('exact', 10, 0),
+        pointOf('fast', 4, 0.2),
+        { ...pointOf('slow', 12, 0.3), label: 'a | b <c> *d*', note: 'a note' },
+      ]),
+    ],
+    growth: [
+      growthOf(
+        'all',
+        'lights',
+        'GPU timer',
+        [1, 8, 64].map((at) => ({ at, ms: [at] })),
+      ),
+    ],
+    peers: [
+      {
+        ...{ what: 'distance', peer: '<model-viewer>', version: '4', unit: '/255' },
+        value: about(3, 1),
+        note: 'first',
       },
-      peers: [
-        { what: 'start', peer: 'A-Frame', version: '1', unit: 'ms', value: about(80), ratio: about(3) },
-      ],
-      figures: {
-        frame: [{ name: '8', unit: 'ms', value: about(1), peer: about(2), ratio: about(0.5), atMost: 0.6 }],
+      {
+        ...{ what: 'distance', peer: '<model-viewer>', version: '4', unit: '/255' },
+        value: about(5, 1),
+        note: 'second',
       },
-    };
-    const { changes, machine, onlyBefore, onlyAfter, incomparable } = compare(run, run);
-    expect(moved(changes)).toEqual([]);
-    expect([machine, onlyBefore, onlyAfter, incomparable]).toEqual([[], [], [], []]);
-    // Three points' milliseconds and RMSE, two ratios to the base, a slope, two counts, a peer and a figure.
-    expect(changes).toHaveLength(3 * 2 + 2 + 1 + 2 + 1 + 1);
-  });
-
-  test('is a time, as the ratio to the base', () => {
-    const slower = changed('fast', (point) => ({ ...point, ratio: about(0.9) }));
-    const { changes } = compare({ fronts: [front] }, { fronts: [slower] });
-    expect(moved(changes)).toEqual(['variant fast: time / base']);
-  });
-
-  test('is no time within the noise', () => {
-    const noisy = changed('fast', (point) => ({ ...point, ratio: about(0.42) }));
-    expect(moved(compare({ fronts: [front] }, { fronts: [noisy] }).changes)).toEqual([]);
-  });
-
-  test('is a time in milliseconds only where the GPU’s own timer counted', () => {
-    const run = (measure: typeof front.measure, factor: number) => ({
-      fronts: [
+      {
+        ...{ what: 'distance', peer: 'X_ITE', version: '15', unit: '/255' },
+        value: about(0, 0),
+        note: 'cannot be asked',
+      },
+      {
+        ...{ what: 'start', peer: 'X_ITE', version: '15', unit: 'ms' },
+        value: about(900),
+        ratio: about(2.5),
+      },
+    ],
+    figures: {
+      frame: [
         {
-          ...front,
-          measure,
-          points: front.points.map((point) => ({ ...point, time: about(factor * point.time.median) })),
+          ...{ name: '8 lights', unit: 'ms', value: about(1), peer: about(2), ratio: about(0.5) },
+          atMost: 0.6,
         },
-      ],
-    });
-    const timer = compare(run('GPU timer', 1), run('GPU timer', 2));
-    expect(moved(timer.changes)).toEqual(['variant exact: ms', 'variant fast: ms', 'variant rough: ms']);
-    const clock = compare(run('clock', 1), run('clock', 2));
-    expect(clock.changes.map(({ what }) => what)).not.toContain('ms');
-    expect(moved(clock.changes)).toEqual([]);
-  });
-
-  test('is an error by more than a hundredth, each figure by itself', () => {
-    const error = (factor: number) =>
-      changed('fast', (point) => ({ ...point, error: { ...point.error, flip: factor * point.error.flip } }));
-    expect(moved(compare({ fronts: [front] }, { fronts: [error(1.009)] }).changes)).toEqual([]);
-    expect(moved(compare({ fronts: [front] }, { fronts: [error(0.98)] }).changes)).toEqual([
-      'variant fast: FLIP',
-    ]);
-  });
-
-  test('is an error that was nothing', () => {
-    const exact = changed('fast', (point) => ({ ...point, error: { ...point.error, rmse: 0 } }));
-    const comparison = compare({ fronts: [exact] }, { fronts: [front] });
-    expect(moved(comparison.changes)).toEqual(['variant fast: RMSE']);
-    expect(comparisonText(comparison)).toMatch(/variant fast +RMSE +0 +0\.2 +from 0 +MOVED/);
-  });
-
-  test('leaves alone what was measured of something else, and says so', () => {
-    const other = { ...front, size: [800, 600] as const, truth: 'another truth' };
-    const { changes, incomparable } = compare({ fronts: [front] }, { fronts: [other] });
-    expect(changes).toEqual([]);
-    expect(incomparable).toEqual([
-      'loops, 8 mixed: times, of another size: 480,360 before, 800,600 after',
-      'loops, 8 mixed: errors, of another truth: the equation in float64 before, another truth after',
-    ]);
-  });
-
-  test('lists what only one run has', () => {
-    const fewer = { ...front, points: front.points.slice(0, 2) };
-    const { onlyBefore, onlyAfter } = compare(
-      { fronts: [front] },
-      { fronts: [fewer, { ...front, scene: '64 mixed' }] },
-    );
-    expect(onlyBefore).toEqual(['loops, 8 mixed: rough']);
-    expect(onlyAfter).toEqual(['loops, 64 mixed']);
-  });
-
-  test('is a slope, over the counts that both have', () => {
-    const growth = (power: number, counts: readonly number[]) => ({
-      growth: [
-        growthOf(
-          'all',
-          'lights',
-          'clock',
-          counts.map((at) => ({ at, ms: [at ** power, 1.02 * at ** power] })),
-        ),
-      ],
-    });
-    const { changes } = compare(growth(1, [1, 4, 16]), growth(1.5, [4, 16, 64]));
-    expect(moved(changes)).toEqual(['all: slope']);
-    expect(changes[0]!.after.median).toBeCloseTo(1.5, 12);
-    expect(compare(growth(1, [1, 4]), growth(1, [4, 16])).incomparable).toEqual([
-      'growth with lights: all: slopes, of other counts',
-    ]);
-  });
-
-  test('is a peer’s ratio, with its versions; its milliseconds alone are not compared', () => {
-    const row = (version: string, ratio: number | null, unit = 'ms') => ({
-      peers: [
         {
-          what: 'start',
-          peer: 'A-Frame',
-          ...{ version, unit, value: about(80) },
-          ...(ratio === null ? {} : { ratio: about(ratio) }),
+          ...{ name: '16 lights', unit: 'ms', value: about(2), peer: about(2), ratio: about(1) },
+          atMost: 0.6,
         },
+        { name: 'no aim', unit: 'ms', value: about(2), peer: about(2), ratio: about(1) },
       ],
-    });
-    const { changes } = compare(row('1.7', 3), row('1.8', 4));
-    expect(changes).toMatchObject([{ moved: true, note: '1.7 before, 1.8 after' }]);
-    expect(compare(row('1.7', null), row('1.7', null)).incomparable).toEqual([
-      'start, ms: A-Frame: ms without a ratio',
-    ]);
-    expect(compare(row('1.7', null, 'KiB'), row('1.7', null, 'KiB')).changes).toHaveLength(1);
+    },
+  });
+  const stacks = [
+    { ...run, stack: 'SwiftShader' },
+    { ...resultOf({ fronts: run.fronts }), stack: 'NVIDIA-H200-Vulkan', machine: { renderer: 'H200' } },
+  ];
+  const { report, charts } = reportOf(stacks, '## What was found\n\nProse with `code`.\n');
+  const row = (start: string): string =>
+    report.split('\n').find((line) => line.startsWith(`| ${start}`)) ?? '';
+
+  test('has a chart for each front and each unit of growth on each stack, and shows them', () => {
+    const names = [
+      'SwiftShader-loops-8-mixed.svg',
+      'SwiftShader-growth-lights.svg',
+      'NVIDIA-H200-Vulkan-loops-8-mixed.svg',
+    ];
+    expect([...charts.keys()]).toEqual(names);
+    for (const name of names) expect(report).toContain(`](charts/${name})`);
   });
 
-  test('is a peer that could be measured only once', () => {
-    const row = (count: number) => ({
-      peers: [{ what: 'lit', peer: 'X_ITE', version: '1', unit: 'ms', value: about(80, count) }],
-    });
-    expect(compare(row(0), row(3)).incomparable).toEqual(['lit, ms: X_ITE: measured only after']);
-  });
-
-  test('is a figure’s ratio, with the aim that it now misses or meets', () => {
-    const figure = (ratio: number) => ({
-      figures: {
-        frame: [
-          { name: '8 lights', unit: 'ms', value: about(1), peer: about(2), ratio: about(ratio), atMost: 0.5 },
-        ],
-      },
-    });
-    expect(compare(figure(0.49), figure(0.51)).changes).toMatchObject([
-      { moved: false, note: 'misses 0.5 now' },
-    ]);
-    expect(compare(figure(0.6), figure(0.4)).changes).toMatchObject([{ moved: true, note: 'meets 0.5 now' }]);
-  });
-
-  test('is printed as a table, after what differs of the machines', () => {
-    const slower = changed('fast', (point) => ({ ...point, ratio: about(0.9) }));
-    const before = resultOf({ fronts: [front] });
-    const after = resultOf({
-      fronts: [slower],
-      seed: 2,
-      machine: { ...before.machine, revision: 'def5678' },
-    });
-    const log = vi.spyOn(console, 'log').mockImplementation(() => undefined);
-    printComparison(before, after);
-    const text = log.mock.calls.flat().join('\n');
-    log.mockRestore();
-    expect(text).toContain('revision: abc1234 before, def5678 after');
-    expect(text).toContain('seed: 1 before, 2 after');
-    expect(text).toMatch(
-      /variant fast +time \/ base +0\.4 \(0\.381–0\.444\) +0\.9 \(0\.882–0\.918\) +\+125\.0 % +MOVED/,
+  test('has a row for each variant, with what is on the front, the base and what ships', () => {
+    expect(row('● | **variant fast** (ships)')).toBe(
+      '| ● | **variant fast** (ships) | 0.4 (0.381–0.444) | 4 | 0.2 | 0.6 | 1 | 0.2 % | 0.0222 | 0.001 |  |',
     );
-    expect(text).toContain('1 of 8 moved by more than the noise of both runs:');
+    expect(row('● | variant exact (base)')).toContain('| 10 | 0 | 0 | 0 | 0 % | 0 | 0 |');
+    expect(row('○ | a')).toContain('a \\| b &lt;c&gt; \\*d\\*');
+    expect(row('○ | a')).toMatch(/a note \|$/);
+  });
+
+  test('has as many cells in every row of a table as in its head', () => {
+    let cells = 0;
+    for (const line of report.split('\n')) {
+      const count = line.startsWith('|') ? line.replaceAll('\\|', '').split('|').length : 0;
+      if (cells > 0 && count > 0) expect(count, line).toBe(cells);
+      cells = count;
+    }
+  });
+
+  test('has peers with each thing that was asked of them', () => {
+    expect(row('&lt;model-viewer&gt; 4')).toBe('| &lt;model-viewer&gt; 4 | 3 | first |');
+    expect(report).toContain('| &lt;model-viewer&gt; 4 | 5 | second |');
+    expect(report).toContain('| X\\_ITE 15 | – | cannot be asked |');
+    expect(report).toContain('| X\\_ITE 15 | 900 (882–918) × 2.5 |  |');
+  });
+
+  test('says whose note it is where stacks’ notes differ', () => {
+    const other = { ...run, stack: 'llvmpipe', peers: run.peers.map((peer) => ({ ...peer, note: 'other' })) };
+    const both = reportOf([{ ...run, stack: 'SwiftShader' }, other]).report;
+    expect(both).toContain('| &lt;model-viewer&gt; 4 | 3 | 3 | SwiftShader: first; llvmpipe: other |');
+  });
+
+  test('counts the aims that are met', () => {
+    expect(report).toContain('1 of 2 met');
+    expect(row('8 lights')).toContain('0.5 (0.49–0.51), meets 0.6: 1 of 2 ms');
+    expect(row('16 lights')).toContain('**misses 0.6**');
+    expect(row('no aim')).not.toMatch(/meets|misses/);
+  });
+
+  test('has slopes, machines, the findings as they are, and how to measure again', () => {
+    expect(row('SwiftShader | all')).toBe(
+      '| SwiftShader | all | 1.00 | 1.00 | 1 ms at 1 | 64 ms at 64 | GPU timer |  |',
+    );
+    expect(row('renderer')).toBe('| renderer | some GPU | H200 |');
+    expect(report).toContain('\n\n## What was found\n\nProse with `code`.\n\n');
+    expect(report).toContain('npm run bench -- --compare');
+  });
+
+  test('leaves out what was not measured', () => {
+    const bare = reportOf([{ ...resultOf({}), stack: 'SwiftShader' }]);
+    expect(bare.report.match(/^## .*$/gm)).toEqual(['## Machines and versions', '## Measuring it again']);
+    expect(bare.charts.size).toBe(0);
+  });
+
+  test('refuses two charts of one name', () => {
+    const [front] = run.fronts;
+    expect(() =>
+      reportOf([{ ...resultOf({ fronts: [front!, { ...front!, scene: '8-mixed' }] }), stack: 'a' }]),
+    ).toThrow('two charts are called a-loops-8-mixed.svg');
+  });
+
+  describe('in its folder', () => {
+    let folder = '';
+    beforeEach(() => {
+      folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+      mkdirSync(join(folder, 'results'));
+    });
+    afterEach(() => {
+      rmSync(folder, { recursive: true });
+    });
+
+    test('is written with its charts, and old charts go', () => {
+      for (const { stack, ...result } of stacks)
+        writeFileSync(join(folder, 'results', `${stack}.json`), JSON.stringify(result));
+      mkdirSync(join(folder, 'charts'));
+      writeFileSync(join(folder, 'charts/old.svg'), '');
+      writeFileSync(join(folder, 'charts/README.md'), '');
+      writeFileSync(join(folder, 'FINDINGS.md'), '## What was found\n\nProse with `code`.\n');
+      expect(writeReport(folder)).toEqual({ stacks: 2, charts: 3 });
+      expect(readdirSync(join(folder, 'charts')).sort()).toEqual([...charts.keys(), 'README.md'].sort());
+      // In the order of the files' names.
+      expect(readFileSync(join(folder, 'REPORT.md'), 'utf8')).toBe(
+        reportOf([...stacks].reverse(), '## What was found\n\nProse with `code`.\n').report,
+      );
+      expect(readFileSync(join(folder, 'charts/SwiftShader-loops-8-mixed.svg'), 'utf8')).toMatch(
+        /^<svg .*<\/svg>\n$/s,
+      );
+    });
+
+    test('takes a run that measured only a part, and needs no findings', () => {
+      const { machine, seed, launches, rounds, fronts } = run;
+      writeFileSync(
+        join(folder, 'results/a.json'),
+        JSON.stringify({ machine, seed, launches, rounds, fronts }),
+      );
+      writeReport(folder);
+      expect(readFileSync(join(folder, 'REPORT.md'), 'utf8')).not.toContain('What was found');
+    });
+
+    test('is not written of nothing', () => {
+      expect(() => writeReport(folder)).toThrow('no results');
+    });
   });
 });
