@@ -23,7 +23,11 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
  * @property {string[]} args its arguments; none: software GL
  * @property {string} page folder of built pages, or empty to build them
  * @property {string} source checkout whose src/ is measured, or empty for this one
+ * @property {boolean} [alone] no peer is asked for: none is installed, and only OWN_PAGES are built
  */
+
+/** Pages that time the element and its parts against themselves. */
+const OWN_PAGES = /^(fronts|field|viewers-element)\.html$/;
 
 export class Session {
   /** @type {import('playwright-core').LaunchOptions} */
@@ -32,9 +36,10 @@ export class Session {
   folder = '';
 
   /** @param {SessionOptions} options */
-  static async open({ browser, args, page, source }) {
+  static async open({ browser, args, page, source, alone = false }) {
     const session = new Session();
-    session.folder = page || (await buildPages(mkdtempSync(join(tmpdir(), 'phong-viewer-bench-')), source));
+    session.folder =
+      page || (await buildPages(mkdtempSync(join(tmpdir(), 'phong-viewer-bench-')), source, alone));
     session.#site = await serveFolder(session.folder);
     session.#launch = await launchOptions(browser, args);
     return session;
@@ -99,17 +104,18 @@ export function failOnErrors(page) {
   };
 }
 
-/** @param {string} folder @param {string} source */
-export async function buildPages(folder, source) {
+/** @param {string} folder @param {string} source @param {boolean} alone */
+export async function buildPages(folder, source, alone = false) {
   const { build } = await import('vite');
-  installPeers();
+  if (!alone) installPeers();
   process.env['PHONG_VIEWER_BENCH_OUT'] = folder;
   process.env['PHONG_VIEWER_BENCH_SOURCE'] = source;
-  for (const page of readdirSync(join(here, 'pages')).filter((name) => name.endsWith('.html'))) {
+  const pages = readdirSync(join(here, 'pages')).filter((name) => name.endsWith('.html'));
+  for (const page of alone ? pages.filter((name) => OWN_PAGES.test(name)) : pages) {
     process.env['PHONG_VIEWER_BENCH_PAGE'] = page;
     await build({ configFile: join(here, 'vite.config.ts'), logLevel: 'error' });
   }
-  copyPeers(folder);
+  if (!alone) copyPeers(folder);
   writeFileSync(join(folder, 'box.glb'), glbOf(box()));
   const root = source || repository;
   /** @param {string} name */
@@ -121,7 +127,7 @@ export async function buildPages(folder, source) {
     git('rev-parse', '--short', 'HEAD') + (git('status', '--short', 'src', 'shaders') ? ' and changes' : '');
   const about = {
     ...{ revision, three: version('three'), lit: version('lit'), vite: version('vite') },
-    ...peerVersions(),
+    ...(alone ? {} : peerVersions()),
   };
   writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about));
   return folder;

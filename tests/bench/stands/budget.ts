@@ -24,7 +24,7 @@ export const budget: Axis = {
     const { lamps, floor } = SCENES[name]!;
     const field = fieldOf(lamps, floor, seed);
     const shrink = Math.min(1, Math.sqrt(evaluations / (COVERED * lamps * size[0] * size[1])));
-    const errorSize: Size = [Math.round(size[0] * shrink), Math.round(size[1] * shrink)];
+    const errorSize: Size = [least(size[0] * shrink), least(size[1] * shrink)];
     const subjects: Subject[] = [];
     for (const errorBudget of quick ? QUICK_BUDGETS : BUDGETS) {
       const query = { lamps, floor: floor ? 1 : 0, seed, budget: errorBudget };
@@ -43,6 +43,9 @@ export const budget: Axis = {
     return stand;
   },
 };
+
+/** Whole pixels, and enough of them to have faces. */
+const least = (side: number): number => Math.max(Math.round(side), 48);
 
 function subjectOf(page: FieldPage, errorBudget: number, size: Size, errorSize: Size, field: Field): Subject {
   return {

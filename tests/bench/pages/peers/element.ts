@@ -26,6 +26,9 @@ export function contextOf(viewer: Viewer): WebGL2RenderingContext {
   return gl;
 }
 
+/** Milliseconds; a size that no canvas gets has to end somewhere. */
+const LONGEST_RESIZE = 20_000;
+
 /** Gives what holds a viewer another size, and runs frames until its canvas has it. */
 export async function setSize(
   holder: HTMLElement,
@@ -34,7 +37,9 @@ export async function setSize(
   height: number,
 ): Promise<void> {
   Object.assign(holder.style, { width: `${width}px`, height: `${height}px` });
+  const until = performance.now() + LONGEST_RESIZE;
   while (gl.drawingBufferWidth !== width || gl.drawingBufferHeight !== height) {
+    if (performance.now() > until) throw new Error(`no canvas of ${String(width)} × ${String(height)}`);
     await pause(5);
     runFrame();
   }
