@@ -13,7 +13,7 @@ const FRONTS = [
   ['shading', '1 directional'],
   ['loops', '8 mixed'],
   ['budget', '32 lamps'],
-  ['antialias', 'shininess 1e4'],
+  ['antialias', 'inside at shininess 1e3'],
   ['scale', 'shininess 32'],
 ] as const;
 
