@@ -21,7 +21,7 @@ const BLINN = /** @type {const} */ ({ reflection: 'blinn-phong' });
 
 /** What is known of MeshPhongMaterial's highlight, whose code A-Frame's is too. */
 const LOBE = 'its highlight falls with N·L and grows by Fresnel';
-const AS_NAMED = 'Blinn-Phong lobe times (n+2)/8 and N·L, light over π, output encoded to sRGB';
+const AS_NAMED = 'Blinn-Phong lobe times (n+2)/8 and N·L, output encoded to sRGB';
 const UNENCODED = 'unencoded, light × π, specular as high as Ks';
 
 /** @type {readonly Case[]} */
@@ -29,15 +29,15 @@ const CASES = [
   ...['phong', 'blinn-phong'].map((reflection) => ({
     ...{ peer: '<phong-viewer>', version: 'revision', page: 'phong-viewer', query: reflection },
     truth: { reflection: /** @type {'phong' | 'blinn-phong'} */ (reflection) },
-    note: `reflection="${reflection}"; rounding to 8 bits, and above 0.5 the grid that corners of triangles lie on`,
+    note: `reflection="${reflection}"; rounding to 8 bits, and above 0.5 how triangles are rasterized`,
   })),
-  ...three('mesh-phong', 'three.js MeshPhong', 'three'),
+  ...three('mesh-phong', 'three.js MeshPhong', 'three', 'a light of 1 is over π'),
   {
     ...{ peer: 'three.js MeshPhong', version: 'three', page: 'mesh-phong', query: 'diffuse' },
     truth: { terms: ['diffuse'] },
     note: 'diffuse term alone: the mapping is fair; Fresnel’s part of the highlight stays at specular 0',
   },
-  ...three('aframe', 'A-Frame', 'aframe'),
+  ...three('aframe', 'A-Frame', 'aframe', 'its own light of 3.14, dithered'),
   {
     ...{ peer: 'X_ITE', version: 'x-ite', page: 'x-ite', query: 'own-exponent', truth: BLINN },
     note: 'Material, against Blinn-Phong with the same n: X3D defines that lobe',
@@ -52,11 +52,15 @@ const CASES = [
   })),
 ];
 
-/** @param {string} page @param {string} peer @param {string} version @returns {Case[]} */
-function three(page, peer, version) {
+/** @param {string} page @param {string} peer @param {string} version @param {string} light as it comes @returns {Case[]} */
+function three(page, peer, version, light) {
   const common = { peer, version, page };
   return [
-    { ...common, query: 'as-it-comes', note: `the same numbers by their names, against R·V: ${AS_NAMED}` },
+    {
+      ...common,
+      query: 'as-it-comes',
+      note: `the same numbers by their names, against R·V: ${AS_NAMED}, ${light}`,
+    },
     {
       ...{ ...common, query: 'own-exponent', truth: BLINN },
       note: `${UNENCODED}, against Blinn-Phong with the same n: ${LOBE}`,

@@ -15,7 +15,7 @@ export interface Distance {
   readonly pixels: number;
   /** Of their channels. Rounding to 8 bits alone makes 0.29 (1/√12) of it, */
   readonly rmse: number;
-  /** and 0.5 of this. Corners of triangles, snapped to parts of a pixel, add 0.15 here in software, 0.2 with four times as many. */
+  /** and 0.5 of this. How triangles are rasterized adds 0.15 here in software, 0.2 with four times as many of them. */
   readonly max: number;
 }
 
