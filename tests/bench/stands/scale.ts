@@ -3,12 +3,13 @@ import { SphereGeometry } from 'three';
 import { lightsOf } from '../pages/scenes.js';
 import type { ColorPicture } from '../error/error-figures.js';
 import { CoreView } from './core-view.js';
-import { type Axis, type Size, type Stand, type Subject } from './stand.js';
+import { type Axis, type Size, squareSide, type Stand, type Subject } from './stand.js';
 import { converged } from './supersampling.js';
 
 const SCALES = [0.35, 0.5, 0.71, 1, 1.41, 2] as const;
 /** Of the reference, along each side of a pixel. */
 const CONVERGED = 8;
+const LIGHTS = 8;
 const SCENES = { 'shininess 32': 32, 'shininess 1e3': 1e3 } as const;
 
 export const scale: Axis = {
@@ -16,9 +17,13 @@ export const scale: Axis = {
   scenes: Object.keys(SCENES),
   open(name, { size, seed, evaluations }, holder) {
     const shininess = SCENES[name as keyof typeof SCENES];
-    const view = new CoreView(holder, lightsOf({ lights: 8, active: 8, kind: 'mixed', seed }), true);
+    const view = new CoreView(
+      holder,
+      lightsOf({ lights: LIGHTS, active: LIGHTS, kind: 'mixed', seed }),
+      true,
+    );
     const scene = view.scene(new SphereGeometry(1.03, 128, 64), { shininess });
-    const side = Math.min(size[1], 2 ** Math.round(Math.log2(Math.sqrt(evaluations / 9))));
+    const side = Math.min(size[1], squareSide(evaluations, LIGHTS));
     const subjects = SCALES.map((times): Subject => {
       const scaled = ([width, height]: Size): Size => [Math.round(width * times), Math.round(height * times)];
       return {
