@@ -68,8 +68,7 @@ export function peers(stacks) {
 /** @param {import('./result-file.mjs').PeerRow} row */
 function peerCell({ value, ratio }) {
   if (value.count === 0) return '–';
-  const text = value.count === 1 ? short(value.median) : range(value);
-  return ratio === undefined ? text : `${text} × ${short(ratio.median)}`;
+  return ratio === undefined ? range(value) : `${range(value)} × ${short(ratio.median)}`;
 }
 
 /** @param {readonly Stack[]} stacks */

@@ -85,6 +85,18 @@ describe('a front’s chart', () => {
     expect(texts).toContain('variant fast (ships)');
   });
 
+  test('numbers its variants, and names them in a list, where names would crowd', () => {
+    const crowd = frontOf(
+      Array.from({ length: 18 }, (_, i) =>
+        pointOf(`of a long name, number ${i}`, 5 + i / 50, 1 + ((i * 7) % 18) / 50),
+      ),
+    );
+    const texts = textsOf(frontChart(crowd));
+    // On the point and in the list.
+    expect(texts.filter((text) => text === '18')).toHaveLength(2);
+    for (const { label } of crowd.points) expect(texts.join(' ')).toContain(label);
+  });
+
   test('marks another variant as shipped where asked', () => {
     expect(textsOf(frontChart(front, { shipped: 'rough' })).join(' ')).toContain('variant rough (ships)');
   });

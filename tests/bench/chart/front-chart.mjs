@@ -70,7 +70,7 @@ export function frontChart(front, options = {}) {
     spots.map(({ low, high, y }) => ({ from: [low, y], to: [high, y] })),
   );
   const named = labelsOf(spots, plot, lines, (spot) => balanced(nameOf(spot), FONT.label, LABEL_WIDTH));
-  const numbered = width < NARROW || named.some(({ overlaps }) => overlaps);
+  const numbered = width < NARROW || named.some(({ unclear }) => unclear);
   const labels = numbered ? labelsOf(spots, plot, lines, ({ number }) => [number]) : named;
   const list = numbered ? listOf(spots, key, { width, top: height }, colors) : { rows: [], height: 0 };
   const name = `${title}. ${ERRORS[key][0]}, against ms a frame; of ${spots.length} variants ${best.length} that none beats: ${best.map((spot) => spot?.point.label).join(', ')}.`;

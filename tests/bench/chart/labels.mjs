@@ -7,7 +7,7 @@
  * @typedef {{ x: number, y: number, width: number, height: number }} Box
  * @typedef {{ x: number, y: number, width: number, height: number }} Wanted a label of that size for the point at x, y
  * @typedef {{ from: readonly [number, number], to: readonly [number, number] }} Segment
- * @typedef {{ box: Box, leader: Segment | null, overlaps: boolean }} Placed
+ * @typedef {{ box: Box, leader: Segment | null, overlaps: boolean, unclear: boolean }} Placed
  */
 
 /** From a point's centre to its label. */
@@ -16,20 +16,26 @@ const DISTANCES = [10, 19, 29, 40, 53, 68, 85, 104, 126, 150, 178];
 const PLAIN = 12;
 /** How often all labels are placed again, now that the others are there. */
 const ROUNDS = 2;
-/** Orders tried. More made no chart better of those that were looked at. */
-const ATTEMPTS = 12;
+/** Orders tried. */
+const ATTEMPTS = 20;
+/** What is left of trouble from one order to the next. */
+const FADING = 0.7;
 
 /**
- * One for each that is wanted; `overlaps` where no place was free.
+ * One for each that is wanted; `overlaps` where no place was free, `unclear` where it is hard to see whose label it is.
  * @param {readonly Wanted[]} wanted @param {Box} inside
  * @param {{ marks: readonly Box[], lines: readonly Segment[] }} around what labels may not, and should not, cover
  * @returns {Placed[]}
  */
 export function placeLabels(wanted, inside, { marks, lines }) {
-  let order = wanted.map((_, i) => i);
-  let best = inOrder(wanted, order, inside, marks, lines);
+  const indices = wanted.map((_, i) => i);
+  /** How badly each was placed, of late more than before: else two orders take turns for ever. */
+  const trouble = wanted.map(() => 0);
+  let best = inOrder(wanted, indices, inside, marks, lines);
   for (let attempt = 0, last = best; attempt < ATTEMPTS; attempt++) {
-    order = [...order].sort((a, b) => (last.costs[b] ?? 0) - (last.costs[a] ?? 0));
+    for (const i of indices)
+      trouble[i] = FADING * (trouble[i] ?? 0) + Math.min(last.costs[i] ?? 0, COST.overlap);
+    const order = [...indices].sort((a, b) => (trouble[b] ?? 0) - (trouble[a] ?? 0));
     last = inOrder(wanted, order, inside, marks, lines);
     if (sum(last.costs) < sum(best.costs)) best = last;
   }
@@ -59,7 +65,12 @@ function inOrder(wanted, order, inside, marks, lines) {
         const cost = costOf(place, inside, marks, lines, others);
         if (cost >= (costs[i] ?? 0)) continue;
         costs[i] = cost;
-        placed[i] = { box: place.box, leader: place.leader, overlaps: cost >= COST.overlap };
+        placed[i] = {
+          box: place.box,
+          leader: place.leader,
+          overlaps: cost >= COST.overlap,
+          unclear: cost >= UNCLEAR,
+        };
       }
     }
   }
@@ -75,17 +86,20 @@ const COST = {
   onLine: 90,
   /** Two leaders across each other. */
   crossing: 60,
-  /** A leader along the bar of its own quartiles. */
-  level: 40,
+  /** A leader along the bar of its own quartiles, or along a step of the front. */
+  level: 150,
   /** Close to another point's mark. */
   beside: 25,
 };
+
+/** A place that costs as much, by distance or by what it lies on, is not read at a glance. */
+const UNCLEAR = 220;
 
 /** So close, in pixels, that a label could be either point's. */
 const BESIDE = 6;
 
 /**
- * @param {Omit<Placed, 'overlaps'> & { far: number, point: readonly [number, number] }} place @param {Box} inside
+ * @param {Pick<Placed, 'box' | 'leader'> & { far: number, point: readonly [number, number] }} place @param {Box} inside
  * @param {readonly Box[]} marks @param {readonly Segment[]} lines @param {readonly Placed[]} others
  */
 function costOf({ box, leader, far, point }, inside, marks, lines, others) {

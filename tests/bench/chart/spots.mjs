@@ -110,13 +110,13 @@ export function listOf(spots, key, { width, top }, colors) {
       const figures = `${figureText(time.median)} ms, ${error[key] === 0 ? 'exact' : figureText(error[key])}`;
       const look = { 'font-size': FONT.label, fill: spot.pale ? colors.pale : colors.ink };
       const weight = spot.shipped ? 'bold' : undefined;
-      const room = each - 36 - EDGE - 10 - widthOf(figures, FONT.label);
+      const room = each - 39 - EDGE - 10 - widthOf(figures, FONT.label);
       const lines = wrapped(nameOf(spot), spot.shipped ? FONT.label * 1.1 : FONT.label, room);
       rows.push(
         markOf({ ...spot, x: left + 8, y: y - 4, low: left + 8, high: left + 8 }, colors),
-        text(spot.number, left + 32, y, { ...look, 'text-anchor': 'end', 'font-weight': weight }),
+        text(spot.number, left + 35, y, { ...look, 'text-anchor': 'end', 'font-weight': weight }),
         ...lines.map((line, i) =>
-          text(line, left + 38, y + i * leading(FONT.label), { ...look, 'font-weight': weight }),
+          text(line, left + 41, y + i * leading(FONT.label), { ...look, 'font-weight': weight }),
         ),
         text(figures, left + each - EDGE, y, { ...look, 'text-anchor': 'end' }),
       );

@@ -68,5 +68,6 @@ export function short(x, digits = 3) {
   return String(rounded);
 }
 
-/** @param {import('../statistics.mjs').Spread} spread */
-export const range = ({ median, low, high }) => `${short(median)} (${short(low)}–${short(high)})`;
+/** A median with its quartiles; what was measured once has none. @param {import('../statistics.mjs').Spread} spread */
+export const range = ({ median, low, high, count }) =>
+  count <= 1 ? short(median) : `${short(median)} (${short(low)}–${short(high)})`;
