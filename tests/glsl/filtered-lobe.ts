@@ -19,19 +19,22 @@ export function closedAverage(e: Vec3, sides: Sides, n: number, form: Form = 'sh
     const narrower = 1 / (1 + (n * (dot(jx, jx) + dot(jy, jy))) / 2);
     return lobe(dot(e, e) / 2, n * narrower) * narrower;
   }
-  // nC, so that it is a unit matrix where the footprint is nothing.
-  const rows = [0, 1, 2].map((i) =>
-    [0, 1, 2].map((k) => (i === k ? 1 : 0) + n * (jx[i]! * jx[k]! + jy[i]! * jy[k]!)),
-  ) as unknown as [Vec3, Vec3, Vec3];
-  const { solve, determinant } = inverse(rows);
-  const y = dot(e, solve(e)) / 2;
-  const average = lobe(y, n) / Math.sqrt(determinant);
-  if (form === 'normal') return average;
-  const flatness = [jx, jy].reduce((sum, j) => {
-    const s = n * dot(j, solve(e));
+  // nC, a unit matrix where the footprint is nothing.
+  const row = (i: 0 | 1 | 2): Vec3 => [
+    n * (jx[i] * jx[0] + jy[i] * jy[0]) + (i === 0 ? 1 : 0),
+    n * (jx[i] * jx[1] + jy[i] * jy[1]) + (i === 1 ? 1 : 0),
+    n * (jx[i] * jx[2] + jy[i] * jy[2]) + (i === 2 ? 1 : 0),
+  ];
+  const { solve, determinant } = inverse(row(0), row(1), row(2));
+  const z = solve(e);
+  const average = lobe(dot(e, z) / 2, n) / Math.sqrt(determinant);
+  if (form === 'normal' || average === 0) return average;
+  let flatness = 0;
+  for (const j of [jx, jy]) {
+    const s = n * dot(j, z);
     const q = n * dot(j, solve(j));
-    return sum + s ** 4 - 6 * s * s * q + 3 * q * q;
-  }, 0);
+    flatness += s ** 4 - 6 * s * s * q + 3 * q * q;
+  }
   return Math.min(Math.max(average * (1 - 0.05 * flatness), 0), 1);
 }
 
@@ -53,10 +56,10 @@ export function sampledAverage(samples: number, value: (u: number, v: number) =>
 export const moved = (e: Vec3, { dx, dy }: Sides, u: number, v: number): Vec3 =>
   subtract(e, add(scale(dx, u), scale(dy, v)));
 
-function inverse([a, b, c]: readonly [Vec3, Vec3, Vec3]) {
+/** Of a symmetric matrix, by its rows. */
+function inverse(a: Vec3, b: Vec3, c: Vec3) {
   const [bc, ca, ab] = [cross(b, c), cross(c, a), cross(a, b)];
   const determinant = dot(a, bc);
-  const solve = (v: Vec3): Vec3 =>
-    scale(add(add(scale(bc, v[0]), scale(ca, v[1])), scale(ab, v[2])), 1 / determinant);
+  const solve = (v: Vec3): Vec3 => scale([dot(bc, v), dot(ca, v), dot(ab, v)], 1 / determinant);
   return { solve, determinant };
 }
