@@ -7,6 +7,7 @@ import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source
 import { mutated, MUTANTS, nameOf, UNIT_TESTS } from '../mutation/mutants.mjs';
 import { table } from '../mutation/table.mjs';
 import { EXACT_CHECKS } from '../glsl/exact-checks.js';
+import { FOOTPRINT_CHECKS } from '../glsl/footprint-checks.js';
 import { CATEGORIES } from '../stress/categories.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -25,7 +26,7 @@ const joined = `${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`;
 
 /** Every file of which each guard has to have its mutant. */
 const FILES = [
-  ...['attenuation', 'diffuse_lobe', 'guard', 'light_loop', 'nearest_code', 'power'],
+  ...['attenuation', 'diffuse_lobe', 'footprint', 'guard', 'light_loop', 'nearest_code', 'power'],
   ...['specular_blinn_phong', 'specular_phong', 'spot', 'srgb', 'surface_color'],
 ].map((chunk) => `shaders/${chunk}.glsl`);
 
@@ -74,5 +75,5 @@ describe('the results of the last run', () => {
 /** Of tests/glsl, which only a browser can load. */
 const chunkTitles = (): string[] => [
   ...[...read('tests/glsl/chunk-checks.ts').matchAll(/title:\s+'([^']+)'/g)].map((match) => match[1]!),
-  ...EXACT_CHECKS.map(({ title }) => title),
+  ...[...EXACT_CHECKS, ...FOOTPRINT_CHECKS].map(({ title }) => title),
 ];
