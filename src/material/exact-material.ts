@@ -26,6 +26,8 @@ export interface ExactChoice {
   readonly usual: boolean;
   /** No light stands at what is drawn. */
   readonly apart: boolean;
+  /** The device takes logarithms faster than it multiplies a whole power out: hardware does, software does not. */
+  readonly byLog: boolean;
 }
 
 const TEXTS = { written: writtenOut, loops: inLoops, cells: inCells } as const;
@@ -59,6 +61,7 @@ export class ExactMaterial extends ShaderMaterial {
     else if (isMildPower(shininess)) defines['MILD_SHININESS'] = '';
     if (choice.apart) defines['LIGHTS_APART'] = '';
     if (choice.usual) defines['USUAL_LENGTHS'] = '';
+    if (choice.byLog) defines['POWERS_BY_LOG'] = '';
     if (choice.form === 'cells') defines['HAS_GRID'] = '';
     defines['EXACT_LIGHTS'] = exactText(choice.form, choice.list.packed, bits);
     if (choice.form === 'written') {

@@ -76,8 +76,10 @@ export class ExactPrograms {
       record.near.update(mesh, material, this.#lighting);
       const { cells, apart } = record.near;
       const list = cells ?? this.#lighting.lightsOf(mesh);
-      const written = list.packed.sent <= mostWritten(renderer);
-      record.choice = { list, form: cells !== null ? 'cells' : written ? 'written' : 'loops', usual, apart };
+      const device = deviceOf(renderer);
+      const few = list.packed.sent <= MOST_WRITTEN[device];
+      const form = cells !== null ? 'cells' : few ? 'written' : 'loops';
+      record.choice = { list, form, usual, apart, byLog: device === 'gpu' };
       const key = keyOf(material, record);
       if (key === record.key) {
         record.frames += 1;
@@ -209,16 +211,17 @@ interface Program {
 const programOf = (renderer: WebGLRenderer, material: Material): Program | undefined =>
   (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
 
-const written = new WeakMap<WebGLRenderer, number>();
+type Device = keyof typeof MOST_WRITTEN;
 
-function mostWritten(renderer: WebGLRenderer): number {
-  const known = written.get(renderer);
+const devices = new WeakMap<WebGLRenderer, Device>();
+
+function deviceOf(renderer: WebGLRenderer): Device {
+  const known = devices.get(renderer);
   if (known !== undefined) return known;
   const gl = renderer.getContext();
   const info = gl.getExtension('WEBGL_debug_renderer_info');
   const name = String(gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
-  const most =
-    MOST_WRITTEN[/swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'software' : 'gpu'];
-  written.set(renderer, most);
-  return most;
+  const device = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'software' : 'gpu';
+  devices.set(renderer, device);
+  return device;
 }

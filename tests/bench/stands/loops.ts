@@ -51,7 +51,10 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
   const cells = dividedOf(packed, scene);
   const form: ExactForm = cells !== null ? 'cells' : active.length <= most ? 'written' : 'loops';
   const exact = (id: string, label: string, more: Partial<ExactOptions> = {}): LoopText =>
-    exactLoop(id, label, { form, packed: cells ?? packed, shininess, skips: ALL_SKIPS, ...more });
+    exactLoop(id, label, {
+      ...{ form, packed: cells ?? packed, shininess, skips: ALL_SKIPS, byLog: !software },
+      ...more,
+    });
   const power = isMildPower(shininess);
   return [
     literalLoop(lights),
@@ -61,6 +64,13 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
     ...(form === 'written' ? [exact('loops', 'shipped without writing lights out', { form: 'loops' })] : []),
     ...(form === 'cells' ? [exact('undivided', 'shipped without cells', { form: 'loops', packed })] : []),
     ...(power ? [exact('series', 'shipped without short powers', { skips: without('powers') })] : []),
+    ...(isWholePower(shininess)
+      ? [
+          software
+            ? exact('by log', 'shipped with powers by log', { byLog: true })
+            : exact('multiplied', 'shipped with powers multiplied out', { byLog: false }),
+        ]
+      : []),
     exact('guarded', 'shipped without knowing lengths', { skips: without('guards') }),
     generalLoop('all-code', 'shipped with code for everything', lights, EVERY_FACT),
     ...(active.length < lights.length
@@ -87,10 +97,15 @@ interface ExactOptions {
   readonly packed: PackedLights;
   readonly shininess: number;
   readonly skips: readonly Skip[];
+  readonly byLog: boolean;
 }
 
 /** As ExactMaterial makes it. */
-function exactLoop(id: string, label: string, { form, packed, shininess, skips }: ExactOptions): LoopText {
+function exactLoop(
+  id: string,
+  label: string,
+  { form, packed, shininess, skips, byLog }: ExactOptions,
+): LoopText {
   const terms = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
   const defines = ['HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'];
   if (skips.includes('powers')) {
@@ -98,6 +113,7 @@ function exactLoop(id: string, label: string, { form, packed, shininess, skips }
     else if (isMildPower(shininess)) defines.push('MILD_SHININESS');
   }
   if (skips.includes('guards')) defines.push('LIGHTS_APART', 'USUAL_LENGTHS');
+  if (byLog) defines.push('POWERS_BY_LOG');
   if (form === 'cells') defines.push('HAS_GRID');
   defines.push(`EXACT_LIGHTS ${exactText(form, packed, terms)}`);
   const storage = form === 'written' ? 'block' : 'texture';
