@@ -9,7 +9,7 @@
 //   --build FOLDER   only builds the pages;  --page FOLDER uses such, for machines with Node and a browser alone
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { printComparison } from './compare-results.mjs';
@@ -52,7 +52,7 @@ if (options.compare !== '') {
   process.exit();
 }
 if (options.build !== '') {
-  await buildPages(options.build, options.source);
+  await buildPages(resolve(options.build), options.source);
   process.exit();
 }
 
