@@ -1,6 +1,12 @@
 // Blinn's lobe (James F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977).
 // Needs guard and power, and footprint with FILTER_HIGHLIGHTS.
 
+/**
+ * A squared |L + V| below this is nothing but rounding, and light and eye are opposite each other: unit vectors of float32 are
+ * 1e-7 off. Without it an H200 made a half vector of what was left, and a highlight of up to 201/255 where there is none.
+ */
+const float LEAST_SUM = 1e-12;
+
 /** What of the eye the lobe compares with: V. */
 vec3 specularView(vec3 N, vec3 V) {
   return V;
@@ -34,12 +40,12 @@ Seen seenNear(Seen seen, vec3 L, float d, float n) {
 float specularLobe(vec3 N, vec3 L, Seen seen, float n) {
   vec3 sum = refined(L) + refined(seen.V);
   float squared = dot(sum, sum);
-  vec3 H = sum * inversesqrt(max(squared, TINY));
+  vec3 H = sum * inversesqrt(max(squared, LEAST_SUM));
   vec3 e = N - H;
   vec3 dx = seen.dxN - turning(H, seen.dxSum, squared);
   vec3 dy = seen.dyN - turning(H, seen.dySum, squared);
   float average = averagedLobe(e, 1.0 - 0.5 * dot(e, e), n, footprintOf(dx, dy, n));
-  return squared >= TINY ? average : 0.0;
+  return squared >= LEAST_SUM ? average : 0.0;
 }
 #else
 /** max(dot(N, H), 0)^n with H = (L + V)/|L + V|. N, L, V unit (V may be zero); NoL > 0. */
@@ -47,11 +53,11 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   // Where light and eye are almost opposite, the sum is short and errors of their lengths are most of it.
   vec3 sum = refined(L) + refined(V);
   float squared = dot(sum, sum);
-  vec3 H = squared >= TINY ? sum * inversesqrt(squared) : vec3(0.0);
+  vec3 H = squared >= LEAST_SUM ? sum * inversesqrt(squared) : vec3(0.0);
   vec3 d = N - H;
   float y = 0.5 * dot(d, d);
 #ifdef WHOLE_SHININESS
-  return squared >= TINY ? wholePower(max(1.0 - y, 0.0), WHOLE_SHININESS) : 0.0;
+  return squared >= LEAST_SUM ? wholePower(max(1.0 - y, 0.0), WHOLE_SHININESS) : 0.0;
 #elif defined(MILD_SHININESS)
   return mildPower(dot(N, H), n);
 #else

@@ -31,6 +31,13 @@ function blinnInputs(random: Random): readonly [number[], number[]] {
   }
 }
 
+/** V = -L but for the last digits of float32, in which a device may leave either. */
+function opposed(random: Random): readonly [number[], number[]] {
+  const [L] = lobeInputs(random);
+  const ulp = (x: number): number => 2 ** -23 * x * random.pick([-1, 0, 1]);
+  return [L, [...float32(L.map((x) => -x + ulp(x)) as unknown as Vec3)]];
+}
+
 const lobe = (
   defines: readonly string[],
   title: string,
@@ -47,6 +54,15 @@ const lobe = (
 });
 
 const LOBES: readonly Check[] = [
+  ...['MILD_SHININESS', 'WHOLE_SHININESS 8', 'IS_ANY_SHININESS'].map((define) => ({
+    ...lobe(
+      [define, 'REFLECTION_BLINN_PHONG'],
+      `specularLobe makes no half vector of what rounding leaves of L + V (${define})`,
+      () => [0],
+      0,
+    ),
+    inputs: opposed,
+  })),
   lobe(
     ['WHOLE_SHININESS 8'],
     'specularLobe multiplies a whole exponent out, and is 0 behind and without a view',

@@ -186,7 +186,7 @@ export const glslMutants = [
     ['the unit length of H', 'sum * inversesqrt(squared)', '0.5 * sum'],
     [
       'the guard of H where L = -V',
-      'squared >= TINY ? sum * inversesqrt(squared) : vec3(0.0)',
+      'squared >= LEAST_SUM ? sum * inversesqrt(squared) : vec3(0.0)',
       'sum * inversesqrt(squared)',
     ],
     [
@@ -198,9 +198,10 @@ export const glslMutants = [
     ['mild exponents', 'return mildPower(dot(N, H), n);', 'return 1.0;'],
     ['what H turns by', 'seen.dxN - turning(H, seen.dxSum, squared)', 'seen.dxN'],
     ['what L turns by', 'seen.dxSum -= turning(L, seen.dxP, d * d);', ''],
-    ['no H, no averaged lobe', 'squared >= TINY ? average : 0.0', 'average'],
-    ['the guard of H in averages', 'sum * inversesqrt(max(squared, TINY))', 'sum * inversesqrt(squared)'],
-    ['no H, no light from whole exponents', 'squared >= TINY ? wholePower(', 'true ? wholePower('],
+    ['no H, no averaged lobe', 'squared >= LEAST_SUM ? average : 0.0', 'average'],
+    ['the guard of H in averages', 'sum * inversesqrt(max(squared, LEAST_SUM))', 'sum * inversesqrt(squared)'],
+    ['what rounding alone leaves of L + V', 'LEAST_SUM = 1e-12', 'LEAST_SUM = TINY'],
+    ['no H, no light from whole exponents', 'squared >= LEAST_SUM ? wholePower(', 'true ? wholePower('],
     ['whole exponents’ base is at least 0', '? wholePower(max(1.0 - y, 0.0), ', '? wholePower(1.0 - y, '],
     ['whole exponents’ base: the chord', '? wholePower(max(1.0 - y, 0.0), ', '? wholePower(max(y, 0.0), '],
   ]),
