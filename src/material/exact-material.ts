@@ -26,8 +26,8 @@ export interface ExactChoice {
   readonly usual: boolean;
   /** No light stands at what is drawn. */
   readonly apart: boolean;
-  /** The device takes logarithms faster than it multiplies a whole power out: hardware does, software does not. */
-  readonly byLog: boolean;
+  /** The device has pow in hardware: faster than multiplying a whole power out. */
+  readonly hasPow: boolean;
 }
 
 const TEXTS = { written: writtenOut, loops: inLoops, cells: inCells } as const;
@@ -57,11 +57,13 @@ export class ExactMaterial extends ShaderMaterial {
     const summed = terms.filter((term) => term !== 'specular' || !isBlack(ks));
     const bits = summed.reduce((sum, term) => sum | TERM_BITS[term], 0);
     if (!terms.includes('ambient')) delete defines['HAS_AMBIENT'];
-    if (isWholePower(shininess)) defines['WHOLE_SHININESS'] = String(shininess);
+    // Below 1 pow is no good near 0: SwiftShader has 0.92 for pow(0, 0.001).
+    const byPow = choice.hasPow && shininess >= 1 && isMildPower(shininess);
+    if (byPow) defines['POW_SHININESS'] = '';
+    if (isWholePower(shininess) && !byPow) defines['WHOLE_SHININESS'] = String(shininess);
     else if (isMildPower(shininess)) defines['MILD_SHININESS'] = '';
     if (choice.apart) defines['LIGHTS_APART'] = '';
     if (choice.usual) defines['USUAL_LENGTHS'] = '';
-    if (choice.byLog) defines['POWERS_BY_LOG'] = '';
     if (choice.form === 'cells') defines['HAS_GRID'] = '';
     defines['EXACT_LIGHTS'] = exactText(choice.form, choice.list.packed, bits);
     if (choice.form === 'written') {

@@ -79,7 +79,7 @@ export class ExactPrograms {
       const device = deviceOf(renderer);
       const few = list.packed.sent <= MOST_WRITTEN[device];
       const form = cells !== null ? 'cells' : few ? 'written' : 'loops';
-      record.choice = { list, form, usual, apart, byLog: device === 'gpu' };
+      record.choice = { list, form, usual, apart, hasPow: device === 'gpu' };
       const key = keyOf(material, record);
       if (key === record.key) {
         record.frames += 1;

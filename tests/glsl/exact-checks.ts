@@ -54,7 +54,7 @@ const lobe = (
 });
 
 const LOBES: readonly Check[] = [
-  ...['MILD_SHININESS', 'WHOLE_SHININESS 8', 'IS_ANY_SHININESS'].map((define) => ({
+  ...['POW_SHININESS', 'MILD_SHININESS', 'WHOLE_SHININESS 8', 'IS_ANY_SHININESS'].map((define) => ({
     ...lobe(
       [define, 'REFLECTION_BLINN_PHONG'],
       `specularLobe makes no half vector of what rounding leaves of L + V (${define})`,
@@ -74,6 +74,18 @@ const LOBES: readonly Check[] = [
     'specularLobe multiplies Blinn’s whole exponent out, and is 0 where there is no H',
     blinn,
     5e-6,
+  ),
+  lobe(
+    ['POW_SHININESS', 'REFLECTION_BLINN_PHONG'],
+    'specularLobe raises Blinn’s mild exponent by pow',
+    blinn,
+    2e-5,
+  ),
+  lobe(
+    ['POW_SHININESS'],
+    'specularLobe raises a mild exponent by pow, and is 0 behind and without a view',
+    ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
+    2e-5,
   ),
   lobe(
     ['MILD_SHININESS', 'REFLECTION_BLINN_PHONG'],
@@ -98,20 +110,6 @@ const LOBES: readonly Check[] = [
     ],
     expected: ([x, k]) => [k! < 1e-6 ? 1 : x! ** k!],
     bound: 3e-5, // 64 · 2^-21 · ln 2 of log2, and exp2's own
-    floor: 1,
-  },
-  {
-    title: 'wholePower by logarithms keeps x^k to the error of log2 for every whole k to 64, and 0 at 0',
-    defines: ['POWERS_BY_LOG'],
-    glsl: 'result.x = wholePower(a.x, int(a.y));',
-    inputs: (random) => [
-      [
-        Math.fround(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
-        Math.floor(random.from(1, 65)),
-      ],
-    ],
-    expected: ([x, k]) => [x! ** k!],
-    bound: 3e-5, // as mildPower
     floor: 1,
   },
   {

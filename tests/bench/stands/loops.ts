@@ -52,7 +52,7 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
   const form: ExactForm = cells !== null ? 'cells' : active.length <= most ? 'written' : 'loops';
   const exact = (id: string, label: string, more: Partial<ExactOptions> = {}): LoopText =>
     exactLoop(id, label, {
-      ...{ form, packed: cells ?? packed, shininess, skips: ALL_SKIPS, byLog: !software },
+      ...{ form, packed: cells ?? packed, shininess, skips: ALL_SKIPS, hasPow: !software },
       ...more,
     });
   const power = isMildPower(shininess);
@@ -64,12 +64,8 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
     ...(form === 'written' ? [exact('loops', 'shipped without writing lights out', { form: 'loops' })] : []),
     ...(form === 'cells' ? [exact('undivided', 'shipped without cells', { form: 'loops', packed })] : []),
     ...(power ? [exact('series', 'shipped without short powers', { skips: without('powers') })] : []),
-    ...(isWholePower(shininess)
-      ? [
-          software
-            ? exact('by log', 'shipped with powers by log', { byLog: true })
-            : exact('multiplied', 'shipped with powers multiplied out', { byLog: false }),
-        ]
+    ...(isWholePower(shininess) && !software
+      ? [exact('multiplied', 'shipped with powers multiplied out', { hasPow: false })]
       : []),
     exact('guarded', 'shipped without knowing lengths', { skips: without('guards') }),
     generalLoop('all-code', 'shipped with code for everything', lights, EVERY_FACT),
@@ -97,23 +93,24 @@ interface ExactOptions {
   readonly packed: PackedLights;
   readonly shininess: number;
   readonly skips: readonly Skip[];
-  readonly byLog: boolean;
+  readonly hasPow: boolean;
 }
 
 /** As ExactMaterial makes it. */
 function exactLoop(
   id: string,
   label: string,
-  { form, packed, shininess, skips, byLog }: ExactOptions,
+  { form, packed, shininess, skips, hasPow }: ExactOptions,
 ): LoopText {
   const terms = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
   const defines = ['HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'];
   if (skips.includes('powers')) {
-    if (isWholePower(shininess)) defines.push(`WHOLE_SHININESS ${String(shininess)}`);
+    const byPow = hasPow && shininess >= 1 && isMildPower(shininess);
+    if (byPow) defines.push('POW_SHININESS');
+    if (isWholePower(shininess) && !byPow) defines.push(`WHOLE_SHININESS ${String(shininess)}`);
     else if (isMildPower(shininess)) defines.push('MILD_SHININESS');
   }
   if (skips.includes('guards')) defines.push('LIGHTS_APART', 'USUAL_LENGTHS');
-  if (byLog) defines.push('POWERS_BY_LOG');
   if (form === 'cells') defines.push('HAS_GRID');
   defines.push(`EXACT_LIGHTS ${exactText(form, packed, terms)}`);
   const storage = form === 'written' ? 'block' : 'texture';
