@@ -201,7 +201,11 @@ export const glslMutants = [
     ['what H turns by', 'seen.dxN - turning(H, seen.dxSum, squared)', 'seen.dxN'],
     ['what L turns by', 'seen.dxSum -= turning(L, seen.dxP, d * d);', ''],
     ['no H, no averaged lobe', 'squared >= LEAST_SUM ? average : 0.0', 'average'],
-    ['the guard of H in averages', 'sum * inversesqrt(max(squared, LEAST_SUM))', 'sum * inversesqrt(squared)'],
+    [
+      'the guard of H in averages',
+      'sum * inversesqrt(max(squared, LEAST_SUM))',
+      'sum * inversesqrt(squared)',
+    ],
     ['what rounding alone leaves of L + V', 'LEAST_SUM = 1e-12', 'LEAST_SUM = TINY'],
     ['exponents by pow', 'return pow(max(dot(N, H), 0.0), n);', 'return 1.0;'],
     ['no H, no light from whole exponents', 'squared >= LEAST_SUM ? wholePower(', 'true ? wholePower('],
