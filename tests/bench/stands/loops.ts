@@ -6,7 +6,7 @@ import { SHAPE } from '../../../src/light/light-layout.js';
 import type { LightValues } from '../../../src/light/light-state.js';
 import { emptyPack, type PackedLights, packLights } from '../../../src/light/pack-lights.js';
 import { isMildPower, isWholePower } from '../../../src/light/steady-light.js';
-import { type ExactForm, exactText } from '../../../src/material/exact-material.js';
+import { type ExactForm, exactText, isPowPower } from '../../../src/material/exact-material.js';
 import { LIGHT_LOOP_GLSL } from '../../../src/material/shader-source.js';
 import { TERMS, type Variant, variantDefines } from '../../../src/material/variant.js';
 import { radians } from '../../../src/math/angle.js';
@@ -64,7 +64,7 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
     ...(form === 'written' ? [exact('loops', 'shipped without writing lights out', { form: 'loops' })] : []),
     ...(form === 'cells' ? [exact('undivided', 'shipped without cells', { form: 'loops', packed })] : []),
     ...(power ? [exact('series', 'shipped without short powers', { skips: without('powers') })] : []),
-    ...(isWholePower(shininess) && !software
+    ...(isWholePower(shininess) && isPowPower(shininess) && !software
       ? [exact('multiplied', 'shipped with powers multiplied out', { hasPow: false })]
       : []),
     exact('guarded', 'shipped without knowing lengths', { skips: without('guards') }),
@@ -105,7 +105,7 @@ function exactLoop(
   const terms = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
   const defines = ['HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'];
   if (skips.includes('powers')) {
-    const byPow = hasPow && shininess >= 1 && isMildPower(shininess);
+    const byPow = hasPow && isPowPower(shininess);
     if (byPow) defines.push('POW_SHININESS');
     if (isWholePower(shininess) && !byPow) defines.push(`WHOLE_SHININESS ${String(shininess)}`);
     else if (isMildPower(shininess)) defines.push('MILD_SHININESS');
