@@ -57,7 +57,7 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   vec3 d = N - H;
   float y = 0.5 * dot(d, d);
 #if defined(POW_SHININESS)
-  return pow(max(dot(N, H), 0.0), n);
+  return pow(max(dot(N, H), TINY), n);
 #elif defined(WHOLE_SHININESS)
   return squared >= LEAST_SUM ? wholePower(max(1.0 - y, 0.0), WHOLE_SHININESS) : 0.0;
 #elif defined(MILD_SHININESS)

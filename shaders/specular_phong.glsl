@@ -47,7 +47,7 @@ float specularLobe(vec3 N, vec3 L, Seen seen, float n) {
 float specularLobe(vec3 N, vec3 L, vec3 W, float n) {
   float RoV = dot(L, W);
 #if defined(POW_SHININESS)
-  return pow(max(RoV, 0.0), n); // n up to LARGEST_MILD; a GPU has it in hardware
+  return pow(max(RoV, TINY), n); // n up to LARGEST_MILD; a GPU has it in hardware
 #elif defined(WHOLE_SHININESS)
   return wholePower(max(RoV, 0.0), WHOLE_SHININESS);
 #elif defined(MILD_SHININESS)
