@@ -5,14 +5,7 @@ import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 /**
- * @typedef {object} PeerRow
- * @property {string} what 'start to first frame', …
- * @property {string} peer
- * @property {string} version
- * @property {string} unit
- * @property {import('./statistics.mjs').Spread} value
- * @property {import('./statistics.mjs').Spread} [ratio] peer / phong-viewer, paired
- * @property {string} [note]
+ * @typedef {import('./figures/peer-row.mjs').PeerRow} PeerRow
  *
  * @typedef {object} BenchResult
  * @property {Record<string, unknown>} machine
