@@ -18,8 +18,10 @@ import { growths } from './growths.mjs';
 import { FIGURES } from './figures/index.mjs';
 import { peerLine } from './figures/peer-row.mjs';
 import { peers } from './figures/peers.mjs';
+import { reportOf } from './report-text.mjs';
 import { heading, line } from './report.mjs';
 import { buildPages, Session } from './session.mjs';
+import { writeReport } from './write-report.mjs';
 
 const { values: options, positionals } = parseArgs({
   allowPositionals: true,
@@ -77,8 +79,8 @@ const settings = {
   scenes: options.scenes === '' ? [] : options.scenes.split(','),
   software,
 };
-const file =
-  options.out || join(fileURLToPath(new URL('results', import.meta.url)), `${stackName(machine)}.json`);
+const here = fileURLToPath(new URL('.', import.meta.url));
+const file = options.out || join(here, 'results', `${stackName(machine)}.json`);
 
 /** @type {import('./result-file.mjs').BenchResult} */
 const result = {
@@ -108,7 +110,21 @@ for (const [name, measure] of Object.entries(FIGURES)) {
   }
 }
 session.close();
-console.log(`\n${file}, ${((Date.now() - begun) / 60_000).toFixed(1)} min`);
+const drawn = drawCharts();
+console.log(`\n${file} and ${drawn}, ${((Date.now() - begun) / 60_000).toFixed(1)} min`);
+
+/** The fronts as pictures: of what is kept for the report with it, of other files beside them. */
+function drawCharts() {
+  if (options.out === '') {
+    const { charts } = writeReport(here);
+    return `${charts} charts of the report`;
+  }
+  const folder = file.replace(/\.json$/, '') + '-charts';
+  mkdirSync(folder, { recursive: true });
+  const { charts } = reportOf([{ stack: stackName(machine), ...result }]);
+  for (const [name, chart] of charts) writeFileSync(join(folder, name), `${chart}\n`);
+  return `${charts.size} charts in ${folder}`;
+}
 
 /** After each part: a run that ends early keeps what it has. @param {() => void} add */
 function keep(add) {
@@ -117,11 +133,16 @@ function keep(add) {
   writeFileSync(file, `${JSON.stringify(result, null, 1)}\n`);
 }
 
-/** @param {{ renderer: string }} machine */
+/** The card and what it was reached through, as a file's name. @param {{ renderer: string }} machine */
 function stackName({ renderer }) {
   const card =
-    /SwiftShader|llvmpipe|NVIDIA [\w ]*?\w+|AMD [\w ]+|Apple \w+|Intel[\w() ]+/.exec(renderer)?.[0] ?? 'GPU';
-  const through = /Vulkan|OpenGL|Direct3D11|Metal/.exec(renderer)?.[0];
-  const name = /SwiftShader|llvmpipe/.test(card) || through === undefined ? card : `${card} ${through}`;
-  return name.trim().replaceAll(/[^\w]+/g, '-');
+    /SwiftShader|llvmpipe/.exec(renderer)?.[0] ??
+    /(?:NVIDIA|AMD|Intel|Apple|Adreno|Mali|Radeon|GeForce)[ -](?!Corporation|NVIDIA)[\w .-]*\w/.exec(
+      renderer,
+    )?.[0] ??
+    'GPU';
+  const through = /SwiftShader|llvmpipe/.test(card)
+    ? undefined
+    : /Vulkan|OpenGL|Direct3D11|Metal/.exec(renderer)?.[0];
+  return (through === undefined ? card : `${card} through ${through}`).replaceAll(/[^\w]+/g, '-');
 }

@@ -1,6 +1,6 @@
 // `npm run bench` itself, in its shortest form: it runs, and what it writes holds what it promises. Asserts no time.
 import { execFile } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
 import type { BenchResult } from '../bench/result-file.mjs';
@@ -39,6 +39,8 @@ test('npm run bench writes what it has measured, and tells two files apart only 
     'antialias',
     'scale',
   ]);
+  const charts = readdirSync(info.outputPath('bench-charts'));
+  expect(charts).toHaveLength(result.fronts.length);
   for (const { title, points, base, shipped } of result.fronts) {
     expect(said).toContain(title);
     const ids = points.map(({ id }) => id);
