@@ -1,4 +1,5 @@
-// `npm run bench` itself, in its shortest form: it runs, and what it writes holds what it promises. Asserts no time.
+// `npm run bench` itself, in its shortest form: it runs, and what it writes holds what it promises. Asserts no time. The budget's
+// axis is tried by the demo's page, beside this.
 import { execFile } from 'node:child_process';
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -19,15 +20,8 @@ const SHORT = '--launches 1 --rounds 1 --width 48 --height 32 --evaluations 1 --
 test('npm run bench writes what it has measured, and tells two files apart only where something moved', async ({}, info) => {
   test.setTimeout(120_000);
   const file = info.outputPath('bench.json');
-  const scenes = ['--scenes', '1 directional,8 lamps,shininess 32'];
-  const said = await bench(
-    '--only',
-    'shading,loops,budget,antialias,scale',
-    ...scenes,
-    ...SHORT,
-    '--out',
-    file,
-  );
+  const scenes = ['--scenes', '1 directional,shininess 1e3,shininess 1e4'];
+  const said = await bench('--only', 'shading,loops,antialias,scale', ...scenes, ...SHORT, '--out', file);
   const result = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
   expect(result.machine['renderer']).toMatch(/SwiftShader|llvmpipe/);
   expect(result.machine['three']).toMatch(/^0\.\d+/);
@@ -35,7 +29,6 @@ test('npm run bench writes what it has measured, and tells two files apart only 
   expect([...new Set(result.fronts.map(({ axis }) => axis))]).toEqual([
     'shading',
     'loops',
-    'budget',
     'antialias',
     'scale',
   ]);
@@ -47,7 +40,7 @@ test('npm run bench writes what it has measured, and tells two files apart only 
     expect(new Set(ids).size).toBe(ids.length);
     expect(ids).toEqual(expect.arrayContaining([base, shipped]));
     for (const { error } of points)
-      for (const [name, value] of Object.entries(error)) expect(value, name).not.toBeNaN();
+      for (const [name, value] of Object.entries(error)) expect(value, name).toEqual(expect.any(Number));
   }
   // What the shipped loop is worth does not depend on how long it was looked at.
   const loops = result.fronts.find(({ axis }) => axis === 'loops');

@@ -5,14 +5,20 @@ import { expect, test } from '../support/test.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
-for (const [driver, cases] of [
-  ['shipped', 1e6],
-  ['up', 2e5],
-  ['down', 2e5],
-  ['either', 2e5],
+for (const [driver, cases, release = ''] of [
+  ['shipped', 3e5],
+  ['up', 6e4],
+  ['down', 6e4],
+  ['either', 6e4],
+  ['shipped', 1e6, '@release '],
+  ['up', 2e5, '@release '],
+  ['down', 2e5, '@release '],
+  ['either', 2e5, '@release '],
 ] as const) {
   const where = driver === 'shipped' ? 'this driver' : `the worst lawful driver, erring ${driver}`;
-  test(`keeps the contract on ${where}, in ${String(cases)} adversarial cases`, async ({ page }) => {
+  test(`${release}keeps the contract on ${where}, in ${String(cases)} adversarial cases`, async ({
+    page,
+  }) => {
     test.setTimeout(300_000);
     await page.goto(`/harness/index.html?driver=${driver}&cases=${String(cases)}&seed=${String(SEED)}`);
     const report: Report = await page.evaluate(() => window.finished);
