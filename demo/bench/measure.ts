@@ -5,7 +5,8 @@ import type { ErrorFigures } from '../../tests/bench/error/error-figures.js';
 import type { Front } from '../../tests/bench/front.mjs';
 import { pairedRatios, spread } from '../../tests/bench/statistics.mjs';
 import { type StandFacts, Runner } from '../../tests/bench/stands/runner.js';
-import { isSoftware, type Size } from '../../tests/bench/stands/stand.js';
+import { framesFor, isSoftware } from '../../tests/bench/sampling.mjs';
+import type { Size } from '../../tests/bench/stands/stand.js';
 import { floatContext, rendererName } from '../../tests/glsl/float-pass.js';
 
 /** One scene of each axis: which the reader waits for. */
@@ -109,7 +110,10 @@ async function measureFront(
     told.progress(share(), `Errors of ${facts.subjects[done - 1]?.label ?? ''}`);
   });
   const frames: number[] = [];
-  for (const i of facts.subjects.keys()) frames.push(await framesOf(runner, facts, i, signal));
+  for (const i of facts.subjects.keys()) {
+    const one = (count: number): Promise<number> => sample(runner, facts, i, count, signal);
+    frames.push(await framesFor(one, SAMPLE_MS, MOST_FRAMES));
+  }
   const samples: number[][] = facts.subjects.map(() => []);
   let front = frontOf(axis, scene, facts, errors, samples);
   for (let round = 0; round < LEAST_ROUNDS || performance.now() < until; round++) {
@@ -124,17 +128,6 @@ async function measureFront(
     told.front(front);
   }
   return front;
-}
-
-/** How many frames of a subject fill a sample. */
-async function framesOf(runner: Runner, facts: StandFacts, i: number, signal: AbortSignal): Promise<number> {
-  await sample(runner, facts, i, 1, signal); // compiled by now
-  let count = 1;
-  for (;;) {
-    const ms = await sample(runner, facts, i, count, signal);
-    if (ms >= SAMPLE_MS || count === MOST_FRAMES) return count;
-    count = Math.min(Math.ceil(count * Math.min(8, (1.3 * SAMPLE_MS) / Math.max(ms, 0.05))), MOST_FRAMES);
-  }
 }
 
 /** By the GPU's own timer where the browser lends it, else by the clock. Waits for a page in the background to be seen. */

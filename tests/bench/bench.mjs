@@ -8,7 +8,7 @@
 //   --browser PATH --arg=--use-angle=vulkan    a real GPU (none: software GL)   --width 1920 --height 1080
 //   --build FOLDER   only builds the pages;  --page FOLDER uses such, for machines with Node and a browser alone
 
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
@@ -20,6 +20,8 @@ import { peerLine } from './figures/peer-row.mjs';
 import { peers } from './figures/peers.mjs';
 import { reportOf } from './report-text.mjs';
 import { heading, line } from './report.mjs';
+import { readResult } from './result-file.mjs';
+import { isSoftware } from './sampling.mjs';
 import { buildPages, Session } from './session.mjs';
 import { writeReport } from './write-report.mjs';
 
@@ -47,10 +49,7 @@ const { values: options, positionals } = parseArgs({
 });
 
 if (options.compare !== '') {
-  const [before, after] = [options.compare, positionals[0] ?? ''].map((file) =>
-    JSON.parse(readFileSync(file, 'utf8')),
-  );
-  printComparison(before, after);
+  printComparison(readResult(options.compare), readResult(positionals[0] ?? ''));
   process.exit();
 }
 if (options.build !== '') {
@@ -64,7 +63,7 @@ const alone = only.every((name) => name === 'growth' || AXES.includes(name));
 const session = await Session.open({ ...options, args: options.arg, alone });
 const machine = await session.machine();
 console.log(heading(machine));
-const software = /SwiftShader|llvmpipe/i.test(machine.renderer);
+const software = isSoftware(machine.renderer);
 /** What a picture of usual size is on each. */
 const [width, height] = software ? [480, 360] : [1920, 1080];
 const settings = {

@@ -3,6 +3,7 @@
 // launches. In software time is the CPU time of the browser's GPU process, on a GPU its own timer's.
 
 import { cpuSeconds } from './processes.mjs';
+import { framesFor, isSoftware } from './sampling.mjs';
 import { failOnErrors, gpuProcess } from './session.mjs';
 import { interleaved, pairedRatios, spread } from './statistics.mjs';
 
@@ -101,7 +102,7 @@ export async function meterOf(page, gpu, { renderer, hasTimer }) {
   /** @param {number} subject @param {number} frames */
   const clock = (subject, frames) =>
     page.evaluate(([i, n]) => window.fronts.clock(i, n), /** @type {const} */ ([subject, frames]));
-  if (!/SwiftShader|llvmpipe/i.test(renderer)) {
+  if (!isSoftware(renderer)) {
     if (!hasTimer) return { measure: 'clock', sample: clock };
     return {
       measure: 'GPU timer',
@@ -126,18 +127,10 @@ export async function meterOf(page, gpu, { renderer, hasTimer }) {
  * @param {Pick<FrontSettings, 'rounds' | 'sampleMs'>} settings
  */
 export async function samplesOf({ subjects }, sample, { rounds, sampleMs }) {
-  // Each takes as many frames as its samples need: subjects differ by a hundred times.
   /** @type {number[]} */
   const frames = [];
-  for (const i of subjects.keys()) {
-    await sample(i, 1); // compiled by now
-    let [count, ms] = [1, await sample(i, 1)];
-    while (ms < sampleMs && count < MOST_FRAMES) {
-      count = Math.min(Math.ceil(count * Math.min(8, (1.3 * sampleMs) / Math.max(ms, 0.1))), MOST_FRAMES);
-      ms = await sample(i, count);
-    }
-    frames.push(count);
-  }
+  for (const i of subjects.keys())
+    frames.push(await framesFor((count) => sample(i, count), sampleMs, MOST_FRAMES));
   const indices = subjects.map((_, i) => i);
   const samples = await interleaved(indices, rounds, (i) => sample(i, frames[i] ?? 1));
   return samples.map((ms, i) => ms.map((total) => total / (frames[i] ?? 1)));

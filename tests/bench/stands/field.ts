@@ -1,7 +1,7 @@
 // Boxes in rows, or one floor, under many lamps: what an error budget is tried on. Flat faces, so that no mesh is an
 // approximation. Lengths in scene units, colours of 255; the eye is given as the element's attributes are.
 import { shade } from '../../../src/reference/equation.js';
-import { LIGHT_FIELDS, type LightValues } from '../../../src/light/light-state.js';
+import { LightState, type LightValues } from '../../../src/light/light-state.js';
 import { add, cross, normalize, scale, subtract, type Vec3 } from '../../../src/math/vector.js';
 import type { ColorPicture } from '../error/error-figures.js';
 import { Random } from '../../stress/random.js';
@@ -23,10 +23,6 @@ export const LOOK = {
   shininess: SHININESS,
 } as const;
 
-const DEFAULTS = Object.fromEntries(
-  Object.entries(LIGHT_FIELDS).map(([name, field]) => [name, field.fallback]),
-) as unknown as LightValues;
-
 /** Half of the lamps are spots that look down. The more there are, the less far each reaches, at the same brightness in all. */
 export function fieldOf(count: number, floor: boolean, seed: number): Field {
   const random = new Random(seed);
@@ -38,12 +34,11 @@ export function fieldOf(count: number, floor: boolean, seed: number): Field {
       aperture: 50,
       cutoff: 8,
     } as const;
-    return {
-      ...DEFAULTS,
+    return new LightState({
       position: [random.from(-SIZE / 2, SIZE / 2), random.from(1, 2), random.from(-SIZE / 2, SIZE / 2), 1],
       ...{ diffuse: color(), specular: color(), attenuation: [1, 0, fall] },
       ...(i % 2 === 0 ? spot : {}),
-    };
+    }).values;
   });
   const boxes: Vec3[] = [];
   if (!floor) for (let z = -4; z <= 4; z += 2) for (let x = -5; x <= 5; x += 2) boxes.push([x, 0, z]);

@@ -1,6 +1,6 @@
 // What the loops are measured on: a bent floor under an eye, its points and normals exact in float32, under lights of every
 // kind. Lengths in scene units, colours of 255, as the element has them.
-import { LIGHT_FIELDS, type LightValues } from '../../../src/light/light-state.js';
+import { LightState, type LightValues } from '../../../src/light/light-state.js';
 import type { Vec3 } from '../../../src/math/vector.js';
 import { Random } from '../../stress/random.js';
 import { lightsOf, type SceneQuery } from '../pages/scenes.js';
@@ -18,11 +18,7 @@ export interface FloorScene {
 /** z = -BEND (x² + y²): a power of two, so that places on a grid of powers of two are exact. */
 export const BEND = 2 ** -6;
 
-const DEFAULTS = Object.fromEntries(
-  Object.entries(LIGHT_FIELDS).map(([name, field]) => [name, field.fallback]),
-) as unknown as LightValues;
-
-const light = (values: Partial<LightValues>): LightValues => ({ ...DEFAULTS, ...values });
+const light = (values: Partial<LightValues>): LightValues => new LightState(values).values;
 
 const spread = (query: Omit<SceneQuery, 'seed'>, seed: number): LightValues[] =>
   lightsOf({ ...query, seed }).map(light);

@@ -2,28 +2,18 @@
 // shader without any rounding, so that what differs from float64 is the loop alone.
 import type { ColorPicture } from '../error/error-figures.js';
 import { shade } from '../../../src/reference/equation.js';
+import { isSoftware } from '../sampling.mjs';
 import { rendererName, fullScreenProgram } from '../../glsl/float-pass.js';
 import { BEND, FLOOR_SCENES, type FloorScene } from './floor-scenes.js';
 import { ARRAY_ROWS, loopsOf, type LoopText, SURFACE } from './loops.js';
-import {
-  type Axis,
-  isSoftware,
-  type Pace,
-  type Size,
-  squareSide,
-  type Stand,
-  type Subject,
-} from './stand.js';
+import { type Axis, type Pace, type Size, squareSide, type Stand, type Subject } from './stand.js';
 
 export const loops: Axis = {
   title: 'The loop’s arithmetic',
   scenes: Object.keys(FLOOR_SCENES),
   open(name, { size, seed, evaluations }, holder) {
     const scene = FLOOR_SCENES[name]!(seed);
-    const canvas = document.createElement('canvas');
-    [canvas.width, canvas.height] = size;
-    holder.append(canvas);
-    const gl = floatContext(canvas);
+    const { gl, close } = floatCanvas(holder, size);
     const side = squareSide(evaluations, scene.lights.filter((light) => light.active).length);
     const floor = new Floor(gl, scene, size, [side, side]);
     const texts = loopsOf(scene, isSoftware(rendererName(gl)));
@@ -33,21 +23,29 @@ export const loops: Axis = {
       ...{ base: 'literal', shipped: 'shipped', size, errorSize: [side, side] },
       subjects: texts.map((text) => floor.subject(text)),
       reference: (pace) => floorReference(scene, side, pace),
-      close() {
-        gl.getExtension('WEBGL_lose_context')?.loseContext();
-        canvas.remove();
-      },
+      close,
     };
     return Promise.resolve(stand);
   },
 };
 
-export function floatContext(canvas: HTMLCanvasElement): WebGL2RenderingContext {
+/** A canvas in `holder` whose context can draw into floats too. */
+export function floatCanvas(
+  holder: HTMLElement,
+  size: Size,
+): { gl: WebGL2RenderingContext; close: () => void } {
+  const canvas = document.createElement('canvas');
+  [canvas.width, canvas.height] = size;
+  holder.append(canvas);
   const gl = canvas.getContext('webgl2', { antialias: false, depth: false, alpha: false });
   if (gl === null) throw new Error('no WebGL 2');
   if (gl.getExtension('EXT_color_buffer_float') === null)
     throw new Error('this device cannot draw into floats: nothing tells how exact a loop is');
-  return gl;
+  const close = (): void => {
+    gl.getExtension('WEBGL_lose_context')?.loseContext();
+    canvas.remove();
+  };
+  return { gl, close };
 }
 
 const TEXTURE_WIDTH = 1024; // 1 << TEXTURE_ROWS_LOG2, as the shipped text reads it

@@ -1,12 +1,13 @@
 // How time grows with what there is more of: lights, pixels, triangles, meshes. Subjects are sizes; their ids are how many.
 import { BoxGeometry, Object3D, SphereGeometry } from 'three';
+import { isSoftware } from '../sampling.mjs';
 import { rendererName } from '../../glsl/float-pass.js';
 import { lightsOf } from '../pages/scenes.js';
 import { CoreView } from './core-view.js';
-import { Floor, floatContext } from './floor.js';
+import { floatCanvas, Floor } from './floor.js';
 import { floorUnder } from './floor-scenes.js';
 import { loopsOf } from './loops.js';
-import { type Axis, isSoftware, type Size, type Stand, type StandOptions, type Subject } from './stand.js';
+import { type Axis, type Size, type Stand, type StandOptions, type Subject } from './stand.js';
 
 const powers = (base: number, from: number, to: number): number[] =>
   Array.from({ length: to - from + 1 }, (_, i) => base ** (from + i));
@@ -17,20 +18,13 @@ const SHININESS = 32;
 
 /** By the shipped loop, as it is once settled. */
 const lights: Opener = ({ size, seed }, holder) => {
-  const canvas = document.createElement('canvas');
-  [canvas.width, canvas.height] = size;
-  holder.append(canvas);
-  const gl = floatContext(canvas);
+  const { gl, close } = floatCanvas(holder, size);
   const software = isSoftware(rendererName(gl));
   const subjects = powers(2, 0, 10).map((count) => {
     const scene = floorUnder(count, seed);
     const shipped = loopsOf(scene, software).find(({ id }) => id === 'shipped')!;
     return named(count, new Floor(gl, scene, size, size).subject(shipped));
   });
-  const close = (): void => {
-    gl.getExtension('WEBGL_lose_context')?.loseContext();
-    canvas.remove();
-  };
   return { title: 'lights', subjects, close };
 };
 

@@ -67,7 +67,3 @@ export function squareSide(evaluations: number, lights: number, most = 256): num
   const side = 2 ** Math.floor(Math.log2(Math.sqrt(evaluations / Math.max(lights, 1))));
   return Math.min(Math.max(side, 32), most);
 }
-
-export function isSoftware(renderer: string): boolean {
-  return /SwiftShader|llvmpipe|Software|Basic Render/i.test(renderer);
-}
