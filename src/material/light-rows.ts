@@ -1,16 +1,7 @@
 // Packed lights on the GPU. Loops read a float texture, of any number of lights: measured, it is faster than a uniform block
 // read by a running index (0.5 of the time in software, 0.9 on a GPU). Programs for exactly these lights read a uniform block of
 // 16 KiB at literal places (0.5 of a texture's time on a GPU). What did not change, or is not read, is not sent.
-import {
-  DataTexture,
-  DynamicDrawUsage,
-  FloatType,
-  NearestFilter,
-  RGBAFormat,
-  Uniform,
-  UniformsGroup,
-  type WebGLRenderer,
-} from 'three';
+import { DynamicDrawUsage, ExternalTexture, Uniform, UniformsGroup, type WebGLRenderer } from 'three';
 import { BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
 import type { PackedLights } from '../light/pack-lights.js';
 
@@ -49,7 +40,8 @@ export class LightRows {
   /** The uniform block. */
   readonly group = new UniformsGroup();
   #data = new Float32Array(TEXTURE_WIDTH * 4);
-  #texture = lightTexture(this.#data);
+  readonly #texture = new ExternalTexture();
+  #gl: WebGL2RenderingContext | null = null;
   /** Rows that the texture on the GPU has not seen: from, and up to but without. */
   #stale = { from: 0, to: 0 };
   readonly #pieces: readonly BlockPiece[];
@@ -82,18 +74,27 @@ export class LightRows {
   }
 
   /** Before a draw that reads the texture: sends it what has changed. */
-  sendTexture(renderer: WebGLRenderer): DataTexture {
+  sendTexture(renderer: WebGLRenderer): ExternalTexture {
     const { from, to } = this.#stale;
-    const texture = this.#texture;
-    if (from < to) {
-      this.#uploads += 1;
-      this.#stale = { from: 0, to: 0 };
-      const { __webglTexture: held } = renderer.properties.get(texture) as { __webglTexture?: WebGLTexture };
-      // The first time it is three.js that makes the texture; later it would also set all of its parameters again.
-      if (held === undefined) texture.needsUpdate = true;
-      else patch(renderer, held, this.#data, from, to);
+    if (from === to) return this.#texture;
+    this.#uploads += 1;
+    this.#stale = { from: 0, to: 0 };
+    const { state } = renderer;
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const made = this.#texture.sourceTexture !== null;
+    if (!made) this.#texture.sourceTexture = gl.createTexture();
+    this.#gl = gl;
+    state.bindTexture(gl.TEXTURE_2D, this.#texture.sourceTexture as WebGLTexture);
+    if (!made) {
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXTURE_WIDTH, this.#data.length / (TEXTURE_WIDTH * 4));
     }
-    return texture;
+    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+    patch(gl, this.#data, from, to);
+    return this.#texture;
   }
 
   /** Before a frame that reads the block: lists what waits to be sent. */
@@ -108,13 +109,14 @@ export class LightRows {
   restore(): void {
     for (const piece of this.#pieces) piece.waiting = true;
     this.group.uniforms.splice(0, Infinity, ...this.#pieces);
+    this.#texture.sourceTexture = null;
     this.#stale = { from: 0, to: this.#data.length / 4 };
   }
 
   /** Frees what the GPU holds; drawing again sends it again. */
   dispose(): void {
     this.group.dispose();
-    this.#texture.dispose();
+    this.#deleteTexture();
     this.restore();
   }
 
@@ -130,6 +132,12 @@ export class LightRows {
     });
   }
 
+  /** The texture stays the same to materials; what it stands for on the GPU is ours: three.js asks for each one's anisotropy, and waits. */
+  #deleteTexture(): void {
+    this.#gl?.deleteTexture(this.#texture.sourceTexture);
+    this.#texture.sourceTexture = null;
+  }
+
   /** Room to double, so that lights added one by one do not make a texture each. */
   #grow(rows: number): void {
     const height = Math.ceil(Math.max(rows * 4, this.#data.length * 2) / (TEXTURE_WIDTH * 4));
@@ -139,38 +147,17 @@ export class LightRows {
     this.#pieces.forEach((piece, i) => {
       piece.data = this.#rows(PIECES[i] ?? 0, PIECES[i + 1] ?? 0);
     });
-    this.#texture.dispose();
-    this.#texture = lightTexture(grown);
+    this.#deleteTexture();
     this.#stale = { from: 0, to: height * TEXTURE_WIDTH };
   }
 }
 
-function lightTexture(data: Float32Array): DataTexture {
-  const height = data.length / (TEXTURE_WIDTH * 4);
-  const texture = new DataTexture(data, TEXTURE_WIDTH, height, RGBAFormat, FloatType);
-  texture.minFilter = NearestFilter;
-  texture.magFilter = NearestFilter;
-  return texture;
-}
-
-/** Sends rows [from, to): a part of one line of the texture, or whole lines. */
-function patch(
-  renderer: WebGLRenderer,
-  texture: WebGLTexture,
-  data: Float32Array,
-  from: number,
-  to: number,
-): void {
-  const gl = renderer.getContext() as WebGL2RenderingContext;
-  const { state } = renderer;
+/** Sends rows [from, to) to the texture that is bound: a part of one line, or whole lines. */
+function patch(gl: WebGL2RenderingContext, data: Float32Array, from: number, to: number): void {
   const line = from >> TEXTURE_ROWS_LOG2;
   const lines = Math.ceil(to / TEXTURE_WIDTH) - line;
   const x = lines === 1 ? from - line * TEXTURE_WIDTH : 0;
   const width = lines === 1 ? to - from : TEXTURE_WIDTH;
-  state.bindTexture(gl.TEXTURE_2D, texture);
-  state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-  state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
   const first = (line * TEXTURE_WIDTH + x) * 4;
   gl.texSubImage2D(gl.TEXTURE_2D, 0, x, line, width, lines, gl.RGBA, gl.FLOAT, data, first);
 }

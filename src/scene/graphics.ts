@@ -14,9 +14,15 @@ const CONTEXT: WebGLContextAttributes = {
   premultipliedAlpha: true,
 };
 
-/** Throws {@link NoWebGL2Error}. */
-export function openContext(): WebGL2RenderingContext {
-  const context = document.createElement('canvas').getContext('webgl2', CONTEXT);
+/**
+ * On a canvas of the size that `place` has on the page now: each other size later makes all
+ * buffers anew, which the page waits for. Throws {@link NoWebGL2Error}.
+ */
+export function openContext(place?: HTMLElement): WebGL2RenderingContext {
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.round((place?.clientWidth ?? 0) * devicePixelRatio) || 1;
+  canvas.height = Math.round((place?.clientHeight ?? 0) * devicePixelRatio) || 1;
+  const context = canvas.getContext('webgl2', CONTEXT);
   if (context === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context');
   return context;
 }
@@ -24,7 +30,6 @@ export function openContext(): WebGL2RenderingContext {
 export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const canvas = context.canvas as HTMLCanvasElement;
   const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
-  renderer.setPixelRatio(1); // sizes here are device pixels already
   renderer.setClearColor(0x000000, 0);
   return renderer;
 }

@@ -41,7 +41,7 @@ class Stage {
 
   /** Throws NoWebGL2Error. */
   add(client: StageClient): void {
-    this.#open();
+    this.#open(client.holder);
     if (this.#clients.has(client)) return;
     this.#clients.add(client);
     // The one that was alone shows the shared canvas, which others are about to draw on.
@@ -82,7 +82,7 @@ class Stage {
 
   /** Draws one client's picture by `render` and shows it by the end of the task. */
   draw(client: StageClient, render: (renderer: WebGLRenderer) => void): void {
-    const renderer = this.#open();
+    const renderer = this.#open(client.holder);
     this.#count();
     if (this.#clients.size === 1) {
       this.#showDrawn();
@@ -202,9 +202,10 @@ class Stage {
     this.#copies.trim();
   };
 
-  #open(): WebGLRenderer {
+  /** The first picture's `holder` says how large a canvas to begin with. */
+  #open(holder?: HTMLElement): WebGLRenderer {
     if (this.#renderer !== null) return this.#renderer;
-    const context = openContext();
+    const context = openContext(holder);
     const canvas = context.canvas as HTMLCanvasElement;
     canvas.addEventListener('webglcontextlost', this.#lost);
     canvas.addEventListener('webglcontextrestored', this.#restored);

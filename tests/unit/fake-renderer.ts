@@ -1,6 +1,6 @@
-// As much of three.js's renderer as light data is sent by: which textures the GPU holds, and the calls that patch them.
+// As much of three.js's renderer as light data is sent by: which textures the GPU holds, and the calls that fill them.
 // Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
-import type { DataTexture, WebGLRenderer } from 'three';
+import type { ExternalTexture, WebGLRenderer } from 'three';
 
 /** One texSubImage2D: a rectangle of texels. */
 export interface Patch {
@@ -10,24 +10,39 @@ export interface Patch {
   readonly height: number;
 }
 
+interface Texels {
+  width: number;
+  height: number;
+  data: Float32Array;
+}
+
 export class FakeRenderer {
-  readonly patches: Patch[] = [];
+  patches: Patch[] = [];
   /** What a patch must not inherit from whoever unpacked before it. */
   readonly unpack = new Map<number, number | boolean>();
-  #held = new Map<DataTexture, { __webglTexture?: object }>();
-  readonly #pixels = new Map<object, { width: number; data: Float32Array }>();
-  #bound: object | null = null;
+  /** By the object that stands for a texture in WebGL. */
+  readonly #held = new Map<object, Texels>();
+  #bound: object = {};
 
   get renderer(): WebGLRenderer {
     const gl = {
       ...{ TEXTURE_2D: 1, RGBA: 2, FLOAT: 3, UNPACK_FLIP_Y_WEBGL: 4 },
       ...{ UNPACK_PREMULTIPLY_ALPHA_WEBGL: 5, UNPACK_ALIGNMENT: 6 },
+      createTexture: () => {
+        const texture = {};
+        this.#held.set(texture, { width: 0, height: 0, data: new Float32Array(0) });
+        return texture;
+      },
+      deleteTexture: (texture: object | null) => texture !== null && this.#held.delete(texture),
+      texParameteri: () => undefined,
+      texStorage2D: (...[, , , width, height]: [number, number, number, number, number]) => {
+        Object.assign(this.#texels(), { width, height, data: new Float32Array(width * height * 4) });
+      },
       texSubImage2D: (...call: Parameters<FakeRenderer['texSubImage2D']>) => {
         this.texSubImage2D(...call);
       },
     };
     return {
-      properties: { get: (texture: DataTexture) => this.#propertiesOf(texture) },
       state: {
         bindTexture: (_: number, texture: object) => (this.#bound = texture),
         pixelStorei: (name: number, value: number | boolean) => this.unpack.set(name, value),
@@ -36,24 +51,23 @@ export class FakeRenderer {
     } as unknown as WebGLRenderer;
   }
 
-  /** What three.js does with a texture that a draw reads: makes it where `needsUpdate` has been set, and frees it on dispose. */
-  draw(texture: DataTexture): void {
-    const properties = this.#propertiesOf(texture);
-    if (properties.__webglTexture !== undefined || texture.version === 0) return;
-    const { data, width } = texture.image as { data: Float32Array; width: number };
-    const held = {};
-    properties.__webglTexture = held;
-    this.#pixels.set(held, { width, data: data.slice() });
-    texture.addEventListener('dispose', () => this.#held.delete(texture));
+  /** What the GPU holds, in all and of one texture. */
+  get textures(): number {
+    return this.#held.size;
+  }
+
+  sizeOf(texture: ExternalTexture): { width: number; height: number } | undefined {
+    const texels = this.#texelsOf(texture);
+    return texels && { width: texels.width, height: texels.height };
   }
 
   /** Texels that the GPU has of a texture; none where it holds nothing. */
-  pixels(texture: DataTexture): readonly number[] {
-    return [...(this.#pixels.get(this.#propertiesOf(texture).__webglTexture ?? {})?.data ?? [])];
+  pixels(texture: ExternalTexture): readonly number[] {
+    return [...(this.#texelsOf(texture)?.data ?? [])];
   }
 
   loseContext(): void {
-    this.#held = new Map();
+    this.#held.clear();
   }
 
   texSubImage2D(
@@ -63,7 +77,7 @@ export class FakeRenderer {
     ]
   ): void {
     this.patches.push({ x, y, width, height });
-    const bound = this.#pixels.get(this.#bound ?? {})!;
+    const bound = this.#texels();
     for (let line = 0; line < height; line++) {
       const from = first + line * width * 4;
       const to = ((y + line) * bound.width + x) * 4;
@@ -73,9 +87,13 @@ export class FakeRenderer {
     }
   }
 
-  #propertiesOf(texture: DataTexture): { __webglTexture?: object } {
-    const known = this.#held.get(texture) ?? {};
-    this.#held.set(texture, known);
-    return known;
+  #texelsOf({ sourceTexture }: ExternalTexture): Texels | undefined {
+    return this.#held.get(sourceTexture ?? {});
+  }
+
+  #texels(): Texels {
+    const texels = this.#held.get(this.#bound);
+    if (texels === undefined) throw new Error('no texture of this context is bound');
+    return texels;
   }
 }
