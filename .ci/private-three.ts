@@ -14,11 +14,32 @@ const announcement =
 /** Modules that lean-three/ may replace. */
 const replaceable = /\/three\/src\/(?:extras|math|renderers\/(?:webgl|webxr|shaders))\/[^/]+\.js$/;
 
-/** Functions and methods that are left out: making materials from what three's loaders of JSON read; drawing into anything but the canvas, reading back from it, passes over it; cube maps. */
+/**
+ * Functions and methods that are left out: JSON, for which no loader is here; tangents, which only three's own shaders read;
+ * what only the renderer's owner would call; drawing into anything but the canvas, reading back from it, passes over it; cube maps.
+ */
 const leftOut: Readonly<Record<string, readonly string[]>> = {
-  'Material.js': ['fromJSON'],
-  'ShaderMaterial.js': ['fromJSON'],
+  'BufferAttribute.js': ['toJSON'],
+  'BufferGeometry.js': ['computeTangents', 'toJSON'],
+  'Color.js': ['toJSON'],
+  'Material.js': ['fromJSON', 'toJSON'],
+  'Object3D.js': ['toJSON'],
+  'PerspectiveCamera.js': ['toJSON'],
+  'Scene.js': ['toJSON'],
+  'ShaderMaterial.js': ['fromJSON', 'toJSON'],
+  'Texture.js': ['toJSON'],
+  'Vector4.js': ['setAxisAngleFromQuaternion', 'setAxisAngleFromRotationMatrix'],
   'WebGLRenderer.js': [
+    'compileAsync',
+    'forceContextLoss',
+    'forceContextRestore',
+    'getActiveCubeFace',
+    'getActiveMipmapLevel',
+    'initTexture',
+    'resetState',
+    'setDrawingBufferSize',
+    'setOpaqueSort',
+    'setTransparentSort',
     'setEffects',
     'setNodesHandler',
     'setRenderTargetTextures',

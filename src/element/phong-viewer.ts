@@ -163,7 +163,7 @@ export class PhongViewer extends LitElement {
 
   /**
    * The three.js scene, for objects of your own; call {@link requestRender} after changing it. The standalone file
-   * carries no shaders of three.js's own materials: there, objects need a ShaderMaterial.
+   * carries no shaders of three.js's own materials, so that objects need a ShaderMaterial there, and nothing that writes JSON.
    */
   get scene(): Viewport['scene'] {
     return this.#viewport.scene;
