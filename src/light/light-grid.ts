@@ -2,7 +2,8 @@
 // fragment then loops over a few instead of all. The lists stand in shading space, so they stay while the camera turns.
 // Knows neither meshes nor where rows are kept.
 import { GRID, HEADER, ROWS } from './light-layout.js';
-import { type Box, Cone, forEachLight, mostOf, type Reflectance } from './light-reach.js';
+import { Cone } from './cone.js';
+import { type Box, forEachLight, mostOf, type Reflectance } from './light-reach.js';
 import type { LightKind } from './light-kind.js';
 import { KINDS, type PackedLights, reserve } from './pack-lights.js';
 
@@ -51,6 +52,9 @@ export function divide(
 ): boolean {
   const positional = packed.counts.point + packed.counts.spot;
   if (positional < LEAST_DIVIDED) return false;
+  // Directional lights reach everywhere, and so do lamps where nothing may be given up.
+  const surely = packed.counts.directional + (budget > 0 ? 0 : packed.counts.point);
+  if (surely > packed.sent / 2) return false;
   const cells = cellsOf(box);
   const count = cells.size[0] * cells.size[1] * cells.size[2];
   if (count < 2) return false;
@@ -59,15 +63,16 @@ export function divide(
   const reaches: Reach[] = [];
   let listed = 0;
   let everywhere = 0;
+  const tooMany = (): boolean => everywhere + listed / count > packed.sent / 2;
   forEachLight(packed, (light, kind, row) => {
+    if (tooMany()) return;
     const found =
       kind === 'directional' ? null : reachedCells(packed, light, kind, row, cells, surface, share, scratch);
     if (found === null) everywhere += 1;
     else listed += found.length;
     reaches.push({ light, kind, row, cells: found });
   });
-  const mean = everywhere + listed / count;
-  if (mean > packed.sent / 2) return false;
+  if (tooMany()) return false;
   writeLights(packed, reaches, into);
   writeLists(reaches, cells, count, listed, into);
   return true;
@@ -102,7 +107,7 @@ function reachedCells(
   share: number,
   scratch: Int32Array,
 ): Int32Array | null {
-  const cone = kind === 'spot' ? new Cone(packed, row) : null;
+  const cone = kind === 'spot' ? new Cone().take(packed, row) : null;
   if (cone === null && share === 0) return null;
   const shape = packed.shapes[light] ?? 0;
   let count = 0;

@@ -1,8 +1,8 @@
 // Which of the packed lights can bring anything to a box: by their cones at no cost to the picture, and by how little they
 // could bring within a budget. All in shading space and float64, from the very rows that the GLSL reads. Always on the
 // safe side: a light that is left out brings nothing (or what the budget allows) to any point of the box.
-import { HEADER, LIMIT_OPEN, NEAREST, ROWS, SHAPE } from './light-layout.js';
-import { cross, dot, length, type Vec3 } from '../math/vector.js';
+import { Cone } from './cone.js';
+import { HEADER, NEAREST, ROWS, SHAPE } from './light-layout.js';
 import { KINDS, type PackedLights } from './pack-lights.js';
 
 /** Axis-aligned, in shading space: low x y z, high x y z. */
@@ -15,103 +15,8 @@ export interface Reflectance {
   readonly ks: ArrayLike<number>;
 }
 
-/**
- * How far, in radians, what the GPU takes for the cone's edge may be from what it is here: 2e-6 measured on the worst
- * lawful driver (tests/stress), with a margin. As a share of the coordinates it also covers their rounding to float32.
- */
-const EDGE = 1e-5;
-
 /** Places are float32 on the GPU: half a step of 2^-23 of the largest coordinate each, of light and fragment; with a margin. */
 const ROUNDING = 1e-6;
-
-/** Halvings of a box whose sphere alone is too wide to tell: 64 parts at most. */
-const HALVINGS = 6;
-
-/** One spot's cone, taken apart once. */
-export class Cone {
-  readonly #place: Vec3;
-  /** As it was rounded to float32, so by up to 6e-8 too long or short: only ratios to it are taken. */
-  readonly #axis: Vec3;
-  readonly #sin: number;
-  readonly #cos: number;
-  readonly #open: boolean;
-
-  /** The spot whose first row is `row`. */
-  constructor({ data }: PackedLights, row: number) {
-    const three = (offset: number): Vec3 => {
-      const at = (row + offset) * 4;
-      return [data[at] ?? 0, data[at + 1] ?? 0, data[at + 2] ?? 0];
-    };
-    this.#place = three(ROWS.spot.position);
-    this.#axis = three(ROWS.spot.axis);
-    const limit = data[(row + ROWS.spot.ambient) * 4 + 3] ?? 0;
-    const half = Math.abs(limit); // sin² of half the aperture, or of half of what it lacks to 180°
-    this.#open = limit === LIMIT_OPEN;
-    this.#sin = 2 * Math.sqrt(Math.max(half * (1 - half), 0));
-    this.#cos = (limit < 0 ? -1 : 1) * (1 - 2 * half);
-  }
-
-  /** Whether any point of the box may be inside. */
-  reaches(
-    x0: number,
-    y0: number,
-    z0: number,
-    x1: number,
-    y1: number,
-    z1: number,
-    halvings = HALVINGS,
-  ): boolean {
-    if (this.#open) return true;
-    const sizeX = x1 - x0;
-    const sizeY = y1 - y0;
-    const sizeZ = z1 - z0;
-    const x = x0 + sizeX / 2;
-    const y = y0 + sizeY / 2;
-    const z = z0 + sizeZ / 2;
-    const radius = Math.hypot(sizeX, sizeY, sizeZ) / 2;
-    const outside = this.#distance(x, y, z) - this.#slack(x, y, z, radius);
-    if (outside > radius) return false;
-    if (halvings === 0 || outside <= 0) return true;
-    const next = halvings - 1;
-    if (sizeX >= sizeY && sizeX >= sizeZ)
-      return this.reaches(x0, y0, z0, x, y1, z1, next) || this.reaches(x, y0, z0, x1, y1, z1, next);
-    if (sizeY >= sizeZ)
-      return this.reaches(x0, y0, z0, x1, y, z1, next) || this.reaches(x0, y, z0, x1, y1, z1, next);
-    return this.reaches(x0, y0, z0, x1, y1, z, next) || this.reaches(x0, y0, z, x1, y1, z1, next);
-  }
-
-  /** The largest cosine between the axis and any point of a ball around x y z; 1 where the ball holds the apex. */
-  nearestCosine(x: number, y: number, z: number, radius: number): number {
-    const { along, across, d } = this.#components(x, y, z);
-    const reach = radius + this.#slack(x, y, z, radius);
-    if (d <= reach) return 1;
-    const sin = reach / d;
-    const cos = Math.sqrt(1 - sin * sin);
-    const axial = along / d;
-    return axial >= cos ? 1 : axial * cos + (across / d) * sin;
-  }
-
-  /** From a point to the cone; 0 or less inside. */
-  #distance(x: number, y: number, z: number): number {
-    const { along, across, d } = this.#components(x, y, z);
-    const outside = across * this.#cos - along * this.#sin;
-    // Beyond a right angle from the cone's side its nearest point is the apex.
-    return outside > 0 && along * this.#cos + across * this.#sin < 0 ? d : outside;
-  }
-
-  #components(x: number, y: number, z: number): { along: number; across: number; d: number } {
-    const [px, py, pz] = this.#place;
-    const v: Vec3 = [x - px, y - py, z - pz];
-    return { along: dot(v, this.#axis), across: length(cross(v, this.#axis)), d: length(v) };
-  }
-
-  #slack(x: number, y: number, z: number, radius: number): number {
-    const [px, py, pz] = this.#place;
-    const extent =
-      Math.abs(px) + Math.abs(py) + Math.abs(pz) + Math.abs(x) + Math.abs(y) + Math.abs(z) + radius;
-    return EDGE * extent + NEAREST; // so near there is no angle, and every cone is reached
-  }
-}
 
 /** What {@link reachedLights} has found. */
 export interface Reached {
@@ -139,17 +44,43 @@ export function reachedLights(
   mask.fill(1, 0, packed.sent);
   into.count = packed.sent;
   into.given = 0;
+  const { directional, point } = packed.counts;
+  if (budget > 0) {
+    leaveOutFaint(packed, box, surface, budget, into);
+    return;
+  }
+  let row = HEADER.rows + directional * ROWS.directional.rows + point * ROWS.point.rows;
+  for (let light = directional + point; light < packed.sent; light++, row += ROWS.spot.rows) {
+    cone.take(packed, row);
+    if (cone.reaches(box[0], box[1], box[2], box[3], box[4], box[5])) continue;
+    mask[light] = 0;
+    into.count -= 1;
+  }
+}
+
+/** Kept from light to light. */
+const cone = new Cone();
+
+/** The same where something may be given up. */
+function leaveOutFaint(
+  packed: PackedLights,
+  box: Box,
+  surface: Reflectance,
+  budget: number,
+  into: Reached,
+): void {
+  const { mask } = into;
   const small: { readonly light: number; readonly bound: Bound }[] = [];
   forEachLight(packed, (light, kind, row) => {
     if (kind === 'directional') return;
-    const cone = kind === 'spot' ? new Cone(packed, row) : null;
-    if (cone?.reaches(...box) === false) {
+    if (kind === 'spot') cone.take(packed, row);
+    if (kind === 'spot' && !cone.reaches(...box)) {
       mask[light] = 0;
       into.count -= 1;
-    } else if (budget > 0) {
-      const bound = mostOf(packed, row, packed.shapes[light] ?? 0, cone, box, surface);
-      if (Math.max(...bound) <= budget) small.push({ light, bound });
+      return;
     }
+    const bound = mostOf(packed, row, packed.shapes[light] ?? 0, kind === 'spot' ? cone : null, box, surface);
+    if (Math.max(...bound) <= budget) small.push({ light, bound });
   });
   small.sort((a, b) => Math.max(...a.bound) - Math.max(...b.bound));
   const sum: [number, number, number] = [0, 0, 0];
@@ -163,18 +94,18 @@ export function reachedLights(
 }
 
 /** Whether every place of a light is outside the box, by more than float32 can hide. */
-export function areApart(packed: PackedLights, box: Box): boolean {
-  let apart = true;
-  forEachLight(packed, (_light, kind, row) => {
-    if (kind === 'directional' || !apart) return;
-    const gap = (i: 0 | 1 | 2): number => {
-      const place = packed.data[row * 4 + i] ?? 0;
-      const slack = ROUNDING * (Math.abs(place) + Math.abs(box[i]) + Math.abs(box[i + 3]!));
-      return Math.max(box[i] - place, place - box[i + 3]!) - slack;
-    };
-    apart = Math.max(gap(0), gap(1), gap(2)) > NEAREST;
-  });
-  return apart;
+export function areApart({ data, counts, sent }: PackedLights, box: Box): boolean {
+  const gap = (i: 0 | 1 | 2, place: number): number => {
+    const slack = ROUNDING * (Math.abs(place) + Math.abs(box[i]) + Math.abs(box[i + 3]!));
+    return Math.max(box[i] - place, place - box[i + 3]!) - slack;
+  };
+  let at = (HEADER.rows + counts.directional * ROWS.directional.rows) * 4;
+  for (let i = counts.directional; i < sent; i++) {
+    const widest = Math.max(gap(0, data[at]!), gap(1, data[at + 1]!), gap(2, data[at + 2]!));
+    if (!(widest > NEAREST)) return false;
+    at += (i < counts.directional + counts.point ? ROWS.point.rows : ROWS.spot.rows) * 4;
+  }
+  return true;
 }
 
 /** Calls `visit` with each sent light's number, kind and first row. */

@@ -6,9 +6,10 @@ import type { LightState, LightValues } from './light-state.js';
 export class LightSet {
   readonly #lights: LightState[] = [];
   readonly #values: Readonly<LightValues>[] = [];
-  readonly #listeners = new Map<LightState, () => void>();
+  readonly #listeners = new Map<LightState, (key: keyof LightValues) => void>();
   readonly #changed: (light: LightState | null) => void;
   #version = 0;
+  #kindVersion = 0;
 
   /** `changed` is called after each change: with the light written to, or null when lights came, went or moved. */
   constructor(changed: (light: LightState | null) => void = () => undefined) {
@@ -18,6 +19,11 @@ export class LightSet {
   /** Goes up with every change: whoever packed an older version packs again. */
   get version(): number {
     return this.#version;
+  }
+
+  /** Goes up with every change but of places: whoever only asks what lights need of a program need not look again after a move. */
+  get kindVersion(): number {
+    return this.#kindVersion;
   }
 
   get lights(): readonly LightState[] {
@@ -38,6 +44,7 @@ export class LightSet {
     this.#lights.splice(0, Infinity, ...lights);
     this.#values.splice(0, Infinity, ...lights.map(({ values }) => values));
     for (const light of lights) this.#listen(light);
+    this.#kindVersion += 1;
     this.#bump(null);
   }
 
@@ -50,7 +57,11 @@ export class LightSet {
   }
 
   #listen(light: LightState): void {
-    const listener = (): void => {
+    const { values } = light;
+    let w = values.position[3];
+    const listener = (key: keyof LightValues): void => {
+      if (key !== 'position' || values.position[3] !== w) this.#kindVersion += 1;
+      w = values.position[3];
       this.#bump(light);
     };
     light.listen(listener);

@@ -32,8 +32,8 @@ export interface PackedLights {
   readonly counts: Record<LightKind, number>;
   /** What each sent light needs of a program, see SHAPE; those from `sent` on are stale. */
   shapes: Uint16Array;
-  /** What was found of lights that may only move. */
-  readonly steady: WeakMap<Values, SteadyLight>;
+  /** What was found of the active lights, in their order, and holds while they only move. */
+  readonly steady: SteadyLight[];
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -43,7 +43,7 @@ export const emptyPack = (): PackedLights => ({
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
   shapes: new Uint16Array(8),
-  steady: new WeakMap(),
+  steady: [],
 });
 
 /** In the order of their rows. */
@@ -54,20 +54,20 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
   const ambient: [number, number, number] = [0, 0, 0];
   into.rows = HEADER.rows;
   into.sent = 0;
-  const found: SteadyLight[] = [];
-  const active: Values[] = [];
+  into.active = 0;
   for (const light of lights) {
     if (!light.active) continue;
-    active.push(light);
-    found.push(steadyOf(light, space.linear, into));
+    const kept = into.steady[into.active];
+    if (kept?.holds(light, space.linear) !== true)
+      into.steady[into.active] = new SteadyLight(light, space.linear);
+    into.active += 1;
   }
-  into.active = active.length;
+  into.steady.length = into.active;
   for (const kind of KINDS) {
     const before = into.sent;
-    for (let i = 0; i < active.length; i++) {
-      const light = active[i];
-      const steady = found[i];
-      if (light === undefined || steady?.kind !== kind) continue;
+    for (const steady of into.steady) {
+      if (steady.kind !== kind) continue;
+      const { light } = steady;
       const factor = kind === 'directional' && steady.spot ? directionalDecay(light) : 1;
       if (factor === 0) continue;
       if (kind !== 'spot') for (const c of CHANNELS) ambient[c] += steady.ambient[c] * factor;
@@ -89,14 +89,6 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
 }
 
 const CHANNELS = [0, 1, 2] as const;
-
-function steadyOf(light: Values, linear: boolean, { steady }: PackedLights): SteadyLight {
-  const kept = steady.get(light);
-  if (kept?.holds(light, linear) === true) return kept;
-  const found = new SteadyLight(light, linear);
-  steady.set(light, found);
-  return found;
-}
 
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
 function reaches({ position }: Values, kind: LightKind, { shines, ambient }: SteadyLight): boolean {

@@ -10,6 +10,8 @@ import type { LightValues } from './light-state.js';
 type Values = Readonly<LightValues>;
 
 export class SteadyLight {
+  /** Whose it is; live. */
+  readonly light: Values;
   readonly kind: LightKind;
   /** A cone or a decay: a directional light's are the same everywhere. */
   readonly spot: boolean;
@@ -26,12 +28,13 @@ export class SteadyLight {
   /** SHAPE's bits: of a spot, and of a light without cone and decay. */
   readonly spotShape: number;
   readonly pointShape: number;
-  readonly #light: Values;
+  readonly #last: Values;
   readonly #linear: boolean;
 
   constructor(light: Values, linear: boolean) {
     // A copy of what it was found from; arrays are never written to, so they tell by themselves.
-    this.#light = { ...light };
+    this.#last = { ...light };
+    this.light = light;
     this.#linear = linear;
     const color = (c: Vec3): Vec3 => {
       const unit = scale(c, 1 / 255);
@@ -51,8 +54,9 @@ export class SteadyLight {
 
   /** Whether it still stands for `light` as it is now, wherever that is. */
   holds(light: Values, linear: boolean): boolean {
-    const last = this.#light;
+    const last = this.#last;
     return (
+      light === this.light &&
       last.ambient === light.ambient &&
       last.diffuse === light.diffuse &&
       last.specular === light.specular &&

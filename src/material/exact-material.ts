@@ -83,7 +83,6 @@ export class ExactMaterial extends ShaderMaterial {
     const { uLightTexture } = this.uniforms;
     if (form === 'written') list.rows.sendBlock();
     else if (uLightTexture !== undefined) uLightTexture.value = list.rows.sendTexture(renderer);
-    this.standsFor.place(object);
-    this.uniformsNeedUpdate = true;
+    this.uniformsNeedUpdate = this.standsFor.place(object);
   }
 }

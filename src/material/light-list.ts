@@ -4,17 +4,12 @@ import { forEachLight } from '../light/light-reach.js';
 import { emptyPack, KINDS, type PackedLights, reserve } from '../light/pack-lights.js';
 import { LightRows } from './light-rows.js';
 
-let lists = 0;
-
 export class LightList {
-  /** Unlike any other list's. */
-  readonly id = (lists += 1);
   readonly rows = new LightRows();
   #packed: PackedLights;
   #shapes = new Uint16Array(0);
   #counts: readonly number[] = [];
   #version = 0;
-  #taken = 0;
 
   constructor(packed = emptyPack()) {
     this.#packed = packed;
@@ -22,11 +17,6 @@ export class LightList {
 
   get packed(): Readonly<PackedLights> {
     return this.#packed;
-  }
-
-  /** Goes up with every {@link take}. */
-  get version(): number {
-    return this.#taken;
   }
 
   /** Goes up when how many lights there are of each kind, or what one of them needs of a program, is other than before. */
@@ -37,7 +27,6 @@ export class LightList {
   /** These are the lights from now on; `packed` may be one that was given before, written anew. */
   take(packed: PackedLights): void {
     this.#packed = packed;
-    this.#taken += 1;
     this.rows.write(packed);
     if (this.#isAsBefore(packed)) return;
     this.#version += 1;
@@ -56,7 +45,7 @@ export class LightList {
     forEachLight(all, (light, kind, row) => {
       if (mask[light] !== 1) return;
       const { rows } = ROWS[kind];
-      into.data.set(all.data.subarray(row * 4, (row + rows) * 4), into.rows * 4);
+      for (let i = 0; i < rows * 4; i++) into.data[into.rows * 4 + i] = all.data[row * 4 + i]!;
       into.shapes[into.sent] = all.shapes[light] ?? 0;
       into.rows += rows;
       into.sent += 1;
@@ -72,7 +61,8 @@ export class LightList {
 
   #isAsBefore({ counts, shapes, sent }: PackedLights): boolean {
     if (this.#version === 0 || sent !== this.#shapes.length) return false;
-    if (KINDS.some((kind, i) => counts[kind] !== this.#counts[i])) return false;
-    return this.#shapes.every((shape, i) => shape === shapes[i]);
+    for (let i = 0; i < KINDS.length; i++) if (counts[KINDS[i]!] !== this.#counts[i]) return false;
+    for (let i = 0; i < sent; i++) if (shapes[i] !== this.#shapes[i]) return false;
+    return true;
   }
 }

@@ -1,13 +1,7 @@
 // Which lights each mesh of a picture is drawn with: all of them, or those that reach its bounds. Meshes that the same lights
 // reach share one list. Works anew only where lights, surface or place have changed. Knows neither frames nor programs.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
-import {
-  type Box,
-  forEachLight,
-  type Reached,
-  reachedLights,
-  type Reflectance,
-} from '../light/light-reach.js';
+import { type Box, type Reached, reachedLights, type Reflectance } from '../light/light-reach.js';
 import type { PackedLights } from '../light/pack-lights.js';
 import type { Vec3 } from '../math/vector.js';
 import { LightList } from './light-list.js';
@@ -26,22 +20,68 @@ export interface ReachQuestion {
   readonly budget: number;
 }
 
-interface Choice {
+/** What was chosen for a mesh. */
+export interface MeshChoice {
+  readonly list: LightList;
+  /** What may still be given up at each point, 1 being full. */
+  readonly left: number;
+  /** The mesh's bounds in shading space; null where it has none. */
+  readonly box: Box | null;
+  /** Goes up whenever the choice was made anew: its lights, their places or the mesh's may be others. */
+  readonly version: number;
+}
+
+class Choice implements MeshChoice {
+  readonly #mesh: Mesh;
+  #box: Box | null | undefined;
   list: LightList;
-  /** What of the budget is left over. */
-  left: number;
-  mask: Uint8Array;
-  lights: number;
-  surfaceVersion: number;
-  budget: number;
-  geometry: BufferGeometry | null;
-  readonly place: Matrix4;
+  left = 0;
+  version = 0;
+  /** Null where all lights are meant. */
+  subset: Subset | null = null;
+  mask = new Uint8Array(0);
+  lights = -1;
+  surfaceVersion = -1;
+  budget = 0;
+  #geometry: BufferGeometry | null = null;
+  #origin: Vec3 = [0, 0, 0];
+  readonly #place = new Matrix4();
+
+  constructor(mesh: Mesh, list: LightList) {
+    this.#mesh = mesh;
+    this.list = list;
+  }
+
+  /** Found when first asked for: it may take a pass over all vertices. */
+  get box(): Box | null {
+    if (this.#box === undefined) this.#box = boundsOf(this.#mesh, this.#origin);
+    return this.#box;
+  }
+
+  /** Whether the mesh lies elsewhere, or has another shape, than when last asked. */
+  moved(origin: Vec3): boolean {
+    const { geometry, matrixWorld } = this.#mesh;
+    const [x, y, z] = this.#origin;
+    const stays =
+      this.#geometry === geometry &&
+      this.#place.equals(matrixWorld) &&
+      x === origin[0] &&
+      y === origin[1] &&
+      z === origin[2];
+    if (stays) return false;
+    this.#geometry = geometry;
+    this.#origin = [origin[0], origin[1], origin[2]];
+    this.#place.copy(matrixWorld);
+    this.#box = undefined;
+    return true;
+  }
 }
 
 interface Subset {
   readonly list: LightList;
   lights: number;
-  used: number;
+  /** The last round that a mesh was drawn with it in. */
+  round: number;
 }
 
 export class MeshLights {
@@ -50,30 +90,30 @@ export class MeshLights {
   readonly #subsets = new Map<string, Subset>();
   readonly #choices = new WeakMap<object, Choice>();
   #lights = 0;
+  #round = 0;
   #uploads = 0;
-  #some = false;
+
+  /** A frame begins, in which each mesh is chosen for: lists that the last one had no use for are freed. */
+  begin(): void {
+    for (const [key, subset] of this.#subsets) {
+      if (subset.round === this.#round) continue;
+      this.#uploads += subset.list.rows.uploads;
+      subset.list.rows.dispose();
+      subset.lights = -1; // whoever has chosen it chooses anew
+      this.#subsets.delete(key);
+    }
+    this.#round += 1;
+  }
 
   /** The lights have changed. */
   take(packed: PackedLights): void {
     this.all.take(packed);
     this.#lights += 1;
-    this.#some = packed.counts.spot > 0;
-    for (const [key, { list, used }] of this.#subsets) {
-      if (used >= this.#lights - 1) continue;
-      this.#uploads += list.rows.uploads;
-      list.rows.dispose();
-      this.#subsets.delete(key);
-    }
   }
 
   /** The list that `mesh` was last chosen, or all. */
   of(mesh: object): LightList {
     return this.#choices.get(mesh)?.list ?? this.all;
-  }
-
-  /** What may still be given up at each point of `mesh`, 1 being full. */
-  budgetLeft(mesh: object): number {
-    return this.#choices.get(mesh)?.left ?? 0;
   }
 
   /** How many lights reach any of these meshes; all where there are none. */
@@ -85,47 +125,30 @@ export class MeshLights {
       some = true;
       const choice = this.#choices.get(mesh);
       if (choice === undefined || choice.list === this.all) return packed.sent;
-      forEachLight(packed, (light) => {
-        if (choice.mask[light] === 1) reached[light] = 1;
-      });
+      for (let i = 0; i < packed.sent; i++) if (choice.mask[i] === 1) reached[i] = 1;
     }
     return some ? reached.reduce((sum, one) => sum + one, 0) : packed.sent;
   }
 
   /** Chooses the lights for `mesh`, whose world matrix is up to date. */
-  choose(mesh: Mesh, question: ReachQuestion): LightList {
-    const { geometry, matrixWorld } = mesh;
+  choose(mesh: Mesh, { origin, surface, budget }: ReachQuestion): MeshChoice {
     let choice = this.#choices.get(mesh);
-    if (choice === undefined) {
-      const { budget } = question;
-      const { surfaceVersion } = question.surface;
-      choice = {
-        ...{
-          list: this.all,
-          left: 0,
-          mask: new Uint8Array(0),
-          lights: -1,
-          geometry: null,
-          place: new Matrix4(),
-        },
-        ...{ surfaceVersion, budget },
-      };
-      this.#choices.set(mesh, choice);
-    }
+    if (choice === undefined) this.#choices.set(mesh, (choice = new Choice(mesh, this.all)));
+    const { subset } = choice;
+    if (subset !== null) subset.round = this.#round;
     const same =
+      !choice.moved(origin) &&
       choice.lights === this.#lights &&
-      choice.surfaceVersion === question.surface.surfaceVersion &&
-      choice.budget === question.budget &&
-      choice.geometry === geometry &&
-      choice.place.equals(matrixWorld);
-    if (same) return choice.list;
+      (subset === null || subset.lights === this.#lights) &&
+      choice.budget === budget &&
+      (budget === 0 || choice.surfaceVersion === surface.surfaceVersion);
+    if (same) return choice;
     choice.lights = this.#lights;
-    choice.surfaceVersion = question.surface.surfaceVersion;
-    choice.budget = question.budget;
-    choice.geometry = geometry;
-    choice.place.copy(matrixWorld);
-    choice.list = this.#listFor(mesh, question, choice);
-    return choice.list;
+    choice.surfaceVersion = surface.surfaceVersion;
+    choice.budget = budget;
+    choice.version += 1;
+    this.#find(choice, surface);
+    return choice;
   }
 
   get uploads(): number {
@@ -142,29 +165,38 @@ export class MeshLights {
     for (const list of this.#lists()) list.rows.dispose();
   }
 
-  #listFor(mesh: Mesh, { origin, surface, budget }: ReachQuestion, choice: Choice): LightList {
+  #find(choice: Choice, surface: ReflectingSurface): void {
     const { packed } = this.all;
+    const { budget } = choice;
     choice.left = budget;
+    choice.subset = null;
+    choice.list = this.all;
     // Without a cone nothing is exactly out of reach.
-    if (!this.#some && !(budget > 0 && packed.sent > 0)) return this.all;
-    const box = boundsOf(mesh, origin);
-    if (box === null) return this.all;
+    if (packed.counts.spot === 0 && (budget === 0 || packed.sent === 0)) return;
+    const { box } = choice;
+    if (box === null) return;
     reachedLights(packed, box, surface.reflectance, budget, reached);
     choice.left = budget - reached.given;
-    if (reached.count === packed.sent) return this.all;
-    choice.mask = reached.mask.slice(0, packed.sent);
-    const key = asText.decode(choice.mask);
-    let subset = this.#subsets.get(key);
-    if (subset === undefined) {
-      subset = { list: new LightList(), lights: -1, used: 0 };
-      this.#subsets.set(key, subset);
-    }
-    subset.used = this.#lights;
-    if (subset.lights !== this.#lights) {
-      subset.lights = this.#lights;
-      subset.list.select(packed, choice.mask);
-    }
-    return subset.list;
+    if (reached.count === packed.sent) return;
+    const mask = reached.mask.subarray(0, packed.sent);
+    if (choice.mask.length === mask.length) choice.mask.set(mask);
+    else choice.mask = mask.slice();
+    const subset = this.#subsetOf(mask);
+    choice.subset = subset;
+    choice.list = subset.list;
+    subset.round = this.#round;
+    if (subset.lights === this.#lights) return;
+    subset.lights = this.#lights;
+    subset.list.select(packed, mask);
+  }
+
+  #subsetOf(mask: Uint8Array): Subset {
+    const key = asText.decode(mask);
+    const present = this.#subsets.get(key);
+    if (present !== undefined) return present;
+    const subset = { list: new LightList(), lights: -1, round: this.#round };
+    this.#subsets.set(key, subset);
+    return subset;
   }
 
   *#lists(): Iterable<LightList> {
@@ -178,7 +210,7 @@ const reached: Reached = { mask: new Uint8Array(64), count: 0, given: 0 };
 const bounds = new Box3();
 
 /** The mesh's bounds in shading space; null where it has none. */
-export function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
+function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
   if (geometry.boundingBox === null) geometry.computeBoundingBox();
   if (geometry.boundingBox === null) return null;
   const { min, max } = bounds.copy(geometry.boundingBox).applyMatrix4(matrixWorld);

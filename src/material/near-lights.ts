@@ -1,45 +1,45 @@
 // How the lights of one mesh lie to its bounds: whether any stands at it, and where there are many small ones divided into
-// cells. Looks anew only where lights, place or surface have changed. Knows neither programs nor frames.
-import { Matrix4, type Mesh } from 'three';
+// cells. Looks anew only where they were chosen anew. Knows neither meshes nor programs nor frames.
 import { divide } from '../light/light-grid.js';
 import { areApart } from '../light/light-reach.js';
 import { emptyPack } from '../light/pack-lights.js';
 import { LightList } from './light-list.js';
-import { boundsOf } from './mesh-lights.js';
-import type { PhongLighting } from './phong-lighting.js';
-import type { PhongMaterial } from './phong-material.js';
+import type { MeshChoice, ReflectingSurface } from './mesh-lights.js';
+
+/**
+ * Looks in vain that are skipped at most before the next: one can take tens of milliseconds (measured: 27 with 43 wide spots),
+ * which lights that move would cost in every frame.
+ */
+const MOST_SKIPPED = 63;
 
 export class NearLights {
   readonly #list = new LightList();
   readonly #into = emptyPack();
-  readonly #place = new Matrix4();
-  #from: LightList | null = null;
   #version = -1;
-  #surface = -1;
-  #left = -1;
+  /** A division was skipped, and how many times more one is to be. */
+  #owed = false;
+  #skips = 0;
+  /** Twice as many after each one in vain. */
+  #nextSkips = 0;
   #divided = false;
   #apart = false;
 
-  /** Looks at `mesh` as it is now. */
-  update(mesh: Mesh, material: PhongMaterial, lighting: PhongLighting): void {
-    const from = lighting.lightsOf(mesh);
-    const left = lighting.budgetLeft(mesh);
-    const { surfaceVersion } = material;
-    const same =
-      this.#from === from &&
-      this.#version === from.version &&
-      this.#left === left &&
-      (left === 0 || this.#surface === surfaceVersion) &&
-      this.#place.equals(mesh.matrixWorld);
-    if (same) return;
-    this.#from = from;
-    this.#version = from.version;
-    this.#left = left;
-    this.#surface = surfaceVersion;
-    this.#place.copy(mesh.matrixWorld);
-    const box = boundsOf(mesh, lighting.origin);
-    this.#apart = box !== null && areApart(from.packed, box);
-    this.#divided = box !== null && divide(from.packed, box, material.reflectance, left, this.#into);
+  /** Looks at what was chosen as it is now; again in each frame. */
+  update(choice: MeshChoice, surface: ReflectingSurface): void {
+    const { box, list, left, version } = choice;
+    const changed = this.#version !== version;
+    if (!changed && !this.#owed) return;
+    this.#version = version;
+    if (changed) this.#apart = box !== null && areApart(list.packed, box);
+    if (changed) this.#divided = false;
+    this.#owed = this.#skips > 0;
+    if (this.#owed) {
+      this.#skips -= 1;
+      return;
+    }
+    this.#divided = box !== null && divide(list.packed, box, surface.reflectance, left, this.#into);
+    this.#nextSkips = this.#divided ? 0 : Math.min(2 * this.#nextSkips + 1, MOST_SKIPPED);
+    this.#skips = this.#nextSkips;
     if (this.#divided) this.#list.take(this.#into);
   }
 

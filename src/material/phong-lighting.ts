@@ -8,7 +8,7 @@ import { SRGB } from '../math/color.js';
 import { sameValue } from '../math/declared.js';
 import type { Vec3 } from '../math/vector.js';
 import type { LightList } from './light-list.js';
-import { MeshLights, type ReflectingSurface } from './mesh-lights.js';
+import { type MeshChoice, MeshLights, type ReflectingSurface } from './mesh-lights.js';
 
 /**
  * Where a picture is seen from. Shading space has the world's axes and its origin at `origin`: differences to it are
@@ -40,7 +40,10 @@ export class PhongLighting {
   #origin: Vec3 = [0, 0, 0];
   readonly #packed: PackedLights = emptyPack();
   #packedFor = { version: -1, linear: false, origin: this.#origin };
-  #factsVersion = -1;
+  /** The lights' kinds that facts and {@link #turning} were last found for. */
+  #kindVersion = -1;
+  /** A light turns with the eye. */
+  #turning = false;
   #programVersion = 0;
   readonly #worldToShading = identity();
   readonly #cameraToShading = identity();
@@ -66,6 +69,7 @@ export class PhongLighting {
 
   /** Before each frame: takes the eye and whatever changed. */
   update(frame: ShadingFrame): void {
+    this.#lists.begin();
     this.#origin = frame.origin;
     this.eye.value.set(frame.eye[0], frame.eye[1], frame.eye[2]);
     if (this.#gather() || this.linear !== this.#packedFor.linear) this.#programVersion += 1;
@@ -76,7 +80,7 @@ export class PhongLighting {
    * Leaves out for `mesh` the lights that cannot reach its bounds; without it a mesh is drawn with all. After
    * {@link update}, in every frame, with the mesh's world matrix up to date.
    */
-  reach(mesh: Mesh, surface: ReflectingSurface): LightList {
+  reach(mesh: Mesh, surface: ReflectingSurface): MeshChoice {
     // In linear light the last step, the curve, makes more of a small difference: its slope is largest at black.
     const budget = this.errorBudget / 255 / (this.linear ? SRGB.slope : 1);
     return this.#lists.choose(mesh, { origin: this.#origin, budget, surface });
@@ -85,11 +89,6 @@ export class PhongLighting {
   /** The lights that `mesh` is drawn with. */
   lightsOf(mesh: object): LightList {
     return this.#lists.of(mesh);
-  }
-
-  /** What may still be given up at each point of `mesh`, 1 being full. */
-  budgetLeft(mesh: object): number {
-    return this.#lists.budgetLeft(mesh);
   }
 
   /** How many lights reach any of these meshes. */
@@ -114,10 +113,12 @@ export class PhongLighting {
 
   /** True where the lights need something of a program that none has needed before. */
   #gather(): boolean {
-    if (this.#factsVersion === this.lights.version) return false;
-    this.#factsVersion = this.lights.version;
+    const { kindVersion, values } = this.lights;
+    if (this.#kindVersion === kindVersion) return false;
+    this.#kindVersion = kindVersion;
+    this.#turning = values.some(({ active, space }) => active && space === 'camera');
     const before = countTrue(this.facts);
-    for (const light of this.lights.values) gatherFacts(light, this.facts);
+    for (const light of values) gatherFacts(light, this.facts);
     return countTrue(this.facts) !== before;
   }
 
@@ -127,7 +128,7 @@ export class PhongLighting {
       last.version !== this.lights.version ||
       last.linear !== this.linear ||
       !sameValue(last.origin, origin) ||
-      this.lights.values.some(({ active, space }) => active && space === 'camera')
+      this.#turning
     );
   }
 

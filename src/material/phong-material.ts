@@ -88,9 +88,12 @@ export class PhongMaterial extends ShaderMaterial {
   #programKey = '';
   #programVersion = 0;
   #surfaceVersion = 0;
+  #exactKey = '';
+  #reflectance: Reflectance = { ka: [], kd: [], ks: [] };
   /** The lighting's version that the program was last chosen for; -1 after a change of its own. */
   #chosenFor = -1;
   readonly #model = new Matrix4();
+  #placed: Object3D | null = null;
 
   constructor(lighting: PhongLighting, look: BaseLook = PLAIN_LOOK) {
     super({
@@ -147,9 +150,7 @@ export class PhongMaterial extends ShaderMaterial {
 
   /** What of the surface a program for exactly this material has in it; see ExactMaterial. */
   get exactKey(): string {
-    const { ks, shininess } = this.#surface;
-    const power = isWholePower(shininess) ? shininess : isMildPower(shininess);
-    return `${String(power)} ${String(isBlack(ks))} ${this.#style.terms.join()}`;
+    return this.#exactKey;
   }
 
   /** Goes up when what the surface gives back changes. */
@@ -159,8 +160,7 @@ export class PhongMaterial extends ShaderMaterial {
 
   /** What the surface gives back at most: Ka, Kd and Ks as the shader has them, 0 for terms that are not summed. */
   get reflectance(): Reflectance {
-    const k = (name: string): number[] => (this.uniforms[name]?.value as Vector3).toArray();
-    return { ka: k('uKa'), kd: k('uKd'), ks: k('uKs') };
+    return this.#reflectance;
   }
 
   /** Ka, Kd, Ks (255 = 1) and the exponent; throws for values outside their domain and then changes nothing. */
@@ -188,8 +188,7 @@ export class PhongMaterial extends ShaderMaterial {
     const { uLightTexture } = this.uniforms;
     if (uLightTexture !== undefined)
       uLightTexture.value = this.#lighting.lightsOf(object).rows.sendTexture(renderer);
-    this.place(object);
-    this.uniformsNeedUpdate = true;
+    this.uniformsNeedUpdate = this.place(object);
   }
 
   /** Brings the program's defines in step with surface, style and lights. */
@@ -197,16 +196,21 @@ export class PhongMaterial extends ShaderMaterial {
     if (this.#chosenFor !== this.#lighting.programVersion) this.#writeVariant();
   }
 
-  /** Writes where `object` stands into the uniforms. */
-  place(object: Object3D): void {
+  /** Writes where `object` stands into the uniforms; true where they stood for another one. */
+  place(object: Object3D): boolean {
     const { origin } = this.#lighting;
     const model = this.#model.copy(object.matrixWorld);
     const e = model.elements;
     e[12] -= origin[0];
     e[13] -= origin[1];
     e[14] -= origin[2];
-    (this.uniforms['uModelToShading']?.value as Matrix4).copy(model);
-    normalMatrix(model, this.uniforms['uNormalToShading']?.value as Matrix3);
+    const { uModelToShading, uNormalToShading } = this.uniforms;
+    const last = uModelToShading?.value as Matrix4;
+    if (!last.equals(model)) normalMatrix(last.copy(model), uNormalToShading?.value as Matrix3);
+    // What was the same object's is right already: three.js sends all uniforms of the first mesh of a material in each frame.
+    const another = object !== this.#placed;
+    this.#placed = object;
+    return another;
   }
 
   #writeSurface(): void {
@@ -224,8 +228,13 @@ export class PhongMaterial extends ShaderMaterial {
     color('uKa', 'ambient', this.#surface.ka, this.#look.baseColor);
     color('uKd', 'diffuse', this.#surface.kd, this.#look.baseColor);
     color('uKs', 'specular', this.#surface.ks, PLAIN_LOOK.baseColor);
-    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = this.#surface.shininess;
+    const { ks, shininess } = this.#surface;
+    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = shininess;
     this.#surfaceVersion += 1;
+    const power = isWholePower(shininess) ? shininess : isMildPower(shininess);
+    const k = (name: string): number[] => (uniforms[name]?.value as Vector3).toArray();
+    this.#reflectance = { ka: k('uKa'), kd: k('uKd'), ks: k('uKs') };
+    this.#exactKey = `${String(power)} ${String(isBlack(ks))} ${terms.join()}`;
   }
 
   #writeVariant(): void {

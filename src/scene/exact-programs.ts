@@ -38,11 +38,14 @@ export interface DrawnPart {
 
 interface Record {
   readonly near: NearLights;
+  /** What the program is made for: this, the shapes of its lights, and what else of the material is in the text. */
   choice: ExactChoice | null;
-  /** The text that the lights of a list have in common, as last found. */
-  readonly common: { list: LightList | null; version: number; text: string };
-  key: string;
-  /** Frames drawn, and when the first was, with this key. */
+  shapeVersion: number;
+  /** The text that its lights have in common; empty where each is written out. */
+  text: string;
+  programVersion: number;
+  exactKey: string;
+  /** Frames drawn, and when the first was, since that has changed. */
   frames: number;
   since: number;
   twin: ExactMaterial | null;
@@ -65,27 +68,30 @@ export class ExactPrograms {
     this.#lighting = lighting;
   }
 
-  /** Before a frame: gives each mesh the material that draws it, exact where one is ready. */
+  /** Before a frame: gives each mesh the lights that reach it and the material that draws it, exact where one is ready. */
   choose(renderer: WebGLRenderer, camera: PerspectiveCamera, parts: Iterable<DrawnPart>): void {
     this.#renderer = renderer;
+    const device = deviceOf(renderer);
     const usual = camera.near > USUAL.near && camera.far < USUAL.far;
     for (const record of this.#records.values()) record.seen = false;
     for (const { mesh, material } of parts) {
       const record = this.#records.get(mesh) ?? this.#add(mesh);
       record.seen = true;
-      record.near.update(mesh, material, this.#lighting);
+      const choice = this.#lighting.reach(mesh, material);
+      record.near.update(choice, material);
       const { cells, apart } = record.near;
-      const list = cells ?? this.#lighting.lightsOf(mesh);
-      const device = deviceOf(renderer);
+      const list = cells ?? choice.list;
       const few = list.packed.sent <= MOST_WRITTEN[device];
       const form = cells !== null ? 'cells' : few ? 'written' : 'loops';
-      record.choice = { list, form, usual, apart, hasPow: device === 'gpu' };
-      const key = keyOf(material, record);
-      if (key === record.key) {
+      material.chooseProgram();
+      if (isAsBefore(record, material, list, form, usual, apart)) {
         record.frames += 1;
       } else {
         this.#drop(record);
-        record.key = key;
+        record.choice = { list, form, usual, apart, hasPow: device === 'gpu' };
+        record.text = commonText(list, form);
+        record.programVersion = material.programVersion;
+        record.exactKey = material.exactKey;
         record.frames = 0;
         record.since = performance.now();
       }
@@ -140,8 +146,15 @@ export class ExactPrograms {
 
   #add(mesh: Mesh): Record {
     const record: Record = {
-      ...{ near: new NearLights(), common: { list: null, version: -1, text: '' }, choice: null },
-      ...{ key: '', frames: 0, since: 0, twin: null, ready: false, drawn: false, seen: true },
+      ...{
+        near: new NearLights(),
+        choice: null,
+        shapeVersion: -1,
+        text: '',
+        programVersion: -1,
+        exactKey: '',
+      },
+      ...{ frames: 0, since: 0, twin: null, ready: false, drawn: false, seen: true },
     };
     this.#records.set(mesh, record);
     return record;
@@ -176,26 +189,31 @@ export class ExactPrograms {
 const isSettled = ({ frames, since }: Record): boolean =>
   frames >= SETTLED.frames || (frames >= SETTLED.slowFrames && performance.now() - since >= SETTLED.slowTime);
 
-/** All that an exact program is made for. */
-function keyOf(material: PhongMaterial, record: Record): string {
-  const { choice } = record;
-  if (choice === null) return '';
-  material.chooseProgram();
-  const { list, form, usual, apart } = choice;
-  // Written out, every light's shape and row is in the program; in loops only what the shapes have in common.
-  const lights =
-    form === 'written' ? `${String(list.id)} ${String(list.shapeVersion)}` : commonText(list, form, record);
-  return `${form} ${lights} ${String(usual)} ${String(apart)} ${String(material.programVersion)} ${material.exactKey}`;
+/** Whether a program for this would be the record's own. */
+function isAsBefore(
+  record: Record,
+  { programVersion, exactKey }: PhongMaterial,
+  list: LightList,
+  form: ExactForm,
+  usual: boolean,
+  apart: boolean,
+): boolean {
+  const { choice, shapeVersion } = record;
+  record.shapeVersion = list.shapeVersion;
+  return (
+    choice?.list === list &&
+    choice.form === form &&
+    choice.usual === usual &&
+    choice.apart === apart &&
+    record.programVersion === programVersion &&
+    record.exactKey === exactKey &&
+    // Written out, every light's shape and row is in the program; in loops only what the shapes have in common.
+    (shapeVersion === list.shapeVersion || (form !== 'written' && record.text === commonText(list, form)))
+  );
 }
 
-function commonText(list: LightList, form: ExactForm, { common }: Record): string {
-  if (common.list !== list || common.version !== list.version) {
-    common.list = list;
-    common.version = list.version;
-    common.text = exactText(form, list.packed, ALL_TERMS);
-  }
-  return `${String(list.id)} ${common.text}`;
-}
+const commonText = (list: LightList, form: ExactForm): string =>
+  form === 'written' ? '' : exactText(form, list.packed, ALL_TERMS);
 
 function isReady(renderer: WebGLRenderer, material: Material, frames: number): boolean {
   if (frames < UNTOLD_FRAMES && !renderer.extensions.has('KHR_parallel_shader_compile')) return false;

@@ -36,8 +36,8 @@ export class Painter {
     scene.updateMatrixWorld();
     lighting.update(frame);
     const parts = this.#parts();
-    for (const { mesh, material } of parts) lighting.reach(mesh, material);
-    this.#exact?.choose(renderer, camera, parts);
+    if (this.#exact !== null) this.#exact.choose(renderer, camera, parts);
+    else for (const { mesh, material } of parts) lighting.reach(mesh, material);
     renderer.render(scene, camera);
     this.#drawCalls = renderer.info.render.calls;
     this.#exact?.settle(renderer, camera, parts);

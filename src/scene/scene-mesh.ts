@@ -79,6 +79,7 @@ export class SceneMesh {
 
   /** After a drawing: gives back the programs of what was shown before, which what is shown now may have taken over. */
   sweep(): void {
+    if (this.#retired.size === 0) return;
     for (const material of this.#retired) material.dispose();
     this.#retired.clear();
   }

@@ -188,8 +188,3 @@ describe('the version of the shapes', () => {
     expect(list.shapeVersion).toBe(shapeVersion + 1);
   });
 });
-
-it('has a number unlike any other list’s', () => {
-  const ids = Array.from({ length: 9 }, () => new LightList().id);
-  expect(new Set(ids).size).toBe(9);
-});

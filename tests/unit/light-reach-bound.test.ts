@@ -1,8 +1,9 @@
 // Is the bound of what one light can bring tight where it should be, by the equation in float64?
 
 import { describe, expect, it } from 'vitest';
+import { Cone } from '../../src/light/cone.js';
 import { HEADER } from '../../src/light/light-layout.js';
-import { Cone, mostOf } from '../../src/light/light-reach.js';
+import { mostOf } from '../../src/light/light-reach.js';
 import { normalize, scale, subtract } from '../../src/math/vector.js';
 import { Random } from '../stress/random.js';
 import { light } from './arbitraries.js';
@@ -32,7 +33,7 @@ describe('the most that a light can bring to one point', () => {
           cutoff,
         });
         const packed = pack([spot]);
-        const cone = new Cone(packed, HEADER.rows);
+        const cone = new Cone().take(packed, HEADER.rows);
         const bound = mostOf(packed, HEADER.rows, packed.shapes[0]!, cone, [0, 0, 0, 0, 0, 0], WHITE);
         const view = { ...anyView(random, 0), origin: [0, 0, 0], eye: normalize(apex) } as const;
         const { sum } = shadeAt([0, 0, 0], normalize(apex), [spot], view);

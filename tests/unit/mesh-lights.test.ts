@@ -4,6 +4,7 @@ import { BoxGeometry, BufferGeometry, Mesh, Object3D } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import * as lightReach from '../../src/light/light-reach.js';
 import type { LightValues } from '../../src/light/light-state.js';
+import type { LightList } from '../../src/material/light-list.js';
 import { LightRows } from '../../src/material/light-rows.js';
 import { MeshLights, type ReachQuestion } from '../../src/material/mesh-lights.js';
 import { light } from './arbitraries.js';
@@ -47,13 +48,16 @@ function lit(...lights: LightValues[]): MeshLights {
   return meshLights;
 }
 
+const chosen = (lights: MeshLights, mesh: Mesh, question: ReachQuestion): LightList =>
+  lights.choose(mesh, question).list;
+
 const spotsOf = (list: { packed: Parameters<typeof read>[0] }): number[] =>
   read(list.packed).spot.map((one) => one['position']!.xyz[0]);
 
 describe('a mesh', () => {
   it('is drawn with the lights that reach it, and with all others that are no spots', () => {
     const lights = lit(spotOver(0), light(), spotOver(5), light({ position: [9, 9, 9, 1] }));
-    const list = lights.choose(meshAt(5), QUESTION);
+    const list = chosen(lights, meshAt(5), QUESTION);
     expect(spotsOf(list)).toStrictEqual([5]);
     expect(read(list.packed).counts).toStrictEqual([1, 1, 1]);
     expect(lights.all.packed.sent).toBe(4);
@@ -63,7 +67,7 @@ describe('a mesh', () => {
     const lights = lit(spotOver(0), light());
     const mesh = meshAt(0);
     expect(lights.of(mesh)).toBe(lights.all);
-    expect(lights.choose(mesh, QUESTION)).toBe(lights.all);
+    expect(chosen(lights, mesh, QUESTION)).toBe(lights.all);
   });
 
   it('has its bounds turned, scaled and moved with it, relative to the origin that lights are packed about', () => {
@@ -74,7 +78,7 @@ describe('a mesh', () => {
     const reached = (origin: ReachQuestion['origin'] = [0, 0, 0]): number[] => {
       parent.updateMatrixWorld();
       lights.take(pack([spotOver(0), spotOver(5)])); // another origin is always another pack
-      return spotsOf(lights.choose(mesh, { ...QUESTION, origin }));
+      return spotsOf(chosen(lights, mesh, { ...QUESTION, origin }));
     };
     expect(reached()).toStrictEqual([0]);
     mesh.rotation.z = Math.PI / 2;
@@ -99,16 +103,16 @@ describe('a mesh', () => {
   ])('%s is drawn with all lights', (_, make) => {
     const lights = lit(spotOver(99), light());
     const warned = vi.spyOn(console, 'error').mockReturnValue();
-    expect(lights.choose(make(), QUESTION)).toBe(lights.all);
+    expect(chosen(lights, make(), QUESTION)).toBe(lights.all);
     warned.mockRestore();
   });
 
   it('gets with a budget what is left of faint lamps, without one all of them', () => {
     const lamp = light({ position: [0, 99, 0, 1], attenuation: [0, 0, 1] });
     const lights = lit(lamp, light());
-    expect(lights.choose(meshAt(0), QUESTION)).toBe(lights.all);
+    expect(chosen(lights, meshAt(0), QUESTION)).toBe(lights.all);
     expect(asked).not.toHaveBeenCalled();
-    const list = lights.choose(meshAt(0), { ...QUESTION, budget: 0.01 });
+    const list = chosen(lights, meshAt(0), { ...QUESTION, budget: 0.01 });
     expect(read(list.packed).counts).toStrictEqual([1, 0, 0]);
   });
 
@@ -116,18 +120,15 @@ describe('a mesh', () => {
     const lamp = light({ position: [0, 100.5, 0, 1], attenuation: [0, 0, 1], specular: [0, 0, 0] });
     const lights = lit(lamp, light());
     const mesh = meshAt(0);
-    expect(lights.budgetLeft(mesh)).toBe(0);
-    lights.choose(mesh, { ...QUESTION, budget: 0.01 });
-    expect(lights.budgetLeft(mesh)).toBeCloseTo(0.01 - 1 / 100 ** 2, 9);
-    lights.choose(mesh, { ...QUESTION, budget: 1e-9 });
-    expect(lights.budgetLeft(mesh)).toBe(1e-9);
-    lights.choose(mesh, QUESTION);
-    expect(lights.budgetLeft(mesh)).toBe(0);
+    const left = (budget: number): number => lights.choose(mesh, { ...QUESTION, budget }).left;
+    expect(left(0.01)).toBeCloseTo(0.01 - 1 / 100 ** 2, 9);
+    expect(left(1e-9)).toBe(1e-9);
+    expect(left(0)).toBe(0);
   });
 
   it('shares its list with others that the same lights reach', () => {
     const lights = lit(spotOver(0), spotOver(5));
-    const [a, b, c] = [meshAt(5), meshAt(5.1), meshAt(0)].map((mesh) => lights.choose(mesh, QUESTION));
+    const [a, b, c] = [meshAt(5), meshAt(5.1), meshAt(0)].map((mesh) => chosen(lights, mesh, QUESTION));
     expect(a).toBe(b);
     expect(a).not.toBe(c);
     expect(spotsOf(c!)).toStrictEqual([0]);
@@ -138,10 +139,10 @@ describe('nothing is found out anew', () => {
   it('while nothing changes', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
-    const list = lights.choose(mesh, QUESTION);
+    const list = chosen(lights, mesh, QUESTION);
     for (let frame = 0; frame < 5; frame++) {
       mesh.updateMatrixWorld(true);
-      expect(lights.choose(mesh, { ...QUESTION })).toBe(list);
+      expect(chosen(lights, mesh, { ...QUESTION })).toBe(list);
     }
     expect(asked).toHaveBeenCalledTimes(1);
   });
@@ -149,7 +150,7 @@ describe('nothing is found out anew', () => {
   it('for a picture without spots', () => {
     const lights = lit(light(), light({ position: [9, 9, 9, 1] }));
     const mesh = meshAt(0);
-    expect(lights.choose(mesh, QUESTION)).toBe(lights.all);
+    expect(chosen(lights, mesh, QUESTION)).toBe(lights.all);
     expect(mesh.geometry.boundingBox).toBeNull();
     expect(asked).not.toHaveBeenCalled();
   });
@@ -157,25 +158,38 @@ describe('nothing is found out anew', () => {
   it.each<[string, (lights: MeshLights, mesh: Mesh) => Partial<ReachQuestion>]>([
     ['the mesh moves', (_, mesh) => (moveTo(mesh, 1), {})],
     ['the mesh has another geometry', (_, mesh) => ((mesh.geometry = new BoxGeometry(2, 2, 2)), {})],
-    ['the surface changes', () => ({ surface: { ...QUESTION.surface, surfaceVersion: 2 } })],
     ['the budget changes', () => ({ budget: 0.1 })],
     ['the lights change', (lights) => (lights.take(pack([spotOver(0), spotOver(5)])), {})],
   ])('but once where %s', (_, change) => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
-    lights.choose(mesh, QUESTION);
+    chosen(lights, mesh, QUESTION);
     asked.mockClear();
     const question = { ...QUESTION, ...change(lights, mesh) };
-    lights.choose(mesh, question);
-    lights.choose(mesh, question);
+    chosen(lights, mesh, question);
+    chosen(lights, mesh, question);
     expect(asked).toHaveBeenCalledTimes(1);
+  });
+
+  it.each([
+    ['but once where the surface changes and something may be given up', 0.1, 1],
+    ['where the surface changes and nothing may be given up', 0, 0],
+  ])('%s', (_, budget, times) => {
+    const lights = lit(spotOver(0), spotOver(5));
+    const mesh = meshAt(5);
+    chosen(lights, mesh, { ...QUESTION, budget });
+    asked.mockClear();
+    const surface = { ...QUESTION.surface, surfaceVersion: 2 };
+    chosen(lights, mesh, { ...QUESTION, budget, surface });
+    chosen(lights, mesh, { ...QUESTION, budget, surface });
+    expect(asked).toHaveBeenCalledTimes(times);
   });
 
   it('of a list that was selected for the same lights already', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const written = vi.spyOn(LightRows.prototype, 'write');
-    lights.choose(meshAt(5), QUESTION);
-    lights.choose(meshAt(5.1), QUESTION);
+    chosen(lights, meshAt(5), QUESTION);
+    chosen(lights, meshAt(5.1), QUESTION);
     expect(written).toHaveBeenCalledTimes(1);
     written.mockRestore();
   });
@@ -183,11 +197,11 @@ describe('nothing is found out anew', () => {
   it('of a mesh that comes back to where it was: it has its list again', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
-    const list = lights.choose(mesh, QUESTION);
+    const list = chosen(lights, mesh, QUESTION);
     moveTo(mesh, 0);
-    expect(spotsOf(lights.choose(mesh, QUESTION))).toStrictEqual([0]);
+    expect(spotsOf(chosen(lights, mesh, QUESTION))).toStrictEqual([0]);
     moveTo(mesh, 5);
-    expect(lights.choose(mesh, QUESTION)).toBe(list);
+    expect(chosen(lights, mesh, QUESTION)).toBe(list);
   });
 });
 
@@ -195,39 +209,61 @@ describe('lights that move', () => {
   it('take a mesh’s list with them', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
-    const list = lights.choose(mesh, QUESTION);
+    const list = chosen(lights, mesh, QUESTION);
     const { shapeVersion } = list;
     lights.take(pack([spotOver(0), spotOver(5.1)]));
-    expect(lights.choose(mesh, QUESTION)).toBe(list);
+    expect(chosen(lights, mesh, QUESTION)).toBe(list);
     expect(read(list.packed).spot[0]!['position']!.xyz[0]).toBe(Math.fround(5.1));
     expect(list.shapeVersion).toBe(shapeVersion);
   });
 
-  it('free the lists that nobody has used since, and no others', () => {
-    const freed = vi.spyOn(LightRows.prototype, 'dispose');
-    const lights = lit(spotOver(0), spotOver(5));
-    const [stays, goes] = [meshAt(5), meshAt(0)];
-    const [kept, lost] = [stays, goes].map((mesh) => lights.choose(mesh, QUESTION));
-    for (let i = 1; i < 4; i++) {
-      lights.take(pack([spotOver(0), spotOver(5, { cutoff: i })]));
-      expect(lights.choose(stays, QUESTION)).toBe(kept);
-    }
-    expect(freed.mock.contexts).toStrictEqual([lost!.rows]);
-    const again = lights.choose(goes, QUESTION);
-    expect(again).not.toBe(lost);
-    expect(spotsOf(again)).toStrictEqual([0]);
-    freed.mockRestore();
-  });
-
   it('keep count of what freed lists have sent', () => {
     const lights = lit(spotOver(0), spotOver(5));
-    const list = lights.choose(meshAt(0), QUESTION);
+    const list = chosen(lights, meshAt(0), QUESTION);
     list.rows.sendBlock();
     lights.all.rows.sendBlock();
-    const { uploads } = lights;
-    expect(uploads).toBe(2);
-    for (let i = 0; i < 3; i++) lights.take(pack([spotOver(0), spotOver(5)]));
     expect(lights.uploads).toBe(2);
+    for (let i = 0; i < 3; i++) lights.begin();
+    expect(lights.uploads).toBe(2);
+  });
+});
+
+describe('a frame', () => {
+  const freed = vi.spyOn(LightRows.prototype, 'dispose');
+  beforeEach(() => {
+    freed.mockClear();
+  });
+
+  it.each<[string, (lights: MeshLights, i: number) => void]>([
+    ['whose lights move', (lights, i) => lights.take(pack([spotOver(0), spotOver(5, { cutoff: i })]))],
+    ['whose lights stand still', () => undefined],
+  ])('%s frees the lists that the one before had no use for, and no others', (_, change) => {
+    const lights = lit(spotOver(0), spotOver(5));
+    const [stays, goes] = [meshAt(5), meshAt(0)];
+    lights.begin();
+    const [kept, lost] = [stays, goes].map((mesh) => chosen(lights, mesh, QUESTION));
+    for (let i = 1; i < 4; i++) {
+      lights.begin();
+      change(lights, i);
+      expect(chosen(lights, stays, QUESTION)).toBe(kept);
+    }
+    expect(freed.mock.contexts).toStrictEqual([lost!.rows]);
+    const again = chosen(lights, goes, QUESTION);
+    expect(again).not.toBe(lost);
+    expect(spotsOf(again)).toStrictEqual([0]);
+  });
+
+  it('keeps no list of the places that a mesh has passed', () => {
+    const lights = lit(...Array.from({ length: 20 }, (_, i) => spotOver(2 * i)));
+    const mesh = meshAt(0);
+    for (let x = 0; x < 40; x += 0.5) {
+      lights.begin();
+      moveTo(mesh, x);
+      chosen(lights, mesh, QUESTION);
+    }
+    const before = freed.mock.contexts.length;
+    lights.dispose();
+    expect(freed.mock.contexts.length - before).toBeLessThanOrEqual(3); // all, the last and the one before
   });
 });
 
@@ -236,7 +272,7 @@ describe('how many lights reach any of some meshes', () => {
     const lights = lit(spotOver(0), spotOver(5), spotOver(10));
     expect(lights.reaching([])).toBe(3);
     const mesh = meshAt(5);
-    lights.choose(mesh, QUESTION);
+    chosen(lights, mesh, QUESTION);
     expect(lights.reaching([mesh])).toBe(1);
     expect(lights.reaching([mesh, meshAt(0)])).toBe(3);
   });
@@ -244,7 +280,7 @@ describe('how many lights reach any of some meshes', () => {
   it('counts no light twice', () => {
     const lights = lit(spotOver(0), spotOver(5), spotOver(10), light());
     const meshes = [meshAt(5), meshAt(5.1), meshAt(0), meshAt(50)];
-    for (const mesh of meshes) lights.choose(mesh, QUESTION);
+    for (const mesh of meshes) chosen(lights, mesh, QUESTION);
     expect(lights.reaching(meshes)).toBe(3);
     expect(meshes.map((mesh) => lights.of(mesh).packed.sent)).toStrictEqual([2, 2, 2, 1]);
   });
@@ -252,7 +288,7 @@ describe('how many lights reach any of some meshes', () => {
 
 it('sends every list again after a loss, and frees every one', () => {
   const lights = lit(spotOver(0), spotOver(5));
-  const lists = [lights.all, lights.choose(meshAt(0), QUESTION), lights.choose(meshAt(5), QUESTION)];
+  const lists = [lights.all, chosen(lights, meshAt(0), QUESTION), chosen(lights, meshAt(5), QUESTION)];
   for (const method of ['restore', 'dispose'] as const) {
     const called = vi.spyOn(LightRows.prototype, method);
     lights[method]();

@@ -1,0 +1,118 @@
+// A spot's cone against boxes and balls: whether any point of them is inside, and how near its axis any lies. In shading space and
+// float64, from the very rows that the GLSL reads, and always on the safe side. Knows nothing of what lights bring.
+import { LIMIT_OPEN, NEAREST, ROWS } from './light-layout.js';
+import type { PackedLights } from './pack-lights.js';
+
+/**
+ * How far, in radians, what the GPU takes for the cone's edge may be from what it is here: 2e-6 measured on the worst
+ * lawful driver (tests/stress), with a margin. As a share of the coordinates it also covers their rounding to float32.
+ */
+const EDGE = 1e-5;
+
+/** Halvings of a box whose sphere alone is too wide to tell: 64 parts at most. */
+const HALVINGS = 6;
+
+/** One spot's cone, taken apart once. Open, and so reached by all, until it has taken one. */
+export class Cone {
+  #x = 0;
+  #y = 0;
+  #z = 0;
+  /** The axis, as it was rounded to float32, so by up to 6e-8 too long or short: only ratios to it are taken. */
+  #ax = 0;
+  #ay = 0;
+  #az = 0;
+  #sin = 0;
+  #cos = 1;
+  #open = true;
+
+  /** Is from now on that of the spot whose first row is `row`. */
+  take({ data }: PackedLights, row: number): this {
+    const place = (row + ROWS.spot.position) * 4;
+    const axis = (row + ROWS.spot.axis) * 4;
+    this.#x = data[place]!;
+    this.#y = data[place + 1]!;
+    this.#z = data[place + 2]!;
+    this.#ax = data[axis]!;
+    this.#ay = data[axis + 1]!;
+    this.#az = data[axis + 2]!;
+    const limit = data[(row + ROWS.spot.ambient) * 4 + 3]!;
+    const half = Math.abs(limit); // sin² of half the aperture, or of half of what it lacks to 180°
+    this.#open = limit === LIMIT_OPEN;
+    this.#sin = 2 * Math.sqrt(Math.max(half * (1 - half), 0));
+    this.#cos = (limit < 0 ? -1 : 1) * (1 - 2 * half);
+    return this;
+  }
+
+  /** Whether any point of the box may be inside. */
+  reaches(
+    x0: number,
+    y0: number,
+    z0: number,
+    x1: number,
+    y1: number,
+    z1: number,
+    halvings = HALVINGS,
+  ): boolean {
+    if (this.#open) return true;
+    const sizeX = x1 - x0;
+    const sizeY = y1 - y0;
+    const sizeZ = z1 - z0;
+    const x = x0 + sizeX / 2;
+    const y = y0 + sizeY / 2;
+    const z = z0 + sizeZ / 2;
+    const radius = lengthOf(sizeX, sizeY, sizeZ) / 2;
+    const outside = this.#distance(x, y, z) - this.#slack(x, y, z, radius);
+    if (outside > radius) return false;
+    if (halvings === 0 || outside <= 0) return true;
+    const next = halvings - 1;
+    if (sizeX >= sizeY && sizeX >= sizeZ)
+      return this.reaches(x0, y0, z0, x, y1, z1, next) || this.reaches(x, y0, z0, x1, y1, z1, next);
+    if (sizeY >= sizeZ)
+      return this.reaches(x0, y0, z0, x1, y, z1, next) || this.reaches(x0, y, z0, x1, y1, z1, next);
+    return this.reaches(x0, y0, z0, x1, y1, z, next) || this.reaches(x0, y0, z, x1, y1, z1, next);
+  }
+
+  /** The largest cosine between the axis and any point of a ball around x y z; 1 where the ball holds the apex. */
+  nearestCosine(x: number, y: number, z: number, radius: number): number {
+    const d = lengthOf(x - this.#x, y - this.#y, z - this.#z);
+    const reach = radius + this.#slack(x, y, z, radius);
+    if (d <= reach) return 1;
+    const sin = reach / d;
+    const cos = Math.sqrt(1 - sin * sin);
+    const axial = this.#along(x, y, z) / d;
+    return axial >= cos ? 1 : axial * cos + (this.#across(x, y, z) / d) * sin;
+  }
+
+  /** From a point to the cone; 0 or less inside. */
+  #distance(x: number, y: number, z: number): number {
+    const along = this.#along(x, y, z);
+    const across = this.#across(x, y, z);
+    const outside = across * this.#cos - along * this.#sin;
+    // Beyond a right angle from the cone's side its nearest point is the apex.
+    return outside > 0 && along * this.#cos + across * this.#sin < 0
+      ? lengthOf(x - this.#x, y - this.#y, z - this.#z)
+      : outside;
+  }
+
+  #along(x: number, y: number, z: number): number {
+    return (x - this.#x) * this.#ax + (y - this.#y) * this.#ay + (z - this.#z) * this.#az;
+  }
+
+  #across(x: number, y: number, z: number): number {
+    const [vx, vy, vz] = [x - this.#x, y - this.#y, z - this.#z];
+    const [ax, ay, az] = [this.#ax, this.#ay, this.#az];
+    return lengthOf(vy * az - vz * ay, vz * ax - vx * az, vx * ay - vy * ax);
+  }
+
+  #slack(x: number, y: number, z: number, radius: number): number {
+    const here = Math.abs(this.#x) + Math.abs(this.#y) + Math.abs(this.#z);
+    const extent = here + Math.abs(x) + Math.abs(y) + Math.abs(z) + radius;
+    return EDGE * extent + NEAREST; // so near there is no angle, and every cone is reached
+  }
+}
+
+/**
+ * Euclidean length. Unlike Math.hypot it may lose numbers below 1e-154, which are nothing beside NEAREST, and it takes half
+ * of the time: this is asked of every light in every frame that it moves in.
+ */
+const lengthOf = (x: number, y: number, z: number): number => Math.sqrt(x * x + y * y + z * z);
