@@ -82,6 +82,9 @@ export class PhongViewer extends LitElement {
       // Where a camera begins is not a move.
       if (this.#viewport.stats.frames > 0) this.#cameraMoved('auto');
     },
+    contextMissing: (error) => {
+      this.#failure.contextMissing(error);
+    },
     contextLost: () => {
       this.#failure.contextLost();
       this.#readiness.check();
@@ -129,7 +132,6 @@ export class PhongViewer extends LitElement {
     if (sight.visible && this.#camera.turning) this.#viewport.animate();
     this.#readiness.check();
   });
-  #attached = false;
   #revealed = false;
 
   constructor() {
@@ -229,15 +231,13 @@ export class PhongViewer extends LitElement {
     // At once rather than at the task's end: children and camera can be asked for right after.
     this.performUpdate();
     this.#children.collect();
-    this.#attached = this.#failure.needsWebGL2(() => {
-      this.#viewport.attach();
-    });
+    this.#failure.contextRestored(); // or missing once more
+    this.#viewport.attach();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#viewport.detach();
-    this.#attached = false;
     this.#readiness.check();
   }
 
@@ -296,7 +296,7 @@ export class PhongViewer extends LitElement {
 
   get #settled(): boolean {
     this.#bringInStep();
-    if (!this.isConnected || !this.#attached) return true;
+    if (!this.isConnected) return true;
     if (this.#loading.pending || !this.#visibility.known) return false;
     return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
   }

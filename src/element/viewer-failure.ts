@@ -1,6 +1,5 @@
 // What has failed and is still so: told by an event, shown until it is mended. Knows nothing of how it is shown.
 import type { ReactiveControllerHost } from 'lit';
-import { NoWebGL2Error } from '../scene/stage.js';
 import type { Notices } from './notices.js';
 import { errorDetail, type ViewerErrorDetail } from './viewer-loading.js';
 
@@ -35,17 +34,8 @@ export class ViewerFailure {
     if (this.#present.delete(subject)) this.#host.requestUpdate();
   }
 
-  /** Does `start`; false where there is no WebGL 2, which is told. */
-  needsWebGL2(start: () => void): boolean {
-    try {
-      start();
-      this.contextRestored();
-      return true;
-    } catch (error) {
-      if (!(error instanceof NoWebGL2Error)) throw error;
-      this.tell(CONTEXT, errorDetail(error, null));
-      return false;
-    }
+  contextMissing(error: Error): void {
+    this.tell(CONTEXT, errorDetail(error, null));
   }
 
   contextLost(): void {

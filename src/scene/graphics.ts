@@ -1,5 +1,6 @@
 // The page's WebGL 2 context and three.js's renderer on it. Knows nothing of what is drawn.
 import { WebGLRenderer } from 'three';
+import type { Size } from './sheet.js';
 
 /** The browser gave no WebGL 2 context. */
 export class NoWebGL2Error extends Error {
@@ -15,13 +16,13 @@ const CONTEXT: WebGLContextAttributes = {
 };
 
 /**
- * On a canvas of the size that `place` has on the page now: each other size later makes all
- * buffers anew, which the page waits for. Throws {@link NoWebGL2Error}.
+ * On a canvas of this size: each other size later makes all buffers anew, twice, and the page waits for both. Throws
+ * {@link NoWebGL2Error}.
  */
-export function openContext(place?: HTMLElement): WebGL2RenderingContext {
+export function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
-  canvas.width = Math.round((place?.clientWidth ?? 0) * devicePixelRatio) || 1;
-  canvas.height = Math.round((place?.clientHeight ?? 0) * devicePixelRatio) || 1;
+  canvas.width = width;
+  canvas.height = height;
   const context = canvas.getContext('webgl2', CONTEXT);
   if (context === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context');
   return context;

@@ -5,7 +5,7 @@ import type { WebGLRenderer } from 'three';
 import { Copies, type CopyClient, screenPixels } from './copies.js';
 import { closeContext, maxSizeOf, openContext, rendererOf } from './graphics.js';
 import { LinkCheck } from './link-check.js';
-import { layOut, type Place } from './sheet.js';
+import { layOut, type Place, type Sheet, type Size } from './sheet.js';
 
 export { NoWebGL2Error } from './graphics.js';
 
@@ -39,9 +39,7 @@ class Stage {
   #inFrame = false;
   #viewersDrawn = 0;
 
-  /** Throws NoWebGL2Error. */
   add(client: StageClient): void {
-    this.#open(client.holder);
     if (this.#clients.has(client)) return;
     this.#clients.add(client);
     // The one that was alone shows the shared canvas, which others are about to draw on.
@@ -75,16 +73,17 @@ class Stage {
     return this.#viewersDrawn;
   }
 
-  /** The largest side of one drawing, in pixels; without limit while nothing draws. */
-  get maxSize(): number {
-    return this.#maxSize;
+  /** What a picture's sides are multiplied by, that one drawing can hold it: 1 until something has been drawn. */
+  shareOf({ width, height }: Size): number {
+    return Math.min(1, this.#maxSize / Math.max(width, height, 1));
   }
 
-  /** Draws one client's picture by `render` and shows it by the end of the task. */
+  /** Draws one client's picture by `render` and shows it by the end of the task. The first opens the context: throws NoWebGL2Error. */
   draw(client: StageClient, render: (renderer: WebGLRenderer) => void): void {
-    const renderer = this.#open(client.holder);
+    const alone = this.#clients.size === 1;
+    const renderer = this.#renderer ?? this.#open(alone ? client : this.#layOut(client).sheet);
     this.#count();
-    if (this.#clients.size === 1) {
+    if (alone) {
       this.#showDrawn();
       const { width, height } = client;
       resize(renderer, width, height);
@@ -118,11 +117,12 @@ class Stage {
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
     const borrowed = this.#renderer === null;
-    const renderer = this.#open();
+    const most = { width: Math.min(width, LARGEST_PART), height: Math.min(height, LARGEST_PART) };
+    const renderer = this.#renderer ?? this.#open(most);
     this.#showDrawn(); // what follows goes over it
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
-    const step = Math.min(this.maxSize, LARGEST_PART);
+    const step = Math.min(this.#maxSize, LARGEST_PART);
     for (let y = 0; y < height; y += step) {
       for (let x = 0; x < width; x += step) {
         const part = { x, y, width: Math.min(step, width - x), height: Math.min(step, height - y) };
@@ -152,11 +152,8 @@ class Stage {
     this.#places.delete(client); // one drawing each
     if (kept?.width === client.width && kept.height === client.height) return kept;
     this.#showDrawn();
-    const waiting = [client];
-    for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) waiting.push(one);
-    const limit = { side: this.#maxSize, area: screenPixels() };
-    const sheet = layOut(waiting, limit);
-    this.#makeRoom(renderer, sheet.width, sheet.height, limit.area);
+    const { waiting, sheet } = this.#layOut(client);
+    this.#makeRoom(renderer, sheet);
     sheet.places.forEach((place, i) => {
       const one = waiting[i];
       if (one !== undefined && one !== client) this.#places.set(one, place);
@@ -164,8 +161,15 @@ class Stage {
     return { x: 0, y: 0, width: client.width, height: client.height }; // the first place of all
   }
 
+  /** All that wait for this frame beside each other, `client` first. */
+  #layOut(client: StageClient): { waiting: readonly StageClient[]; sheet: Sheet } {
+    const waiting = [client];
+    for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) waiting.push(one);
+    return { waiting, sheet: layOut(waiting, { side: this.#maxSize, area: screenPixels() }) };
+  }
+
   /** At least this many pixels; another size costs new buffers, so what fits stays for a while. */
-  #makeRoom(renderer: WebGLRenderer, width: number, height: number, area: number): void {
+  #makeRoom(renderer: WebGLRenderer, { width, height }: Size): void {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
     const sparing = fits && 4 * width * height < canvas.width * canvas.height;
@@ -173,7 +177,7 @@ class Stage {
     if (fits && this.#sparing < SPARING_FRAMES) return;
     this.#sparing = 0;
     const both = { width: Math.max(width, canvas.width), height: Math.max(height, canvas.height) };
-    if (!fits && both.width * both.height <= area) resize(renderer, both.width, both.height);
+    if (!fits && both.width * both.height <= screenPixels()) resize(renderer, both.width, both.height);
     else resize(renderer, width, height);
   }
 
@@ -202,10 +206,9 @@ class Stage {
     this.#copies.trim();
   };
 
-  /** The first picture's `holder` says how large a canvas to begin with. */
-  #open(holder?: HTMLElement): WebGLRenderer {
-    if (this.#renderer !== null) return this.#renderer;
-    const context = openContext(holder);
+  /** `size` is what is about to be drawn. */
+  #open(size: Size): WebGLRenderer {
+    const context = openContext(size);
     const canvas = context.canvas as HTMLCanvasElement;
     canvas.addEventListener('webglcontextlost', this.#lost);
     canvas.addEventListener('webglcontextrestored', this.#restored);

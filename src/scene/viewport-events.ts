@@ -10,6 +10,8 @@ export interface ViewportEvents {
   tried(): void;
   /** `auto` found another target or radius. */
   fitted(): void;
+  /** There is no WebGL 2: nothing will be drawn. */
+  contextMissing(error: Error): void;
   contextLost(): void;
   contextRestored(): void;
 }

@@ -13,7 +13,8 @@ import { type Framed, frameLoop } from './frame-loop.js';
 import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
 import { Painter } from './painter.js';
 import type { SceneMesh } from './scene-mesh.js';
-import { type Region, stage, type StageClient } from './stage.js';
+import type { Size } from './sheet.js';
+import { NoWebGL2Error, type Region, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -31,9 +32,8 @@ export class Viewport implements StageClient, Framed {
   readonly #events: ViewportEvents;
   readonly #view = new ViewCamera(this.orbit);
   readonly #meshes = new Set<SceneMesh>();
-  /** Device pixels. */
-  width = 0;
-  height = 0;
+  /** Device pixels, as many as were asked for. */
+  #wanted: Size = { width: 0, height: 0 };
   /** On screen; undefined until somebody has looked. */
   #visible: boolean | undefined = undefined;
   #attached = false;
@@ -56,6 +56,15 @@ export class Viewport implements StageClient, Framed {
     this.#events = events;
   }
 
+  /** Device pixels, no more than the GPU draws. */
+  get width(): number {
+    return Math.floor(this.#wanted.width * stage.shareOf(this.#wanted));
+  }
+
+  get height(): number {
+    return Math.floor(this.#wanted.height * stage.shareOf(this.#wanted));
+  }
+
   get scene(): Scene {
     return this.#painter.scene;
   }
@@ -64,7 +73,7 @@ export class Viewport implements StageClient, Framed {
     return this.#painter.lighting;
   }
 
-  /** Joins the page's stage; throws NoWebGL2Error. */
+  /** Joins the page's stage. */
   attach(): void {
     stage.add(this);
     this.#attached = true;
@@ -131,13 +140,9 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** In device pixels, fewer where the GPU draws no more; a picture without any is not drawn. */
-  resize(wantedWidth: number, wantedHeight: number): void {
-    const fit = Math.min(1, stage.maxSize / Math.max(wantedWidth, wantedHeight, 1));
-    const width = Math.floor(wantedWidth * fit);
-    const height = Math.floor(wantedHeight * fit);
-    if (width === this.width && height === this.height) return;
-    this.width = width;
-    this.height = height;
+  resize(width: number, height: number): void {
+    if (width === this.#wanted.width && height === this.#wanted.height) return;
+    this.#wanted = { width, height };
     if (width > 0 && height > 0) this.#aspect = width / height;
     this.#fitStale = true;
     this.#dirty = true;
@@ -210,6 +215,10 @@ export class Viewport implements StageClient, Framed {
       });
       this.#frames += 1;
       this.#events.drawn();
+    } catch (error) {
+      if (!(error instanceof NoWebGL2Error)) throw error;
+      this.#attached = false; // until somebody attaches it again
+      this.#events.contextMissing(error);
     } finally {
       this.#events.tried();
     }

@@ -53,6 +53,34 @@ for (const count of [2, 64]) {
   });
 }
 
+test('the context is opened by the first picture that is seen, and at its size', async ({ page, mount }) => {
+  // A canvas that has a context and takes another size makes all buffers anew, for each side once.
+  await page.addInitScript(() => {
+    const opened = new Set<HTMLCanvasElement>();
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...call: unknown[]) {
+      if (call[0] === 'webgl2') opened.add(this);
+      return Reflect.apply(getContext, this, call) as null;
+    } as typeof getContext;
+    Object.assign(window, { resized: 0 });
+    for (const side of ['width', 'height'] as const) {
+      const { get, set } = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, side)!;
+      const counted = function (this: HTMLCanvasElement, value: number): void {
+        if (opened.has(this)) window.resized += 1;
+        set!.call(this, value);
+      };
+      Object.defineProperty(HTMLCanvasElement.prototype, side, { get: get!, set: counted });
+    }
+  });
+  await mount(`<p></p>${reddening(16)}`, { ...small, css: `${small.css} p { height: 3000px }` });
+  await nextFrame(page);
+  expect(await countsOf(page)).toMatchObject({ contexts: 0, gl: 0 });
+  await page.evaluate(() => scrollTo(0, 3000));
+  await expect.poll(async () => (await redsShown(page)).every((red) => red >= 0)).toBe(true);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 16 });
+  expect(await page.evaluate(() => window.resized)).toBe(0);
+});
+
 test('pictures of any sizes beside each other show what each shows alone', async ({ page, mount }) => {
   const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // prettier-ignore
   const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
@@ -175,3 +203,9 @@ test('no shader log is waited for, and a program that does not link is told of',
   consoleGuard.allow(/WebGL: INVALID_/); // of drawing with it
   await mount(reddening(2), small);
 });
+
+declare global {
+  interface Window {
+    resized: number;
+  }
+}
