@@ -65,7 +65,7 @@ export class PhongViewer extends LitElement {
   readonly #failure = new ViewerFailure(this, this.#notices);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
-    this.#viewport.invalidate();
+    this.#viewport.relight();
     const element = light === null ? null : this.#children.lightOf(light);
     this.#notices.tell('light-change', { light: element }, element);
     this.#panel.changed(element === null ? 'lights' : 'light');

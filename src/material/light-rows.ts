@@ -105,6 +105,26 @@ export class LightRows {
     if (uniforms.length > 0) this.#uploads += 1;
   }
 
+  /** Binds the buffer that three.js has made for the block and drawn with. */
+  bindBlock(gl: WebGL2RenderingContext): void {
+    const { __bindingPointIndex: point = 0 } = this.group as { __bindingPointIndex?: number };
+    const buffer = gl.getIndexedParameter(gl.UNIFORM_BUFFER_BINDING, point) as WebGLBuffer | null;
+    gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
+  }
+
+  /** Sends what the block waits for to its buffer, which is bound. */
+  patchBlock(gl: WebGL2RenderingContext): void {
+    this.sendBlock();
+    this.#pieces.forEach((piece, i) => {
+      if (piece.waiting) gl.bufferSubData(gl.UNIFORM_BUFFER, (PIECES[i] ?? 0) * 16, piece.value);
+    });
+  }
+
+  /** What holds the rows for loops; null before they are sent. */
+  get texture(): WebGLTexture | null {
+    return this.#texture.sourceTexture;
+  }
+
   /** The GPU has lost everything: send it all again. */
   restore(): void {
     for (const piece of this.#pieces) piece.waiting = true;

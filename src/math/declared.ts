@@ -34,10 +34,10 @@ export class Declared<V extends object> {
   set<K extends keyof V>(key: K, value: unknown): void {
     const given = value !== undefined && value !== null;
     const checked = given ? this.fields[key].check(value) : this.fields[key].fallback;
-    const same = given === this.#given.has(key) && sameValue(checked, this.#values[key]);
-    if (given) this.#given.add(key);
-    else this.#given.delete(key);
-    if (same) return;
+    const before = this.#given.has(key);
+    if (given && !before) this.#given.add(key);
+    else if (!given) this.#given.delete(key);
+    if (given === before && sameValue(checked, this.#values[key])) return;
     this.#values[key] = checked;
     this.#listener?.(key);
   }

@@ -4,6 +4,7 @@
 import { type Material, Mesh, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import { NearLights } from '../material/near-lights.js';
 import { type ExactChoice, type ExactForm, ExactMaterial, exactText } from '../material/exact-material.js';
+import type { Drawing } from './repeat.js';
 import { unfinished } from './link-check.js';
 import type { LightList } from '../material/light-list.js';
 import { ALL_TERMS } from '../material/exact-lights.js';
@@ -30,6 +31,8 @@ const MOST_WRITTEN = { gpu: 128, software: 16 } as const;
  * then it has been, and asking waits for nothing.
  */
 const UNTOLD_FRAMES = 4;
+
+export { Repeat } from './repeat.js';
 
 export interface DrawnPart {
   readonly mesh: Mesh;
@@ -103,6 +106,14 @@ export class ExactPrograms {
       this.#end(record);
       this.#records.delete(mesh);
     }
+  }
+
+  /** What a part is drawn with, as last chosen. */
+  drawing({ mesh, material }: DrawnPart): Drawing {
+    const { choice = null, twin = null } = this.#records.get(mesh) ?? {};
+    const list = choice !== null && mesh.material === twin ? choice.list : this.#lighting.lightsOf(mesh);
+    const inBlock = choice?.list === list && choice.form === 'written' && mesh.material === twin;
+    return { mesh, rows: list.rows, inBlock, textured: material.look.map !== null };
   }
 
   /** After a frame: begins or ends compiling, one program at a time. */

@@ -11,9 +11,13 @@ export interface Framed {
 class FrameLoop {
   readonly #waiting = new Set<Framed>();
   #pending = 0;
+  /** Asked last, and is still to be drawn: lights that move ask one by one. */
+  #last: Framed | null = null;
 
   /** Asks for a frame for `picture`: any number of requests in one task make one frame. */
   request(picture: Framed): void {
+    if (picture === this.#last) return;
+    this.#last = picture;
     this.#waiting.add(picture);
     if (this.#pending === 0) this.#pending = requestAnimationFrame(this.#run);
   }
@@ -21,6 +25,7 @@ class FrameLoop {
   /** Takes a request back; with the last one goes the animation frame. */
   cancel(picture: Framed): void {
     this.#waiting.delete(picture);
+    if (picture === this.#last) this.#last = null;
     if (this.#waiting.size > 0 || this.#pending === 0) return;
     cancelAnimationFrame(this.#pending);
     this.#pending = 0;
@@ -28,6 +33,7 @@ class FrameLoop {
 
   readonly #run = (now: number): void => {
     this.#pending = 0;
+    this.#last = null;
     const pictures = [...this.#waiting];
     this.#waiting.clear();
     for (const picture of pictures) {

@@ -3,7 +3,7 @@
 import { Scene, type WebGLRenderer } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/phong-lighting.js';
-import type { DrawnPart, ExactPrograms } from './exact-programs.js';
+import type { DrawnPart, ExactPrograms, Repeat } from './exact-programs.js';
 import { releaseGpu } from './release-gpu.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { ViewCamera } from './view-camera.js';
@@ -19,6 +19,7 @@ export class Painter {
   /** Whose GPU memory holds the lights: another renderer is sent all of them. */
   #renderer: WebGLRenderer | null = null;
   #exact: ExactPrograms | null = null;
+  #repeat: Repeat | null = null;
   #drawings = 0;
   #drawCalls = 0;
 
@@ -28,18 +29,23 @@ export class Painter {
     this.scene.matrixWorldAutoUpdate = false; // done here, before the lights that reach a mesh are chosen
   }
 
-  /** Draws what `view` was last aimed at. */
-  paint(renderer: WebGLRenderer, { camera, frame }: ViewCamera): void {
+  /** Draws what `view` was last aimed at. `relit`: nothing but lights has changed since the last drawing. */
+  paint(renderer: WebGLRenderer, { camera, frame }: ViewCamera, relit: boolean): void {
     const { scene, lighting } = this;
     if (renderer !== this.#renderer) lighting.restore();
     this.#renderer = renderer;
-    scene.updateMatrixWorld();
+    if (!relit) scene.updateMatrixWorld();
     lighting.update(frame);
     const parts = this.#parts();
     if (this.#exact !== null) this.#exact.choose(renderer, camera, parts);
     else for (const { mesh, material } of parts) lighting.reach(mesh, material);
-    renderer.render(scene, camera);
-    this.#drawCalls = renderer.info.render.calls;
+    const [part] = parts;
+    const drawing = part !== undefined && parts.length === 1 ? (this.#exact?.drawing(part) ?? null) : null;
+    if (!relit || drawing === null || this.#repeat?.draw(renderer, drawing) !== true) {
+      renderer.render(scene, camera);
+      this.#drawCalls = renderer.info.render.calls;
+      this.#repeat?.note(renderer, drawing);
+    }
     this.#exact?.settle(renderer, camera, parts);
     for (const mesh of this.#meshes) mesh.sweep();
     this.#drawings += 1;
@@ -81,8 +87,9 @@ export class Painter {
   /** A picture that keeps being drawn is worth programs of its own; their code comes with the first one that does. */
   #quicken(): void {
     void import('./exact-programs.js').then(
-      ({ ExactPrograms }) => {
+      ({ ExactPrograms, Repeat }) => {
         this.#exact = new ExactPrograms(this.lighting);
+        this.#repeat = new Repeat();
       },
       () => undefined, // it draws without, only not as fast
     );

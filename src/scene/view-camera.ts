@@ -4,6 +4,7 @@ import { PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
 import type { ShadingFrame } from '../material/phong-lighting.js';
+import { sameValue } from '../math/declared.js';
 import { dot } from '../math/vector.js';
 import type { Region } from './stage.js';
 
@@ -16,6 +17,8 @@ export class ViewCamera {
   readonly #eye: MutableVec3 = [0, 0, 0];
   readonly #offset: MutableVec3 = [0, 0, 0];
   readonly #depth: DepthRange = { near: 0.1, far: 100 };
+  /** What it was last aimed by, and the orbit's version then. */
+  #aimed: readonly unknown[] = [];
 
   constructor(orbit: Orbit) {
     this.#orbit = orbit;
@@ -32,6 +35,9 @@ export class ViewCamera {
 
   /** Writes the matrices for a picture of `width` × `height`, or for a part of it. `fov` is vertical, in degrees. */
   aim(fov: number, bounds: Bounds | null, width: number, height: number, part?: Region): void {
+    const aimed = [this.#orbit.version, fov, bounds, width, height, part];
+    if (sameValue(aimed, this.#aimed)) return;
+    this.#aimed = aimed;
     const { camera } = this;
     const { right, up, back } = this.#orbit.basis(this.#basis);
     const eye = this.#orbit.eye(this.#eye);

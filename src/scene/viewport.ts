@@ -1,6 +1,6 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import type { Scene, WebGLRenderer } from 'three';
+import type { Scene } from 'three';
 import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
@@ -14,7 +14,7 @@ import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
 import { Painter } from './painter.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { Size } from './sheet.js';
-import { NoWebGL2Error, type Region, stage, type StageClient } from './stage.js';
+import { NoWebGL2Error, stage, type StageClient } from './stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -38,6 +38,8 @@ export class Viewport implements StageClient, Framed {
   #visible: boolean | undefined = undefined;
   #attached = false;
   #dirty = true;
+  /** What was drawn last differs from what would be drawn now by its lights alone, if at all. */
+  #relit = false;
   #fov = 45;
   #style: ShadingStyle = DEFAULT_STYLE;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
@@ -146,6 +148,7 @@ export class Viewport implements StageClient, Framed {
     if (width > 0 && height > 0) this.#aspect = width / height;
     this.#fitStale = true;
     this.#dirty = true;
+    this.#relit = false;
     this.#wake();
   }
 
@@ -181,6 +184,12 @@ export class Viewport implements StageClient, Framed {
 
   /** Something changed: draw once more, as soon as that can be seen. */
   invalidate(): void {
+    this.#relit = false;
+    this.relight();
+  }
+
+  /** The same where only lights have changed. */
+  relight(): void {
     this.#dirty = true;
     if (this.drawable) frameLoop.request(this);
   }
@@ -211,8 +220,10 @@ export class Viewport implements StageClient, Framed {
     try {
       this.settle();
       stage.draw(this, (renderer) => {
-        this.#render(renderer, this.width, this.height);
+        this.#view.aim(this.#fov, this.#bounds, this.width, this.height);
+        this.#painter.paint(renderer, this.#view, this.#relit);
       });
+      this.#relit = true;
       this.#frames += 1;
       this.#events.drawn();
     } catch (error) {
@@ -242,7 +253,8 @@ export class Viewport implements StageClient, Framed {
   capture(width: number, height: number): HTMLCanvasElement {
     this.settle();
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#render(renderer, width, height, part);
+      this.#view.aim(this.#fov, this.#bounds, width, height, part);
+      this.#painter.paint(renderer, this.#view, false);
     });
   }
 
@@ -284,11 +296,6 @@ export class Viewport implements StageClient, Framed {
   #wake(): void {
     if (!this.drawable) frameLoop.cancel(this);
     else if (this.#dirty) frameLoop.request(this);
-  }
-
-  #render(renderer: WebGLRenderer, width: number, height: number, part?: Region): void {
-    this.#view.aim(this.#fov, this.#bounds, width, height, part);
-    this.#painter.paint(renderer, this.#view);
   }
 
   #measure(): void {

@@ -1,0 +1,175 @@
+// Frames in which only lights have changed cost what lights cost, and show what a whole drawing shows, whatever else changes
+// before, with or after them. The oracle is `toBlob`, which always draws all of the scene.
+
+import type { Locator, Page } from '@playwright/test';
+import { compare, expect, pixels, test, type Picture } from '../support/test.js';
+import { drawFrames, drawUntilExact } from './driving.js';
+import { logGl } from './gl-log.js';
+import type { PhongViewer } from './support.js';
+
+const size = { width: 60, height: 44 };
+
+interface Shown {
+  /** What is seen on the page. */
+  readonly picture: Picture;
+  /** Calls to WebGL of that frame. */
+  readonly calls: number;
+}
+
+/** Lets `change` happen in one task and gives what the frame after it shows. */
+async function shownAfter(viewer: Locator, change: (element: PhongViewer) => void): Promise<Shown> {
+  const waiting = viewer.evaluate(async (element: PhongViewer) => {
+    window.glLog.take();
+    await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
+    // A microtask after the drawing: the canvas still has what the page will show.
+    const { calls } = window.glLog.take();
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const { width, height } = canvas;
+    const context = new OffscreenCanvas(width, height).getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    return { calls, width, height, data: [...context.getImageData(0, 0, width, height).data] };
+  });
+  await viewer.evaluate(change);
+  const { calls, width, height, data } = await waiting;
+  return { calls, picture: { width, height, data: Uint8Array.from(data) } };
+}
+
+const moveLights = (element: PhongViewer): void => {
+  for (const light of element.lights) {
+    const [x, y, z, w] = light.position;
+    light.position = [x - 0.3 * z, y, z + 0.3 * x, w];
+  }
+};
+
+/** On a sphere that fills the picture: suns, lamps and spots in turn. */
+const markup = (lights: number): string =>
+  `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${Array.from(
+    { length: lights },
+    (_, i) => {
+      const place = `${Math.cos(i).toFixed(2)} 1 ${Math.sin(i).toFixed(2)}`;
+      const colors = `diffuse="${(300 / lights + i).toFixed(1)} 30 20" ambient="1 2 3"`;
+      const spot = i % 3 === 2 ? 'axis="0 -1 0" aperture="60" cutoff="2"' : '';
+      return `<phong-light position="${place} ${Math.min(i % 3, 1)}" ${colors} ${spot}></phong-light>`;
+    },
+  ).join('')}</phong-viewer>`;
+
+/** Beside or between moves of lights. */
+const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
+  'a surface': (element) => (element.kd = [90, 200, 90]),
+  'an exponent': (element) => (element.shininess = 7.5),
+  'the eye': (element) => (element.theta += 20),
+  'the field': (element) => (element.fov = 50),
+  'the terms': (element) => (element.terms = ['diffuse', 'specular']),
+  'the shading': (element) => (element.shading = 'flat'),
+  'the colour space': (element) => (element.colorInterpolation = 'linear'),
+  'the budget': (element) => (element.errorBudget = 2),
+  'one light less': (element) => (element.lights[1]!.active = false),
+  'one light fewer': (element) => element.lights[0]!.remove(),
+  'one light more': (element) => element.append(element.lights[0]!.cloneNode()),
+  'another kind of light': (element) => (element.lights[0]!.position = [1, 1, 0.5, 1]),
+  'a mesh': (element) =>
+    element.insertAdjacentHTML(
+      'beforeend',
+      '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>',
+    ),
+  'its place': (element) => (element.meshes[0]!.position = [0.2, 0.3, 0.3]),
+  'an object of one’s own': (element) => {
+    element.scene.children[0]!.visible = false;
+    element.requestRender();
+  },
+  'it again': (element) => {
+    element.scene.children[0]!.visible = true;
+    element.requestRender();
+  },
+  'the mesh away': (element) => element.meshes[0]!.remove(),
+  'the geometry': (element) => (element.geometry = 'box'),
+};
+
+async function expectWhole(viewer: Locator, which: string, { picture }: Shown): Promise<void> {
+  const whole = await pixels(viewer);
+  expect(
+    picture.data.some((code) => code > 40 && code < 250),
+    which,
+  ).toBe(true);
+  expect(compare(picture, whole).max, which).toBe(0); // to the bit: by the same programs
+}
+
+async function settle(page: Page, viewer: Locator): Promise<void> {
+  await drawUntilExact(page);
+  await drawFrames(page, 2);
+  await shownAfter(viewer, moveLights); // also tells where the block is: asked once
+}
+
+// Few lights are read from a block, by a program that has them written out, many from a texture, in loops.
+for (const [lights, which, every] of [
+  [6, 'few lights', 1],
+  [30, 'many lights', 4],
+] as const) {
+  test(`${which} that move cost three calls: to send them, to clear and to draw`, async ({ page, mount }) => {
+    await logGl(page);
+    const viewer = await mount(markup(lights), size);
+    await settle(page, viewer);
+    const before = await pixels(viewer);
+    await shownAfter(viewer, moveLights); // after a drawing of another kind
+    for (let frame = 0; frame < 3; frame++) {
+      const shown = await shownAfter(viewer, moveLights);
+      expect(shown.calls).toBe(3);
+      expect(compare(shown.picture, before).max).toBeGreaterThan(5);
+    }
+    await expectWhole(viewer, which, await shownAfter(viewer, moveLights));
+  });
+
+  test(`${which} show what a whole drawing shows, whatever changes between and with their moves`, async ({
+    page,
+    mount,
+  }) => {
+    await logGl(page);
+    const viewer = await mount(markup(lights), size);
+    await settle(page, viewer);
+    for (const [name, change] of Object.entries(CHANGES).filter((_, i) => i % every === 0)) {
+      await shownAfter(viewer, moveLights);
+      await expectWhole(viewer, `${name} alone`, await shownAfter(viewer, change));
+      await expectWhole(viewer, `lights after ${name}`, await shownAfter(viewer, moveLights));
+      await expectWhole(viewer, `lights again after ${name}`, await shownAfter(viewer, moveLights));
+    }
+  });
+}
+
+test('lights that move beside another viewer that draws, and alone again, show a whole drawing', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const viewer = await mount(markup(6), size);
+  await settle(page, viewer);
+  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(3));
+  const other = page.locator('phong-viewer').nth(1);
+  await other.evaluate((element: PhongViewer) => element.ready);
+  for (let turn = 0; turn < 3; turn++) {
+    await expectWhole(viewer, 'beside', await shownAfter(viewer, moveLights));
+    await expectWhole(other, 'the other', await shownAfter(other, moveLights));
+  }
+  await other.evaluate((element) => element.remove());
+  for (let frame = 0; frame < 3; frame++)
+    await expectWhole(viewer, 'alone', await shownAfter(viewer, moveLights));
+});
+
+test('lights that move after the context was lost and has come back show a whole drawing', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const viewer = await mount(markup(6), size);
+  await settle(page, viewer);
+  await viewer.evaluate(async (element: PhongViewer) => {
+    const gl = element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!;
+    const context = gl.getExtension('WEBGL_lose_context')!;
+    context.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    element.lights[0]!.position = [0, 2, 1, 0];
+    context.restoreContext();
+    await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
+  });
+  for (let frame = 0; frame < 3; frame++)
+    await expectWhole(viewer, 'restored', await shownAfter(viewer, moveLights));
+});
