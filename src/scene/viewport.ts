@@ -1,14 +1,13 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
 import type { Scene } from 'three';
-import { type Bounds, fitPose, fitRadius, zoomLimits } from '../camera/fit.js';
+import { zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
 import { DEFAULT_STYLE, type ShadingStyle } from '../material/phong-material.js';
-import type { Vec3 } from '../math/vector.js';
-import { measure, NO_EXTENT, type Extent } from './extent.js';
+import { AutoFit, type Framing } from './auto-fit.js';
 import { type Framed, frameLoop } from './frame-loop.js';
 import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
 import { Painter } from './painter.js';
@@ -19,16 +18,11 @@ import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
 
-/** What stands for `auto`, or the value that was given. */
-export interface Framing {
-  readonly target: Vec3 | 'auto';
-  readonly radius: number | 'auto';
-}
-
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
   readonly orbit = new Orbit();
   readonly #painter: Painter;
+  readonly #fit: AutoFit;
   readonly #events: ViewportEvents;
   readonly #view = new ViewCamera(this.orbit);
   readonly #meshes = new Set<SceneMesh>();
@@ -42,19 +36,13 @@ export class Viewport implements StageClient, Framed {
   #relit = false;
   #fov = 45;
   #style: ShadingStyle = DEFAULT_STYLE;
-  #framing: Framing | null = { target: 'auto', radius: 'auto' };
-  #extent: Extent = NO_EXTENT;
-  #bounds: Bounds | null = null;
-  #extentStale = true;
-  #fitStale = true;
-  /** Width over height of the last size that was not nothing: a hidden picture keeps its camera. */
-  #aspect = 1;
   #frames = 0;
 
   /** `holder` is an element for the canvas alone. */
   constructor(holder: HTMLElement, lights: LightSet, events: ViewportEvents) {
     this.holder = holder;
     this.#painter = new Painter(lights, this.#meshes);
+    this.#fit = new AutoFit(this.#painter.scene, this.orbit);
     this.#events = events;
   }
 
@@ -100,7 +88,7 @@ export class Viewport implements StageClient, Framed {
   set fov(degrees: number) {
     if (degrees === this.#fov) return;
     this.#fov = degrees;
-    this.#fitStale = true;
+    this.#fit.refit();
     this.invalidate();
   }
 
@@ -126,12 +114,11 @@ export class Viewport implements StageClient, Framed {
 
   /** How target and radius are found; null leaves them where the user has put them. */
   get framing(): Framing | null {
-    return this.#framing;
+    return this.#fit.framing;
   }
 
   set framing(framing: Framing | null) {
-    this.#framing = framing;
-    this.#fitStale = true;
+    this.#fit.framing = framing;
     this.invalidate();
   }
 
@@ -145,8 +132,7 @@ export class Viewport implements StageClient, Framed {
   resize(width: number, height: number): void {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
-    if (width > 0 && height > 0) this.#aspect = width / height;
-    this.#fitStale = true;
+    this.#fit.resized(width, height);
     this.#dirty = true;
     this.#relit = false;
     this.#wake();
@@ -166,8 +152,7 @@ export class Viewport implements StageClient, Framed {
 
   /** Meshes came, went, moved or changed their triangles. */
   reshaped(): void {
-    this.#extentStale = true;
-    this.#fitStale = true;
+    this.#fit.reshaped();
     this.invalidate();
   }
 
@@ -220,7 +205,7 @@ export class Viewport implements StageClient, Framed {
     try {
       this.settle();
       stage.draw(this, (renderer) => {
-        this.#view.aim(this.#fov, this.#bounds, this.width, this.height);
+        this.#view.aim(this.#fov, this.#fit.bounds, this.width, this.height);
         this.#painter.paint(renderer, this.#view, this.#relit);
       });
       this.#relit = true;
@@ -237,23 +222,20 @@ export class Viewport implements StageClient, Framed {
 
   /** Brings the camera in step with the scene: `auto` is found anew where it has to be. */
   settle(): void {
-    if (this.#extentStale) this.#measure();
-    if (!this.#fitStale) return;
-    this.#fitStale = false;
-    this.#fit();
+    if (this.#fit.settle(this.#fov)) this.#events.fitted();
   }
 
   /** How near and how far zooming may go. */
   get zoomLimits(): RadiusLimits {
     this.settle();
-    return zoomLimits(this.#bounds);
+    return zoomLimits(this.#fit.bounds);
   }
 
   /** The picture now, at exactly this many pixels. Throws RangeError where no canvas can hold them. */
   capture(width: number, height: number): HTMLCanvasElement {
     this.settle();
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#view.aim(this.#fov, this.#bounds, width, height, part);
+      this.#view.aim(this.#fov, this.#fit.bounds, width, height, part);
       this.#painter.paint(renderer, this.#view, false);
     });
   }
@@ -263,7 +245,7 @@ export class Viewport implements StageClient, Framed {
     const { width, height } = this;
     this.settle();
     this.scene.updateMatrixWorld();
-    this.#view.aim(this.#fov, this.#bounds, width, height);
+    this.#view.aim(this.#fov, this.#fit.bounds, width, height);
     const { camera, frame } = this.#view;
     const objects = drawnObjects(this.scene, camera, (object) => {
       const mesh = [...this.#meshes].find((one) => one.shows(object));
@@ -296,27 +278,5 @@ export class Viewport implements StageClient, Framed {
   #wake(): void {
     if (!this.drawable) frameLoop.cancel(this);
     else if (this.#dirty) frameLoop.request(this);
-  }
-
-  #measure(): void {
-    this.#extentStale = false;
-    this.scene.updateMatrixWorld();
-    this.#extent = measure(this.scene);
-    const { center } = this.#extent;
-    this.#bounds = this.#extent.empty ? null : { centre: center, radius: this.#extent.radiusAbout(center) };
-  }
-
-  #fit(): void {
-    if (this.#framing === null) return;
-    const { target, radius } = this.#framing;
-    const fitted = fitPose(this.#bounds, this.#fov, this.#aspect);
-    const place = target === 'auto' ? fitted.target : target;
-    const distance =
-      target === 'auto' || this.#extent.empty
-        ? fitted.radius
-        : fitRadius(this.#extent.radiusAbout(target), this.#fov, this.#aspect);
-    const before = this.orbit.version;
-    this.orbit.set({ target: place, radius: radius === 'auto' ? distance : radius });
-    if (this.orbit.version !== before) this.#events.fitted();
   }
 }
