@@ -34,6 +34,8 @@ export interface PackedLights {
   shapes: Uint16Array;
   /** What was found of the active lights, in their order, and holds while they only move. */
   readonly steady: SteadyLight[];
+  /** Both matrices that they were packed with; NaN before. */
+  readonly packedBy: Float64Array;
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -44,6 +46,7 @@ export const emptyPack = (): PackedLights => ({
   counts: { directional: 0, point: 0, spot: 0 },
   shapes: new Uint16Array(8),
   steady: [],
+  packedBy: new Float64Array(32).fill(NaN),
 });
 
 /** In the order of their rows. */
@@ -51,29 +54,24 @@ export const KINDS = ['directional', 'point', 'spot'] as const satisfies readonl
 
 /** Packs the active lights of `lights` for one shading space, into `into`. */
 export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
+  if (isSteady(lights, space, into) && repackPlaces(space, into)) return;
   const ambient: [number, number, number] = [0, 0, 0];
   into.rows = HEADER.rows;
   into.sent = 0;
-  into.active = 0;
-  for (const light of lights) {
-    if (!light.active) continue;
-    const kept = into.steady[into.active];
-    if (kept?.holds(light, space.linear) !== true)
-      into.steady[into.active] = new SteadyLight(light, space.linear);
-    into.active += 1;
-  }
-  into.steady.length = into.active;
+  into.active = into.steady.length;
   for (const kind of KINDS) {
     const before = into.sent;
     for (const steady of into.steady) {
       if (steady.kind !== kind) continue;
       const { light } = steady;
+      steady.row = -1;
       const factor = kind === 'directional' && steady.spot ? directionalDecay(light) : 1;
       if (factor === 0) continue;
       if (kind !== 'spot') for (const c of CHANNELS) ambient[c] += steady.ambient[c] * factor;
       if (!reaches(light, kind, steady)) continue;
       reserve(into, into.rows + ROWS[kind].rows, into.sent + 1);
       const at = into.rows * 4;
+      steady.row = into.rows;
       if (kind === 'directional') writeDirectional(into.data, at, light, steady, factor, space);
       else writePoint(into.data, at, light, steady, space);
       if (kind === 'spot') writeSpot(into.data, at, light, steady, space);
@@ -89,6 +87,46 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
 }
 
 const CHANNELS = [0, 1, 2] as const;
+
+/** Brings what is found of the active lights in step; true where that, and the spaces, are as they were packed. */
+function isSteady(
+  lights: readonly Values[],
+  { worldToShading, cameraToShading, linear }: PackSpace,
+  { steady, packedBy }: PackedLights,
+): boolean {
+  let same = true;
+  for (let i = 0; i < 16; i++) {
+    same &&= packedBy[i] === worldToShading[i] && packedBy[16 + i] === cameraToShading[i];
+    packedBy[i] = worldToShading[i]!;
+    packedBy[16 + i] = cameraToShading[i]!;
+  }
+  let active = 0;
+  for (const light of lights) {
+    if (!light.active) continue;
+    if (steady[active]?.holds(light, linear) !== true) {
+      same = false;
+      steady[active] = new SteadyLight(light, linear);
+    }
+    active += 1;
+  }
+  same &&= steady.length === active;
+  steady.length = active;
+  return same;
+}
+
+/** Writes places and directions alone, which is all of most frames; false where a move brings more with it. */
+function repackPlaces(space: PackSpace, { steady, data }: PackedLights): boolean {
+  for (const one of steady) {
+    const { kind, light, row } = one;
+    if (kind === 'directional' && one.spot) return false; // its decay is another
+    if (row >= 0 !== reaches(light, kind, one)) return false;
+    if (row < 0) continue;
+    const matrix = matrixOf(light, space);
+    if (kind === 'directional') writeDirection(matrix, data, row * 4, light.position);
+    else writeThrough(matrix, data, row * 4, light.position, 1, data[row * 4 + 3]!);
+  }
+  return true;
+}
 
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
 function reaches({ position }: Values, kind: LightKind, { shines, ambient }: SteadyLight): boolean {
@@ -134,12 +172,20 @@ function writeDirectional(
   factor: number,
   space: PackSpace,
 ): void {
-  const { position } = light;
   const row = ROWS.directional;
-  const L = normalize([position[0], position[1], position[2]]);
-  writeThrough(matrixOf(light, space), data, at + row.direction * 4, L, 0, 0);
+  writeDirection(matrixOf(light, space), data, at + row.direction * 4, light.position);
   write(data, at + row.diffuse * 4, diffuse[0] * factor, diffuse[1] * factor, diffuse[2] * factor, 0);
   write(data, at + row.specular * 4, specular[0] * factor, specular[1] * factor, specular[2] * factor, 0);
+}
+
+/** L, unit: scaled by its largest component first, so that a denormal vector still has its direction. */
+function writeDirection(m: Mat4, data: Float32Array, at: number, position: Vec4): void {
+  const largest = Math.max(Math.abs(position[0]), Math.abs(position[1]), Math.abs(position[2]));
+  const x = position[0] / largest;
+  const y = position[1] / largest;
+  const z = position[2] / largest;
+  const unit = 1 / Math.sqrt(x * x + y * y + z * z);
+  writeThrough(m, data, at, [x * unit, y * unit, z * unit], 0, 0);
 }
 
 /** Also what a spot begins with. */

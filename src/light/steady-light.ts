@@ -12,6 +12,8 @@ type Values = Readonly<LightValues>;
 export class SteadyLight {
   /** Whose it is; live. */
   readonly light: Values;
+  /** Where it was packed: its first row, or -1 where it is not sent. */
+  row = -1;
   readonly kind: LightKind;
   /** A cone or a decay: a directional light's are the same everywhere. */
   readonly spot: boolean;
