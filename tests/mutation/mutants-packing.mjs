@@ -88,7 +88,6 @@ export const packingMutants = [
       '',
     ],
     ['lights come and go by moving', 'if (row >= 0 !== reaches(light, kind, one)) return false;', ''],
-    ['what is not sent has no place', 'if (row < 0) continue;', ''],
     [
       'another space is packed anew',
       'packedBy[i] === worldToShading[i] && packedBy[16 + i] === cameraToShading[i]',
