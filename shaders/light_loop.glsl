@@ -13,6 +13,9 @@ struct LightSums {
   vec3 ambient;
   vec3 diffuse;
   vec3 specular;
+  /** Of lights whose channels are alike; part of the others once lightSums has returned. */
+  float greyDiffuse;
+  float greySpecular;
 };
 
 #ifndef EXACT_LIGHTS
@@ -21,19 +24,22 @@ const int DECLARED_SHAPE = 0
   + SHAPE_AMBIENT
 #endif
 #ifdef HAS_DIFFUSE
-  + SHAPE_DIFFUSE
+  + SHAPE_DIFFUSE + SHAPE_TINTED_DIFFUSE
 #endif
 #ifdef HAS_SPECULAR
-  + SHAPE_SPECULAR
+  + SHAPE_SPECULAR + SHAPE_TINTED_SPECULAR
 #endif
 #ifdef HAS_ATTENUATION
-  + SHAPE_ATTENUATED
+  + SHAPE_ATTENUATED + SHAPE_CLAMPED + SHAPE_LINEAR
 #endif
 #ifdef HAS_CONE
   + SHAPE_NARROW + SHAPE_WIDE
 #endif
 #ifdef HAS_DECAY
   + SHAPE_DECAY
+#endif
+#if defined(HAS_CONE) || defined(HAS_DECAY)
+  + SHAPE_CHORDS
 #endif
   ;
 #endif
@@ -49,17 +55,29 @@ bool has(int shape, int bit) {
   return (shape & bit) != 0;
 }
 
+/** Adds so much of a colour to a sum, or where it is grey one channel to another: a third of the work. */
+void addColor(inout vec3 sum, inout float grey, vec3 color, float amount, bool tinted) {
+  if (tinted) sum += color * amount;
+  else grey += color.r * amount;
+}
+
 /** Adds one light's diffuse and specular terms, each times `factor`. L unit, or zero where there is no direction. */
 void addLobes(inout LightSums sums, vec3 N, SEEN seen, vec3 L, float n, vec3 diffuse, vec3 specular, float factor, int shape) {
   float NoL = dot(N, L);
-  if (has(shape, SHAPE_DIFFUSE)) sums.diffuse += diffuse * (factor * diffuseLobe(NoL));
-  if (has(shape, SHAPE_SPECULAR)) sums.specular += specular * (NoL > 0.0 ? factor * specularLobe(N, L, seen, n) : 0.0);
+  if (has(shape, SHAPE_DIFFUSE)) {
+    float amount = factor * diffuseLobe(NoL);
+    addColor(sums.diffuse, sums.greyDiffuse, diffuse, amount, has(shape, SHAPE_TINTED_DIFFUSE));
+  }
+  if (has(shape, SHAPE_SPECULAR)) {
+    float amount = NoL > 0.0 ? factor * specularLobe(N, L, seen, n) : 0.0;
+    addColor(sums.specular, sums.greySpecular, specular, amount, has(shape, SHAPE_TINTED_SPECULAR));
+  }
 }
 
-/** L toward a positional light and its distance d; both zero where the light is at the fragment. */
-vec3 towardLight(vec3 place, vec3 p, out float d) {
+/** L toward a positional light, its distance d and that squared; L and d zero where the light is at the fragment. */
+vec3 towardLight(vec3 place, vec3 p, out float d, out float squared) {
   vec3 v = place - p;
-  float squared = dot(v, v);
+  squared = dot(v, v);
 #ifdef LIGHTS_APART
   float inverse = inversesqrt(squared);
 #else
@@ -80,10 +98,10 @@ void addPoint(inout LightSums sums, int row, vec3 p, vec3 N, SEEN seen, float n,
   vec4 place = lightRow(row + POINT_POSITION);
   vec4 diffuse = lightRow(row + POINT_DIFFUSE);
   vec4 specular = lightRow(row + POINT_SPECULAR);
-  float d;
-  vec3 L = towardLight(place.xyz, p, d);
+  float d, squared;
+  vec3 L = towardLight(place.xyz, p, d, squared);
   float factor = 1.0;
-  if (has(shape, SHAPE_ATTENUATED)) factor = attenuation(vec3(place.w, diffuse.w, specular.w), d);
+  if (has(shape, SHAPE_ATTENUATED)) factor = attenuation(vec3(place.w, diffuse.w, specular.w), d, squared, shape);
 #ifdef FILTER_HIGHLIGHTS
   seen = seenNear(seen, L, d, n);
 #endif
@@ -94,10 +112,11 @@ void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, SEEN seen, float n, 
   vec4 place = lightRow(row + SPOT_POSITION);
   vec4 axis = lightRow(row + SPOT_AXIS);
   vec4 ambient = lightRow(row + SPOT_AMBIENT);
-  float d;
-  vec3 L = towardLight(place.xyz, p, d);
-  float toAxis = quarterSquare(L + axis.xyz); // (1 - c)/2
-  float toBack = quarterSquare(L - axis.xyz); // (1 + c)/2
+  float d, squared;
+  vec3 L = towardLight(place.xyz, p, d, squared);
+  bool chords = has(shape, SHAPE_CHORDS);
+  float toBack = chords ? quarterSquare(L - axis.xyz) : 0.5 - 0.5 * dot(L, axis.xyz); // (1 + c)/2
+  float toAxis = chords ? quarterSquare(L + axis.xyz) : 1.0 - toBack; // (1 - c)/2
 #ifndef LIGHTS_APART
   // At the light itself there is no angle: inside any cone, no decay.
   toAxis = d > 0.0 ? toAxis : 0.0;
@@ -109,7 +128,7 @@ void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, SEEN seen, float n, 
   vec4 diffuse = lightRow(row + SPOT_DIFFUSE);
   vec4 specular = lightRow(row + SPOT_SPECULAR);
   float factor = decay;
-  if (has(shape, SHAPE_ATTENUATED)) factor *= attenuation(vec3(place.w, diffuse.w, specular.w), d);
+  if (has(shape, SHAPE_ATTENUATED)) factor *= attenuation(vec3(place.w, diffuse.w, specular.w), d, squared, shape);
 #ifdef FILTER_HIGHLIGHTS
   seen = seenNear(seen, L, d, n);
 #endif
@@ -147,7 +166,7 @@ int listedRow(int place) {
  * the eye (or zero: then no specular light), and specular exponent n >= 0.
  */
 LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
-  LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0));
+  LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
 #ifdef HAS_AMBIENT
   sums.ambient = lightRow(HEADER_AMBIENT).rgb;
 #endif
@@ -172,5 +191,7 @@ LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   for (int i = 0; i < counts.z; i++, row += SPOT_ROWS) addSpot(sums, row, p, N, seen, n, DECLARED_SHAPE);
 #endif
 #endif
+  sums.diffuse += sums.greyDiffuse;
+  sums.specular += sums.greySpecular;
   return sums;
 }

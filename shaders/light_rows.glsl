@@ -1,9 +1,18 @@
 // Where packed lights are read from: lightRow(i) gives row i. The layout's defines say what stands in a row. With
-// STORAGE_OWN the program has a lightRow of its own, before this text.
+// STORAGE_OWN the program has a lightRow of its own, before this text. LIGHT_CONSTANTS, where it is defined, is all rows as
+// numbers: nothing is read then.
 
-#if LIGHT_STORAGE == STORAGE_BLOCK
+#ifdef LIGHT_CONSTANTS
+const vec4 LIGHT_ROWS[] = LIGHT_CONSTANTS;
+vec4 lightRow(int i) {
+  return LIGHT_ROWS[i];
+}
+#elif LIGHT_STORAGE == STORAGE_BLOCK
+#ifndef LIGHT_BLOCK_ROWS
+#define LIGHT_BLOCK_ROWS BLOCK_ROWS
+#endif
 layout(std140) uniform LightRows {
-  highp vec4 uLightRows[BLOCK_ROWS];
+  highp vec4 uLightRows[LIGHT_BLOCK_ROWS];
 };
 vec4 lightRow(int i) {
   return uLightRows[i];

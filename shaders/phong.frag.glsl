@@ -19,9 +19,15 @@ in vec3 vBackBase;
 in vec3 vBackSpecular;
 #else
 uniform vec3 uEye;
+#ifdef CONSTANT_KA
+const vec3 uKa = CONSTANT_KA;
+const vec3 uKd = CONSTANT_KD;
+const vec3 uKs = CONSTANT_KS;
+#else
 uniform vec3 uKa;
 uniform vec3 uKd;
 uniform vec3 uKs;
+#endif
 uniform float uShininess;
 in vec3 vPosition;
 in vec3 vNormal;

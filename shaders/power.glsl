@@ -23,6 +23,11 @@ float mildPower(float x, float k) {
   return x >= TINY || k < LEAST_EXPONENT ? power : 0.0;
 }
 
+/** The same for k from 1, where a base that is nearly 0 gives nearly 0; x may be negative by rounding. */
+float tamePower(float x, float k) {
+  return exp2(k * log2(max(x, TINY)));
+}
+
 /**
  * x^k for a whole k from 1 to LARGEST_MILD: a literal, so that nothing but its multiplications is left. A relative error
  * of x is multiplied by k.

@@ -53,17 +53,17 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   // Where light and eye are almost opposite, the sum is short and errors of their lengths are most of it.
   vec3 sum = refined(L) + refined(V);
   float squared = dot(sum, sum);
+#if defined(WHOLE_SHININESS)
+  float NoH = dot(N, sum) * inversesqrt(max(squared, LEAST_SUM));
+  return squared >= LEAST_SUM ? wholePower(clamp(NoH, 0.0, 1.0), WHOLE_SHININESS) : 0.0;
+#else
   vec3 H = squared >= LEAST_SUM ? sum * inversesqrt(squared) : vec3(0.0);
-  vec3 d = N - H;
-  float y = 0.5 * dot(d, d);
-#if defined(POW_SHININESS)
-  return pow(max(dot(N, H), TINY), n);
-#elif defined(WHOLE_SHININESS)
-  return squared >= LEAST_SUM ? wholePower(max(1.0 - y, 0.0), WHOLE_SHININESS) : 0.0;
-#elif defined(MILD_SHININESS)
+#if defined(MILD_SHININESS)
   return mildPower(dot(N, H), n);
 #else
-  return powerNearOne(dot(N, H), y, n);
+  vec3 d = N - H;
+  return powerNearOne(dot(N, H), 0.5 * dot(d, d), n);
+#endif
 #endif
 }
 #endif

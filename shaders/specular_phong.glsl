@@ -46,10 +46,8 @@ float specularLobe(vec3 N, vec3 L, Seen seen, float n) {
 /** max(dot(R, V), 0)^n with R = 2 NoL N - L. N, L unit, W as above; NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 W, float n) {
   float RoV = dot(L, W);
-#if defined(POW_SHININESS)
-  return pow(max(RoV, TINY), n); // n up to LARGEST_MILD; a GPU has it in hardware
-#elif defined(WHOLE_SHININESS)
-  return wholePower(max(RoV, 0.0), WHOLE_SHININESS);
+#if defined(WHOLE_SHININESS)
+  return wholePower(clamp(RoV, 0.0, 1.0), WHOLE_SHININESS);
 #elif defined(MILD_SHININESS)
   return mildPower(RoV, n);
 #else

@@ -1,5 +1,5 @@
-// A spot's cone and the decay away from its axis, from chords instead of cosines: (1 - cos)/2 = |a - b|²/4 for unit
-// vectors does not cancel at small angles. Needs power. `shape` says what the spot has: see light_loop.
+// A spot's cone and the decay away from its axis. Where either is steep, from chords instead of cosines: (1 - cos)/2 =
+// |a - b|²/4 for unit vectors does not cancel at small angles. Needs power. `shape` says what the spot has: see light_loop.
 
 /** |v|²/4. */
 float quarterSquare(vec3 v) {
@@ -22,7 +22,9 @@ bool insideCone(float toAxis, float toBack, float limit, int shape) {
 /** ((c + 1)/2)^cutoff. */
 float spotDecay(float toAxis, float toBack, float cutoff, int shape) {
   int whole = shape >> SHAPE_POWER_SHIFT;
-  if (whole > 0) return wholePower(1.0 - toAxis, whole);
+  bool chords = (shape & SHAPE_CHORDS) != 0;
+  if (whole > 0) return wholePower(chords ? 1.0 - toAxis : toBack, whole);
+  if ((shape & SHAPE_DECAY) != 0 && !chords) return tamePower(toBack, cutoff);
   if ((shape & SHAPE_MILD) != 0) return mildPower(toBack, cutoff);
   if ((shape & SHAPE_DECAY) != 0) return powerNearOne(toBack, toAxis, cutoff);
   return 1.0;

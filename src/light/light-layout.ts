@@ -47,27 +47,36 @@ export const ROWS = {
 } as const;
 
 /**
- * The cone's limit is one float: from 0 to 1/2 the largest allowed (1 - c)/2, below 0 minus the smallest allowed
- * (1 + c)/2; this value, above any (1 - c)/2, lets every direction through.
+ * The cone's limit is one float: from 0 the largest allowed (1 - c)/2, below 0 minus the smallest allowed (1 + c)/2;
+ * this value, above any (1 - c)/2, lets every direction through.
  */
 export const LIMIT_OPEN = 4;
 
 /**
- * What a light needs beyond its kind, as bits of one number that both the packing and the GLSL know. `power` and above
- * hold a spot's cutoff where it is whole and at most LARGEST_MILD; other cutoffs above 0 have `decay`, and also `mild` up
- * to LARGEST_MILD.
+ * What a light needs beyond its kind, as bits of one number that both the packing and the GLSL know: each is set where more
+ * has to be done, so what lights have in common is every bit that any of them has. `power` and above hold a spot's cutoff
+ * where it is whole and at most LARGEST_MILD; other cutoffs above 0 have `decay`, and also `mild` up to LARGEST_MILD.
  */
 export const SHAPE = {
   ambient: 1,
   diffuse: 2,
   specular: 4,
   attenuated: 8,
-  /** A cone of up to 90 degrees; more than that is `wide`. */
+  /** A cone whose limit is compared on the axis's side, by (1 - c)/2; else `wide`, on the far side. */
   narrow: 16,
   wide: 32,
   decay: 64,
   mild: 128,
-  powerShift: 8,
+  /** The cone or the decay is too steep for a cosine. */
+  chords: 256,
+  /** kc below 1: near the light, attenuation is cut off at 1. */
+  clamped: 512,
+  /** kl above 0: attenuation needs the distance, and not its square alone. */
+  linear: 1024,
+  /** Diffuse or specular light whose channels differ; grey is summed as one number. */
+  tintedDiffuse: 2048,
+  tintedSpecular: 4096,
+  powerShift: 13,
 } as const;
 
 /**
@@ -77,10 +86,12 @@ export const SHAPE = {
 export const LARGEST_MILD = 64;
 
 /**
- * Rows in a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE). More lights than fit go
- * into a texture.
+ * Rows in a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE).
  */
 export const BLOCK_ROWS = 1024;
+
+/** Rows in the largest block: 64 KiB, as most GPUs have. More lights than fit go into a texture. */
+export const LARGE_BLOCK_ROWS = 4096;
 
 /** Width in texels, one a row, of the texture for more lights; a power of two, within every device's limit. */
 export const TEXTURE_ROWS_LOG2 = 10;

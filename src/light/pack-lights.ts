@@ -31,7 +31,7 @@ export interface PackedLights {
   /** How many of each kind are sent, in the order of their rows. */
   readonly counts: Record<LightKind, number>;
   /** What each sent light needs of a program, see SHAPE; those from `sent` on are stale. */
-  shapes: Uint16Array;
+  shapes: Uint32Array;
   /** What was found of the active lights, in their order, and holds while they only move. */
   readonly steady: SteadyLight[];
   /** Both matrices that they were packed with; NaN before. */
@@ -44,7 +44,7 @@ export const emptyPack = (): PackedLights => ({
   active: 0,
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
-  shapes: new Uint16Array(8),
+  shapes: new Uint32Array(8),
   steady: [],
   packedBy: new Float64Array(32).fill(NaN),
 });
@@ -243,7 +243,7 @@ function write(data: Float32Array, at: number, x: number, y: number, z: number, 
 /** Room for this many rows and lights in all; what is there stays. */
 export function reserve(into: PackedLights, rows: number, lights: number): void {
   if (lights > into.shapes.length) {
-    const grown = new Uint16Array(Math.max(lights, into.shapes.length * 2));
+    const grown = new Uint32Array(Math.max(lights, into.shapes.length * 2));
     grown.set(into.shapes);
     into.shapes = grown;
   }

@@ -1,5 +1,6 @@
-// The light loop for the very lights of a list: written out, each light with literal rows and its own shape, or for many lights
-// as loops over the shapes that they have in common. Pure text; knows neither programs nor when one is worth it.
+// The light loop for the very lights of a list: written out, each light with literal rows and its own shape; counted, as loops
+// of literal length over lights of one shape; or as loops over the shapes that all have in common. And the lights' numbers, as
+// literals. Pure text; knows neither programs nor when one is worth it.
 import { ROWS, SHAPE } from '../light/light-layout.js';
 import { forEachLight } from '../light/light-reach.js';
 import { KINDS, type PackedLights } from '../light/pack-lights.js';
@@ -20,6 +21,56 @@ export function writtenOut(packed: PackedLights, terms: number): string {
     calls.push(ADD[kind](String(row), shapeIn(packed.shapes[light] ?? 0, terms)));
   });
   return calls.join(' ');
+}
+
+/**
+ * Turns of a counted loop at most. Of so many an H200's driver writes each out by itself, as fast as written-out lights in a
+ * tenth of the time to compile (128 lights: 0.3 s for 3); beyond 64 it does not, and each row costs a load.
+ */
+const MOST_TURNS = 32;
+
+/** Loops at most, as each is compiled by itself; lights of more shapes take the one that their kind has in common. */
+const MOST_RUNS = 64;
+
+interface Run {
+  readonly kind: LightKind;
+  readonly shape: number;
+  readonly row: number;
+  length: number;
+}
+
+/** The same, with a loop for each row of lights of one kind and shape. */
+export function counted(packed: PackedLights, terms: number): string {
+  const own = runsOf(packed, (light) => shapeIn(packed.shapes[light] ?? 0, terms));
+  const common = commonShapes(packed, terms);
+  const runs = own.length <= MOST_RUNS ? own : runsOf(packed, (_light, kind) => common[kind] ?? 0);
+  const texts = runs.map(({ kind, shape, row, length }) => {
+    if (length === 1) return ADD[kind](String(row), shape);
+    const turn = ADD[kind](`${String(row)}+i*${kind.toUpperCase()}_ROWS`, shape);
+    return `for(int i=0;i<${String(length)};i++)${turn}`;
+  });
+  return texts.join(' ');
+}
+
+function runsOf(packed: PackedLights, shapeOf: (light: number, kind: LightKind) => number): readonly Run[] {
+  const runs: Run[] = [];
+  forEachLight(packed, (light, kind, row) => {
+    const shape = shapeOf(light, kind);
+    const last = runs.at(-1);
+    if (last?.kind === kind && last.shape === shape && last.length < MOST_TURNS) last.length += 1;
+    else runs.push({ kind, shape, row, length: 1 });
+  });
+  return runs;
+}
+
+/** A vec3 or vec4 with these very numbers: nine digits are all that float32 has. */
+export const literal = (numbers: ArrayLike<number>): string =>
+  `vec${String(numbers.length)}(${Array.from(numbers, (x) => x.toExponential(8)).join()})`;
+
+/** The value of the define LIGHT_CONSTANTS: all rows. */
+export function constantRows({ data, rows }: PackedLights): string {
+  const texts = Array.from({ length: rows }, (_, row) => literal(data.subarray(row * 4, row * 4 + 4)));
+  return `vec4[](${texts.join()})`;
 }
 
 /** The same as a loop per kind, for any number of lights of these shapes. */
@@ -76,7 +127,13 @@ function commonShapes(packed: PackedLights, terms: number): Shapes {
 export const ALL_TERMS = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
 const BITS = (1 << SHAPE.powerShift) - 1;
 
-const shapeIn = (shape: number, terms: number): number => shape & (terms | ~ALL_TERMS);
+/** Without what only terms need that are not summed. */
+const shapeIn = (shape: number, terms: number): number => {
+  const { diffuse, specular, tintedDiffuse, tintedSpecular } = SHAPE;
+  const tints =
+    ((terms & diffuse) !== 0 ? tintedDiffuse : 0) | ((terms & specular) !== 0 ? tintedSpecular : 0);
+  return shape & (terms | tints | ~(ALL_TERMS | tintedDiffuse | tintedSpecular));
+};
 
 const DECAYS = SHAPE.decay | SHAPE.mild;
 

@@ -5,7 +5,7 @@ import { SHAPE } from '../light/light-layout.js';
 import { isBlack } from '../light/light-kind.js';
 import type { PackedLights } from '../light/pack-lights.js';
 import { isMildPower, isWholePower } from '../light/steady-light.js';
-import { inCells, inLoops, writtenOut } from './exact-lights.js';
+import { constantRows, counted, inCells, inLoops, literal, writtenOut } from './exact-lights.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';
 import type { Term } from './variant.js';
@@ -16,8 +16,14 @@ const TERM_BITS: Readonly<Record<Term, number>> = {
   specular: SHAPE.specular,
 };
 
-/** How a program holds its lights: each written out, in loops, or in lists by cells of a divided box. */
-export type ExactForm = 'written' | 'loops' | 'cells';
+/**
+ * How a program holds its lights: each written out; so with all of their numbers and the surface's in its text, `constant`; in
+ * loops of literal length, `counted`; in loops of any length; or in lists by cells of a divided box.
+ */
+export type ExactForm = 'written' | 'constant' | 'counted' | 'loops' | 'cells';
+
+/** Whether it reads its lights from the uniform block; else from the texture, or not at all. */
+export const readsBlock = (form: ExactForm): boolean => form === 'written' || form === 'counted';
 
 export interface ExactChoice {
   readonly list: LightList;
@@ -26,17 +32,12 @@ export interface ExactChoice {
   readonly usual: boolean;
   /** No light stands at what is drawn. */
   readonly apart: boolean;
-  /** The device has pow in hardware: faster than multiplying a whole power out. */
-  readonly hasPow: boolean;
 }
 
-/**
- * An exponent that pow raises fastest where it is hardware, and as exactly as is needed. Measured on an H200: 32 takes 0.94 of
- * the time of multiplying it out, 1 takes 1.07.
- */
-export const isPowPower = (exponent: number): boolean => isMildPower(exponent) && exponent >= 16;
-
-const TEXTS = { written: writtenOut, loops: inLoops, cells: inCells } as const;
+const TEXTS = {
+  ...{ written: writtenOut, constant: writtenOut, counted },
+  ...{ loops: inLoops, cells: inCells },
+} as const;
 
 /** The value of the define EXACT_LIGHTS. */
 export const exactText = (form: ExactForm, packed: PackedLights, terms: number): string =>
@@ -63,17 +64,23 @@ export class ExactMaterial extends ShaderMaterial {
     const summed = terms.filter((term) => term !== 'specular' || !isBlack(ks));
     const bits = summed.reduce((sum, term) => sum | TERM_BITS[term], 0);
     if (!terms.includes('ambient')) delete defines['HAS_AMBIENT'];
-    const byPow = choice.hasPow && isPowPower(shininess);
-    if (byPow) defines['POW_SHININESS'] = '';
-    if (isWholePower(shininess) && !byPow) defines['WHOLE_SHININESS'] = String(shininess);
+    if (isWholePower(shininess)) defines['WHOLE_SHININESS'] = String(shininess);
     else if (isMildPower(shininess)) defines['MILD_SHININESS'] = '';
     if (choice.apart) defines['LIGHTS_APART'] = '';
     if (choice.usual) defines['USUAL_LENGTHS'] = '';
     if (choice.form === 'cells') defines['HAS_GRID'] = '';
     defines['EXACT_LIGHTS'] = exactText(choice.form, choice.list.packed, bits);
-    if (choice.form === 'written') {
+    if (readsBlock(choice.form)) {
       defines['LIGHT_STORAGE'] = 'STORAGE_BLOCK';
-      this.uniformsGroups = [choice.list.rows.group];
+      const { rows, packed } = choice.list;
+      defines['LIGHT_BLOCK_ROWS'] = String(rows.blockRowsFor(packed.rows));
+      this.uniformsGroups = [rows.group];
+    } else if (choice.form === 'constant') {
+      const { reflectance } = source;
+      defines['LIGHT_CONSTANTS'] = constantRows(choice.list.packed);
+      defines['CONSTANT_KA'] = literal(reflectance.ka);
+      defines['CONSTANT_KD'] = literal(reflectance.kd);
+      defines['CONSTANT_KS'] = literal(reflectance.ks);
     }
     this.defines = defines;
   }
@@ -81,8 +88,9 @@ export class ExactMaterial extends ShaderMaterial {
   override onBeforeRender(...[renderer, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
     const { list, form } = this.#choice;
     const { uLightTexture } = this.uniforms;
-    if (form === 'written') list.rows.sendBlock();
-    else if (uLightTexture !== undefined) uLightTexture.value = list.rows.sendTexture(renderer);
+    if (readsBlock(form)) list.rows.sendBlock();
+    else if (form !== 'constant' && uLightTexture !== undefined)
+      uLightTexture.value = list.rows.sendTexture(renderer);
     this.uniformsNeedUpdate = this.standsFor.place(object);
   }
 }

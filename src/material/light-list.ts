@@ -7,7 +7,7 @@ import { LightRows } from './light-rows.js';
 export class LightList {
   readonly rows = new LightRows();
   #packed: PackedLights;
-  #shapes = new Uint16Array(0);
+  #shapes = new Uint32Array(0);
   #counts: readonly number[] = [];
   #version = 0;
 

@@ -1,14 +1,14 @@
 // Packed lights on the GPU. Loops read a float texture, of any number of lights: measured, it is faster than a uniform block
-// read by a running index (0.5 of the time in software, 0.9 on a GPU). Programs for exactly these lights read a uniform block of
-// 16 KiB at literal places (0.5 of a texture's time on a GPU). What did not change, or is not read, is not sent.
+// read by a running index (0.5 of the time in software, 0.9 on a GPU). Programs for exactly these lights read a uniform block at
+// literal places (0.5 of a texture's time on a GPU). What did not change, or is not read, is not sent.
 import { DynamicDrawUsage, ExternalTexture, Uniform, UniformsGroup, type WebGLRenderer } from 'three';
-import { BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
+import { BLOCK_ROWS, LARGE_BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
 import type { PackedLights } from '../light/pack-lights.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
 
-/** Where the block's pieces begin: a change sends the pieces it touches, so three calls at most and 1 KiB for a few lights. */
-const PIECES = [0, 64, 256, BLOCK_ROWS] as const;
+/** Where the block's pieces begin: a change sends the pieces it touches, so four calls at most and 1 KiB for a few lights. */
+const PIECES = [0, 64, 256, BLOCK_ROWS, LARGE_BLOCK_ROWS] as const;
 
 /**
  * A piece of the block. three.js sends every typed array of a group in each frame, changed or not, so the group lists
@@ -29,6 +29,11 @@ class BlockPiece extends Uniform<Float32Array> {
     });
   }
 
+  /** None: the rows end before it. */
+  get empty(): boolean {
+    return this.#data.length === 0;
+  }
+
   /** The rows have moved into other memory. */
   set data(data: Float32Array) {
     this.#data = data;
@@ -46,17 +51,28 @@ export class LightRows {
   #stale = { from: 0, to: 0 };
   readonly #pieces: readonly BlockPiece[];
   #uploads = 0;
+  #version = 0;
 
   constructor() {
     this.#pieces = PIECES.slice(1).map((end, i) => new BlockPiece(this.#rows(PIECES[i] ?? 0, end)));
     this.group.setName('LightRows');
     this.group.setUsage(DynamicDrawUsage);
-    this.group.uniforms.push(...this.#pieces); // all of them, when three.js measures the block
+    this.group.uniforms.push(...this.#filled()); // all of them, when three.js measures the block
   }
 
   /** How often light data has been handed over for sending. */
   get uploads(): number {
     return this.#uploads;
+  }
+
+  /** Goes up whenever a number is other than before. */
+  get version(): number {
+    return this.#version;
+  }
+
+  /** Rows of the block that a program for `rows` rows is to declare. Its buffer may have more, and never less. */
+  blockRowsFor(rows: number): number {
+    return rows <= BLOCK_ROWS ? BLOCK_ROWS : Math.min(this.#data.length / 4, LARGE_BLOCK_ROWS);
   }
 
   /** Takes what changed in `packed`. Cheap when nothing did. */
@@ -67,6 +83,7 @@ export class LightRows {
     let first = 0;
     while (first < end && kept[first] === data[first]) first += 1;
     if (first === end) return;
+    this.#version += 1;
     let last = end - 1;
     while (kept[last] === data[last]) last -= 1;
     for (let i = first; i <= last; i++) kept[i] = data[i] ?? 0;
@@ -101,7 +118,7 @@ export class LightRows {
   sendBlock(): void {
     const { uniforms } = this.group;
     uniforms.length = 0;
-    for (const piece of this.#pieces) if (piece.waiting) uniforms.push(piece);
+    for (const piece of this.#filled()) if (piece.waiting) uniforms.push(piece);
     if (uniforms.length > 0) this.#uploads += 1;
   }
 
@@ -128,7 +145,7 @@ export class LightRows {
   /** The GPU has lost everything: send it all again. */
   restore(): void {
     for (const piece of this.#pieces) piece.waiting = true;
-    this.group.uniforms.splice(0, Infinity, ...this.#pieces);
+    this.group.uniforms.splice(0, Infinity, ...this.#filled());
     this.#texture.sourceTexture = null;
     this.#stale = { from: 0, to: this.#data.length / 4 };
   }
@@ -138,6 +155,10 @@ export class LightRows {
     this.group.dispose();
     this.#deleteTexture();
     this.restore();
+  }
+
+  #filled(): readonly BlockPiece[] {
+    return this.#pieces.filter(({ empty }) => !empty);
   }
 
   #rows(from: number, to: number): Float32Array {
@@ -158,7 +179,7 @@ export class LightRows {
     this.#texture.sourceTexture = null;
   }
 
-  /** Room to double, so that lights added one by one do not make a texture each. */
+  /** Room to double, so that lights added one by one do not make a texture and a buffer each. */
   #grow(rows: number): void {
     const height = Math.ceil(Math.max(rows * 4, this.#data.length * 2) / (TEXTURE_WIDTH * 4));
     const grown = new Float32Array(height * TEXTURE_WIDTH * 4);
@@ -167,8 +188,7 @@ export class LightRows {
     this.#pieces.forEach((piece, i) => {
       piece.data = this.#rows(PIECES[i] ?? 0, PIECES[i + 1] ?? 0);
     });
-    this.#deleteTexture();
-    this.#stale = { from: 0, to: height * TEXTURE_WIDTH };
+    this.dispose();
   }
 }
 

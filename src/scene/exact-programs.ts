@@ -3,7 +3,14 @@
 // they have not: nothing is ever waited for. Works only in frames that are drawn anyway: no timer, no promise.
 import { type Material, Mesh, type PerspectiveCamera, Scene, type WebGLRenderer } from 'three';
 import { NearLights } from '../material/near-lights.js';
-import { type ExactChoice, type ExactForm, ExactMaterial, exactText } from '../material/exact-material.js';
+import {
+  type ExactChoice,
+  type ExactForm,
+  ExactMaterial,
+  exactText,
+  readsBlock,
+} from '../material/exact-material.js';
+import { FormChoice, isSettled } from './exact-form.js';
 import type { Drawing } from './repeat.js';
 import { unfinished } from './link-check.js';
 import type { LightList } from '../material/light-list.js';
@@ -11,20 +18,11 @@ import { ALL_TERMS } from '../material/exact-lights.js';
 import type { PhongLighting } from '../material/phong-lighting.js';
 import type { PhongMaterial } from '../material/phong-material.js';
 
-/** Of the same lights, before a program is made for them: a third of a second of motion, or a few frames of a slow picture. */
-const SETTLED = { frames: 20, slowFrames: 3, slowTime: 300 } as const;
-
 /** Distances of what is drawn for which float32 needs no rescue: ten times what the shader takes, either way. */
 const USUAL = { near: 1e-9, far: 1e14 } as const;
 
 /** Exact programs that a page keeps at most; further meshes stay with general ones. */
 const MOST_PROGRAMS = 8;
-
-/**
- * Lights that a program has written out at most: a GPU's driver compiles 64 in under a second, in the background, and they
- * take 0.55 of the time of loops; in software the first draw compiles, in line with the others, 16 in a quarter of a second.
- */
-const MOST_WRITTEN = { gpu: 128, software: 16 } as const;
 
 /**
  * Frames until a program is taken for compiled where the browser does not tell: commands are carried out in order, so by
@@ -41,6 +39,7 @@ export interface DrawnPart {
 
 interface Record {
   readonly near: NearLights;
+  readonly form: FormChoice;
   /** What the program is made for: this, the shapes of its lights, and what else of the material is in the text. */
   choice: ExactChoice | null;
   shapeVersion: number;
@@ -74,7 +73,6 @@ export class ExactPrograms {
   /** Before a frame: gives each mesh the lights that reach it and the material that draws it, exact where one is ready. */
   choose(renderer: WebGLRenderer, camera: PerspectiveCamera, parts: Iterable<DrawnPart>): void {
     this.#renderer = renderer;
-    const device = deviceOf(renderer);
     const usual = camera.near > USUAL.near && camera.far < USUAL.far;
     for (const record of this.#records.values()) record.seen = false;
     for (const { mesh, material } of parts) {
@@ -84,14 +82,13 @@ export class ExactPrograms {
       record.near.update(choice, material);
       const { cells, apart } = record.near;
       const list = cells ?? choice.list;
-      const few = list.packed.sent <= MOST_WRITTEN[device];
-      const form = cells !== null ? 'cells' : few ? 'written' : 'loops';
+      const form = record.form.of(renderer, list, cells !== null, material);
       material.chooseProgram();
       if (isAsBefore(record, material, list, form, usual, apart)) {
         record.frames += 1;
       } else {
         this.#drop(record);
-        record.choice = { list, form, usual, apart, hasPow: device === 'gpu' };
+        record.choice = { list, form, usual, apart };
         record.text = commonText(list, form);
         record.programVersion = material.programVersion;
         record.exactKey = material.exactKey;
@@ -112,7 +109,7 @@ export class ExactPrograms {
   drawing({ mesh, material }: DrawnPart): Drawing {
     const { choice = null, twin = null } = this.#records.get(mesh) ?? {};
     const list = choice !== null && mesh.material === twin ? choice.list : this.#lighting.lightsOf(mesh);
-    const inBlock = choice?.list === list && choice.form === 'written' && mesh.material === twin;
+    const inBlock = choice?.list === list && readsBlock(choice.form) && mesh.material === twin;
     return { mesh, rows: list.rows, inBlock, textured: material.look.map !== null };
   }
 
@@ -128,8 +125,9 @@ export class ExactPrograms {
     }
     for (const { mesh, material } of parts) {
       const record = this.#records.get(mesh);
-      if (record === undefined || record.twin !== null || !isSettled(record)) continue;
-      if (record.choice === null) continue;
+      if (record === undefined || record.twin !== null || record.choice === null) continue;
+      // Constants have stood still for long enough when they are chosen.
+      if (record.choice.form !== 'constant' && !isSettled(record.frames, record.since)) continue;
       if (material.transparent || programs >= MOST_PROGRAMS) continue; // three.js draws blended ones in two passes
       programs += 1;
       record.twin = new ExactMaterial(material, record.choice);
@@ -159,6 +157,7 @@ export class ExactPrograms {
     const record: Record = {
       ...{
         near: new NearLights(),
+        form: new FormChoice(),
         choice: null,
         shapeVersion: -1,
         text: '',
@@ -197,9 +196,6 @@ export class ExactPrograms {
   }
 }
 
-const isSettled = ({ frames, since }: Record): boolean =>
-  frames >= SETTLED.frames || (frames >= SETTLED.slowFrames && performance.now() - since >= SETTLED.slowTime);
-
 /** Whether a program for this would be the record's own. */
 function isAsBefore(
   record: Record,
@@ -219,12 +215,14 @@ function isAsBefore(
     record.programVersion === programVersion &&
     record.exactKey === exactKey &&
     // Written out, every light's shape and row is in the program; in loops only what the shapes have in common.
-    (shapeVersion === list.shapeVersion || (form !== 'written' && record.text === commonText(list, form)))
+    (shapeVersion === list.shapeVersion || (isCommon(form) && record.text === commonText(list, form)))
   );
 }
 
+const isCommon = (form: ExactForm): boolean => form === 'loops' || form === 'cells';
+
 const commonText = (list: LightList, form: ExactForm): string =>
-  form === 'written' ? '' : exactText(form, list.packed, ALL_TERMS);
+  isCommon(form) ? exactText(form, list.packed, ALL_TERMS) : '';
 
 function isReady(renderer: WebGLRenderer, material: Material, frames: number): boolean {
   if (frames < UNTOLD_FRAMES && !renderer.extensions.has('KHR_parallel_shader_compile')) return false;
@@ -239,18 +237,3 @@ interface Program {
 
 const programOf = (renderer: WebGLRenderer, material: Material): Program | undefined =>
   (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
-
-type Device = keyof typeof MOST_WRITTEN;
-
-const devices = new WeakMap<WebGLRenderer, Device>();
-
-function deviceOf(renderer: WebGLRenderer): Device {
-  const known = devices.get(renderer);
-  if (known !== undefined) return known;
-  const gl = renderer.getContext();
-  const info = gl.getExtension('WEBGL_debug_renderer_info');
-  const name = String(gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
-  const device = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? 'software' : 'gpu';
-  devices.set(renderer, device);
-  return device;
-}

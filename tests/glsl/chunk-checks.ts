@@ -94,13 +94,20 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title: 'attenuation is 1/max(kc + kl·d + kq·d², 1)',
-    glsl: 'result.x = attenuation(a.xyz, b.x);',
+    title: 'attenuation is 1/max(kc + kl·d + kq·d², 1), less what a shape has no need of',
+    glsl: `
+      result.x = attenuation(a.xyz, b.x, b.x * b.x, SHAPE_LINEAR + SHAPE_CLAMPED);
+      result.y = attenuation(vec3(a.x, 0.0, a.z), b.x, b.x * b.x, SHAPE_CLAMPED);
+      result.z = attenuation(vec3(1.0 + a.x, a.yz), b.x, b.x * b.x, SHAPE_LINEAR);`,
     inputs(random) {
       const k = (): number => f(random.pick([0, 1, random.magnitude(1e-6, 1e6)]));
       return [[k(), k(), k()], [f(random.pick([0, random.magnitude(1e-15, 1e15)]))]];
     },
-    expected: ([kc, kl, kq], [d]) => [1 / Math.max(kc! + kl! * d! + kq! * d! * d!, 1)],
+    expected: ([kc, kl, kq], [d]) => [
+      1 / Math.max(kc! + kl! * d! + kq! * d! * d!, 1),
+      1 / Math.max(kc! + kq! * d! * d!, 1),
+      1 / (f(1 + kc!) + kl! * d! + kq! * d! * d!),
+    ],
     bound: 5e-7,
     floor: 2 ** -126,
   },
@@ -147,8 +154,8 @@ const CHECKS: readonly Check[] = [
   {
     title: 'spotDecay multiplies whole cutoffs out, raises others and leaves 1 without either',
     glsl: `
-      result.x = spotDecay(a.x, a.y, a.z, int(a.z) << SHAPE_POWER_SHIFT);
-      result.y = spotDecay(a.x, a.y, a.w, SHAPE_DECAY);
+      result.x = spotDecay(a.x, a.y, a.z, (int(a.z) << SHAPE_POWER_SHIFT) + SHAPE_CHORDS);
+      result.y = spotDecay(a.x, a.y, a.w, SHAPE_DECAY + SHAPE_CHORDS);
       result.z = spotDecay(a.x, a.y, a.z, SHAPE_NARROW);`,
     inputs(random) {
       const q = f(random.pick([0, 1, random.from(0, 1), random.magnitude(1e-9, 0.1)]));
@@ -159,10 +166,27 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title: 'diffuseLobe is Lambert’s law',
+    title:
+      'spotDecay takes a cosine for cutoffs from 1 to 64, also where rounding made it less than -1 or more than 1',
+    glsl: `
+      result.x = spotDecay(1.0 - a.x, a.x, a.y, int(a.y) << SHAPE_POWER_SHIFT);
+      result.y = spotDecay(1.0 - a.x, a.x, a.z, SHAPE_DECAY + SHAPE_MILD);`,
+    inputs: (random) => [
+      [
+        f(random.pick([0, 1, -6e-8, 1 + 1.2e-7, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
+        Math.floor(random.from(1, 65)),
+        f(random.pick([1, 64, random.from(1, 64)])),
+      ],
+    ],
+    expected: ([p, whole, cutoff]) => [Math.max(p!, 0) ** whole!, Math.max(p!, 0) ** cutoff!],
+    bound: 3e-5, // log2's, as mildPower has it
+    floor: 1,
+  },
+  {
+    title: 'diffuseLobe is Lambert’s law, and 1 at most where rounding made a cosine more',
     glsl: 'result.x = diffuseLobe(a.x);',
-    inputs: (random) => [[f(random.from(-1, 1))]],
-    expected: ([NoL]) => [Math.max(NoL!, 0)],
+    inputs: (random) => [[f(random.pick([1 + 2.4e-7, random.from(-1, 1)]))]],
+    expected: ([NoL]) => [Math.min(Math.max(NoL!, 0), 1)],
     bound: 0,
   },
   {

@@ -56,6 +56,8 @@ export const glslMutants = [
     ['x = 1 - y as the series’ argument: y alone', 'y / (2.0 - y)', 'y * 0.5'],
     ['mild powers of 0', 'x >= TINY || k < LEAST_EXPONENT ? power : 0.0', 'power'],
     ['mild powers: x^0 = 1', 'x >= TINY || k < LEAST_EXPONENT ? power', 'x >= TINY ? power'],
+    ['powers from 1', 'return exp2(k * log2(max(x, TINY)));', 'return max(x, 0.0);'],
+    ['powers from 1: the guard of log2', 'return exp2(k * log2(max(x, TINY)));', 'return exp2(k * log2(x));'],
     ['whole powers’ bit of 1', '(k & 1) != 0 ? x : 1.0', '1.0'],
     ...[2, 4, 8, 16, 32].map(
       (bit) =>
@@ -69,7 +71,10 @@ export const glslMutants = [
     ['whole powers’ first square', 'float square = x * x;', 'float square = x;'],
   ]),
   ...mutantsOf('shaders/attenuation.glsl', [
-    ['att is at most 1', 'max(k.x + d * (k.y + d * k.z), 1.0)', '(k.x + d * (k.y + d * k.z))'],
+    ['att is at most 1', '? max(sum, 1.0) : sum', '? sum : sum'],
+    ['sums of at least 1 are not cut off', '? max(sum, 1.0) : sum', '? max(sum, 1.0) : max(sum, 2.0)'],
+    ['kq without kl', 'k.x + squared * k.z;', 'k.x;'],
+    ['kc without kl', 'k.x + squared * k.z;', 'squared * k.z;'],
     ['kc', 'k.x + d * (', 'd * ('],
     ['kl', '(k.y + d * k.z)', '(d * k.z)'],
     ['kq', '(k.y + d * k.z)', 'k.y'],
@@ -106,8 +111,10 @@ export const glslMutants = [
     ['a cone known to be of more than 90°', 'if (wide) return toBack >= -limit;', ''],
     ['cones that may be of either side', 'if (narrow && wide) return', 'if (false) return'],
     ['lights without a cone let all through', 'return true;', 'return false;'],
-    ['whole cutoffs', 'if (whole > 0) return wholePower(1.0 - toAxis, whole);', ''],
-    ['whole cutoffs’ base', 'wholePower(1.0 - toAxis, whole)', 'wholePower(toAxis, whole)'],
+    ['whole cutoffs', 'if (whole > 0) return wholePower(', 'if (false) return wholePower('],
+    ['whole cutoffs’ base', 'chords ? 1.0 - toAxis : toBack', 'chords ? toAxis : toBack'],
+    ['whole cutoffs’ base by cosine', 'chords ? 1.0 - toAxis : toBack', 'chords ? 1.0 - toAxis : toAxis'],
+    ['cutoffs by cosine', 'return tamePower(toBack, cutoff);', 'return 1.0;'],
     ['the place of whole cutoffs in a shape', 'shape >> SHAPE_POWER_SHIFT', 'shape'],
     ['mild cutoffs', 'return mildPower(toBack, cutoff);', 'return 1.0;'],
     [
@@ -159,21 +166,22 @@ export const glslMutants = [
       'squared + dot(across, across)',
     ],
   ]),
-  ...mutantsOf('shaders/diffuse_lobe.glsl', [['NoL is at least 0', 'max(NoL, 0.0)', 'NoL']]),
+  ...mutantsOf('shaders/diffuse_lobe.glsl', [
+    ['NoL is at least 0', 'clamp(NoL, 0.0, 1.0)', 'min(NoL, 1.0)'],
+    ['NoL is at most 1', 'clamp(NoL, 0.0, 1.0)', 'max(NoL, 0.0)'],
+  ]),
   ...mutantsOf('shaders/specular_phong.glsl', [
     ['W’s factor of 2', '2.0 * dot(N, V) * N - V', 'dot(N, V) * N - V'],
     ['W’s sign', '2.0 * dot(N, V) * N - V', 'V - 2.0 * dot(N, V) * N'],
-    ['half of the chord’s square: a quarter', '0.5 * dot(d, d), n)', '0.25 * dot(d, d), n)'],
+    ['half of the chord’s square: a quarter', '(RoV, 0.5 * dot(d, d), n)', '(RoV, 0.25 * dot(d, d), n)'],
     [
       'the chord: one minus the cosine',
       'powerNearOne(RoV, 0.5 * dot(d, d), n)',
       'powerNearOne(RoV, 1.0 - RoV, n)',
     ],
     ['the series: pow', 'powerNearOne(RoV, 0.5 * dot(d, d), n)', 'pow(max(RoV, 0.0), n)'],
-    ['whole exponents’ base is at least 0', 'wholePower(max(RoV, 0.0), ', 'wholePower(RoV, '],
-    ['exponents by pow', 'return pow(max(RoV, TINY), n);', 'return 1.0;'],
-    ['the base of pow is above 0', 'pow(max(RoV, TINY), n)', 'pow(RoV, n)'],
-    ['whole exponents', 'return wholePower(max(RoV, 0.0), WHOLE_SHININESS);', 'return 1.0;'],
+    ['whole exponents’ base is at least 0', 'wholePower(clamp(RoV, 0.0, 1.0), ', 'wholePower(RoV, '],
+    ['whole exponents', 'return wholePower(clamp(RoV, 0.0, 1.0), WHOLE_SHININESS);', 'return 1.0;'],
     ['mild exponents', 'return mildPower(RoV, n);', 'return 1.0;'],
     ['the averaged lobe without a view', 'dot(seen.W, seen.W) > 0.5 ? average : 0.0', 'average'],
     ['what L turns by, up and down', 'seen.dyW + turning(L, seen.dyP, d * d)', 'seen.dyW'],
@@ -193,10 +201,10 @@ export const glslMutants = [
     ],
     [
       'the chord: one minus the cosine',
-      'powerNearOne(dot(N, H), y, n)',
+      'powerNearOne(dot(N, H), 0.5 * dot(d, d), n)',
       'powerNearOne(dot(N, H), 1.0 - dot(N, H), n)',
     ],
-    ['the series: pow', 'powerNearOne(dot(N, H), y, n)', 'pow(max(dot(N, H), 0.0), n)'],
+    ['the series: pow', 'powerNearOne(dot(N, H), 0.5 * dot(d, d), n)', 'pow(max(dot(N, H), 0.0), n)'],
     ['mild exponents', 'return mildPower(dot(N, H), n);', 'return 1.0;'],
     ['what H turns by', 'seen.dxN - turning(H, seen.dxSum, squared)', 'seen.dxN'],
     ['what L turns by', 'seen.dxSum -= turning(L, seen.dxP, d * d);', ''],
@@ -207,10 +215,13 @@ export const glslMutants = [
       'sum * inversesqrt(squared)',
     ],
     ['what rounding alone leaves of L + V', 'LEAST_SUM = 1e-12', 'LEAST_SUM = TINY'],
-    ['exponents by pow', 'return pow(max(dot(N, H), TINY), n);', 'return 1.0;'],
     ['no H, no light from whole exponents', 'squared >= LEAST_SUM ? wholePower(', 'true ? wholePower('],
-    ['whole exponents’ base is at least 0', '? wholePower(max(1.0 - y, 0.0), ', '? wholePower(1.0 - y, '],
-    ['whole exponents’ base: the chord', '? wholePower(max(1.0 - y, 0.0), ', '? wholePower(max(y, 0.0), '],
+    ['whole exponents’ base is at least 0', '? wholePower(clamp(NoH, 0.0, 1.0), ', '? wholePower(NoH, '],
+    [
+      'whole exponents’ base: of unit length',
+      'dot(N, sum) * inversesqrt(max(squared, LEAST_SUM));',
+      'dot(N, sum);',
+    ],
   ]),
   ...mutantsOf('shaders/light_loop.glsl', [
     [
@@ -258,9 +269,18 @@ export const glslMutants = [
     ['spots’ ambient light', 'sums.ambient += ambient.rgb * decay;', ';'],
     ['the decay of spots’ ambient light', 'ambient.rgb * decay', 'ambient.rgb'],
     ['the decay of spots’ other terms', 'float factor = decay;', 'float factor = 1.0;'],
-    ...['AMBIENT', 'DIFFUSE', 'SPECULAR', 'ATTENUATED', 'DECAY'].map(
-      (bit) => /** @type {const} */ ([`${bit} of everything declared`, `  + SHAPE_${bit}\n`, '\n']),
+    ...['AMBIENT', 'DIFFUSE', 'SPECULAR', 'ATTENUATED', 'DECAY', 'CHORDS'].map(
+      (bit) => /** @type {const} */ ([`${bit} of everything declared`, `  + SHAPE_${bit}`, '  ']),
     ),
+    ...['CLAMPED', 'LINEAR', 'TINTED_DIFFUSE', 'TINTED_SPECULAR'].map(
+      (bit) => /** @type {const} */ ([`${bit} of everything declared`, ` + SHAPE_${bit}`, '']),
+    ),
+    ['the sum of tinted light', 'if (tinted) sum += color * amount;', 'if (tinted) ;'],
+    ['the sum of grey light', 'else grey += color.r * amount;', ''],
+    ['grey diffuse light in the end', 'sums.diffuse += sums.greyDiffuse;', ''],
+    ['grey specular light in the end', 'sums.specular += sums.greySpecular;', ''],
+    ['the cosine: half of it', '0.5 - 0.5 * dot(L, axis.xyz)', '0.5 - 0.25 * dot(L, axis.xyz)'],
+    ['the near side of a cosine', ': 1.0 - toBack', ': toBack'],
     ['cones of up to 90° of everything declared', '+ SHAPE_NARROW + SHAPE_WIDE', '+ SHAPE_WIDE'],
     ['cones beyond 90° of everything declared', '+ SHAPE_NARROW + SHAPE_WIDE', '+ SHAPE_NARROW'],
     ...['AMBIENT', 'DIFFUSE', 'SPECULAR'].map(

@@ -6,12 +6,23 @@ import { describe, expect, it } from 'vitest';
 import { HEADER, layoutDefines, ROWS, SHAPE } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights } from '../../src/light/pack-lights.js';
-import { inLoops, writtenOut } from '../../src/material/exact-lights.js';
+import { constantRows, counted, inLoops, literal, writtenOut } from '../../src/material/exact-lights.js';
 import { anyLight, light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
 
 const TERMS = SHAPE.ambient + SHAPE.diffuse + SHAPE.specular;
 const BITS = (1 << SHAPE.powerShift) - 1;
+const TINTS = SHAPE.tintedDiffuse + SHAPE.tintedSpecular;
+
+/** A shape less what only terms need that are not summed. */
+const without = (shape: number, terms: number): number => {
+  const summed = (term: number, tint: number): number => ((terms & term) !== 0 ? term + tint : 0);
+  const kept =
+    summed(SHAPE.ambient, 0) +
+    summed(SHAPE.diffuse, SHAPE.tintedDiffuse) +
+    summed(SHAPE.specular, SHAPE.tintedSpecular);
+  return shape & (~(TERMS + TINTS) | kept);
+};
 
 const loop = readFileSync(new URL('../../shaders/light_loop.glsl', import.meta.url), 'utf8');
 const defines = new Map(
@@ -45,7 +56,7 @@ function expected({ counts, shapes }: PackedLights, terms: number): (string | nu
     Array.from({ length: counts[kind] }, () => {
       const first = row;
       row += ROWS[kind].rows;
-      return [KINDS[kind], first, shapes[i++]! & (~TERMS | terms)];
+      return [KINDS[kind], first, without(shapes[i++]!, terms)];
     }),
   );
 }
@@ -72,6 +83,72 @@ describe('lights written out', () => {
     const text = writtenOut(pack([light(), lamp(), spot()]), TERMS);
     expect(text).not.toMatch(/for|counts|lightRow/);
     for (const { args } of callsIn(text)) expect(args[1]).toMatch(/^\d+$/);
+  });
+});
+
+describe('counted lights', () => {
+  /** Kind, row and shape of every turn of every loop and of every call, as they run. */
+  function run(text: string): (string | number)[][] {
+    const statement = /(?:for\(int i=0;i<(\d+);i\+\+\))?(add\w+)\(sums,(\d+)(?:\+i\*(\w+))?,([^()]*)\)/g;
+    return [...text.matchAll(statement)].flatMap(
+      ([, turns = '1', name = '', row = '', step = '', rest = '']) =>
+        Array.from({ length: Number(turns) }, (_, i) => [
+          name,
+          Number(row) + i * Number(defines.get(step) ?? 0),
+          Number(rest.split(',').at(-1)),
+        ]),
+    );
+  }
+
+  it('are each light once, with its first row and its shape, less the terms that are not summed', () => {
+    fc.assert(
+      fc.property(fc.array(anyLight, { maxLength: 40 }), fc.integer({ min: 0, max: 7 }), (lights, terms) => {
+        const packed = pack(lights);
+        expect(run(counted(packed, terms))).toStrictEqual(expected(packed, terms));
+      }),
+      { numRuns: 200 },
+    );
+  });
+
+  it('are loops of 32 turns at most, which drivers write out one by one', () => {
+    const text = counted(pack(Array.from({ length: 70 }, () => lamp())), TERMS);
+    expect([...text.matchAll(/i<(\d+)/g)].map(([, turns]) => Number(turns))).toStrictEqual([32, 32, 6]);
+    expect(text).not.toMatch(/counts|lightRow/);
+  });
+
+  it('take the shape that all of a kind have in common where there are more than 64 loops', () => {
+    const alternating = (count: number): LightValues[] =>
+      Array.from({ length: count }, (_, i) => lamp(i % 2 === 0 ? {} : { specular: [0, 0, 0] }));
+    expect(new Set(shapesIn(counted(pack(alternating(64)), TERMS))).size).toBe(2);
+    const many = counted(pack(alternating(66)), TERMS);
+    expect(new Set(shapesIn(many))).toStrictEqual(new Set([SHAPE.diffuse + SHAPE.specular]));
+    expect(run(many)).toHaveLength(66);
+  });
+
+  it('are nothing without lights', () => {
+    expect(counted(pack([]), TERMS)).toBe('');
+  });
+});
+
+describe('numbers in a program’s text', () => {
+  it('are floats to GLSL, and read back as the very same', () => {
+    const float = fc.float({ noNaN: true, noDefaultInfinity: true });
+    fc.assert(
+      fc.property(fc.array(float, { minLength: 3, maxLength: 4 }), (numbers) => {
+        const [, size, list = ''] = /^vec([34])\((.*)\)$/.exec(literal(numbers))!;
+        expect(Number(size)).toBe(numbers.length);
+        const parts = list.split(',');
+        for (const part of parts) expect(part).toMatch(/^-?\d\.\d+e[+-]\d+$/);
+        expect(parts.map((part) => Math.fround(Number(part)) + 0)).toStrictEqual(numbers.map((x) => x + 0));
+      }),
+    );
+  });
+
+  it('are all rows of the lights, in order', () => {
+    const packed = pack([light(), lamp({ attenuation: [1, 2, 3] }), spot()]);
+    const rows = constantRows(packed).match(/vec4\([^)]+\)/g)!;
+    expect(rows).toHaveLength(packed.rows);
+    expect(rows[HEADER.rows]).toBe(literal(packed.data.slice(HEADER.rows * 4, HEADER.rows * 4 + 4)));
   });
 });
 
@@ -108,13 +185,17 @@ describe('lights in loops', () => {
     [
       'an attenuation',
       [lamp(), lamp({ attenuation: [1, 1, 1] })],
-      SHAPE.diffuse + SHAPE.specular + SHAPE.attenuated,
+      SHAPE.diffuse + SHAPE.specular + SHAPE.attenuated + SHAPE.linear,
     ],
-    ['a cone on either side', [spot(), spot({ aperture: 120 })], TERMS + SHAPE.narrow + SHAPE.wide],
+    [
+      'a cone on either side',
+      [spot({ aperture: 3 }), spot({ aperture: 120 })],
+      TERMS + SHAPE.narrow + SHAPE.wide + SHAPE.chords,
+    ],
     [
       'the cutoff that all share',
       [spot({ cutoff: 5 }), spot({ cutoff: 5 })],
-      TERMS + SHAPE.narrow + (5 << SHAPE.powerShift),
+      TERMS + SHAPE.wide + (5 << SHAPE.powerShift),
     ],
     ...(
       [
@@ -132,7 +213,11 @@ describe('lights in loops', () => {
         [
           `any mild decay ${name}`,
           cutoffs.map((cutoff) => spot({ cutoff })),
-          TERMS + SHAPE.narrow + SHAPE.decay + SHAPE.mild,
+          TERMS +
+            SHAPE.wide +
+            SHAPE.decay +
+            SHAPE.mild +
+            (cutoffs.some((c: number) => c > 0 && c < 1) ? SHAPE.chords : 0),
         ] as [string, LightValues[], number],
     ),
     ...(
@@ -150,10 +235,10 @@ describe('lights in loops', () => {
         [
           `any decay for cutoffs ${cutoffs.join()}`,
           cutoffs.map((cutoff) => spot({ cutoff })),
-          TERMS + SHAPE.narrow + SHAPE.decay,
+          TERMS + SHAPE.wide + SHAPE.decay + SHAPE.chords,
         ] as [string, LightValues[], number],
     ),
-    ['no decay where none has one', [spot(), spot()], TERMS + SHAPE.narrow],
+    ['no decay where none has one', [spot(), spot()], TERMS + SHAPE.wide],
   ])('have %s in common', (_, lights, shape) => {
     expect(shapesIn(inLoops(pack(lights), TERMS))).toStrictEqual([shape]);
   });
@@ -166,7 +251,7 @@ describe('lights in loops', () => {
       ),
     );
     expect([directional, point]).toStrictEqual([SHAPE.diffuse, SHAPE.specular]);
-    expect(cone).toBe(TERMS + SHAPE.narrow + (3 << SHAPE.powerShift));
+    expect(cone).toBe(TERMS + SHAPE.wide + (3 << SHAPE.powerShift));
   });
 
   it('have what each of them needs, and no bit that none does, whichever terms are summed', () => {

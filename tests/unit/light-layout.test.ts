@@ -5,6 +5,7 @@ import {
   BLOCK_ROWS,
   GRID,
   HEADER,
+  LARGE_BLOCK_ROWS,
   LARGEST_MILD,
   layoutDefines,
   LEAST_EXPONENT,
@@ -40,7 +41,7 @@ describe('the defines of the layout', () => {
     ]);
     const grid = Object.entries(GRID).map(([row, offset]) => [`GRID_${row.toUpperCase()}`, String(offset)]);
     const shapes = Object.entries(SHAPE).map(([name, bit]) => [
-      name === 'powerShift' ? 'SHAPE_POWER_SHIFT' : `SHAPE_${name.toUpperCase()}`,
+      `SHAPE_${name.replace(/[A-Z]/g, '_$&').toUpperCase()}`,
       String(bit),
     ]);
     const others = [
@@ -92,18 +93,19 @@ describe('the layout', () => {
     expect(ROWS.spot).toMatchObject(point);
   });
 
-  it('fills 16 KiB, which every device has, and texture rows by a shift', () => {
+  it('fills 16 KiB, which every device has, or the 64 KiB of most, and texture rows by a shift', () => {
     expect(BLOCK_ROWS * 16).toBe(16384);
+    expect(LARGE_BLOCK_ROWS * 16).toBe(65536);
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);
   });
 
-  it('gives each bit of a shape a place of its own, below the exponent, and all of it 16 bits', () => {
+  it('gives each bit of a shape a place of its own, below the exponent, and all of it less than a sign', () => {
     const { powerShift, ...bits } = SHAPE;
     const all = Object.values(bits);
     for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
     expect(new Set(all).size).toBe(all.length);
     expect(Math.max(...all)).toBeLessThan(1 << powerShift);
-    expect((LARGEST_MILD + 1) << powerShift).toBeLessThanOrEqual(1 << 16);
+    expect((LARGEST_MILD + 1) << powerShift).toBeLessThan(2 ** 31);
   });
 
   it('calls mild no exponent whose errors would be seen: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {

@@ -115,13 +115,13 @@ describe('the version of the shapes', () => {
     ['moves', lamp(1), lamp(7)],
     ['changes colour', lamp(1, { diffuse: [1, 2, 3] }), lamp(1, { diffuse: [0, 0, 9] })],
     ['turns', spot(1), spot(1, { axis: [1, 1, 1] })],
-    ['widens its cone within 90°', spot(1), spot(1, { aperture: 90 })],
-    ['widens its cone beyond 90°', spot(1, { aperture: 100 }), spot(1, { aperture: 170 })],
+    ['widens its cone within 15°', spot(1, { aperture: 1 }), spot(1, { aperture: 14 })],
+    ['widens its cone from 15° on', spot(1, { aperture: 15 }), spot(1, { aperture: 165 })],
     ['changes a cutoff that is not whole', spot(1, { cutoff: 65.5 }), spot(1, { cutoff: 99 })],
     [
       'changes how it is attenuated',
       lamp(1, { attenuation: [1, 1, 0] }),
-      lamp(1, { attenuation: [0, 0, 2] }),
+      lamp(1, { attenuation: [2, 3, 2] }),
     ],
     ['brings other ambient light everywhere', lamp(1), lamp(1, { ambient: [9, 9, 9] })],
     [
@@ -144,7 +144,7 @@ describe('the version of the shapes', () => {
     ['gets a decay', spot(1), spot(1, { cutoff: 0.5 })],
     ['gets a cutoff too large to be mild', spot(1, { cutoff: 0.5 }), spot(1, { cutoff: 99 })],
     ['gets another whole cutoff', spot(1, { cutoff: 7 }), spot(1, { cutoff: 8 })],
-    ['opens beyond 90°', spot(1), spot(1, { aperture: 91 })],
+    ['opens beyond 15°', spot(1, { aperture: 14 }), spot(1, { aperture: 16 })],
     ['opens wholly', spot(1, { cutoff: 2 }), spot(1, { cutoff: 2, aperture: 180 })],
   ])('goes up where a light %s, and again where it is as before', (_, before, after) => {
     expect(versions([before, lamp(5)], [after, lamp(5)], [after, lamp(6)], [before, lamp(5)])).toStrictEqual([

@@ -4,7 +4,7 @@
 import fc from 'fast-check';
 import type { ExternalTexture } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import { BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
+import { BLOCK_ROWS, LARGE_BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
 import { LightRows } from '../../src/material/light-rows.js';
 import { FakeRenderer } from './fake-renderer.js';
@@ -122,23 +122,48 @@ describe('the uniform block', () => {
   });
 
   it('waits for nothing beyond its last row', () => {
-    const rows = settled(BLOCK_ROWS + 10);
-    rows.write(changed(BLOCK_ROWS + 10, BLOCK_ROWS * 4));
+    const rows = settled(LARGE_BLOCK_ROWS + 10);
+    rows.write(changed(LARGE_BLOCK_ROWS + 10, LARGE_BLOCK_ROWS * 4));
     expect(sendBlock(rows)).toStrictEqual([]);
   });
 
-  it('waits for nothing where the rows grow beyond it', () => {
+  it('is a larger one where the rows outgrow it, measured whole and sent anew, up to the largest', () => {
     const rows = settled(BLOCK_ROWS);
+    const dispose = vi.spyOn(rows.group, 'dispose');
     rows.write(packed(2 * WIDTH));
-    expect(sendBlock(rows)).toStrictEqual([]);
+    expect(dispose).toHaveBeenCalledTimes(1);
+    expect(rows.group.uniforms).toHaveLength(4);
+    expect(sendBlock(rows).map(({ length }) => length)).toStrictEqual([256, 768, 3072, 4096]);
+    rows.write(packed(5 * WIDTH));
+    const floats = sendBlock(rows).reduce((sum, { length }) => sum + length, 0);
+    expect(floats).toBe(LARGE_BLOCK_ROWS * 4);
+  });
+
+  it('is declared as small as its lights allow, and never larger than its buffer', () => {
+    const rows = settled(10);
+    expect(rows.blockRowsFor(10)).toBe(BLOCK_ROWS);
+    rows.write(packed(2 * WIDTH));
+    expect(rows.blockRowsFor(2 * WIDTH)).toBe(2 * WIDTH);
+    expect(rows.blockRowsFor(BLOCK_ROWS)).toBe(BLOCK_ROWS);
+    rows.write(packed(3 * WIDTH));
+    expect(rows.blockRowsFor(3 * WIDTH)).toBe(LARGE_BLOCK_ROWS);
+    rows.write(packed(9 * WIDTH));
+    expect(rows.blockRowsFor(LARGE_BLOCK_ROWS)).toBe(LARGE_BLOCK_ROWS);
+  });
+
+  it('has a version that goes up with its numbers alone', () => {
+    const rows = settled(10);
+    const { version } = rows;
+    rows.write(packed(10));
+    expect(rows.version).toBe(version);
+    rows.write(changed(10, 7));
+    expect(rows.version).toBe(version + 1);
   });
 
   it('follows the rows into the memory that they grow into', () => {
     const rows = settled(10);
     rows.write(packed(2 * WIDTH));
-    expect(sendBlock(rows).flatMap((piece) => [...piece])).toStrictEqual(
-      floatsOf(packed(2 * WIDTH)).slice(0, BLOCK_ROWS * 4),
-    );
+    expect(sendBlock(rows).flatMap((piece) => [...piece])).toStrictEqual(floatsOf(packed(2 * WIDTH)));
     rows.write(changed(2 * WIDTH, 7));
     expect(sendBlock(rows)[0]![7]).toBe(-8);
   });
@@ -288,8 +313,8 @@ describe('a lost context', () => {
     expect(sendBlock(rows)).toStrictEqual([]);
     gpu.loseContext();
     rows.restore();
-    expect(rows.group.uniforms).toHaveLength(3); // three.js measures the block anew before anything is sent
-    expect(sendBlock(rows)).toHaveLength(3);
+    expect(rows.group.uniforms).toHaveLength(4); // three.js measures the block anew before anything is sent
+    expect(sendBlock(rows)).toHaveLength(4);
     expect(draw(rows)).toBe(texture);
     expect(gpu.pixels(texture).slice(0, 8000)).toStrictEqual(floatsOf(packed(2000)));
   });
@@ -315,6 +340,6 @@ describe('what is given back', () => {
     const rows = settled(2000);
     rows.dispose();
     expect(gpu.pixels(draw(rows)).slice(0, 8000)).toStrictEqual(floatsOf(packed(2000)));
-    expect(sendBlock(rows)).toHaveLength(3);
+    expect(sendBlock(rows)).toHaveLength(4);
   });
 });

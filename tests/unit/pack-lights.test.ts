@@ -54,7 +54,7 @@ describe('the rows of a light', () => {
       axis: floats(0, -0.6, -0.8, 12),
     });
     expect(last!.slice(0, 3)).toStrictEqual(floats(0.2, 0.4, 0.6));
-    expect(last![3]).toBeCloseTo(0.25, 7); // sin²(30°)
+    expect(last![3]).toBeCloseTo(-0.75, 7); // cos²(30°), on the far side
   });
 
   it('give a spot without a cone the limit that lets all through', () => {

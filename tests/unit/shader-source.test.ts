@@ -25,21 +25,33 @@ const defined = [...head.matchAll(/^#define (\w+) (\S+)$/gm)].map(([, name, valu
 }));
 
 const BLOCK = 'LIGHT_STORAGE_BLOCK';
-const OWN = 'LIGHT_STORAGE_OWN';
+
+/** An `#if`'s condition, as the chunks have them: storages, where none is named the texture, and `defined(…)` joined by ||. */
+function holds(condition: string, on: ReadonlySet<string>): boolean {
+  const [, storage] = /^LIGHT_STORAGE == STORAGE_(\w+)$/.exec(condition) ?? [];
+  if (storage === 'TEXTURE') return ![...on].some((name) => name.startsWith('LIGHT_STORAGE_'));
+  if (storage !== undefined) return on.has(`LIGHT_STORAGE_${storage}`);
+  return condition.split('||').some((part) => on.has(/^\s*defined\((\w+)\)\s*$/.exec(part)![1]!));
+}
 
 /** What is left of a program under some defines: `#ifdef`, `#ifndef`, `#elif`, `#else`, `#endif`, as the chunks use them. */
 function preprocess(glsl: string, on: ReadonlySet<string>): string {
-  const taken: boolean[] = [];
+  const taken: { now: boolean; before: boolean }[] = [];
+  const next = (condition: boolean): void => {
+    const { now, before } = taken.pop()!;
+    taken.push({ now: condition && !now && !before, before: now || before });
+  };
   const lines = withoutComments(glsl)
     .split('\n')
     .filter((line) => {
-      const [, directive, name = ''] = /^\s*#(ifdef|ifndef|if|elif|else|endif)\b\s*(\w*)/.exec(line) ?? [];
-      if (directive === undefined) return taken.every(Boolean);
-      if (directive === 'ifdef') taken.push(on.has(name));
-      else if (directive === 'ifndef') taken.push(!on.has(name));
-      else if (directive === 'if') taken.push(on.has(BLOCK));
-      else if (directive === 'elif') taken.push(!(taken.pop() ?? false) && !on.has(OWN));
-      else if (directive === 'else') taken.push(!(taken.pop() ?? false));
+      const [, directive, rest = ''] =
+        /^\s*#(ifdef|ifndef|if|elif|else|endif)\b\s*(.*?)\s*$/.exec(line) ?? [];
+      if (directive === undefined) return taken.every(({ now }) => now);
+      if (directive === 'ifdef') taken.push({ now: on.has(rest), before: false });
+      else if (directive === 'ifndef') taken.push({ now: !on.has(rest), before: false });
+      else if (directive === 'if') taken.push({ now: holds(rest, on), before: false });
+      else if (directive === 'elif') next(holds(rest, on));
+      else if (directive === 'else') next(true);
       else taken.pop();
       return false;
     });
@@ -240,14 +252,15 @@ describe('code for what no light has', () => {
   it.each([
     ['SHAPE_ATTENUATED', /attenuation\(vec3\(/],
     ['SHAPE_AMBIENT', /sums\.ambient \+=/],
-    ['SHAPE_DIFFUSE', /sums\.diffuse \+=/],
-    ['SHAPE_SPECULAR', /sums\.specular \+=/],
+    ['SHAPE_DIFFUSE', /addColor\(sums\.diffuse|diffuseLobe\(/],
+    ['SHAPE_SPECULAR', /addColor\(sums\.specular|specularLobe\(/],
   ])('goes where a light has no %s', (bit, code) => {
-    const lines = withoutComments(chunk('light_loop'))
-      .split('\n')
-      .filter((line) => code.test(line));
-    expect(lines.length).toBeGreaterThan(0);
-    for (const line of lines) expect(line).toContain(`if (has(shape, ${bit})) `);
+    const statements = withoutComments(chunk('light_loop')).match(
+      /if \([^{};]*\) (\{[^}]*\}|[^{};]*;)|[^{};]*;/g,
+    )!;
+    const guarded = statements.filter((statement) => code.test(statement));
+    expect(guarded.length).toBeGreaterThan(0);
+    for (const statement of guarded) expect(statement).toContain(`if (has(shape, ${bit})) `);
   });
 
   it('asks each light for its shape alone where programs are for exactly these lights', () => {

@@ -2,11 +2,12 @@
 // shipped one without each thing that it skips, at lower precision, with approximate lobes. Text and data; nothing is drawn here.
 import { divide } from '../../../src/light/light-grid.js';
 import { gatherFacts, isSpot, kindOf, noFacts } from '../../../src/light/light-kind.js';
-import { SHAPE } from '../../../src/light/light-layout.js';
+import { BLOCK_ROWS, SHAPE } from '../../../src/light/light-layout.js';
 import type { LightValues } from '../../../src/light/light-state.js';
 import { emptyPack, type PackedLights, packLights } from '../../../src/light/pack-lights.js';
 import { isMildPower, isWholePower } from '../../../src/light/steady-light.js';
-import { type ExactForm, exactText, isPowPower } from '../../../src/material/exact-material.js';
+import { constantRows } from '../../../src/material/exact-lights.js';
+import { type ExactForm, exactText, readsBlock } from '../../../src/material/exact-material.js';
 import { LIGHT_LOOP_GLSL } from '../../../src/material/shader-source.js';
 import { TERMS, type Variant, variantDefines } from '../../../src/material/variant.js';
 import { radians } from '../../../src/math/angle.js';
@@ -35,8 +36,8 @@ export const SURFACE = { ka: 1, kd: 1, ks: 0.5 } as const;
 /** Rows that WebGL 2 promises room for, less those of eye, material and window. */
 export const ARRAY_ROWS = 210;
 
-/** Lights written out at most; see exact-programs. */
-const MOST_WRITTEN = { gpu: 128, software: 16 } as const;
+/** Lights with their numbers in the program, in software, and in loops of literal length; see exact-form. */
+const MOST = { software: 64, gpu: 1024 } as const;
 
 const SHADE = `
 vec3 shadeHere(vec3 p, vec3 normal) {
@@ -46,13 +47,14 @@ vec3 shadeHere(vec3 p, vec3 normal) {
 export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
   const { lights, shininess } = scene;
   const active = lights.filter((light) => light.active);
-  const most = software ? MOST_WRITTEN.software : MOST_WRITTEN.gpu;
   const packed = packedOf(lights);
   const cells = dividedOf(packed, scene);
-  const form: ExactForm = cells !== null ? 'cells' : active.length <= most ? 'written' : 'loops';
+  const few = active.length <= (software ? MOST.software : MOST.gpu) && packed.rows <= BLOCK_ROWS;
+  const own = software ? 'constant' : 'counted';
+  const form: ExactForm = cells !== null ? 'cells' : few ? own : 'loops';
   const exact = (id: string, label: string, more: Partial<ExactOptions> = {}): LoopText =>
     exactLoop(id, label, {
-      ...{ form, packed: cells ?? packed, shininess, skips: ALL_SKIPS, hasPow: !software },
+      ...{ form, packed: cells ?? packed, shininess, skips: ALL_SKIPS },
       ...more,
     });
   const power = isMildPower(shininess);
@@ -61,12 +63,10 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
     hoistedLoop(active),
     generalLoop('general', 'shipped, drawn at once', lights, factsOf(lights)),
     exact('shipped', 'shipped, once settled'),
-    ...(form === 'written' ? [exact('loops', 'shipped without writing lights out', { form: 'loops' })] : []),
+    ...(form === own ? [exact('written', 'shipped with each light written out', { form: 'written' })] : []),
+    ...(form === own ? [exact('loops', 'shipped without writing lights out', { form: 'loops' })] : []),
     ...(form === 'cells' ? [exact('undivided', 'shipped without cells', { form: 'loops', packed })] : []),
     ...(power ? [exact('series', 'shipped without short powers', { skips: without('powers') })] : []),
-    ...(isWholePower(shininess) && isPowPower(shininess) && !software
-      ? [exact('multiplied', 'shipped with powers multiplied out', { hasPow: false })]
-      : []),
     exact('guarded', 'shipped without knowing lengths', { skips: without('guards') }),
     generalLoop('all-code', 'shipped with code for everything', lights, EVERY_FACT),
     ...(active.length < lights.length
@@ -93,27 +93,22 @@ interface ExactOptions {
   readonly packed: PackedLights;
   readonly shininess: number;
   readonly skips: readonly Skip[];
-  readonly hasPow: boolean;
 }
 
 /** As ExactMaterial makes it. */
-function exactLoop(
-  id: string,
-  label: string,
-  { form, packed, shininess, skips, hasPow }: ExactOptions,
-): LoopText {
+function exactLoop(id: string, label: string, { form, packed, shininess, skips }: ExactOptions): LoopText {
   const terms = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
   const defines = ['HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'];
   if (skips.includes('powers')) {
-    const byPow = hasPow && isPowPower(shininess);
-    if (byPow) defines.push('POW_SHININESS');
-    if (isWholePower(shininess) && !byPow) defines.push(`WHOLE_SHININESS ${String(shininess)}`);
+    if (isWholePower(shininess)) defines.push(`WHOLE_SHININESS ${String(shininess)}`);
     else if (isMildPower(shininess)) defines.push('MILD_SHININESS');
   }
   if (skips.includes('guards')) defines.push('LIGHTS_APART', 'USUAL_LENGTHS');
   if (form === 'cells') defines.push('HAS_GRID');
   defines.push(`EXACT_LIGHTS ${exactText(form, packed, terms)}`);
-  const storage = form === 'written' ? 'block' : 'texture';
+  // LIGHT_CONSTANTS goes before any storage.
+  if (form === 'constant') defines.push(`LIGHT_CONSTANTS ${constantRows(packed)}`);
+  const storage = readsBlock(form) ? 'block' : 'texture';
   return { id, label, defines, glsl: LIGHT_LOOP_GLSL + SHADE, rows: rowsOf(packed), storage };
 }
 
