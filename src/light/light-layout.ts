@@ -103,24 +103,27 @@ const TINY = 2 ** -120;
 const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCase();
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
+/** Not String(n): V8 keeps what that gives in a cache, which grows to 64 KiB for good where two such numbers collide in it, as these do. */
+const whole = (n: number): string => n.toFixed();
+
 /** `#define` lines for the GLSL: the whole layout. */
 export function layoutDefines(): string {
   const lines = [
-    `#define HEADER_COUNTS ${String(HEADER.counts)}`,
-    `#define HEADER_AMBIENT ${String(HEADER.ambient)}`,
-    `#define HEADER_ROWS ${String(HEADER.rows)}`,
-    ...Object.entries(GRID).map(([name, row]) => `#define GRID_${name.toUpperCase()} ${String(row)}`),
+    `#define HEADER_COUNTS ${whole(HEADER.counts)}`,
+    `#define HEADER_AMBIENT ${whole(HEADER.ambient)}`,
+    `#define HEADER_ROWS ${whole(HEADER.rows)}`,
+    ...Object.entries(GRID).map(([name, row]) => `#define GRID_${name.toUpperCase()} ${whole(row)}`),
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
-    ...Object.entries(SHAPE).map(([name, bit]) => `#define SHAPE_${snake(name)} ${String(bit)}`),
-    `#define BLOCK_ROWS ${String(BLOCK_ROWS)}`,
-    `#define TEXTURE_ROWS_LOG2 ${String(TEXTURE_ROWS_LOG2)}`,
+    ...Object.entries(SHAPE).map(([name, bit]) => `#define SHAPE_${snake(name)} ${whole(bit)}`),
+    `#define BLOCK_ROWS ${whole(BLOCK_ROWS)}`,
+    `#define TEXTURE_ROWS_LOG2 ${whole(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
     `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,
     `#define TINY ${float(TINY)}`,
   ];
   for (const [kind, rows] of Object.entries(ROWS)) {
     for (const [row, offset] of Object.entries(rows)) {
-      lines.push(`#define ${kind.toUpperCase()}_${row.toUpperCase()} ${String(offset)}`);
+      lines.push(`#define ${kind.toUpperCase()}_${row.toUpperCase()} ${whole(offset)}`);
     }
   }
   return lines.join('\n');

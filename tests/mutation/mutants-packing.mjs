@@ -6,8 +6,8 @@ import { mutantsOf } from './mutants-of.mjs';
 export const packingMutants = [
   ...mutantsOf('src/light/pack-lights.ts', [
     ['inactive lights are skipped', 'if (!light.active) continue;', ''],
-    ['the count of active lights', 'into.active = active.length;', ''],
-    ['the order by kind', 'steady?.kind !== kind', 'steady === undefined'],
+    ['the count of active lights', 'into.active = into.steady.length;', ''],
+    ['the order by kind', 'if (steady.kind !== kind) continue;', ''],
     [
       'directional lights’ cone and decay',
       "kind === 'directional' && steady.spot ? directionalDecay(light) : 1",
@@ -44,8 +44,8 @@ export const packingMutants = [
     ],
     [
       'what was found of a light that has changed is found anew',
-      'kept?.holds(light, linear) === true',
-      'kept !== undefined',
+      'steady[active]?.holds(light, linear) !== true',
+      'steady[active] === undefined',
     ],
     [
       'a spot’s ambient light alone keeps it',
@@ -82,6 +82,19 @@ export const packingMutants = [
       'const L: Vec3 = [light.position[0], light.position[1], light.position[2]];',
     ],
     ['directional lights of zero length have no angle', 'if (dot(L, L) === 0) return 1;', ''],
+    [
+      'a directional cone’s decay moves with its light',
+      "if (kind === 'directional' && one.spot) return false;",
+      '',
+    ],
+    ['lights come and go by moving', 'if (row >= 0 !== reaches(light, kind, one)) return false;', ''],
+    [
+      'another space is packed anew',
+      'packedBy[i] === worldToShading[i] && packedBy[16 + i] === cameraToShading[i]',
+      'true',
+    ],
+    ['fewer lights are packed anew', 'same &&= steady.length === active;', ''],
+    ['changed lights are packed anew', 'same = false;\n      steady[active]', 'steady[active]'],
     [
       'an axis’ unit length before a directional cone',
       'const A = normalize(light.axis);',
@@ -134,11 +147,11 @@ export const packingMutants = [
       "light.space === 'camera' ? space.cameraToShading : space.worldToShading",
       'space.cameraToShading',
     ],
-    ['directions are not translated', 'row.direction * 4, L, 0, 0', 'row.direction * 4, L, 1, 0'],
+    ['directions are not translated', 'z * unit], 0, 0)', 'z * unit], 1, 0)'],
     [
       'a direction’s unit length before it is turned',
-      'const L = normalize([position[0], position[1], position[2]]);',
-      'const L: Vec3 = [position[0], position[1], position[2]];',
+      'const unit = 1 / Math.sqrt(x * x + y * y + z * z);',
+      'const unit = 1;',
     ],
     ['a directional light’s decay of its diffuse colour', 'diffuse[0] * factor', 'diffuse[0]'],
     ['a directional light’s decay of its specular colour', 'specular[0] * factor', 'specular[0]'],

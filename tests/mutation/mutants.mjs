@@ -39,6 +39,7 @@ export const UNIT_TESTS = {
     'light-shapes',
     'pack-lights-directional',
     'pack-lights-domain',
+    'repacked-places',
   ],
   'src/light/steady-light.ts': [
     'light-shapes',
@@ -50,6 +51,7 @@ export const UNIT_TESTS = {
   'src/light/light-layout.ts': [
     ...['light-layout', 'light-kind', 'light-rows', 'light-shapes', 'pack-lights', 'equation-limits'],
   ],
+  'src/light/cone.ts': ['light-reach', 'light-reach-budget', 'light-reach-bound'],
   'src/light/light-reach.ts': ['light-reach', 'light-reach-budget', 'light-reach-bound'],
   'src/material/light-list.ts': ['light-list'],
   'src/material/mesh-lights.ts': ['mesh-lights'],

@@ -228,6 +228,14 @@ describe('lights that move', () => {
   });
 });
 
+it('a mesh that all lights have reached is asked about again where they move', () => {
+  const lights = lit(spotOver(0));
+  const mesh = meshAt(0);
+  expect(chosen(lights, mesh, QUESTION)).toBe(lights.all);
+  lights.take(pack([spotOver(5)]));
+  expect(spotsOf(chosen(lights, mesh, QUESTION))).toStrictEqual([]);
+});
+
 describe('a frame', () => {
   const freed = vi.spyOn(LightRows.prototype, 'dispose');
   beforeEach(() => {

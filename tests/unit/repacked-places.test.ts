@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights, type PackedLights } from '../../src/light/pack-lights.js';
-import { anyLight } from './arbitraries.js';
+import { anyLight, light } from './arbitraries.js';
 import { WORLD } from './packed-reader.js';
 
 const essence = ({ data, rows, active, sent, counts, shapes }: PackedLights): object => ({
@@ -71,6 +71,29 @@ it('follows whatever else changes between moves', () => {
   };
   packLights(lights, turned, into);
   expect(essence(into)).toStrictEqual(fresh(lights, turned));
+});
+
+it('follows a space that turns, axes and all, and ambient light that alone is left of a light', () => {
+  const spot = light({ position: [1, 2, 3, 1], axis: [1, -1, 0], aperture: 20 });
+  const lights = [
+    spot,
+    { ...spot, space: 'camera' as const },
+    light({ diffuse: [0, 0, 0], specular: [0, 0, 0] }),
+  ];
+  const into = emptyPack();
+  packLights(lights, WORLD, into);
+  const turn = Float64Array.of(0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 4, 5, 6, 1);
+  for (const space of [
+    { ...WORLD, worldToShading: turn },
+    { ...WORLD, cameraToShading: turn },
+  ]) {
+    packLights(lights, space, into);
+    expect(essence(into)).toStrictEqual(fresh(lights, space));
+  }
+  packLights(lights, WORLD, into);
+  lights[2]!.ambient = [7, 8, 9];
+  packLights(lights, WORLD, into);
+  expect(essence(into)).toStrictEqual(fresh(lights));
 });
 
 it('finds nothing out anew of lights that move', () => {
