@@ -39,9 +39,14 @@ export default defineConfig(({ mode }) => ({
     },
     rolldownOptions: {
       external: staysImport,
-      // Chunks may import from the entry itself; else what they share with it would be a further file of every page.
+      // Chunks may import from the entry itself; else what they share with it would be a further file of every page. For the
+      // same reason all that an entry begins with is one chunk.
       preserveEntrySignatures: 'allow-extension',
-      output: { chunkFileNames: 'shared/[name].js', minify: true },
+      output: {
+        chunkFileNames: 'shared/[name].js',
+        minify: true,
+        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }] },
+      },
     },
   },
 }));

@@ -18,7 +18,7 @@ import type { Vec3 } from '../math/vector.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
 import type { PhongLighting } from './phong-lighting.js';
-import { FRAGMENT_SHADER, VERTEX_SHADER } from './shader-source.js';
+import { shadersOf } from './shader-source.js';
 import {
   type AlphaMode,
   type Antialias,
@@ -98,8 +98,7 @@ export class PhongMaterial extends ShaderMaterial {
   constructor(lighting: PhongLighting, look: BaseLook = PLAIN_LOOK) {
     super({
       glslVersion: '300 es',
-      vertexShader: VERTEX_SHADER,
-      fragmentShader: FRAGMENT_SHADER,
+      ...shadersOf(false),
       uniforms: {
         uModelToShading: { value: new Matrix4() },
         uNormalToShading: { value: new Matrix3() },
@@ -259,6 +258,7 @@ export class PhongMaterial extends ShaderMaterial {
     this.#programKey = key;
     this.#programVersion += 1;
     this.defines = defines;
+    Object.assign(this, shadersOf(this.#style.shading === 'gouraud'));
     this.needsUpdate = true;
     this.#writeSurface(); // linear or not may be what changed
   }

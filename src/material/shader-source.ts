@@ -63,24 +63,29 @@ export const LIGHT_LOOP_GLSL = [
 /** The sRGB curve, and what an 8-bit picture keeps of a colour: the last steps of a fragment, after the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
 
-/** Gouraud sums the lights at the vertices, everything else at the fragments; the other stage has no use for it. */
-export const VERTEX_SHADER = [
-  '#undef USUAL_LENGTHS', // a model's own normals may have any length
-  '#ifdef SHADING_GOURAUD',
-  LIGHT_LOOP_GLSL,
-  '#else',
-  constants,
-  guard,
-  '#endif',
-  phongVertex,
-].join('\n');
+export interface Shaders {
+  readonly vertexShader: string;
+  readonly fragmentShader: string;
+}
 
-export const FRAGMENT_SHADER = [
-  '#ifndef SHADING_GOURAUD',
-  LIGHT_LOOP_GLSL,
-  '#else',
-  constants,
-  '#endif',
-  ENCODING_GLSL,
-  phongFragment,
-].join('\n');
+const made = new Map<boolean, Shaders>();
+
+/**
+ * The two stages of a program, after its defines. Gouraud sums the lights at the vertices, everything else at the fragments;
+ * the other stage is spared the loop's text, which compilers would read only to leave it out.
+ */
+export function shadersOf(gouraud: boolean): Shaders {
+  const known = made.get(gouraud);
+  if (known !== undefined) return known;
+  const without = [constants, guard];
+  const shaders = {
+    vertexShader: [
+      '#undef USUAL_LENGTHS', // a model's own normals may have any length
+      ...(gouraud ? [LIGHT_LOOP_GLSL] : without),
+      phongVertex,
+    ].join('\n'),
+    fragmentShader: [...(gouraud ? without : [LIGHT_LOOP_GLSL]), ENCODING_GLSL, phongFragment].join('\n'),
+  };
+  made.set(gouraud, shaders);
+  return shaders;
+}

@@ -3,7 +3,7 @@
 // and versions. Plain JavaScript, for machines with Node and a browser alone.
 
 import { execFileSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { cpus, release, tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -110,6 +110,8 @@ export async function buildPages(folder, source, alone = false) {
   if (!alone) installPeers();
   process.env['PHONG_VIEWER_BENCH_OUT'] = folder;
   process.env['PHONG_VIEWER_BENCH_SOURCE'] = source;
+  const named = process.env['PHONG_VIEWER_BENCH_NAMES'] !== undefined; // the package's own functions have lost theirs
+  process.env['PHONG_VIEWER_BENCH_PACKAGE'] = named ? '' : buildPackage(source || repository);
   const pages = readdirSync(join(here, 'pages')).filter((name) => name.endsWith('.html'));
   for (const page of alone ? pages.filter((name) => OWN_PAGES.test(name)) : pages) {
     process.env['PHONG_VIEWER_BENCH_PAGE'] = page;
@@ -131,6 +133,24 @@ export async function buildPages(folder, source, alone = false) {
   };
   writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about));
   return folder;
+}
+
+/**
+ * The package's modules, as a page's author installs them; answers with the file that is imported. By the checkout's own
+ * configuration, in a process of its own: it may be another revision's.
+ * @param {string} root
+ */
+function buildPackage(root) {
+  const out = mkdtempSync(join(tmpdir(), 'phong-viewer-package-'));
+  symlinkSync(join(repository, 'node_modules'), join(out, 'node_modules'));
+  const vite = join(repository, 'node_modules/vite/bin/vite.js');
+  const options = ['build', '-c', 'vite.lib.config.ts', '--mode', 'index', '-l', 'error'];
+  execFileSync(process.execPath, [vite, ...options], {
+    cwd: root,
+    env: { ...process.env, PHONG_VIEWER_OUT: out },
+    stdio: ['ignore', 'ignore', 'inherit'],
+  });
+  return join(out, 'dist/index.js');
 }
 
 /** @param {string} folder @returns {Record<string, string>} */

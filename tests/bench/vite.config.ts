@@ -1,6 +1,7 @@
 // One page of the bench, PHONG_VIEWER_BENCH_PAGE, minified as a user's bundler would, into the folder PHONG_VIEWER_BENCH_OUT. Each
-// is built alone: pages built together share chunks, and would load what only others need. The product's sources are those
-// of PHONG_VIEWER_BENCH_SOURCE: this repository, or another revision's checkout.
+// is built alone: pages built together share chunks, and would load what only others need. The elements are imported from the
+// built package, PHONG_VIEWER_BENCH_PACKAGE, as their users do; what benches alone import comes from the sources of
+// PHONG_VIEWER_BENCH_SOURCE: this repository, or another revision's checkout.
 
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -19,7 +20,10 @@ export default defineConfig({
   define: { 'process.env.NODE_ENV': '"production"' },
   resolve: {
     alias: [
-      { find: /^phong-viewer$/, replacement: join(source, 'index.ts') },
+      {
+        find: /^phong-viewer$/,
+        replacement: process.env['PHONG_VIEWER_BENCH_PACKAGE'] || join(source, 'index.ts'),
+      },
       { find: /^phong-viewer\/core$/, replacement: join(source, 'core.ts') },
     ],
   },

@@ -25,9 +25,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     await allReady(page);
     await nextFrame(page);
     const fetched = requests.take();
-    // The layout of packed lights is a file beside index.js, because what is fetched later shares it.
-    const modules = ['index.js', 'shared/light-layout.js'];
-    expect(fetched).toEqual(usage === 'standalone' ? ['phong-viewer.standalone.js'] : modules);
+    expect(fetched).toEqual([usage === 'standalone' ? 'phong-viewer.standalone.js' : 'index.js']);
     const bytes = gzippedSize(fetched);
     expect(bytes).toBeLessThanOrEqual(budgets[usage]);
     // Far below, the budget would let as much creep back in.

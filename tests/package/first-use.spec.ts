@@ -92,7 +92,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     const viewer = page.locator('phong-viewer');
-    expect(requests.take()).toHaveLength(usage === 'standalone' ? 1 : 2); // index.js and the layout of lights
+    expect(requests.take()).toHaveLength(1);
     for (const { what, use, chunks } of uses) {
       await use(viewer, page);
       // What is fetched may come after the call has returned; nothing else does within two frames of it.

@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { layoutDefines } from '../../src/light/light-layout.js';
-import { FRAGMENT_SHADER, LIGHT_LOOP_GLSL, VERTEX_SHADER } from '../../src/material/shader-source.js';
+import { LIGHT_LOOP_GLSL, shadersOf } from '../../src/material/shader-source.js';
 
 const folder = new URL('../../shaders/', import.meta.url);
 const chunks = new Map(
@@ -12,6 +12,10 @@ const chunks = new Map(
     .map((name) => [name, readFileSync(new URL(name, folder), 'utf8')]),
 );
 const chunk = (name: string): string => chunks.get(`${name}.glsl`)!;
+
+/** A stage's text under some defines. */
+const shader = (stage: 'vertex' | 'fragment', on: readonly string[]): string =>
+  shadersOf(on.includes('SHADING_GOURAUD'))[`${stage}Shader`];
 
 const withoutComments = (glsl: string): string => glsl.replace(/\/\*[^]*?\*\/|\/\/.*/g, '');
 
@@ -62,7 +66,7 @@ function preprocess(glsl: string, on: ReadonlySet<string>): string {
 describe('the chunks', () => {
   it.each([...chunks.keys()])('%s is in the programs', (name) => {
     const text = chunks.get(name)!;
-    expect(VERTEX_SHADER.includes(text) || FRAGMENT_SHADER.includes(text)).toBe(true);
+    expect(shader('vertex', []).includes(text) || shader('fragment', []).includes(text)).toBe(true);
   });
 
   it.each([
@@ -98,10 +102,7 @@ describe('the chunks', () => {
     }
   });
 
-  const stages = [
-    ['vertex', VERTEX_SHADER],
-    ['fragment', FRAGMENT_SHADER],
-  ] as const;
+  const stages = ['vertex', 'fragment'] as const;
   const variants = [
     [],
     ['SHADING_GOURAUD'],
@@ -110,9 +111,9 @@ describe('the chunks', () => {
     ['FILTER_HIGHLIGHTS', 'REFLECTION_BLINN_PHONG', 'HAS_ALPHA_MASK'],
     ['SHADING_GOURAUD', 'REFLECTION_BLINN_PHONG', 'IS_LINEAR'],
   ];
-  it.each(stages)('define no function twice in the %s stage, and one main', (_, source) => {
+  it.each(stages)('define no function twice in the %s stage, and one main', (stage) => {
     for (const variant of variants) {
-      const text = preprocess(source, new Set([BLOCK, ...variant]));
+      const text = preprocess(shader(stage, variant), new Set([BLOCK, ...variant]));
       const functions = [
         ...text.matchAll(/^(?:void|float|vec[34]|bool|LightSums) (\w+)\(([^)]*)\)\s*{/gm),
       ].map(([, name]) => name!);
@@ -125,7 +126,7 @@ describe('the chunks', () => {
     const traces = /dFdx|dFdy|Footprint|\bSeen\b|seenNear|FARTHEST|masked/;
     for (const on of [[], ['REFLECTION_BLINN_PHONG'], ['HAS_ALPHA_MASK', 'HAS_SPOT', 'HAS_POINT']]) {
       const text = (more: string[] = []): string =>
-        preprocess(FRAGMENT_SHADER, new Set([BLOCK, 'HAS_SPECULAR', ...on, ...more]));
+        preprocess(shader('fragment', []), new Set([BLOCK, 'HAS_SPECULAR', ...on, ...more]));
       expect(text()).not.toMatch(traces);
       expect(text(['FILTER_HIGHLIGHTS'])).toMatch(traces);
     }
@@ -134,7 +135,7 @@ describe('the chunks', () => {
   it('take derivatives before the first loop, and discard after them', () => {
     for (const on of [[], ['REFLECTION_BLINN_PHONG']]) {
       const text = preprocess(
-        FRAGMENT_SHADER,
+        shader('fragment', []),
         new Set([BLOCK, 'FILTER_HIGHLIGHTS', 'HAS_ALPHA_MASK', 'HAS_POINT', ...on]),
       );
       const sums = text.slice(text.indexOf('LightSums lightSums('));
@@ -147,13 +148,17 @@ describe('the chunks', () => {
     }
   });
 
-  it('sum the lights in one stage only', () => {
-    const has = (source: string, on: string[]): boolean =>
-      preprocess(source, new Set(on)).includes('lightSums(');
-    expect(has(VERTEX_SHADER, [])).toBe(false);
-    expect(has(FRAGMENT_SHADER, [])).toBe(true);
-    expect(has(VERTEX_SHADER, ['SHADING_GOURAUD'])).toBe(true);
-    expect(has(FRAGMENT_SHADER, ['SHADING_GOURAUD'])).toBe(false);
+  it('sum the lights in one stage only, and the other has nothing of the loop', () => {
+    const has = (stage: 'vertex' | 'fragment', on: string[]): boolean => {
+      const text = shader(stage, on);
+      const loop = text.includes(chunk('light_loop'));
+      expect(preprocess(text, new Set(on)).includes('lightSums(')).toBe(loop);
+      return loop;
+    };
+    expect(has('vertex', [])).toBe(false);
+    expect(has('fragment', [])).toBe(true);
+    expect(has('vertex', ['SHADING_GOURAUD'])).toBe(true);
+    expect(has('fragment', ['SHADING_GOURAUD'])).toBe(false);
   });
 
   it('declare uniforms in the programs and the storage of lights only', () => {
