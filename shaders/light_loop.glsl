@@ -2,8 +2,8 @@
 // the caller, once. Needs light_rows, guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
 //
 // What a light needs beyond its kind is its shape: a sum of SHAPE_… bits. Shapes are literals wherever lights are added, so
-// compilers drop what a shape lacks. By default all lights of a kind have the shape of everything declared (the HAS_…
-// facts), in loops; EXACT_LIGHTS, where it is defined, is the statements that add each light with its very own one.
+// compilers drop what a shape lacks. By default all lights have the shape of everything declared (the HAS_… facts), in
+// a loop; EXACT_LIGHTS, where it is defined, is the statements that add each light with its very own one.
 // LIGHTS_APART is for lights that are known to be nowhere near p.
 // FILTER_HIGHLIGHTS averages the specular lobe over the pixel: in fragment shaders alone, where all fragments call it.
 // Nothing branches on a fragment: measured, that is 0.8 of the time in software and as fast on a GPU.
@@ -87,50 +87,46 @@ vec3 towardLight(vec3 place, vec3 p, out float d, out float squared) {
   return v * inverse;
 }
 
-void addDirectional(inout LightSums sums, int row, vec3 N, SEEN seen, float n, int shape) {
-  vec3 L = lightRow(row + DIRECTIONAL_DIRECTION).xyz;
-  vec3 diffuse = lightRow(row + DIRECTIONAL_DIFFUSE).rgb;
-  vec3 specular = lightRow(row + DIRECTIONAL_SPECULAR).rgb;
-  addLobes(sums, N, seen, L, n, diffuse, specular, 1.0, shape);
-}
+const int KIND_DIRECTIONAL = 0;
+const int KIND_POINT = 1;
+const int KIND_SPOT = 2;
 
-void addPoint(inout LightSums sums, int row, vec3 p, vec3 N, SEEN seen, float n, int shape) {
+/**
+ * Adds the light that begins at `row`. All kinds begin with the same rows: a place or a direction, two colours. For a literal
+ * kind nothing of the others is left.
+ */
+void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen, float n, int shape) {
   vec4 place = lightRow(row + POINT_POSITION);
   vec4 diffuse = lightRow(row + POINT_DIFFUSE);
   vec4 specular = lightRow(row + POINT_SPECULAR);
-  float d, squared;
-  vec3 L = towardLight(place.xyz, p, d, squared);
+  vec3 L = place.xyz;
   float factor = 1.0;
-  if (has(shape, SHAPE_ATTENUATED)) factor = attenuation(vec3(place.w, diffuse.w, specular.w), d, squared, shape);
-#ifdef FILTER_HIGHLIGHTS
-  seen = seenNear(seen, L, d, n);
-#endif
-  addLobes(sums, N, seen, L, n, diffuse.rgb, specular.rgb, factor, shape);
-}
-
-void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, SEEN seen, float n, int shape) {
-  vec4 place = lightRow(row + SPOT_POSITION);
-  vec4 axis = lightRow(row + SPOT_AXIS);
-  vec4 ambient = lightRow(row + SPOT_AMBIENT);
-  float d, squared;
-  vec3 L = towardLight(place.xyz, p, d, squared);
-  bool chords = has(shape, SHAPE_CHORDS);
-  float toBack = chords ? quarterSquare(L - axis.xyz) : 0.5 - 0.5 * dot(L, axis.xyz); // (1 + c)/2
-  float toAxis = chords ? quarterSquare(L + axis.xyz) : 1.0 - toBack; // (1 - c)/2
+#if defined(HAS_POINT) || defined(HAS_SPOT)
+  if (kind != KIND_DIRECTIONAL) {
+    float d, squared;
+    L = towardLight(place.xyz, p, d, squared);
+#ifdef HAS_SPOT
+    if (kind == KIND_SPOT) {
+      vec4 axis = lightRow(row + SPOT_AXIS);
+      vec4 ambient = lightRow(row + SPOT_AMBIENT);
+      bool chords = has(shape, SHAPE_CHORDS);
+      float toBack = chords ? quarterSquare(L - axis.xyz) : 0.5 - 0.5 * dot(L, axis.xyz); // (1 + c)/2
+      float toAxis = chords ? quarterSquare(L + axis.xyz) : 1.0 - toBack; // (1 - c)/2
 #ifndef LIGHTS_APART
-  // At the light itself there is no angle: inside any cone, no decay.
-  toAxis = d > 0.0 ? toAxis : 0.0;
-  toBack = d > 0.0 ? toBack : 1.0;
+      // At the light itself there is no angle: inside any cone, no decay.
+      toAxis = d > 0.0 ? toAxis : 0.0;
+      toBack = d > 0.0 ? toBack : 1.0;
 #endif
-  bool inside = insideCone(toAxis, toBack, ambient.w, shape);
-  float decay = inside ? spotDecay(toAxis, toBack, axis.w, shape) : 0.0;
-  if (has(shape, SHAPE_AMBIENT)) sums.ambient += ambient.rgb * decay;
-  vec4 diffuse = lightRow(row + SPOT_DIFFUSE);
-  vec4 specular = lightRow(row + SPOT_SPECULAR);
-  float factor = decay;
-  if (has(shape, SHAPE_ATTENUATED)) factor *= attenuation(vec3(place.w, diffuse.w, specular.w), d, squared, shape);
+      bool inside = insideCone(toAxis, toBack, ambient.w, shape);
+      factor = inside ? spotDecay(toAxis, toBack, axis.w, shape) : 0.0;
+      if (has(shape, SHAPE_AMBIENT)) sums.ambient += ambient.rgb * factor;
+    }
+#endif
+    if (has(shape, SHAPE_ATTENUATED)) factor *= attenuation(vec3(place.w, diffuse.w, specular.w), d, squared, shape);
 #ifdef FILTER_HIGHLIGHTS
-  seen = seenNear(seen, L, d, n);
+    seen = seenNear(seen, L, d, n);
+#endif
+  }
 #endif
   addLobes(sums, N, seen, L, n, diffuse.rgb, specular.rgb, factor, shape);
 }
@@ -179,17 +175,21 @@ LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
 #ifdef EXACT_LIGHTS
   EXACT_LIGHTS
 #else
+  // One loop for all kinds, which stand in this order: software compiles it in 0.7 of the time that a loop for each takes.
   ivec3 counts = ivec3(lightRow(HEADER_COUNTS).xyz);
+  int spots = counts.x + counts.y;
   int row = HEADER_ROWS;
-#ifdef HAS_DIRECTIONAL
-  for (int i = 0; i < counts.x; i++, row += DIRECTIONAL_ROWS) addDirectional(sums, row, N, seen, n, DECLARED_SHAPE);
-#endif
+  for (int i = 0; i < spots + counts.z; i++) {
+    int kind = KIND_SPOT;
 #ifdef HAS_POINT
-  for (int i = 0; i < counts.y; i++, row += POINT_ROWS) addPoint(sums, row, p, N, seen, n, DECLARED_SHAPE);
+    if (i < spots) kind = KIND_POINT;
 #endif
-#ifdef HAS_SPOT
-  for (int i = 0; i < counts.z; i++, row += SPOT_ROWS) addSpot(sums, row, p, N, seen, n, DECLARED_SHAPE);
+#ifdef HAS_DIRECTIONAL
+    if (i < counts.x) kind = KIND_DIRECTIONAL;
 #endif
+    addLight(sums, row, kind, p, N, seen, n, DECLARED_SHAPE);
+    row += kind == KIND_DIRECTIONAL ? DIRECTIONAL_ROWS : kind == KIND_POINT ? POINT_ROWS : SPOT_ROWS;
+  }
 #endif
   sums.diffuse += sums.greyDiffuse;
   sums.specular += sums.greySpecular;

@@ -6,11 +6,9 @@ import { forEachLight } from '../light/light-reach.js';
 import { KINDS, type PackedLights } from '../light/pack-lights.js';
 import type { LightKind } from '../light/light-kind.js';
 
-const ADD: Readonly<Record<LightKind, (row: string, shape: number) => string>> = {
-  directional: (row, shape) => `addDirectional(sums,${row},N,seen,n,${String(shape)});`,
-  point: (row, shape) => `addPoint(sums,${row},p,N,seen,n,${String(shape)});`,
-  spot: (row, shape) => `addSpot(sums,${row},p,N,seen,n,${String(shape)});`,
-};
+/** The call that adds a light; all its arguments but kind, row and shape are lightSums' own. */
+const add = (kind: LightKind, row: string, shape: number): string =>
+  `addLight(sums,${row},KIND_${kind.toUpperCase()},p,N,seen,n,${String(shape)});`;
 
 const COUNT: Readonly<Record<LightKind, string>> = { directional: 'x', point: 'y', spot: 'z' };
 
@@ -18,7 +16,7 @@ const COUNT: Readonly<Record<LightKind, string>> = { directional: 'x', point: 'y
 export function writtenOut(packed: PackedLights, terms: number): string {
   const calls: string[] = [];
   forEachLight(packed, (light, kind, row) => {
-    calls.push(ADD[kind](String(row), shapeIn(packed.shapes[light] ?? 0, terms)));
+    calls.push(add(kind, String(row), shapeIn(packed.shapes[light] ?? 0, terms)));
   });
   return calls.join(' ');
 }
@@ -45,8 +43,8 @@ export function counted(packed: PackedLights, terms: number): string {
   const common = commonShapes(packed, terms);
   const runs = own.length <= MOST_RUNS ? own : runsOf(packed, (_light, kind) => common[kind] ?? 0);
   const texts = runs.map(({ kind, shape, row, length }) => {
-    if (length === 1) return ADD[kind](String(row), shape);
-    const turn = ADD[kind](`${String(row)}+i*${kind.toUpperCase()}_ROWS`, shape);
+    if (length === 1) return add(kind, String(row), shape);
+    const turn = add(kind, `${String(row)}+i*${kind.toUpperCase()}_ROWS`, shape);
     return `for(int i=0;i<${String(length)};i++)${turn}`;
   });
   return texts.join(' ');
@@ -94,9 +92,9 @@ export function inCells(packed: PackedLights, terms: number): string {
   }
   text.push('CellList listed=cellList(p);int place=listed.first;');
   if (point !== undefined)
-    text.push(`for(int i=0;i<listed.points;i++,place++)${ADD.point('listedRow(place)', point)}`);
+    text.push(`for(int i=0;i<listed.points;i++,place++)${add('point', 'listedRow(place)', point)}`);
   if (spot !== undefined)
-    text.push(`for(int i=0;i<listed.spots;i++,place++)${ADD.spot('listedRow(place)', spot)}`);
+    text.push(`for(int i=0;i<listed.spots;i++,place++)${add('spot', 'listedRow(place)', spot)}`);
   return text.join(' ');
 }
 
@@ -110,7 +108,7 @@ const loops = (shapes: Shapes): string[] =>
     const shape = shapes[kind];
     if (shape === undefined) return [];
     const step = `${kind.toUpperCase()}_ROWS`;
-    return [`for(int i=0;i<counts.${COUNT[kind]};i++,row+=${step})${ADD[kind]('row', shape)}`];
+    return [`for(int i=0;i<counts.${COUNT[kind]};i++,row+=${step})${add(kind, 'row', shape)}`];
   });
 
 function commonShapes(packed: PackedLights, terms: number): Shapes {

@@ -33,19 +33,19 @@ const lamp = (values: Partial<LightValues> = {}): LightValues => light({ positio
 const spot = (values: Partial<LightValues> = {}): LightValues =>
   lamp({ ambient: [9, 9, 9], aperture: 20, ...values });
 
-const KINDS = { directional: 'addDirectional', point: 'addPoint', spot: 'addSpot' } as const;
+const KINDS = { directional: 'KIND_DIRECTIONAL', point: 'KIND_POINT', spot: 'KIND_SPOT' } as const;
 
 interface Call {
-  readonly name: string;
+  readonly kind: string;
   readonly args: readonly string[];
 }
 
-/** The calls of add… in a text, in order, with the layout's names as their numbers. */
+/** The calls of addLight in a text, in order, with the layout's names as their numbers. */
 const callsIn = (text: string): Call[] =>
-  [...text.matchAll(/\b(add\w+)\(([^()]*)\)/g)].map(([, name = '', args = '']) => ({
-    name,
-    args: args.split(',').map((arg) => defines.get(arg.trim()) ?? arg.trim()),
-  }));
+  [...text.matchAll(/\baddLight\(((?:[^()]|\(\w+\))*)\)/g)].map(([, list = '']) => {
+    const args = list.split(',').map((arg) => defines.get(arg.trim()) ?? arg.trim());
+    return { kind: args[2]!, args };
+  });
 
 const shapesIn = (text: string): number[] => callsIn(text).map(({ args }) => Number(args.at(-1)));
 
@@ -67,7 +67,7 @@ describe('lights written out', () => {
       fc.property(fc.array(anyLight, { maxLength: 9 }), fc.integer({ min: 0, max: 7 }), (lights, terms) => {
         const packed = pack(lights);
         const calls = callsIn(writtenOut(packed, terms));
-        expect(calls.map(({ name, args }) => [name, Number(args[1]), Number(args.at(-1))])).toStrictEqual(
+        expect(calls.map(({ kind, args }) => [kind, Number(args[1]), Number(args.at(-1))])).toStrictEqual(
           expected(packed, terms),
         );
       }),
@@ -89,11 +89,12 @@ describe('lights written out', () => {
 describe('counted lights', () => {
   /** Kind, row and shape of every turn of every loop and of every call, as they run. */
   function run(text: string): (string | number)[][] {
-    const statement = /(?:for\(int i=0;i<(\d+);i\+\+\))?(add\w+)\(sums,(\d+)(?:\+i\*(\w+))?,([^()]*)\)/g;
+    const statement =
+      /(?:for\(int i=0;i<(\d+);i\+\+\))?addLight\(sums,(\d+)(?:\+i\*(\w+))?,(\w+),([^()]*)\)/g;
     return [...text.matchAll(statement)].flatMap(
-      ([, turns = '1', name = '', row = '', step = '', rest = '']) =>
+      ([, turns = '1', row = '', step = '', kind = '', rest = '']) =>
         Array.from({ length: Number(turns) }, (_, i) => [
-          name,
+          kind,
           Number(row) + i * Number(defines.get(step) ?? 0),
           Number(rest.split(',').at(-1)),
         ]),
@@ -155,8 +156,8 @@ describe('numbers in a program’s text', () => {
 describe('lights in loops', () => {
   it('are one loop a kind that there is, in the order of their rows', () => {
     const text = inLoops(pack([spot(), light(), spot(), light()]), TERMS);
-    expect(callsIn(text).map(({ name }) => name)).toStrictEqual(['addDirectional', 'addSpot']);
-    expect(callsIn(inLoops(pack([lamp()]), TERMS)).map(({ name }) => name)).toStrictEqual(['addPoint']);
+    expect(callsIn(text).map(({ kind }) => kind)).toStrictEqual([KINDS.directional, KINDS.spot]);
+    expect(callsIn(inLoops(pack([lamp()]), TERMS)).map(({ kind }) => kind)).toStrictEqual([KINDS.point]);
     expect(callsIn(inLoops(pack([]), TERMS))).toStrictEqual([]);
   });
 
@@ -171,7 +172,7 @@ describe('lights in loops', () => {
       ['spot', 'z'],
     ] as const)
       expect(numbers).toContain(
-        `i<counts.${component};i++,row+=${String(ROWS[kind].rows)})${KINDS[kind]}(sums,row,`,
+        `i<counts.${component};i++,row+=${String(ROWS[kind].rows)})addLight(sums,row,${KINDS[kind]},`,
       );
   });
 
@@ -259,9 +260,9 @@ describe('lights in loops', () => {
       fc.property(fc.array(anyLight, { maxLength: 12 }), fc.integer({ min: 0, max: 7 }), (lights, terms) => {
         const packed = pack(lights);
         const wanted = expected(packed, terms);
-        for (const { name, args } of callsIn(inLoops(packed, terms))) {
+        for (const { kind, args } of callsIn(inLoops(packed, terms))) {
           const shape = Number(args.at(-1));
-          const shapes = wanted.filter(([call]) => call === name).map((call) => Number(call[2]));
+          const shapes = wanted.filter(([call]) => call === kind).map((call) => Number(call[2]));
           const bits = shapes.reduce((sum, one) => sum | (one & BITS), 0);
           const powers = new Set(shapes.map((one) => one >> SHAPE.powerShift));
           const DECAYS = SHAPE.decay + SHAPE.mild;
@@ -281,15 +282,18 @@ describe('lights in loops', () => {
 describe('the words', () => {
   const [, body = ''] = /LightSums lightSums\(([^]*)/.exec(loop) ?? [];
 
-  it.each(Object.values(KINDS))('of %s are those of its declaration', (name) => {
-    const [, declared = ''] = new RegExp(`void ${name}\\(([^)]*)\\)`).exec(loop) ?? [];
+  it.each(Object.values(KINDS))('of %s are those of the declaration', (kind) => {
+    expect(loop).toContain(`const int ${kind} = `);
+    const [, declared = ''] = /void addLight\(([^)]*)\)/.exec(loop) ?? [];
     const names = declared.split(',').map((parameter) => parameter.trim().split(' ').at(-1)!);
     expect(names).toContain('shape');
     for (const text of [writtenOut, inLoops].map((make) => make(pack([light(), lamp(), spot()]), TERMS))) {
-      const { args } = callsIn(text).find((call) => call.name === name)!;
+      const { args } = callsIn(text).find((call) => call.kind === kind)!;
       expect(args).toHaveLength(names.length);
       names.forEach((parameter, i) => {
-        expect(args[i]).toMatch(/row|shape/.test(parameter) ? /^(\d+|row)$/ : new RegExp(`^${parameter}$`));
+        if (parameter === 'kind') expect(args[i]).toBe(kind);
+        else if (/row|shape/.test(parameter)) expect(args[i]).toMatch(/^(\d+|row)$/);
+        else expect(args[i]).toBe(parameter);
       });
     }
   });
