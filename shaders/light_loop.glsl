@@ -93,7 +93,7 @@ const int KIND_SPOT = 2;
 
 /**
  * Adds the light that begins at `row`. All kinds begin with the same rows: a place or a direction, two colours. For a literal
- * kind nothing of the others is left.
+ * kind, as in EXACT_LIGHTS, nothing of the others is left.
  */
 void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen, float n, int shape) {
   vec4 place = lightRow(row + POINT_POSITION);
@@ -101,11 +101,11 @@ void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen
   vec4 specular = lightRow(row + POINT_SPECULAR);
   vec3 L = place.xyz;
   float factor = 1.0;
-#if defined(HAS_POINT) || defined(HAS_SPOT)
+#if defined(EXACT_LIGHTS) || defined(HAS_POINT) || defined(HAS_SPOT)
   if (kind != KIND_DIRECTIONAL) {
     float d, squared;
     L = towardLight(place.xyz, p, d, squared);
-#ifdef HAS_SPOT
+#if defined(EXACT_LIGHTS) || defined(HAS_SPOT)
     if (kind == KIND_SPOT) {
       vec4 axis = lightRow(row + SPOT_AXIS);
       vec4 ambient = lightRow(row + SPOT_AMBIENT);
