@@ -45,6 +45,7 @@ export class LightRows {
   /** The uniform block. */
   readonly group = new UniformsGroup();
   #data = new Float32Array(TEXTURE_WIDTH * 4);
+  /** What it stands for is made here: three.js would ask for each texture's anisotropy, and wait for the answer. */
   readonly #texture = new ExternalTexture();
   #gl: WebGL2RenderingContext | null = null;
   /** Rows that the texture on the GPU has not seen: from, and up to but without. */
@@ -153,7 +154,7 @@ export class LightRows {
   /** Frees what the GPU holds; drawing again sends it again. */
   dispose(): void {
     this.group.dispose();
-    this.#deleteTexture();
+    this.#gl?.deleteTexture(this.#texture.sourceTexture);
     this.restore();
   }
 
@@ -171,12 +172,6 @@ export class LightRows {
     this.#pieces.forEach((piece, i) => {
       if (from < (PIECES[i + 1] ?? 0) && to > (PIECES[i] ?? 0)) piece.waiting = true;
     });
-  }
-
-  /** The texture stays the same to materials; what it stands for on the GPU is ours: three.js asks for each one's anisotropy, and waits. */
-  #deleteTexture(): void {
-    this.#gl?.deleteTexture(this.#texture.sourceTexture);
-    this.#texture.sourceTexture = null;
   }
 
   /** Room to double, so that lights added one by one do not make a texture and a buffer each. */
