@@ -111,7 +111,7 @@ void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen
       vec4 ambient = lightRow(row + SPOT_AMBIENT);
       bool chords = has(shape, SHAPE_CHORDS);
       float toBack = chords ? quarterSquare(L - axis.xyz) : 0.5 - 0.5 * dot(L, axis.xyz); // (1 + c)/2
-      float toAxis = chords ? quarterSquare(L + axis.xyz) : 1.0 - toBack; // (1 - c)/2
+      float toAxis = quarterSquare(L + axis.xyz); // (1 - c)/2; nothing asks for it where a cosine will do
 #ifndef LIGHTS_APART
       // At the light itself there is no angle: inside any cone, no decay.
       toAxis = d > 0.0 ? toAxis : 0.0;

@@ -281,7 +281,6 @@ export const glslMutants = [
     ['grey diffuse light in the end', 'sums.diffuse += sums.greyDiffuse;', ''],
     ['grey specular light in the end', 'sums.specular += sums.greySpecular;', ''],
     ['the cosine: half of it', '0.5 - 0.5 * dot(L, axis.xyz)', '0.5 - 0.25 * dot(L, axis.xyz)'],
-    ['the near side of a cosine', ': 1.0 - toBack', ': toBack'],
     ['cones of up to 90° of everything declared', '+ SHAPE_NARROW + SHAPE_WIDE', '+ SHAPE_WIDE'],
     ['cones beyond 90° of everything declared', '+ SHAPE_NARROW + SHAPE_WIDE', '+ SHAPE_NARROW'],
     ...['AMBIENT', 'DIFFUSE', 'SPECULAR'].map(

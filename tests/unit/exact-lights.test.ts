@@ -111,6 +111,13 @@ describe('counted lights', () => {
     );
   });
 
+  it('are loops of one kind each, also where kinds have a shape in common', () => {
+    expect(run(counted(pack([light(), lamp()]), TERMS)).map(([kind]) => kind)).toStrictEqual([
+      KINDS.directional,
+      KINDS.point,
+    ]);
+  });
+
   it('are loops of 32 turns at most, which drivers write out one by one', () => {
     const text = counted(pack(Array.from({ length: 70 }, () => lamp())), TERMS);
     expect([...text.matchAll(/i<(\d+)/g)].map(([, turns]) => Number(turns))).toStrictEqual([32, 32, 6]);

@@ -83,6 +83,11 @@ describe('a cone that does not touch a box', () => {
     },
   );
 
+  it('is left out of a box right behind it, however narrow it is', () => {
+    const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 1 });
+    expect(reach(pack([spot]), [-1, -1, 0.5, 1, 1, 2.5]).count).toBe(0);
+  });
+
   it('is never left out of a point nearer than 1e-15, which has no direction from it', () => {
     const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 20 });
     expect(reach(pack([spot]), [0, 0, 5e-16, 0, 0, 5e-16]).count).toBe(1);
