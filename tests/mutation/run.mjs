@@ -4,7 +4,7 @@
 // harness built with it. A mutant that lives is a failure. Writes results.json and TABLE.md.
 //
 //   npm run mutation -- --only power.glsl   (a part of names: the results of all others stay as they are)
-//   npm run mutation -- --new   (those alone that have no result yet)
+//   npm run mutation -- --new   (those alone that no test is known to kill)
 //   npm run mutation -- --quick   (few cases; only prints)
 
 import { readFileSync, writeFileSync } from 'node:fs';
@@ -29,7 +29,8 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 const here = join(repository, 'tests/mutation');
 process.chdir(repository);
 
-const known = new Set(options.new ? resultsBefore().map(({ name }) => name) : []);
+const killed = options.new ? resultsBefore().filter(({ killedBy }) => killedBy !== null) : [];
+const known = new Set(killed.map(({ name }) => name));
 const chosen = MUTANTS.map((mutant) => ({ mutant, name: nameOf(mutant) }))
   .filter(({ name }) => name.includes(options.only) && !known.has(name))
   .map(({ mutant }) => mutant);
