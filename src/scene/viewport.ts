@@ -233,6 +233,7 @@ export class Viewport implements StageClient, Framed {
 
   /** The picture now, at exactly this many pixels. Throws RangeError where no canvas can hold them. */
   capture(width: number, height: number): HTMLCanvasElement {
+    this.#relit = false; // what is drawn last now has been seen another way
     this.settle();
     return stage.capture({ width, height }, (renderer, part) => {
       this.#view.aim(this.#fov, this.#fit.bounds, width, height, part);

@@ -33,7 +33,7 @@ const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<Phong
 test('has a folder for each light, in order, bearing its name, live', async ({ mount }) => {
   const viewer = await mount(scene(sun, '<phong-light></phong-light>', spot));
   const titles = () => titlesIn(folderOf(viewer, 'Lights'));
-  expect(await titles()).toEqual(['sun', 'light 2', 'spot']);
+  await expect.poll(titles).toEqual(['sun', 'light 2', 'spot']); // the panel's code comes with its first use
   await assign(lightOf(viewer, 'spot'), { name: 'beam' });
   await expect.poll(titles).toEqual(['sun', 'light 2', 'beam']);
   await viewer.evaluate((element: PhongViewer) => element.prepend(element.lights[1]!));
