@@ -280,7 +280,10 @@ test('one light that is declared inactive has its program from the start', async
   expect(await glSpent(page)).toMatchObject({ links: 0, compiles: 0, draws: 1 });
 });
 
-/** The most calls of any of these frames. In each, `move` many lights are moved. */
+/**
+ * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still picture's program
+ * has the lights' numbers in its text, that frame goes over to one that reads them.
+ */
 async function callsPerFrame(viewer: Locator, move: number): Promise<number> {
   return viewer.evaluate(async (element: PhongViewer, lights) => {
     let most = 0;
@@ -294,7 +297,7 @@ async function callsPerFrame(viewer: Locator, move: number): Promise<number> {
       await element.ready;
       const { calls, draws, links } = window.glLog.take();
       if (draws !== 1 || links !== 0) throw new Error(`${draws} draws and ${links} links in frame ${frame}`);
-      most = Math.max(most, calls);
+      if (frame > 0) most = Math.max(most, calls);
     }
     return most;
   }, move);
@@ -317,8 +320,8 @@ test('lights that move in every frame cost four calls more than a still frame, h
     await drawUntilExact(page);
     await drawFrames(page, 2);
     const still = await callsPerFrame(viewer, 0);
-    const moving = await callsPerFrame(viewer, lights.length);
     expect((await drawnWith(page)).every(isExact)).toBe(true);
+    const moving = await callsPerFrame(viewer, lights.length);
     figures[name] = [still, moving];
     expect(moving - still, name).toBeLessThanOrEqual(4);
   }
