@@ -120,10 +120,11 @@ export const isMildPower = (exponent: number): boolean =>
 export function coneLimit(aperture: number): number {
   if (aperture >= 180) return LIMIT_OPEN;
   // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
-  return aperture <= 90
-    ? Math.sin(radians(aperture) / 2) ** 2
-    : -(Math.sin(radians(180 - aperture) / 2) ** 2);
+  return aperture <= 90 ? Math.sin(radians(aperture) / 2) ** 2 : farLimit(aperture);
 }
+
+/** As it is compared on the far side of the axis. */
+const farLimit = (aperture: number): number => -(Math.sin(radians(180 - aperture) / 2) ** 2);
 
 /**
  * The same for float32: unit vectors there may be 2 ULP too long or short (inversesqrt's allowance) and round beside, so
@@ -131,7 +132,7 @@ export function coneLimit(aperture: number): number {
  * Where a cosine finds the edge it is compared on the far side, whichever is nearer.
  */
 function packedLimit(aperture: number): number {
-  const limit = isBlunt(aperture) ? -(Math.sin(radians(180 - aperture) / 2) ** 2) : coneLimit(aperture);
+  const limit = isBlunt(aperture) ? farLimit(aperture) : coneLimit(aperture);
   return limit < 0 ? limit : Math.max(limit, LEAST_LIMIT);
 }
 

@@ -244,7 +244,7 @@ export const packingMutants = [
       'packedLimit(aperture) < 0 ? SHAPE.wide : SHAPE.narrow',
       'SHAPE.narrow',
     ],
-    ['a cosine’s edge on the far side', 'isBlunt(aperture) ? -(Math', 'false ? -(Math'],
+    ['a cosine’s edge on the far side', 'isBlunt(aperture) ? farLimit', 'false ? farLimit'],
     ['the shape of no decay', 'if (cutoff < LEAST_EXPONENT) return cone;', ''],
     [
       'the shape of whole cutoffs',
@@ -275,12 +275,12 @@ export const packingMutants = [
     ],
     [
       'the limit’s chord beyond 90°: one plus the cosine',
-      ': -(Math.sin(radians(180 - aperture) / 2) ** 2)',
-      ': -(1 + Math.cos(radians(aperture))) / 2',
+      '** 2 : farLimit(aperture)',
+      '** 2 : -(1 + Math.cos(radians(aperture))) / 2',
     ],
     ['the far chord beyond 90°', 'return aperture <= 90', 'return aperture <= 180'],
     ['the near chord up to 90°', 'return aperture <= 90', 'return aperture < 0'],
-    ['the limit’s sign beyond 90°', ': -(Math.sin(', ': (Math.sin('],
+    ['the limit’s sign beyond 90°', '** 2 : farLimit', '** 2 : -farLimit'],
     ['the least width of a cone', 'limit < 0 ? limit : Math.max(limit, LEAST_LIMIT)', 'limit'],
     [
       'the least width only of cones up to 90°',
