@@ -16,18 +16,32 @@ const replaceable = /\/three\/src\/(?:extras|math|renderers\/(?:webgl|webxr|shad
 
 /**
  * Functions and methods that are left out: JSON, for which no loader is here; tangents, which only three's own shaders read;
- * what only the renderer's owner would call; drawing into anything but the canvas, reading back from it, passes over it; cube maps.
+ * what only the renderer's owner would call; drawing into anything but the canvas, reading back from it, passes over it; cube
+ * maps; colours as text or by hue, for the colours here are the renderer's and the loaders' own, which are numbers.
  */
 const leftOut: Readonly<Record<string, readonly string[]>> = {
+  'Box3.js': ['fromJSON', 'toJSON'],
+  'BoxGeometry.js': ['fromJSON'],
   'BufferAttribute.js': ['toJSON'],
   'BufferGeometry.js': ['computeTangents', 'toJSON'],
-  'Color.js': ['toJSON'],
+  'Color.js': [
+    ...['NAMES', 'getHSL', 'getHexString', 'getStyle', 'lerpHSL', 'offsetHSL', 'setColorName', 'setHSL'],
+    ...['setStyle', 'toJSON'],
+  ],
+  'DepthTexture.js': ['toJSON'],
+  'ImageUtils.js': ['getDataURL'],
   'Material.js': ['fromJSON', 'toJSON'],
   'Object3D.js': ['toJSON'],
   'PerspectiveCamera.js': ['toJSON'],
+  'Plane.js': ['fromJSON', 'toJSON'],
+  'PlaneGeometry.js': ['fromJSON'],
+  'Quaternion.js': ['toJSON'],
   'Scene.js': ['toJSON'],
   'ShaderMaterial.js': ['fromJSON', 'toJSON'],
+  'Sphere.js': ['fromJSON', 'toJSON'],
+  'SphereGeometry.js': ['fromJSON'],
   'Texture.js': ['toJSON'],
+  'TextureSource.js': ['serializeImage', 'toJSON'],
   'Vector4.js': ['setAxisAngleFromQuaternion', 'setAxisAngleFromRotationMatrix'],
   'WebGLRenderer.js': [
     'compileAsync',
@@ -70,8 +84,20 @@ const leftOut: Readonly<Record<string, readonly string[]>> = {
   ],
 };
 
+/** Text, which must be there, and what stands in its place. */
+const replaced: Readonly<Record<string, readonly (readonly [text: RegExp | string, instead: string])[]>> = {
+  'Three.Core.js': [[announcement, '']],
+  // No mesh here is made without a material; the loader that needs this one brings it along.
+  'Mesh.js': [
+    [/import { MeshBasicMaterial } .*/, ''],
+    ['material = new MeshBasicMaterial()', 'material'],
+  ],
+  // Never asked for: src/scene/link-check.ts says why.
+  'WebGLProgram.js': [['renderer.debug.checkShaderErrors', 'false']],
+};
+
 export function privateThree(): Plugin {
-  const found = new Set<string>();
+  const missing = new Set(Object.keys(replaced));
   return {
     name: 'private-three',
     enforce: 'pre',
@@ -82,16 +108,21 @@ export function privateThree(): Plugin {
       return resolved !== null && replaceable.test(resolved.id) ? leanPath(resolved.id) : resolved;
     },
     transform(code, id) {
-      const names = id.includes('/three/src/') ? leftOut[basename(id)] : undefined;
-      if (names !== undefined) return { code: without(code, names, this.parse(code)), map: null };
-      if (!id.endsWith('/three/src/Three.Core.js')) return null;
-      if (!announcement.test(code))
-        throw new Error(`This three.js release announces itself in another way: ${id}`);
-      found.add('announcement');
-      return { code: code.replace(announcement, ''), map: null };
+      if (!id.includes('/three/src/')) return null;
+      const file = basename(id);
+      let lean = code;
+      for (const [text, instead] of replaced[file] ?? []) {
+        const before = lean;
+        lean = before.replace(text, instead);
+        if (lean === before) throw new Error(`This three.js release has no ${String(text)} in ${id}`);
+      }
+      missing.delete(file);
+      const names = leftOut[file];
+      if (names !== undefined) lean = without(lean, names, this.parse(lean));
+      return { code: lean, map: null };
     },
     buildEnd(error) {
-      if (error === undefined && !found.has('announcement'))
+      if (error === undefined && missing.size > 0)
         this.error('three.js has not come from its sources: nothing of it is private or lean.');
     },
   };
@@ -102,7 +133,7 @@ function leanPath(path: string): string {
   return existsSync(lean) ? lean : path;
 }
 
-/** `code` without the functions of these names, declared, methods or assigned to `this`; throws where one is not there. */
+/** `code` without the functions of these names, declared, methods or assigned to `this` or to a class; throws where one is not there. */
 function without(code: string, names: readonly string[], program: object): string {
   const missing = new Set(names);
   const gaps: [start: number, end: number][] = [];
@@ -139,6 +170,7 @@ const isNode = (value: unknown): value is Node =>
 function functionName({ type, id, key, expression }: Node): string | undefined {
   if (type === 'FunctionDeclaration') return id?.name;
   if (type === 'MethodDefinition') return key?.name;
-  if (type !== 'ExpressionStatement' || expression?.left?.object?.type !== 'ThisExpression') return undefined;
-  return expression.left.property?.name;
+  if (type !== 'ExpressionStatement') return undefined;
+  const { object, property } = expression?.left ?? {};
+  return object?.type === 'ThisExpression' || object?.type === 'Identifier' ? property?.name : undefined;
 }
