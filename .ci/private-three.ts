@@ -7,6 +7,7 @@ import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
+import { withoutUnsetParameters } from './lean-programs.js';
 
 const announcement =
   /if \( typeof window !== 'undefined' \) \{\s*if \( window\.__THREE__ \) \{[^}]*\} else \{[^}]*\}\s*\}/;
@@ -117,6 +118,7 @@ export function privateThree(): Plugin {
         if (lean === before) throw new Error(`This three.js release has no ${String(text)} in ${id}`);
       }
       missing.delete(file);
+      if (/^WebGLPrograms?\.js$/.test(file)) lean = withoutUnsetParameters(lean);
       const names = leftOut[file];
       if (names !== undefined) lean = without(lean, names, this.parse(lean));
       return { code: lean, map: null };
