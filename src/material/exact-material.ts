@@ -6,6 +6,7 @@ import { isBlack } from '../light/light-kind.js';
 import type { PackedLights } from '../light/pack-lights.js';
 import { isMildPower, isWholePower } from '../light/steady-light.js';
 import { constantRows, counted, inCells, inLoops, literal, writtenOut } from './exact-lights.js';
+import { lightBlockOf } from './light-block.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';
 import type { Term } from './variant.js';
@@ -73,8 +74,9 @@ export class ExactMaterial extends ShaderMaterial {
     if (readsBlock(choice.form)) {
       defines['LIGHT_STORAGE'] = 'STORAGE_BLOCK';
       const { rows, packed } = choice.list;
-      defines['LIGHT_BLOCK_ROWS'] = String(rows.blockRowsFor(packed.rows));
-      this.uniformsGroups = [rows.group];
+      const block = lightBlockOf(rows);
+      defines['LIGHT_BLOCK_ROWS'] = String(block.rowsFor(packed.rows));
+      this.uniformsGroups = [block.group];
     } else if (choice.form === 'constant') {
       const { reflectance } = source;
       defines['LIGHT_CONSTANTS'] = constantRows(choice.list.packed);
@@ -88,7 +90,7 @@ export class ExactMaterial extends ShaderMaterial {
   override onBeforeRender(...[renderer, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
     const { list, form } = this.#choice;
     const { uLightTexture } = this.uniforms;
-    if (readsBlock(form)) list.rows.sendBlock();
+    if (readsBlock(form)) lightBlockOf(list.rows).send();
     else if (form !== 'constant' && uLightTexture !== undefined)
       uLightTexture.value = list.rows.sendTexture(renderer);
     this.uniformsNeedUpdate = this.standsFor.place(object);

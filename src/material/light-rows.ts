@@ -1,69 +1,29 @@
 // Packed lights on the GPU. Loops read a float texture, of any number of lights: measured, it is faster than a uniform block
-// read by a running index (0.5 of the time in software, 0.9 on a GPU). Programs for exactly these lights read a uniform block at
-// literal places (0.5 of a texture's time on a GPU). What did not change, or is not read, is not sent.
-import { DynamicDrawUsage, ExternalTexture, Uniform, UniformsGroup, type WebGLRenderer } from 'three';
-import { BLOCK_ROWS, LARGE_BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
+// read by a running index (0.5 of the time in software, 0.9 on a GPU). Programs for exactly these lights read a uniform block;
+// see light-block. What did not change, or is not read, is not sent.
+import { ExternalTexture, type WebGLRenderer } from 'three';
+import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
 import type { PackedLights } from '../light/pack-lights.js';
+import type { LightBlock } from './light-block.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
 
-/** Where the block's pieces begin: a change sends the pieces it touches, so four calls at most and 1 KiB for a few lights. */
-const PIECES = [0, 64, 256, BLOCK_ROWS, LARGE_BLOCK_ROWS] as const;
-
-/**
- * A piece of the block. three.js sends every typed array of a group in each frame, changed or not, so the group lists
- * only the pieces that wait to be sent; reading the value is how three.js takes it.
- */
-class BlockPiece extends Uniform<Float32Array> {
-  waiting = true;
-  #data: Float32Array;
-
-  constructor(data: Float32Array) {
-    super(new Float32Array(0));
-    this.#data = data;
-    Object.defineProperty(this, 'value', {
-      get: () => {
-        this.waiting = false;
-        return this.#data;
-      },
-    });
-  }
-
-  /** None: the rows end before it. */
-  get empty(): boolean {
-    return this.#data.length === 0;
-  }
-
-  /** The rows have moved into other memory. */
-  set data(data: Float32Array) {
-    this.#data = data;
-  }
-}
-
 /** The lights of one list, as materials read them. */
 export class LightRows {
-  /** The uniform block. */
-  readonly group = new UniformsGroup();
+  /** The uniform block, once a program has asked for it. */
+  block: LightBlock | null = null;
   #data = new Float32Array(TEXTURE_WIDTH * 4);
   /** What it stands for is made here: three.js would ask for each texture's anisotropy, and wait for the answer. */
   readonly #texture = new ExternalTexture();
   #gl: WebGL2RenderingContext | null = null;
   /** Rows that the texture on the GPU has not seen: from, and up to but without. */
   #stale = { from: 0, to: 0 };
-  readonly #pieces: readonly BlockPiece[];
   #uploads = 0;
   #version = 0;
 
-  constructor() {
-    this.#pieces = PIECES.slice(1).map((end, i) => new BlockPiece(this.#rows(PIECES[i] ?? 0, end)));
-    this.group.setName('LightRows');
-    this.group.setUsage(DynamicDrawUsage);
-    this.group.uniforms.push(...this.#filled()); // all of them, when three.js measures the block
-  }
-
   /** How often light data has been handed over for sending. */
   get uploads(): number {
-    return this.#uploads;
+    return this.#uploads + (this.block?.uploads ?? 0);
   }
 
   /** Goes up whenever a number is other than before. */
@@ -71,9 +31,9 @@ export class LightRows {
     return this.#version;
   }
 
-  /** Rows of the block that a program for `rows` rows is to declare. Its buffer may have more, and never less. */
-  blockRowsFor(rows: number): number {
-    return rows <= BLOCK_ROWS ? BLOCK_ROWS : Math.min(this.#data.length / 4, LARGE_BLOCK_ROWS);
+  /** All rows, as far as there is room; other memory once they outgrow it. */
+  get data(): Float32Array {
+    return this.#data;
   }
 
   /** Takes what changed in `packed`. Cheap when nothing did. */
@@ -115,29 +75,6 @@ export class LightRows {
     return this.#texture;
   }
 
-  /** Before a frame that reads the block: lists what waits to be sent. */
-  sendBlock(): void {
-    const { uniforms } = this.group;
-    uniforms.length = 0;
-    for (const piece of this.#filled()) if (piece.waiting) uniforms.push(piece);
-    if (uniforms.length > 0) this.#uploads += 1;
-  }
-
-  /** Binds the buffer that three.js has made for the block and drawn with. */
-  bindBlock(gl: WebGL2RenderingContext): void {
-    const { __bindingPointIndex: point = 0 } = this.group as { __bindingPointIndex?: number };
-    const buffer = gl.getIndexedParameter(gl.UNIFORM_BUFFER_BINDING, point) as WebGLBuffer | null;
-    gl.bindBuffer(gl.UNIFORM_BUFFER, buffer);
-  }
-
-  /** Sends what the block waits for to its buffer, which is bound. */
-  patchBlock(gl: WebGL2RenderingContext): void {
-    this.sendBlock();
-    this.#pieces.forEach((piece, i) => {
-      if (piece.waiting) gl.bufferSubData(gl.UNIFORM_BUFFER, (PIECES[i] ?? 0) * 16, piece.value);
-    });
-  }
-
   /** What holds the rows for loops; null before they are sent. */
   get texture(): WebGLTexture | null {
     return this.#texture.sourceTexture;
@@ -145,33 +82,22 @@ export class LightRows {
 
   /** The GPU has lost everything: send it all again. */
   restore(): void {
-    for (const piece of this.#pieces) piece.waiting = true;
-    this.group.uniforms.splice(0, Infinity, ...this.#filled());
+    this.block?.restore();
     this.#texture.sourceTexture = null;
     this.#stale = { from: 0, to: this.#data.length / 4 };
   }
 
   /** Frees what the GPU holds; drawing again sends it again. */
   dispose(): void {
-    this.group.dispose();
+    this.block?.dispose();
     this.#gl?.deleteTexture(this.#texture.sourceTexture);
     this.restore();
-  }
-
-  #filled(): readonly BlockPiece[] {
-    return this.#pieces.filter(({ empty }) => !empty);
-  }
-
-  #rows(from: number, to: number): Float32Array {
-    return this.#data.subarray(from * 4, to * 4);
   }
 
   #changed(from: number, to: number): void {
     const { from: first, to: last } = this.#stale;
     this.#stale = first < last ? { from: Math.min(from, first), to: Math.max(to, last) } : { from, to };
-    this.#pieces.forEach((piece, i) => {
-      if (from < (PIECES[i + 1] ?? 0) && to > (PIECES[i] ?? 0)) piece.waiting = true;
-    });
+    this.block?.changed(from, to);
   }
 
   /** Room to double, so that lights added one by one do not make a texture and a buffer each. */
@@ -180,9 +106,7 @@ export class LightRows {
     const grown = new Float32Array(height * TEXTURE_WIDTH * 4);
     grown.set(this.#data);
     this.#data = grown;
-    this.#pieces.forEach((piece, i) => {
-      piece.data = this.#rows(PIECES[i] ?? 0, PIECES[i + 1] ?? 0);
-    });
+    this.block?.moved(grown);
     this.dispose();
   }
 }

@@ -2,6 +2,7 @@
 // drawing has left in the context. It sends the lights, clears and draws; all else that three.js does for a frame takes several
 // times as long. Knows neither which lights a mesh has nor when to draw.
 import type { Material, Mesh, WebGLRenderer } from 'three';
+import { lightBlockOf } from '../material/light-block.js';
 import type { LightRows } from '../material/light-rows.js';
 
 /** What a drawing is made with. While all of it stays, so does the context's state. */
@@ -60,9 +61,10 @@ export class Repeat {
     if (!same) return false;
     const gl = renderer.getContext() as WebGL2RenderingContext;
     if (inBlock) {
-      if (!last.bound) rows.bindBlock(gl);
+      const block = lightBlockOf(rows);
+      if (!last.bound) block.bind(gl);
       last.bound = true;
-      rows.patchBlock(gl);
+      block.patch(gl);
     } else {
       rows.sendTexture(renderer);
       if (rows.texture !== last.texture) return false;

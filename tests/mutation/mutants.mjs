@@ -56,6 +56,7 @@ export const UNIT_TESTS = {
   'src/material/light-list.ts': ['light-list'],
   'src/material/mesh-lights.ts': ['mesh-lights'],
   'src/material/exact-lights.ts': ['exact-lights'],
+  'src/material/light-block.ts': ['light-rows'],
   'src/material/light-rows.ts': ['light-rows'],
   'src/material/normal-matrix.ts': ['normal-matrix'],
   'src/reference/equation.ts': ['equation-limits', 'equation-vectors', 'equation-metamorphic'],

@@ -5,6 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { HEADER } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights } from '../../src/light/pack-lights.js';
+import { lightBlockOf } from '../../src/material/light-block.js';
 import { LightList } from '../../src/material/light-list.js';
 import { anyLight, light } from './arbitraries.js';
 import { pack, read } from './packed-reader.js';
@@ -86,7 +87,7 @@ describe('some of the lights', () => {
   it('are sent as selected', () => {
     const list = new LightList();
     list.select(pack([lamp(1), lamp(2)]), Uint8Array.of(0, 1));
-    const sent = (list.rows.group.uniforms[0] as unknown as { value: Float32Array }).value;
+    const sent = (lightBlockOf(list.rows).group.uniforms[0] as unknown as { value: Float32Array }).value;
     expect([...sent.slice(0, list.packed.rows * 4)]).toStrictEqual([
       ...list.packed.data.slice(0, list.packed.rows * 4),
     ]);

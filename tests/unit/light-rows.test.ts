@@ -6,6 +6,7 @@ import type { ExternalTexture } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { BLOCK_ROWS, LARGE_BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
+import { lightBlockOf } from '../../src/material/light-block.js';
 import { LightRows } from '../../src/material/light-rows.js';
 import { FakeRenderer } from './fake-renderer.js';
 
@@ -32,8 +33,8 @@ function changed(rows: number, ...floats: number[]): PackedLights {
 
 /** The pieces of the block that would be sent in this frame; sent, as three.js does it, by reading their values. */
 function sendBlock(rows: LightRows): Float32Array[] {
-  rows.sendBlock();
-  return rows.group.uniforms.map((uniform) => (uniform as { value: Float32Array }).value);
+  lightBlockOf(rows).send();
+  return lightBlockOf(rows).group.uniforms.map((uniform) => (uniform as { value: Float32Array }).value);
 }
 
 /** A draw that reads the texture. */
@@ -59,8 +60,16 @@ describe('the uniform block', () => {
     expect(sendBlock(rows)).toStrictEqual([]);
   });
 
+  it('is made for the first program that reads it, of rows that were there before', () => {
+    const rows = new LightRows();
+    rows.write(packed(10));
+    expect(rows.block).toBeNull();
+    expect(sendBlock(rows)[0]!.slice(0, 40)).toStrictEqual(packed(10).data.slice(0, 40));
+    expect(lightBlockOf(rows)).toBe(rows.block);
+  });
+
   it('is measured whole by three.js before anything is sent', () => {
-    const { uniforms } = new LightRows().group;
+    const { uniforms } = lightBlockOf(new LightRows()).group;
     expect(uniforms.flat().map(({ value }) => (value as Float32Array).length)).toStrictEqual([
       256, 768, 3072,
     ]);
@@ -114,9 +123,9 @@ describe('the uniform block', () => {
   it('keeps what waits until it is read, however many frames that takes', () => {
     const rows = settled(10);
     rows.write(packed(10, 5));
-    rows.sendBlock();
-    rows.sendBlock();
-    expect(rows.group.uniforms).toHaveLength(1);
+    lightBlockOf(rows).send();
+    lightBlockOf(rows).send();
+    expect(lightBlockOf(rows).group.uniforms).toHaveLength(1);
     expect(sendBlock(rows)).toHaveLength(1);
     expect(sendBlock(rows)).toStrictEqual([]);
   });
@@ -129,10 +138,10 @@ describe('the uniform block', () => {
 
   it('is a larger one where the rows outgrow it, measured whole and sent anew, up to the largest', () => {
     const rows = settled(BLOCK_ROWS);
-    const dispose = vi.spyOn(rows.group, 'dispose');
+    const dispose = vi.spyOn(lightBlockOf(rows).group, 'dispose');
     rows.write(packed(2 * WIDTH));
     expect(dispose).toHaveBeenCalledTimes(1);
-    expect(rows.group.uniforms).toHaveLength(4);
+    expect(lightBlockOf(rows).group.uniforms).toHaveLength(4);
     expect(sendBlock(rows).map(({ length }) => length)).toStrictEqual([256, 768, 3072, 4096]);
     rows.write(packed(5 * WIDTH));
     const floats = sendBlock(rows).reduce((sum, { length }) => sum + length, 0);
@@ -141,14 +150,14 @@ describe('the uniform block', () => {
 
   it('is declared as small as its lights allow, and never larger than its buffer', () => {
     const rows = settled(10);
-    expect(rows.blockRowsFor(10)).toBe(BLOCK_ROWS);
+    expect(lightBlockOf(rows).rowsFor(10)).toBe(BLOCK_ROWS);
     rows.write(packed(2 * WIDTH));
-    expect(rows.blockRowsFor(2 * WIDTH)).toBe(2 * WIDTH);
-    expect(rows.blockRowsFor(BLOCK_ROWS)).toBe(BLOCK_ROWS);
+    expect(lightBlockOf(rows).rowsFor(2 * WIDTH)).toBe(2 * WIDTH);
+    expect(lightBlockOf(rows).rowsFor(BLOCK_ROWS)).toBe(BLOCK_ROWS);
     rows.write(packed(3 * WIDTH));
-    expect(rows.blockRowsFor(3 * WIDTH)).toBe(LARGE_BLOCK_ROWS);
+    expect(lightBlockOf(rows).rowsFor(3 * WIDTH)).toBe(LARGE_BLOCK_ROWS);
     rows.write(packed(9 * WIDTH));
-    expect(rows.blockRowsFor(LARGE_BLOCK_ROWS)).toBe(LARGE_BLOCK_ROWS);
+    expect(lightBlockOf(rows).rowsFor(LARGE_BLOCK_ROWS)).toBe(LARGE_BLOCK_ROWS);
   });
 
   it('has a version that goes up with its numbers alone', () => {
@@ -313,7 +322,7 @@ describe('a lost context', () => {
     expect(sendBlock(rows)).toStrictEqual([]);
     gpu.loseContext();
     rows.restore();
-    expect(rows.group.uniforms).toHaveLength(4); // three.js measures the block anew before anything is sent
+    expect(lightBlockOf(rows).group.uniforms).toHaveLength(4); // three.js measures the block anew before anything is sent
     expect(sendBlock(rows)).toHaveLength(4);
     expect(draw(rows)).toBe(texture);
     expect(gpu.pixels(texture).slice(0, 8000)).toStrictEqual(floatsOf(packed(2000)));
@@ -330,7 +339,7 @@ describe('a lost context', () => {
 describe('what is given back', () => {
   it('is all that was taken', () => {
     const rows = settled(2000);
-    const group = vi.spyOn(rows.group, 'dispose');
+    const group = vi.spyOn(lightBlockOf(rows).group, 'dispose');
     rows.dispose();
     expect(gpu.textures).toBe(0);
     expect(group).toHaveBeenCalledTimes(1);

@@ -4,6 +4,7 @@ import { BoxGeometry, BufferGeometry, Mesh, Object3D } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import * as lightReach from '../../src/light/light-reach.js';
 import type { LightValues } from '../../src/light/light-state.js';
+import { lightBlockOf } from '../../src/material/light-block.js';
 import type { LightList } from '../../src/material/light-list.js';
 import { LightRows } from '../../src/material/light-rows.js';
 import { MeshLights, type ReachQuestion } from '../../src/material/mesh-lights.js';
@@ -220,8 +221,8 @@ describe('lights that move', () => {
   it('keep count of what freed lists have sent', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const list = chosen(lights, meshAt(0), QUESTION);
-    list.rows.sendBlock();
-    lights.all.rows.sendBlock();
+    lightBlockOf(list.rows).send();
+    lightBlockOf(lights.all.rows).send();
     expect(lights.uploads).toBe(2);
     for (let i = 0; i < 3; i++) lights.begin();
     expect(lights.uploads).toBe(2);
