@@ -26,30 +26,15 @@ export const isAttenuated = (light: Values): boolean => {
   return light.position[3] === 1 && (kc > 1 || kl > 0 || kq > 0);
 };
 
-/** What any light declared so far needs of the program. */
-export interface LightFacts {
-  directional: boolean;
-  point: boolean;
-  spot: boolean;
-  attenuation: boolean;
-  cone: boolean;
-  decay: boolean;
-  ambient: boolean;
-  diffuse: boolean;
-  specular: boolean;
-}
+const FACTS = [
+  ...['directional', 'point', 'spot', 'attenuation', 'cone', 'decay'],
+  ...['ambient', 'diffuse', 'specular'],
+] as const;
 
-export const noFacts = (): LightFacts => ({
-  directional: false,
-  point: false,
-  spot: false,
-  attenuation: false,
-  cone: false,
-  decay: false,
-  ambient: false,
-  diffuse: false,
-  specular: false,
-});
+/** What any light declared so far needs of the program. */
+export type LightFacts = Record<(typeof FACTS)[number], boolean>;
+
+export const noFacts = (): LightFacts => Object.fromEntries(FACTS.map((fact) => [fact, false])) as LightFacts;
 
 /**
  * Adds what this light needs, active or not, so that toggling it never needs another program. Facts are never taken

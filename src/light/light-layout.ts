@@ -120,21 +120,17 @@ const whole = (n: number): string => n.toFixed();
 /** `#define` lines for the GLSL: the whole layout. */
 export function layoutDefines(): string {
   const lines = [
-    `#define HEADER_COUNTS ${whole(HEADER.counts)}`,
-    `#define HEADER_AMBIENT ${whole(HEADER.ambient)}`,
-    `#define HEADER_ROWS ${whole(HEADER.rows)}`,
-    ...Object.entries(GRID).map(([name, row]) => `#define GRID_${name.toUpperCase()} ${whole(row)}`),
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
-    ...Object.entries(SHAPE).map(([name, bit]) => `#define SHAPE_${snake(name)} ${whole(bit)}`),
     `#define BLOCK_ROWS ${whole(BLOCK_ROWS)}`,
     `#define TEXTURE_ROWS_LOG2 ${whole(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
     `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,
     `#define TINY ${float(TINY)}`,
   ];
-  for (const [kind, rows] of Object.entries(ROWS)) {
-    for (const [row, offset] of Object.entries(rows)) {
-      lines.push(`#define ${kind.toUpperCase()}_${row.toUpperCase()} ${whole(offset)}`);
+  const tables = { HEADER, GRID, SHAPE, ...ROWS };
+  for (const [table, numbers] of Object.entries(tables)) {
+    for (const [name, number] of Object.entries(numbers)) {
+      lines.push(`#define ${table.toUpperCase()}_${snake(name)} ${whole(number)}`);
     }
   }
   return lines.join('\n');

@@ -2,7 +2,7 @@
 // could bring within a budget. All in shading space and float64, from the very rows that the GLSL reads. Always on the
 // safe side: a light that is left out brings nothing (or what the budget allows) to any point of the box.
 import { Cone } from './cone.js';
-import { HEADER, NEAREST, ROWS, SHAPE } from './light-layout.js';
+import { HEADER, ROWS, SHAPE } from './light-layout.js';
 import { KINDS, type PackedLights } from './pack-lights.js';
 
 /** Axis-aligned, in shading space: low x y z, high x y z. */
@@ -16,7 +16,7 @@ export interface Reflectance {
 }
 
 /** Places are float32 on the GPU: half a step of 2^-23 of the largest coordinate each, of light and fragment; with a margin. */
-const ROUNDING = 1e-6;
+export const ROUNDING = 1e-6;
 
 /** What {@link reachedLights} has found. */
 export interface Reached {
@@ -91,21 +91,6 @@ function leaveOutFaint(
     mask[light] = 0;
     into.count -= 1;
   }
-}
-
-/** Whether every place of a light is outside the box, by more than float32 can hide. */
-export function areApart({ data, counts, sent }: PackedLights, box: Box): boolean {
-  const gap = (i: 0 | 1 | 2, place: number): number => {
-    const slack = ROUNDING * (Math.abs(place) + Math.abs(box[i]) + Math.abs(box[i + 3]!));
-    return Math.max(box[i] - place, place - box[i + 3]!) - slack;
-  };
-  let at = (HEADER.rows + counts.directional * ROWS.directional.rows) * 4;
-  for (let i = counts.directional; i < sent; i++) {
-    const widest = Math.max(gap(0, data[at]!), gap(1, data[at + 1]!), gap(2, data[at + 2]!));
-    if (!(widest > NEAREST)) return false;
-    at += (i < counts.directional + counts.point ? ROWS.point.rows : ROWS.spot.rows) * 4;
-  }
-  return true;
 }
 
 /** Calls `visit` with each sent light's number, kind and first row. */

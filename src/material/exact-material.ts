@@ -1,6 +1,7 @@
 // A material that draws what another one draws, by a program for exactly its lights, exponent and terms. It shares the other's
 // uniforms, so only the program differs; it is right only as long as neither list nor material asks for another one.
 import { ShaderMaterial } from 'three';
+import cellList from '../../shaders/cell_list.glsl?raw';
 import { SHAPE } from '../light/light-layout.js';
 import { isBlack } from '../light/light-kind.js';
 import type { PackedLights } from '../light/pack-lights.js';
@@ -9,6 +10,7 @@ import { constantRows, counted, inCells, inLoops, literal, writtenOut } from './
 import { lightBlockOf } from './light-block.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';
+import { shadersOf } from './shader-source.js';
 import type { Term } from './variant.js';
 
 const TERM_BITS: Readonly<Record<Term, number>> = {
@@ -50,11 +52,12 @@ export class ExactMaterial extends ShaderMaterial {
   readonly #choice: ExactChoice;
 
   constructor(source: PhongMaterial, choice: ExactChoice) {
-    const { glslVersion, vertexShader, fragmentShader, uniforms, side, vertexColors } = source;
+    const { glslVersion, uniforms, side, vertexColors } = source;
     const { premultipliedAlpha, blending, transparent, toneMapped } = source;
     super({
-      ...{ glslVersion, vertexShader, fragmentShader, uniforms, side, vertexColors },
+      ...{ glslVersion, uniforms, side, vertexColors },
       ...{ premultipliedAlpha, blending, transparent, toneMapped },
+      ...shadersOf(source.style.shading === 'gouraud', choice.form === 'cells' ? cellList : ''),
     });
     this.standsFor = source;
     this.#choice = choice;
@@ -69,7 +72,6 @@ export class ExactMaterial extends ShaderMaterial {
     else if (isMildPower(shininess)) defines['MILD_SHININESS'] = '';
     if (choice.apart) defines['LIGHTS_APART'] = '';
     if (choice.usual) defines['USUAL_LENGTHS'] = '';
-    if (choice.form === 'cells') defines['HAS_GRID'] = '';
     defines['EXACT_LIGHTS'] = exactText(choice.form, choice.list.packed, bits);
     if (readsBlock(choice.form)) {
       defines['LIGHT_STORAGE'] = 'STORAGE_BLOCK';

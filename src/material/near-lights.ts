@@ -1,7 +1,7 @@
 // How the lights of one mesh lie to its bounds: whether any stands at it, and where there are many small ones divided into
 // cells. Looks anew only where they were chosen anew. Knows neither meshes nor programs nor frames.
 import { divide } from '../light/light-grid.js';
-import { areApart } from '../light/light-reach.js';
+import { areApart } from '../light/light-apart.js';
 import { emptyPack } from '../light/pack-lights.js';
 import { LightList } from './light-list.js';
 import type { MeshChoice, ReflectingSurface } from './mesh-lights.js';

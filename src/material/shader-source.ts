@@ -4,7 +4,7 @@ import attenuation from '../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../shaders/diffuse_lobe.glsl?raw';
 import footprint from '../../shaders/footprint.glsl?raw';
 import guard from '../../shaders/guard.glsl?raw';
-import lightLoop from '../../shaders/light_loop.glsl?raw';
+import loop from '../../shaders/light_loop.glsl?raw';
 import lightRows from '../../shaders/light_rows.glsl?raw';
 import nearestCode from '../../shaders/nearest_code.glsl?raw';
 import phongFragment from '../../shaders/phong.frag.glsl?raw';
@@ -32,6 +32,29 @@ const constants = `${layoutDefines()}
 #define SRGB_EXPONENT ${float(SRGB.exponent)}
 `;
 
+/** The light loop, with the text of `more` before it: what lights in EXACT_LIGHTS ask for. */
+export const lightLoop = (more = ''): string =>
+  [
+    constants,
+    guard,
+    power,
+    attenuation,
+    spot,
+    diffuseLobe,
+    '#ifdef FILTER_HIGHLIGHTS',
+    footprint,
+    '#endif',
+    '#ifdef REFLECTION_BLINN_PHONG',
+    specularBlinnPhong,
+    '#else',
+    specularPhong,
+    '#endif',
+    lightRows,
+    more,
+    loop,
+    surfaceColor,
+  ].join('\n');
+
 /**
  * The light loop alone, for any GLSL ES 3.00 program: put it after `#version` and `precision highp float; precision
  * highp int;`, define LIGHT_STORAGE (STORAGE_BLOCK, STORAGE_TEXTURE, or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and
@@ -40,25 +63,7 @@ const constants = `${layoutDefines()}
  * With FILTER_HIGHLIGHTS the specular lobe is averaged over the pixel: call it then in a fragment shader, where all fragments
  * come by (in no branch or loop, before any `discard`), because it takes derivatives of what it is given.
  */
-export const LIGHT_LOOP_GLSL = [
-  constants,
-  guard,
-  power,
-  attenuation,
-  spot,
-  diffuseLobe,
-  '#ifdef FILTER_HIGHLIGHTS',
-  footprint,
-  '#endif',
-  '#ifdef REFLECTION_BLINN_PHONG',
-  specularBlinnPhong,
-  '#else',
-  specularPhong,
-  '#endif',
-  lightRows,
-  lightLoop,
-  surfaceColor,
-].join('\n');
+export const LIGHT_LOOP_GLSL = lightLoop();
 
 /** The sRGB curve, and what an 8-bit picture keeps of a colour: the last steps of a fragment, after the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
@@ -68,24 +73,25 @@ export interface Shaders {
   readonly fragmentShader: string;
 }
 
-const made = new Map<boolean, Shaders>();
+const made = new Map<string, Shaders>();
 
 /**
  * The two stages of a program, after its defines. Gouraud sums the lights at the vertices, everything else at the fragments;
- * the other stage is spared the loop's text, which compilers would read only to leave it out.
+ * the other stage is spared the loop's text, which compilers would read only to leave it out. `more` as for {@link lightLoop}.
  */
-export function shadersOf(gouraud: boolean): Shaders {
-  const known = made.get(gouraud);
+export function shadersOf(gouraud: boolean, more = ''): Shaders {
+  const key = `${String(gouraud)} ${more}`;
+  const known = made.get(key);
   if (known !== undefined) return known;
   const without = [constants, guard];
   const shaders = {
     vertexShader: [
       '#undef USUAL_LENGTHS', // a model's own normals may have any length
-      ...(gouraud ? [LIGHT_LOOP_GLSL] : without),
+      ...(gouraud ? [lightLoop(more)] : without),
       phongVertex,
     ].join('\n'),
-    fragmentShader: [...(gouraud ? without : [LIGHT_LOOP_GLSL]), ENCODING_GLSL, phongFragment].join('\n'),
+    fragmentShader: [...(gouraud ? without : [lightLoop(more)]), ENCODING_GLSL, phongFragment].join('\n'),
   };
-  made.set(gouraud, shaders);
+  made.set(key, shaders);
   return shaders;
 }

@@ -29,28 +29,22 @@ export interface Variant {
 /** The defines of a program, each present only where its code is needed. Values are empty: presence is the meaning. */
 export function variantDefines(variant: Variant, facts: Readonly<LightFacts>): Record<string, string> {
   const { shading, reflection, terms, alphaMode } = variant;
-  const specular = facts.specular && terms.includes('specular');
+  const needed = { ...facts };
+  for (const term of TERMS) needed[term] &&= terms.includes(term);
   const wanted: Record<string, boolean> = {
     // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
     SHADING_GOURAUD: shading === 'gouraud',
     REFLECTION_BLINN_PHONG: reflection === 'blinn-phong',
     // A vertex has no pixel.
-    FILTER_HIGHLIGHTS: variant.antialias === 'highlights' && specular && shading !== 'gouraud',
+    FILTER_HIGHLIGHTS: variant.antialias === 'highlights' && needed.specular && shading !== 'gouraud',
     IS_LINEAR: variant.linear,
     HAS_MAP: variant.map,
     HAS_VERTEX_COLOR: variant.vertexColors,
     HAS_ALPHA_MASK: alphaMode === 'mask',
     IS_BLENDED: alphaMode === 'blend',
-    HAS_AMBIENT: facts.ambient && terms.includes('ambient'),
-    HAS_DIFFUSE: facts.diffuse && terms.includes('diffuse'),
-    HAS_SPECULAR: specular,
-    HAS_DIRECTIONAL: facts.directional,
-    HAS_POINT: facts.point,
-    HAS_SPOT: facts.spot,
-    HAS_ATTENUATION: facts.attenuation,
-    HAS_CONE: facts.cone,
-    HAS_DECAY: facts.decay,
   };
+  // HAS_SPOT, HAS_AMBIENT and so on.
+  for (const [fact, on] of Object.entries(needed)) wanted[`HAS_${fact.toUpperCase()}`] = on;
   const defines: Record<string, string> = { LIGHT_STORAGE: 'STORAGE_TEXTURE' };
   for (const [name, on] of Object.entries(wanted)) if (on) defines[name] = '';
   return defines;

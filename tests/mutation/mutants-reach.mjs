@@ -75,8 +75,8 @@ export const reachMutants = [
     ['what is given up is told', 'into.given = Math.max(...sum);', ''],
     [
       'the count goes down with what is given up',
-      'mask[light] = 0;\n    into.count -= 1;\n  }\n}\n\n/** Whether',
-      'mask[light] = 0;\n  }\n}\n\n/** Whether',
+      'mask[light] = 0;\n    into.count -= 1;\n  }\n}\n\n/** Calls',
+      'mask[light] = 0;\n  }\n}\n\n/** Calls',
     ],
     ['lights are numbered on', 'visit(light++, kind, row)', 'visit(light, kind, row)'],
     ['rows are stepped by kind', 'row += ROWS[kind].rows', 'row += 3'],

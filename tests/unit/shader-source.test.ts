@@ -3,7 +3,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { layoutDefines, ROWS } from '../../src/light/light-layout.js';
-import { LIGHT_LOOP_GLSL, shadersOf } from '../../src/material/shader-source.js';
+import { LIGHT_LOOP_GLSL, lightLoop, shadersOf } from '../../src/material/shader-source.js';
 
 const folder = new URL('../../shaders/', import.meta.url);
 const chunks = new Map(
@@ -64,7 +64,7 @@ function preprocess(glsl: string, on: ReadonlySet<string>): string {
 }
 
 describe('the chunks', () => {
-  it.each([...chunks.keys()])('%s is in the programs', (name) => {
+  it.each([...chunks.keys()].filter((name) => name !== 'cell_list.glsl'))('%s is in the programs', (name) => {
     const text = chunks.get(name)!;
     expect(shader('vertex', []).includes(text) || shader('fragment', []).includes(text)).toBe(true);
   });
@@ -82,6 +82,13 @@ describe('the chunks', () => {
     'surface_color',
   ])('%s is in the light loop once', (name) => {
     expect(count(LIGHT_LOOP_GLSL, chunk(name))).toBe(1);
+  });
+
+  it('cell_list stands before the loop that asks for it, and in no other', () => {
+    const text = lightLoop(chunk('cell_list'));
+    expect(text.indexOf('cellList(')).toBeGreaterThan(text.indexOf(chunk('light_rows')));
+    expect(text.indexOf('cellList(')).toBeLessThan(text.indexOf(chunk('light_loop')));
+    expect(LIGHT_LOOP_GLSL).not.toContain('cellList');
   });
 
   it('are declared before they are used, whichever lobe is chosen', () => {

@@ -8,7 +8,8 @@ import { emptyPack, type PackedLights, packLights } from '../../../src/light/pac
 import { isMildPower, isWholePower } from '../../../src/light/steady-light.js';
 import { constantRows } from '../../../src/material/exact-lights.js';
 import { type ExactForm, exactText, readsBlock } from '../../../src/material/exact-material.js';
-import { LIGHT_LOOP_GLSL } from '../../../src/material/shader-source.js';
+import cellList from '../../../shaders/cell_list.glsl?raw';
+import { LIGHT_LOOP_GLSL, lightLoop } from '../../../src/material/shader-source.js';
 import { TERMS, type Variant, variantDefines } from '../../../src/material/variant.js';
 import { radians } from '../../../src/math/angle.js';
 import { add, normalize, scale, type Vec3 } from '../../../src/math/vector.js';
@@ -104,12 +105,12 @@ function exactLoop(id: string, label: string, { form, packed, shininess, skips }
     else if (isMildPower(shininess)) defines.push('MILD_SHININESS');
   }
   if (skips.includes('guards')) defines.push('LIGHTS_APART', 'USUAL_LENGTHS');
-  if (form === 'cells') defines.push('HAS_GRID');
   defines.push(`EXACT_LIGHTS ${exactText(form, packed, terms)}`);
   // LIGHT_CONSTANTS goes before any storage.
   if (form === 'constant') defines.push(`LIGHT_CONSTANTS ${constantRows(packed)}`);
   const storage = readsBlock(form) ? 'block' : 'texture';
-  return { id, label, defines, glsl: LIGHT_LOOP_GLSL + SHADE, rows: rowsOf(packed), storage };
+  const glsl = lightLoop(form === 'cells' ? cellList : '') + SHADE;
+  return { id, label, defines, glsl, rows: rowsOf(packed), storage };
 }
 
 type Facts = ReturnType<typeof noFacts>;
