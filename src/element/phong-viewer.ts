@@ -109,8 +109,7 @@ export class PhongViewer extends LitElement {
   readonly #children: ViewerChildren = new ViewerChildren(
     {
       viewport: this.#viewport,
-      context: this.#loading.context,
-      meshEvents: this.#loading.events,
+      meshHost: this.#loading,
       slot: () => this.#part<HTMLSlotElement>('slot:not([name])'),
       meshesChanged: () => this.#panel.changed('meshes'),
     },
@@ -277,6 +276,7 @@ export class PhongViewer extends LitElement {
     if (['shading', 'reflection', 'terms', 'antialias'].some((key) => changed.has(key))) {
       const { shading, reflection, terms, antialias } = values;
       viewport.style = { shading, reflection, terms, antialias };
+      if (antialias === 'highlights') void this.#loading.averageHighlights();
     }
     if (changed.has('src')) this.#readiness.supersede();
     if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();

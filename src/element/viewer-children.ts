@@ -2,15 +2,14 @@
 // children come, go, move or are upgraded. Knows neither camera nor frames.
 import type { LightSet } from '../light/light-set.js';
 import { LightState } from '../light/light-state.js';
-import { type MeshContext, type MeshEvents, SceneMesh } from '../scene/scene-mesh.js';
+import { type MeshHost, SceneMesh } from '../scene/scene-mesh.js';
 import type { Viewport } from '../scene/viewport.js';
 import { PhongLight } from './phong-light.js';
 import { PhongMesh } from './phong-mesh.js';
 
 export interface ChildrenHost {
   readonly viewport: Viewport;
-  readonly context: MeshContext;
-  readonly meshEvents: MeshEvents;
+  readonly meshHost: MeshHost;
   /** The slot that shows children without a slot of their own; null before there is a shadow tree. */
   slot(): HTMLSlotElement | null;
   meshesChanged(): void;
@@ -77,7 +76,7 @@ export class ViewerChildren {
   #collectMeshes(meshes: readonly PhongMesh[]): void {
     if (sameList(meshes, this.#meshList)) return;
     this.#meshList = Object.freeze(meshes);
-    const { viewport, context, meshEvents } = this.#host;
+    const { viewport, meshHost } = this.#host;
     for (const [element, mesh] of this.#meshes) {
       if (meshes.includes(element)) continue;
       // Another viewer may have taken it over already, and listens now.
@@ -88,7 +87,7 @@ export class ViewerChildren {
     for (const element of meshes) {
       if (this.#meshes.has(element)) continue;
       element.declared.upgrade();
-      const mesh = new SceneMesh(element.state, context, meshEvents);
+      const mesh = new SceneMesh(element.state, meshHost);
       this.#meshes.set(element, mesh);
       viewport.add(mesh);
       mesh.update();

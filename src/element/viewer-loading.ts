@@ -1,11 +1,16 @@
 // What is on its way to a viewer: its own mesh, its children's, and what is said of their loads. Knows neither how
 // files are read nor how anything is drawn.
 import type { Declared } from '../math/declared.js';
+import type { PhongLighting } from '../material/phong-lighting.js';
+import type { ShadingStyle } from '../material/phong-material.js';
+import { bringAverages, hasAverages } from '../material/shader-source.js';
 import type { ShapeValues } from '../scene/mesh-fields.js';
+import type { CrossOrigin } from '../scene/model/load-model.js';
 import { ModelError } from '../scene/model/model.js';
-import { type MeshContext, type MeshEvents, SceneMesh } from '../scene/scene-mesh.js';
+import { type MeshHost, SceneMesh } from '../scene/scene-mesh.js';
 import { NoWebGL2Error } from '../scene/stage.js';
 import type { Viewport } from '../scene/viewport.js';
+import { fetched } from './fetched.js';
 import type { Notices } from './notices.js';
 import type { ViewerValues } from './viewer-fields.js';
 
@@ -44,60 +49,78 @@ export interface LoadingHost {
   ended(): void;
 }
 
-export class ViewerLoading {
+export class ViewerLoading implements MeshHost {
   readonly #host: LoadingHost;
   readonly #progress = new LoadProgress();
-  readonly context: MeshContext;
-  readonly events: MeshEvents;
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
   #seen = false;
+  #averages: 'unasked' | 'fetching' | 'asked' = 'unasked';
 
   constructor(host: LoadingHost) {
     this.#host = host;
-    const mayLoad = (): boolean => this.#seen || host.state.values.loading !== 'lazy';
-    this.context = {
-      lighting: host.viewport.lighting,
-      get style() {
-        return host.viewport.style;
-      },
-      get crossOrigin() {
-        return host.state.values.crossOrigin;
-      },
-      get mayLoad() {
-        return mayLoad();
-      },
-    };
-    this.events = {
-      changed: () => {
-        host.viewport.invalidate();
-      },
-      reshaped: () => {
-        host.viewport.reshaped();
-      },
-      progress: (mesh, loaded, total) => {
-        this.#progress.update(mesh, loaded, total);
-        host.notices.tell('progress', { totalProgress: this.#progress.share });
-      },
-      ended: (mesh, url, error) => {
-        this.#ended(mesh, url, error);
-      },
-      dropped: (mesh) => {
-        this.#progress.end(mesh);
-        host.mended(mesh);
-      },
-    };
-    this.ownMesh = new SceneMesh(host.state as unknown as Declared<ShapeValues>, this.context, this.events);
+    this.ownMesh = new SceneMesh(host.state as unknown as Declared<ShapeValues>, this);
     host.viewport.add(this.ownMesh);
   }
 
+  get lighting(): PhongLighting {
+    return this.#host.viewport.lighting;
+  }
+
+  get style(): ShadingStyle {
+    return this.#host.viewport.style;
+  }
+
+  get crossOrigin(): CrossOrigin {
+    return this.#host.state.values.crossOrigin;
+  }
+
+  get mayLoad(): boolean {
+    return this.#seen || this.#host.state.values.loading !== 'lazy';
+  }
+
+  changed(): void {
+    this.#host.viewport.invalidate();
+  }
+
+  reshaped(): void {
+    this.#host.viewport.reshaped();
+  }
+
+  progress(mesh: SceneMesh, loaded: number, total: number): void {
+    this.#progress.update(mesh, loaded, total);
+    this.#tellProgress();
+  }
+
+  dropped(mesh: SceneMesh): void {
+    this.#progress.end(mesh);
+    this.#host.mended(mesh);
+  }
+
+  ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
+    this.#progress.end(mesh);
+    const child = this.#host.elementOf(mesh);
+    if (error !== null) {
+      const detail = errorDetail(error, url);
+      child?.dispatchEvent(new CustomEvent('error', { detail }));
+      this.#host.fail(mesh, detail);
+    } else if (url !== null) {
+      const detail = { url: url.href };
+      this.#tellProgress();
+      child?.dispatchEvent(new CustomEvent('load', { detail }));
+      this.#host.notices.tell('load', detail, detail);
+    }
+    this.#host.ended();
+  }
+
+  /** Something that was asked for is on its way. */
   get pending(): boolean {
-    return this.#meshes().some((mesh) => mesh.loading);
+    return this.#averages === 'fetching' || this.#loads;
   }
 
   /** At least one model is there and none is on its way. */
   get loaded(): boolean {
-    return !this.pending && this.#meshes().some((mesh) => mesh.showsModel);
+    return !this.#loads && this.#meshes().some((mesh) => mesh.showsModel);
   }
 
   /** The viewer can be seen: lazy loading begins. */
@@ -111,24 +134,27 @@ export class ViewerLoading {
     for (const mesh of this.#meshes()) mesh.update();
   }
 
-  #meshes(): SceneMesh[] {
-    return [this.ownMesh, ...this.#host.childMeshes()];
+  /** The picture asks for `antialias="highlights"`; until the code for it is there it is drawn without. */
+  async averageHighlights(): Promise<void> {
+    if (this.#averages !== 'unasked' || hasAverages()) return;
+    this.#averages = 'fetching';
+    const code = await fetched(() => import('../material/averaged-highlights.js'), 'antialias="highlights"');
+    this.#averages = 'asked';
+    if (code !== null) bringAverages(code.AVERAGES_GLSL);
+    this.#host.viewport.restyle();
+    this.#host.ended();
   }
 
-  #ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
-    this.#progress.end(mesh);
-    const child = this.#host.elementOf(mesh);
-    if (error !== null) {
-      const detail = errorDetail(error, url);
-      child?.dispatchEvent(new CustomEvent('error', { detail }));
-      this.#host.fail(mesh, detail);
-    } else if (url !== null) {
-      const detail = { url: url.href };
-      this.#host.notices.tell('progress', { totalProgress: this.#progress.share });
-      child?.dispatchEvent(new CustomEvent('load', { detail }));
-      this.#host.notices.tell('load', detail, detail);
-    }
-    this.#host.ended();
+  get #loads(): boolean {
+    return this.#meshes().some((mesh) => mesh.loading);
+  }
+
+  #tellProgress(): void {
+    this.#host.notices.tell('progress', { totalProgress: this.#progress.share });
+  }
+
+  #meshes(): SceneMesh[] {
+    return [this.ownMesh, ...this.#host.childMeshes()];
   }
 }
 

@@ -57,7 +57,7 @@ export class ExactMaterial extends ShaderMaterial {
     super({
       ...{ glslVersion, uniforms, side, vertexColors },
       ...{ premultipliedAlpha, blending, transparent, toneMapped },
-      ...shadersOf(source.style.shading === 'gouraud', choice.form === 'cells' ? cellList : ''),
+      ...shadersOf(source.defines as Record<string, string>, choice.form === 'cells' ? cellList : ''),
     });
     this.standsFor = source;
     this.#choice = choice;

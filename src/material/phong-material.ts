@@ -18,7 +18,7 @@ import type { Vec3 } from '../math/vector.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
 import type { PhongLighting } from './phong-lighting.js';
-import { shadersOf } from './shader-source.js';
+import { hasAverages, shadersOf } from './shader-source.js';
 import {
   type AlphaMode,
   type Antialias,
@@ -98,7 +98,7 @@ export class PhongMaterial extends ShaderMaterial {
   constructor(lighting: PhongLighting, look: BaseLook = PLAIN_LOOK) {
     super({
       glslVersion: '300 es',
-      ...shadersOf(false),
+      ...shadersOf({}),
       uniforms: {
         uModelToShading: { value: new Matrix4() },
         uNormalToShading: { value: new Matrix3() },
@@ -245,6 +245,7 @@ export class PhongMaterial extends ShaderMaterial {
     const defines = variantDefines(
       {
         ...this.#style,
+        antialias: hasAverages() ? this.#style.antialias : 'edges',
         terms: [...this.#terms],
         linear: lighting.linear,
         map: look.map !== null,
@@ -258,7 +259,7 @@ export class PhongMaterial extends ShaderMaterial {
     this.#programKey = key;
     this.#programVersion += 1;
     this.defines = defines;
-    Object.assign(this, shadersOf(this.#style.shading === 'gouraud'));
+    Object.assign(this, shadersOf(defines));
     this.needsUpdate = true;
     this.#writeSurface(); // linear or not may be what changed
   }

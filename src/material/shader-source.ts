@@ -2,7 +2,6 @@
 // GLSL share. Knows nothing of uniforms' values.
 import attenuation from '../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../shaders/diffuse_lobe.glsl?raw';
-import footprint from '../../shaders/footprint.glsl?raw';
 import guard from '../../shaders/guard.glsl?raw';
 import loop from '../../shaders/light_loop.glsl?raw';
 import lightRows from '../../shaders/light_rows.glsl?raw';
@@ -32,7 +31,7 @@ const constants = `${layoutDefines()}
 #define SRGB_EXPONENT ${float(SRGB.exponent)}
 `;
 
-/** The light loop, with the text of `more` before it: what lights in EXACT_LIGHTS ask for. */
+/** The light loop, with the text of `more` before it: what FILTER_HIGHLIGHTS or lights in EXACT_LIGHTS ask for. */
 export const lightLoop = (more = ''): string =>
   [
     constants,
@@ -41,9 +40,6 @@ export const lightLoop = (more = ''): string =>
     attenuation,
     spot,
     diffuseLobe,
-    '#ifdef FILTER_HIGHLIGHTS',
-    footprint,
-    '#endif',
     '#ifdef REFLECTION_BLINN_PHONG',
     specularBlinnPhong,
     '#else',
@@ -55,16 +51,6 @@ export const lightLoop = (more = ''): string =>
     surfaceColor,
   ].join('\n');
 
-/**
- * The light loop alone, for any GLSL ES 3.00 program: put it after `#version` and `precision highp float; precision
- * highp int;`, define LIGHT_STORAGE (STORAGE_BLOCK, STORAGE_TEXTURE, or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and
- * the HAS_… facts before it, and call `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the
- * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for.
- * With FILTER_HIGHLIGHTS the specular lobe is averaged over the pixel: call it then in a fragment shader, where all fragments
- * come by (in no branch or loop, before any `discard`), because it takes derivatives of what it is given.
- */
-export const LIGHT_LOOP_GLSL = lightLoop();
-
 /** The sRGB curve, and what an 8-bit picture keeps of a colour: the last steps of a fragment, after the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
 
@@ -73,24 +59,36 @@ export interface Shaders {
   readonly fragmentShader: string;
 }
 
+let averages = '';
+
+/** Whether FILTER_HIGHLIGHTS may be defined: {@link bringAverages} has been called. */
+export const hasAverages = (): boolean => averages !== '';
+
+/** Brings the text of FILTER_HIGHLIGHTS, for which few pictures ask: elements fetch it then, `phong-viewer/core` has it. */
+export function bringAverages(glsl: string): void {
+  averages = glsl;
+}
+
 const made = new Map<string, Shaders>();
 
 /**
- * The two stages of a program, after its defines. Gouraud sums the lights at the vertices, everything else at the fragments;
+ * The two stages of a program, to stand after these defines. Gouraud sums the lights at the vertices, everything else at the fragments;
  * the other stage is spared the loop's text, which compilers would read only to leave it out. `more` as for {@link lightLoop}.
  */
-export function shadersOf(gouraud: boolean, more = ''): Shaders {
-  const key = `${String(gouraud)} ${more}`;
+export function shadersOf(defines: Readonly<Record<string, string>>, more = ''): Shaders {
+  const gouraud = 'SHADING_GOURAUD' in defines;
+  const asked = ('FILTER_HIGHLIGHTS' in defines ? averages : '') + more;
+  const key = `${String(gouraud)} ${asked}`;
   const known = made.get(key);
   if (known !== undefined) return known;
   const without = [constants, guard];
   const shaders = {
     vertexShader: [
       '#undef USUAL_LENGTHS', // a model's own normals may have any length
-      ...(gouraud ? [lightLoop(more)] : without),
+      ...(gouraud ? [lightLoop(asked)] : without),
       phongVertex,
     ].join('\n'),
-    fragmentShader: [...(gouraud ? without : [lightLoop(more)]), ENCODING_GLSL, phongFragment].join('\n'),
+    fragmentShader: [...(gouraud ? without : [lightLoop(asked)]), ENCODING_GLSL, phongFragment].join('\n'),
   };
   made.set(key, shaders);
   return shaders;

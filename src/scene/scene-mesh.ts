@@ -11,8 +11,13 @@ import { flatGeometry } from '../material/flat-geometry.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { CrossOrigin } from './model/load-model.js';
 
-/** What a mesh reports to its picture. */
-export interface MeshEvents {
+/** The picture that a mesh is in. */
+export interface MeshHost {
+  readonly lighting: PhongLighting;
+  readonly style: ShadingStyle;
+  readonly crossOrigin: CrossOrigin;
+  /** Loading may begin: false while a lazy viewer has not been seen. */
+  readonly mayLoad: boolean;
   /** It looks different: draw again. */
   changed(): void;
   /** Its triangles or its place are different: measure again. */
@@ -22,15 +27,6 @@ export interface MeshEvents {
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
   /** What it had asked for, loading or failed, is asked for no more. */
   dropped(mesh: SceneMesh): void;
-}
-
-/** What of the picture a mesh depends on. */
-export interface MeshContext {
-  readonly lighting: PhongLighting;
-  readonly style: ShadingStyle;
-  readonly crossOrigin: CrossOrigin;
-  /** Loading may begin: false while a lazy viewer has not been seen. */
-  readonly mayLoad: boolean;
 }
 
 type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
@@ -46,8 +42,7 @@ const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const satisfies readonly
 export class SceneMesh {
   readonly root = new Group();
   readonly #state: Declared<ShapeValues> | Declared<MeshValues>;
-  readonly #context: MeshContext;
-  readonly #events: MeshEvents;
+  readonly #host: MeshHost;
   #content: Content = NOTHING;
   #parts: readonly Part[] = [];
   #loading: AbortController | null = null;
@@ -57,10 +52,9 @@ export class SceneMesh {
   /** Position, rotation and scale as last written to the scene: measuring it anew costs a pass over all vertices. */
   #placed: readonly number[] = [];
 
-  constructor(state: Declared<ShapeValues> | Declared<MeshValues>, context: MeshContext, events: MeshEvents) {
+  constructor(state: Declared<ShapeValues> | Declared<MeshValues>, host: MeshHost) {
     this.#state = state;
-    this.#context = context;
-    this.#events = events;
+    this.#host = host;
   }
 
   get #values(): Values {
@@ -104,7 +98,7 @@ export class SceneMesh {
   /** Shading may differ: the mesh's own or the picture's. */
   restyle(): void {
     const { shading, reflection } = this.#values;
-    const { style } = this.#context;
+    const { style } = this.#host;
     const own = { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
     for (const { mesh, material, source } of this.#parts) {
       material.setStyle(own);
@@ -112,7 +106,7 @@ export class SceneMesh {
       const geometry = own.shading === 'flat' ? flatGeometry(source.geometry) : source.geometry;
       if (mesh.geometry !== geometry) mesh.geometry = geometry;
     }
-    this.#events.changed();
+    this.#host.changed();
   }
 
   /** Ends any load and frees everything. */
@@ -144,12 +138,12 @@ export class SceneMesh {
     root.position.set(...position);
     root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
     root.scale.set(...scale);
-    this.#events.reshaped();
+    this.#host.reshaped();
   }
 
   #load(): void {
     const { src, geometry, segments } = this.#values;
-    const { mayLoad, crossOrigin } = this.#context;
+    const { mayLoad, crossOrigin } = this.#host;
     const asked = src === '' ? `${geometry ?? ''} ${String(segments)}` : `src ${src} ${crossOrigin ?? ''}`;
     if (asked === this.#asked || (src !== '' && !mayLoad)) return;
     this.#drop();
@@ -169,9 +163,9 @@ export class SceneMesh {
   async #loadModel(url: URL | null, src: string, signal: AbortSignal): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const onProgress = (loaded: number, total: number): void => {
-      this.#events.progress(this, loaded, total);
+      this.#host.progress(this, loaded, total);
     };
-    return modelContent(url, { signal, onProgress, crossOrigin: this.#context.crossOrigin });
+    return modelContent(url, { signal, onProgress, crossOrigin: this.#host.crossOrigin });
   }
 
   #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
@@ -186,13 +180,13 @@ export class SceneMesh {
         this.#loading = null;
         this.#show(content);
         this.#showsModel = url !== null;
-        this.#events.ended(this, url, null);
+        this.#host.ended(this, url, null);
       },
       (error: unknown) => {
         if (this.#loading !== loading) return;
         this.#loading = null;
         this.#asked = null; // asked for again, it is tried again
-        this.#events.ended(this, url, error);
+        this.#host.ended(this, url, error);
       },
     );
   }
@@ -200,7 +194,7 @@ export class SceneMesh {
   #drop(): void {
     this.#loading?.abort();
     this.#loading = null;
-    this.#events.dropped(this);
+    this.#host.dropped(this);
   }
 
   #show(content: Content): void {
@@ -212,7 +206,7 @@ export class SceneMesh {
     this.#parts = content.parts.map((source) => {
       // The same look keeps its material, and so its program: another shape compiles nothing.
       const same = before.find((part) => part.source.look === source.look);
-      const material = same?.material ?? new PhongMaterial(this.#context.lighting, source.look);
+      const material = same?.material ?? new PhongMaterial(this.#host.lighting, source.look);
       const mesh = new Mesh(source.geometry, material);
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
@@ -224,7 +218,7 @@ export class SceneMesh {
       if (!this.#parts.some((part) => part.material === material)) this.#retired.add(material);
     }
     this.restyle();
-    this.#events.reshaped();
+    this.#host.reshaped();
   }
 }
 

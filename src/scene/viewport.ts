@@ -98,6 +98,11 @@ export class Viewport implements StageClient, Framed {
 
   set style(style: ShadingStyle) {
     this.#style = style;
+    this.restyle();
+  }
+
+  /** Meshes may have to be drawn in another way than before. */
+  restyle(): void {
     for (const mesh of this.#meshes) mesh.restyle();
   }
 

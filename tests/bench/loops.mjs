@@ -117,7 +117,7 @@ async function loopText(root) {
     optimizeDeps: { noDiscovery: true },
     server: { middlewareMode: true, watch: null },
   });
-  const { LIGHT_LOOP_GLSL } = await server.ssrLoadModule('/src/material/shader-source.ts');
+  const { LIGHT_LOOP_GLSL } = await server.ssrLoadModule('/src/material/light-loop-glsl.ts');
   await server.close();
   return LIGHT_LOOP_GLSL;
 }

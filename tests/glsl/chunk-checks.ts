@@ -1,6 +1,7 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
 import { BLOCK_ROWS, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
+import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
+import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';

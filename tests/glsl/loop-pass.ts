@@ -3,7 +3,8 @@
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
-import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
+import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
+import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { srgbDecode } from '../../src/math/color.js';
 import type { Surface } from '../../src/reference/equation.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';

@@ -183,13 +183,6 @@ export const glslMutants = [
     ['whole exponents’ base is at least 0', 'wholePower(clamp(RoV, 0.0, 1.0), ', 'wholePower(RoV, '],
     ['whole exponents', 'return wholePower(clamp(RoV, 0.0, 1.0), WHOLE_SHININESS);', 'return 1.0;'],
     ['mild exponents', 'return mildPower(RoV, n);', 'return 1.0;'],
-    ['the averaged lobe without a view', 'dot(seen.W, seen.W) > 0.5 ? average : 0.0', 'average'],
-    ['what L turns by, up and down', 'seen.dyW + turning(L, seen.dyP, d * d)', 'seen.dyW'],
-    [
-      'what L turns by: its sign',
-      'seen.dxW + turning(L, seen.dxP, d * d)',
-      'seen.dxW - turning(L, seen.dxP, d * d)',
-    ],
   ]),
   ...mutantsOf('shaders/specular_blinn_phong.glsl', [
     ['Newton’s step before L + V', 'refined(L) + refined(V)', 'L + V'],
@@ -206,14 +199,6 @@ export const glslMutants = [
     ],
     ['the series: pow', 'powerNearOne(dot(N, H), 0.5 * dot(d, d), n)', 'pow(max(dot(N, H), 0.0), n)'],
     ['mild exponents', 'return mildPower(dot(N, H), n);', 'return 1.0;'],
-    ['what H turns by', 'seen.dxN - turning(H, seen.dxSum, squared)', 'seen.dxN'],
-    ['what L turns by', 'seen.dxSum -= turning(L, seen.dxP, d * d);', ''],
-    ['no H, no averaged lobe', 'squared >= LEAST_SUM ? average : 0.0', 'average'],
-    [
-      'the guard of H in averages',
-      'sum * inversesqrt(max(squared, LEAST_SUM))',
-      'sum * inversesqrt(squared)',
-    ],
     ['what rounding alone leaves of L + V', 'LEAST_SUM = 1e-12', 'LEAST_SUM = TINY'],
     ['no H, no light from whole exponents', 'squared >= LEAST_SUM ? wholePower(', 'true ? wholePower('],
     ['whole exponents’ base is at least 0', '? wholePower(clamp(NoH, 0.0, 1.0), ', '? wholePower(NoH, '],
@@ -221,6 +206,25 @@ export const glslMutants = [
       'whole exponents’ base: of unit length',
       'dot(N, sum) * inversesqrt(max(squared, LEAST_SUM));',
       'dot(N, sum);',
+    ],
+  ]),
+  ...mutantsOf('shaders/averaged_phong.glsl', [
+    ['the averaged lobe without a view', 'dot(seen.W, seen.W) > 0.5 ? average : 0.0', 'average'],
+    ['what L turns by, up and down', 'seen.dyW + turning(L, seen.dyP, d * d)', 'seen.dyW'],
+    [
+      'what L turns by: its sign',
+      'seen.dxW + turning(L, seen.dxP, d * d)',
+      'seen.dxW - turning(L, seen.dxP, d * d)',
+    ],
+  ]),
+  ...mutantsOf('shaders/averaged_blinn_phong.glsl', [
+    ['what H turns by', 'seen.dxN - turning(H, seen.dxSum, squared)', 'seen.dxN'],
+    ['what L turns by', 'seen.dxSum -= turning(L, seen.dxP, d * d);', ''],
+    ['no H, no averaged lobe', 'squared >= LEAST_SUM ? average : 0.0', 'average'],
+    [
+      'the guard of H in averages',
+      'sum * inversesqrt(max(squared, LEAST_SUM))',
+      'sum * inversesqrt(squared)',
     ],
   ]),
   ...mutantsOf('shaders/light_loop.glsl', [

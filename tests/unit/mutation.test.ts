@@ -3,7 +3,8 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/shader-source.js';
+import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
+import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { mutated, MUTANTS, nameOf, UNIT_TESTS } from '../mutation/mutants.mjs';
 import { table } from '../mutation/table.mjs';
 import { EXACT_CHECKS } from '../glsl/exact-checks.js';
@@ -27,7 +28,15 @@ const joined = `${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`;
 /** Every file of which each guard has to have its mutant. */
 const FILES = [
   ...['attenuation', 'diffuse_lobe', 'footprint', 'guard', 'light_loop', 'nearest_code', 'power'],
-  ...['specular_blinn_phong', 'specular_phong', 'spot', 'srgb', 'surface_color'],
+  ...[
+    'averaged_blinn_phong',
+    'averaged_phong',
+    'specular_blinn_phong',
+    'specular_phong',
+    'spot',
+    'srgb',
+    'surface_color',
+  ],
 ].map((chunk) => `shaders/${chunk}.glsl`);
 
 describe('the mutants', () => {

@@ -3,8 +3,10 @@
 import { describe, expect, it } from 'vitest';
 import { LightSet } from '../../src/light/light-set.js';
 import { LightState } from '../../src/light/light-state.js';
+import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
 import { PhongLighting, type ShadingFrame } from '../../src/material/phong-lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
+import { bringAverages } from '../../src/material/shader-source.js';
 import { type Term, TERMS } from '../../src/material/variant.js';
 
 const FRAME: ShadingFrame = {
@@ -66,6 +68,18 @@ describe('the code for a term', () => {
     expect(termsOf(material)).toContain('HAS_SPECULAR');
     expect(material.programVersion).toBe(programVersion + 1);
   });
+});
+
+it('averages highlights from when the code for it is there, and shows them as they are until then', () => {
+  const { material } = lit();
+  material.setStyle({ antialias: 'highlights' });
+  material.chooseProgram();
+  expect(material.defines).not.toHaveProperty('FILTER_HIGHLIGHTS');
+  bringAverages(AVERAGES_GLSL);
+  material.setStyle({});
+  material.chooseProgram();
+  expect(material.defines).toHaveProperty('FILTER_HIGHLIGHTS');
+  expect(material.fragmentShader).toContain(AVERAGES_GLSL);
 });
 
 describe('another program', () => {

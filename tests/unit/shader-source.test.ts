@@ -3,7 +3,11 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { layoutDefines, ROWS } from '../../src/light/light-layout.js';
-import { LIGHT_LOOP_GLSL, lightLoop, shadersOf } from '../../src/material/shader-source.js';
+import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
+import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
+import { bringAverages, lightLoop, shadersOf } from '../../src/material/shader-source.js';
+
+bringAverages(AVERAGES_GLSL);
 
 const folder = new URL('../../shaders/', import.meta.url);
 const chunks = new Map(
@@ -15,7 +19,7 @@ const chunk = (name: string): string => chunks.get(`${name}.glsl`)!;
 
 /** A stage's text under some defines. */
 const shader = (stage: 'vertex' | 'fragment', on: readonly string[]): string =>
-  shadersOf(on.includes('SHADING_GOURAUD'))[`${stage}Shader`];
+  shadersOf(Object.fromEntries(on.map((name) => [name, ''])))[`${stage}Shader`];
 
 const withoutComments = (glsl: string): string => glsl.replace(/\/\*[^]*?\*\/|\/\/.*/g, '');
 
@@ -66,7 +70,8 @@ function preprocess(glsl: string, on: ReadonlySet<string>): string {
 describe('the chunks', () => {
   it.each([...chunks.keys()].filter((name) => name !== 'cell_list.glsl'))('%s is in the programs', (name) => {
     const text = chunks.get(name)!;
-    expect(shader('vertex', []).includes(text) || shader('fragment', []).includes(text)).toBe(true);
+    const inFragments = shader('fragment', ['FILTER_HIGHLIGHTS']).includes(text);
+    expect(shader('vertex', []).includes(text) || inFragments).toBe(true);
   });
 
   it.each([
@@ -139,10 +144,16 @@ describe('the chunks', () => {
     }
   });
 
+  it('average highlights only in programs that are to', () => {
+    expect(shader('fragment', ['FILTER_HIGHLIGHTS'])).toContain(chunk('averaged_phong'));
+    expect(shader('fragment', [])).not.toContain('averagedLobe(');
+    expect(shader('vertex', ['FILTER_HIGHLIGHTS'])).not.toContain('averagedLobe(');
+  });
+
   it('take derivatives before the first loop, and discard after them', () => {
     for (const on of [[], ['REFLECTION_BLINN_PHONG']]) {
       const text = preprocess(
-        shader('fragment', []),
+        shader('fragment', ['FILTER_HIGHLIGHTS']),
         new Set([BLOCK, 'FILTER_HIGHLIGHTS', 'HAS_ALPHA_MASK', 'HAS_POINT', ...on]),
       );
       const sums = text.slice(text.indexOf('LightSums lightSums('));
