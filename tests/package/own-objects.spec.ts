@@ -31,6 +31,41 @@ test('an object of another three.js with a ShaderMaterial is drawn', async ({ mo
   ).toBeGreaterThan(100);
 });
 
+test('its ShaderMaterial may be drawn in instances, with colours of vertices', async ({ mount }) => {
+  const viewer = await mount('<phong-viewer radius="4"></phong-viewer>');
+  await viewer.evaluate(async (element: PhongViewer, address) => {
+    const { BufferAttribute, InstancedMesh, Matrix4, PlaneGeometry, ShaderMaterial } = (await import(
+      address
+    )) as typeof Three;
+    const geometry = new PlaneGeometry(0.5, 0.5);
+    geometry.setAttribute(
+      'color',
+      new BufferAttribute(Float32Array.from([0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0]), 3),
+    );
+    const material = new ShaderMaterial({
+      vertexColors: true,
+      vertexShader: `varying vec3 vColor;
+        void main() {
+          vColor = color;
+          gl_Position = projectionMatrix * modelViewMatrix * instanceMatrix * vec4(position, 1.0);
+        }`,
+      fragmentShader: 'varying vec3 vColor; void main() { gl_FragColor = vec4(vColor, 1.0); }',
+    });
+    const planes = new InstancedMesh(geometry, material, 2);
+    planes.setMatrixAt(0, new Matrix4().makeTranslation(-1, 0, 0));
+    planes.setMatrixAt(1, new Matrix4().makeTranslation(1, 0, 0));
+    element.scene.add(planes);
+    element.theta = 0;
+    element.phi = 90;
+    element.requestRender();
+    await element.ready;
+  }, three);
+  const { data, width, height } = await pixels(viewer);
+  const row = Array.from({ length: width }, (_, x) => data[4 * (width * (height >> 1) + x) + 1]);
+  const runs = row.join().match(/255(,255)*/g);
+  expect(runs).toHaveLength(2);
+});
+
 test('an object with a material that the file has no shaders for is refused in words', async ({
   mount,
   consoleGuard,
