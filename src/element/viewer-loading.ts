@@ -134,14 +134,15 @@ export class ViewerLoading implements MeshHost {
     for (const mesh of this.#meshes()) mesh.update();
   }
 
-  /** The picture asks for `antialias="highlights"`; until the code for it is there it is drawn without. */
+  /** The picture asks for `antialias="highlights"`; one that is shown goes on without until the code for it is there. */
   async averageHighlights(): Promise<void> {
     if (this.#averages !== 'unasked' || hasAverages()) return;
     this.#averages = 'fetching';
+    this.#host.viewport.hold();
     const code = await fetched(() => import('../material/averaged-highlights.js'), 'antialias="highlights"');
     this.#averages = 'asked';
     if (code !== null) bringAverages(code.AVERAGES_GLSL);
-    this.#host.viewport.restyle();
+    this.#host.viewport.release();
     this.#host.ended();
   }
 

@@ -80,7 +80,7 @@ const DEFAULT_SURFACE: SurfaceValues = {
  */
 export class PhongMaterial extends ShaderMaterial {
   readonly #lighting: PhongLighting;
-  readonly #look: BaseLook;
+  readonly look: BaseLook;
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
   /** Terms that have ever been summed: their code stays, so that turning one off and on compiles nothing. */
@@ -121,12 +121,8 @@ export class PhongMaterial extends ShaderMaterial {
       toneMapped: false,
     });
     this.#lighting = lighting;
-    this.#look = look;
+    this.look = look;
     this.#writeSurface();
-  }
-
-  get look(): BaseLook {
-    return this.#look;
   }
 
   get surface(): Readonly<SurfaceValues> {
@@ -224,8 +220,8 @@ export class PhongMaterial extends ShaderMaterial {
         ...(summed ? ([channel(0), channel(1), channel(2)] as const) : NONE),
       );
     };
-    color('uKa', 'ambient', this.#surface.ka, this.#look.baseColor);
-    color('uKd', 'diffuse', this.#surface.kd, this.#look.baseColor);
+    color('uKa', 'ambient', this.#surface.ka, this.look.baseColor);
+    color('uKd', 'diffuse', this.#surface.kd, this.look.baseColor);
     color('uKs', 'specular', this.#surface.ks, PLAIN_LOOK.baseColor);
     const { ks, shininess } = this.#surface;
     if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = shininess;
@@ -239,7 +235,7 @@ export class PhongMaterial extends ShaderMaterial {
   #writeVariant(): void {
     const lighting = this.#lighting;
     this.#chosenFor = lighting.programVersion;
-    const look = this.#look;
+    const look = this.look;
     const matte = isBlack(this.#surface.ks);
     for (const term of this.#style.terms) if (term !== 'specular' || !matte) this.#terms.add(term);
     const defines = variantDefines(

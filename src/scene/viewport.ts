@@ -34,6 +34,7 @@ export class Viewport implements StageClient, Framed {
   #dirty = true;
   /** What was drawn last differs from what would be drawn now by its lights alone, if at all. */
   #relit = false;
+  #held = false;
   #fov = 45;
   #style: ShadingStyle = DEFAULT_STYLE;
   #frames = 0;
@@ -98,12 +99,19 @@ export class Viewport implements StageClient, Framed {
 
   set style(style: ShadingStyle) {
     this.#style = style;
-    this.restyle();
+    for (const mesh of this.#meshes) mesh.restyle();
   }
 
-  /** Meshes may have to be drawn in another way than before. */
-  restyle(): void {
-    for (const mesh of this.#meshes) mesh.restyle();
+  /** Code that the style asks for is on its way: a first picture waits for it, so that no program is made in vain. */
+  hold(): void {
+    this.#held = this.#frames === 0;
+  }
+
+  /** It is there, or will not come. */
+  release(): void {
+    this.#held = false;
+    this.style = this.#style;
+    this.invalidate();
   }
 
   set linear(linear: boolean) {
@@ -201,7 +209,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   redraw(): void {
-    if (!this.drawable || this.#visible === undefined) {
+    if (this.#held || !this.drawable || this.#visible === undefined) {
       this.#dirty = true;
       return;
     }
