@@ -31,16 +31,16 @@ export class DeclaredElement<V extends object> {
     return true;
   }
 
-  /** For a property's getter. */
+  /** For a property's getter. Freezes what it hands out: values that are never read again, as in a light's motion, need it not. */
   get<K extends keyof V>(key: K): V[K] {
-    return this.#state.values[key];
+    return Object.freeze(this.#state.values[key]) as V[K];
   }
 
   /** For a property's setter: throws TypeError or RangeError and then changes nothing. */
   set(key: keyof V & string, value: unknown): void {
-    const field = this.#state.fields[key];
     let typed = value;
     if (typeof value === 'string') {
+      const field = this.#state.fields[key];
       typed = parseText(value, field);
       if (typed === undefined)
         throw new TypeError(this.#about(key, `expected ${field.expected}, got "${value}"`));

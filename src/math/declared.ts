@@ -17,7 +17,7 @@ export class Declared<V extends object> {
     this.#values = defaults as V;
   }
 
-  /** All values as they are now, defaults included; live, and never to be written to. */
+  /** All values as they are now, defaults included; live, and never to be written to, nor are lists in it. */
   get values(): Readonly<V> {
     return this.#values;
   }
