@@ -62,6 +62,7 @@ export class Copies {
    * that this frame has shown: what is drawn unseen will be printed.
    */
   trim(): void {
+    if (this.#fresh.size === 0) return; // asking for the screen's size is a call to the browser
     const spared = (client: CopyClient): boolean => client.drawable || this.#fresh.has(client);
     let surplus = -KEPT_SCREENS * screenPixels();
     for (const [client, { width, height }] of this.#canvases) if (!spared(client)) surplus += width * height;

@@ -195,7 +195,7 @@ class Stage {
     if (!this.#inFrame) {
       this.#inFrame = true;
       this.#viewersDrawn = 0;
-      queueMicrotask(this.#endFrame); // still before the browser shows the page
+      void Promise.resolve().then(this.#endFrame); // still before the browser shows the page
     }
     this.#viewersDrawn += 1;
   }
