@@ -54,7 +54,7 @@ export class SteadyLight {
     this.spotShape = this.pointShape + (isBlack(light.ambient) ? 0 : SHAPE.ambient) + coneShape(light);
   }
 
-  /** Whether it still stands for `light` as it is now, wherever that is. */
+  /** Whether it still stands for `light` as it is now, wherever in its space that is. */
   holds(light: Values, linear: boolean): boolean {
     const last = this.#last;
     return (
@@ -66,6 +66,7 @@ export class SteadyLight {
       last.attenuation === light.attenuation &&
       last.aperture === light.aperture &&
       last.cutoff === light.cutoff &&
+      last.space === light.space &&
       last.position[3] === light.position[3] &&
       linear === this.#linear
     );

@@ -261,7 +261,7 @@ export const packingMutants = [
       'exponent >= 1 && exponent <= LARGEST_MILD',
       'exponent >= 1 && exponent < LARGEST_MILD',
     ],
-    ...['ambient', 'diffuse', 'specular', 'axis', 'attenuation', 'aperture', 'cutoff'].map(
+    ...['ambient', 'diffuse', 'specular', 'axis', 'attenuation', 'aperture', 'cutoff', 'space'].map(
       (key) =>
         /** @type {const} */ ([`${key} that changes is found anew`, `last.${key} === light.${key} &&`, '']),
     ),

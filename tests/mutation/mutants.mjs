@@ -46,6 +46,7 @@ export const UNIT_TESTS = {
     'pack-lights',
     'pack-lights-directional',
     'pack-lights-domain',
+    'repacked-places',
   ],
   'src/light/light-kind.ts': ['light-kind', 'pack-lights'],
   'src/light/light-layout.ts': [

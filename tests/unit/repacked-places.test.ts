@@ -106,3 +106,15 @@ it('finds nothing out anew of lights that move', () => {
   expect(into.steady).toHaveLength(5);
   into.steady.forEach((one, i) => expect(one).toBe(first[i]));
 });
+
+it('follows a spot into another space, its axis too, where it stays at its place', () => {
+  const lights = [light({ position: [1, 2, 3, 1], axis: [0, 1, 0], aperture: 30 })];
+  const turned = new Float64Array([0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1]);
+  const space = { ...WORLD, cameraToShading: turned };
+  const into = emptyPack();
+  for (const named of ['world', 'camera', 'world'] as const) {
+    lights[0]!.space = named;
+    packLights(lights, space, into);
+    expect(essence(into)).toStrictEqual(fresh(lights, space));
+  }
+});
