@@ -114,16 +114,20 @@ function isSteady(
   return same;
 }
 
-/** Writes places and directions alone, which is all of most frames; false where a move brings more with it. */
-function repackPlaces(space: PackSpace, { steady, data }: PackedLights): boolean {
+/**
+ * Writes places and directions alone, which is all of most frames; false where a move brings more with it. For lights of which
+ * nothing but their places differs from what was packed last, for the same space.
+ */
+export function repackPlaces(space: PackSpace, { steady, data }: PackedLights): boolean {
   for (const one of steady) {
     const { kind, light, row } = one;
     if (kind === 'directional' && one.spot) return false; // its decay is another
     if (row >= 0 !== reaches(light, kind, one)) return false;
     if (row < 0) continue;
     const matrix = matrixOf(light, space);
-    if (kind === 'directional') writeDirection(matrix, data, row * 4, light.position);
-    else writeThrough(matrix, data, row * 4, light.position, 1, data[row * 4 + 3]!);
+    const { position } = light;
+    if (kind === 'directional') writeDirection(matrix, data, row * 4, position);
+    else writeThrough(matrix, data, row * 4, position[0], position[1], position[2], 1, data[row * 4 + 3]!);
   }
   return true;
 }
@@ -185,7 +189,7 @@ function writeDirection(m: Mat4, data: Float32Array, at: number, position: Vec4)
   const y = position[1] / largest;
   const z = position[2] / largest;
   const unit = 1 / Math.sqrt(x * x + y * y + z * z);
-  writeThrough(m, data, at, [x * unit, y * unit, z * unit], 0, 0);
+  writeThrough(m, data, at, x * unit, y * unit, z * unit, 0, 0);
 }
 
 /** Also what a spot begins with. */
@@ -198,7 +202,8 @@ function writePoint(
 ): void {
   const { position, attenuation } = light;
   const row = ROWS.point;
-  writeThrough(matrixOf(light, space), data, at + row.position * 4, position, 1, attenuation[0]);
+  const [x, y, z] = position;
+  writeThrough(matrixOf(light, space), data, at + row.position * 4, x, y, z, 1, attenuation[0]);
   write(data, at + row.diffuse * 4, diffuse[0], diffuse[1], diffuse[2], attenuation[1]);
   write(data, at + row.specular * 4, specular[0], specular[1], specular[2], attenuation[2]);
 }
@@ -211,7 +216,7 @@ function writeSpot(
   space: PackSpace,
 ): void {
   const row = ROWS.spot;
-  writeThrough(matrixOf(light, space), data, at + row.axis * 4, axis, 0, light.cutoff);
+  writeThrough(matrixOf(light, space), data, at + row.axis * 4, ...axis, 0, light.cutoff);
   write(data, at + row.ambient * 4, ambient[0], ambient[1], ambient[2], limit);
 }
 
@@ -220,13 +225,12 @@ function writeThrough(
   m: Mat4,
   data: Float32Array,
   at: number,
-  v: Vec3 | Vec4,
+  x: number,
+  y: number,
+  z: number,
   w: 0 | 1,
   scalar: number,
 ): void {
-  const x = v[0];
-  const y = v[1];
-  const z = v[2];
   data[at] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w;
   data[at + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w;
   data[at + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w;

@@ -3,7 +3,7 @@
 import { type Mesh, Vector3 } from 'three';
 import { gatherFacts, type LightFacts, noFacts } from '../light/light-kind.js';
 import { LightSet } from '../light/light-set.js';
-import { emptyPack, packLights, type PackedLights } from '../light/pack-lights.js';
+import { emptyPack, packLights, type PackedLights, repackPlaces } from '../light/pack-lights.js';
 import { SRGB } from '../math/color.js';
 import { sameValue } from '../math/declared.js';
 import type { Vec3 } from '../math/vector.js';
@@ -39,7 +39,7 @@ export class PhongLighting {
   readonly #lists = new MeshLights();
   #origin: Vec3 = [0, 0, 0];
   readonly #packed: PackedLights = emptyPack();
-  #packedFor = { version: -1, linear: false, origin: this.#origin };
+  #packedFor = { version: -1, kindVersion: -1, linear: false, origin: this.#origin };
   /** The lights' kinds that facts and {@link #turning} were last found for. */
   #kindVersion = -1;
   /** A light turns with the eye. */
@@ -73,7 +73,7 @@ export class PhongLighting {
     this.#origin = frame.origin;
     this.eye.value.set(frame.eye[0], frame.eye[1], frame.eye[2]);
     if (this.#gather() || this.linear !== this.#packedFor.linear) this.#programVersion += 1;
-    if (this.#mustPack(frame)) this.#pack(frame);
+    if (this.#packedFor.version !== this.lights.version || !this.#isSteady(frame)) this.#pack(frame);
   }
 
   /**
@@ -122,28 +122,32 @@ export class PhongLighting {
     return countTrue(this.facts) !== before;
   }
 
-  #mustPack({ origin }: ShadingFrame): boolean {
+  /** Lights are packed as they last were, unless some have moved. */
+  #isSteady({ origin }: ShadingFrame): boolean {
     const last = this.#packedFor;
     return (
-      last.version !== this.lights.version ||
-      last.linear !== this.linear ||
-      !sameValue(last.origin, origin) ||
-      this.#turning
+      last.kindVersion === this.lights.kindVersion &&
+      last.linear === this.linear &&
+      sameValue(last.origin, origin) &&
+      !this.#turning
     );
   }
 
   #pack(frame: ShadingFrame): void {
-    const { origin, eye, right, up, back } = frame;
-    setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
-    setColumns(this.#cameraToShading, right, up, back, eye);
+    const { version, kindVersion, values } = this.lights;
     const space = {
       worldToShading: this.#worldToShading,
       cameraToShading: this.#cameraToShading,
       linear: this.linear,
     };
-    packLights(this.lights.values, space, this.#packed);
+    if (!this.#isSteady(frame) || !repackPlaces(space, this.#packed)) {
+      const { origin, eye, right, up, back } = frame;
+      setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
+      setColumns(this.#cameraToShading, right, up, back, eye);
+      packLights(values, space, this.#packed);
+    }
     this.#lists.take(this.#packed);
-    this.#packedFor = { version: this.lights.version, linear: this.linear, origin };
+    this.#packedFor = { version, kindVersion, linear: this.linear, origin: frame.origin };
   }
 }
 
