@@ -5,7 +5,7 @@ import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
-import { EXACT_CHECKS } from './exact-checks.js';
+import { exactChecks } from './exact-checks.js';
 import { FOOTPRINT_CHECKS } from './footprint-checks.js';
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
@@ -37,7 +37,17 @@ export interface Checked {
   readonly max: number;
 }
 
-const CASES = 1 << 14;
+export interface Extent {
+  readonly cases: number;
+  /** What the titles begin with of those that are made; all where it is empty. */
+  readonly only: string;
+  /** Of the lights of exact programs, each so many-th alone. */
+  readonly everyLight: number;
+}
+
+/** What is checked where nobody asks for less. */
+export const WHOLE_EXTENT: Extent = { cases: 1 << 14, only: '', everyLight: 1 };
+
 const WIDTH = 256;
 const f = Math.fround;
 
@@ -234,14 +244,19 @@ export function checkChunks(
   driver: Driver,
   seed: number,
   edit: Edit | null = null,
+  { cases, only, everyLight } = WHOLE_EXTENT,
 ): Checked[] {
   const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
     head('STORAGE_OWN') + defines.map((define) => `#define ${define}\n`).join('') + rows + glsl;
+  const checks = [...CHECKS, ...exactChecks(everyLight), ...FOOTPRINT_CHECKS]
+    .filter(({ title }) => title.startsWith(only))
+    .map((check) =>
+      runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed, cases),
+    );
+  if (only !== '') return checks;
   return [
-    ...[...CHECKS, ...EXACT_CHECKS, ...FOOTPRINT_CHECKS].map((check) =>
-      runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed),
-    ),
+    ...checks,
     checkCodes(gl, source({})),
     checkStorage(gl, 'STORAGE_BLOCK', BLOCK_ROWS),
     checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2),
@@ -251,19 +266,26 @@ export function checkChunks(
 const head = (storage: string): string => `#define LIGHT_STORAGE ${storage}\n`;
 const NO_ROWS = 'vec4 lightRow(int i) { return vec4(0.0); }\n';
 
-function runCheck(gl: WebGL2RenderingContext, check: Check, source: string, seed: number): Checked {
+function runCheck(
+  gl: WebGL2RenderingContext,
+  check: Check,
+  source: string,
+  seed: number,
+  cases: number,
+): Checked {
   const { title, glsl, bound, floor = 0 } = check;
   const random = new Random(partSeed(seed, title));
-  const a = new Float32Array(CASES * 4);
-  const b = new Float32Array(CASES * 4);
-  for (let i = 0; i < CASES; i++) {
+  const texels = Math.ceil(cases / WIDTH) * WIDTH;
+  const a = new Float32Array(texels * 4);
+  const b = new Float32Array(texels * 4);
+  for (let i = 0; i < cases; i++) {
     const [first, second = []] = check.inputs(random);
     a.set(first, i * 4);
     b.set(second, i * 4);
   }
   const { floats } = once(gl, { glsl: source, inputs: ['a', 'b'], main: glsl }, [a, b]);
   let max = 0;
-  for (let i = 0; i < CASES; i++) {
+  for (let i = 0; i < cases; i++) {
     const at = i * 4;
     const expected = check.expected([...a.subarray(at, at + 4)], [...b.subarray(at, at + 4)]);
     expected.forEach((wanted, k) => {
@@ -273,7 +295,7 @@ function runCheck(gl: WebGL2RenderingContext, check: Check, source: string, seed
       if (!(error <= max)) max = Number.isNaN(error) ? Infinity : error;
     });
   }
-  return { title, cases: CASES, bound, max };
+  return { title, cases, bound, max };
 }
 
 /** Every code, and the floats beside the steps between codes, as 8-bit output and as floats. */

@@ -1,11 +1,12 @@
 // A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from the address
-// (?cases=1000000&seed=1&driver=shipped&only=generic), a table to look at and a report for whoever drives the page.
+// (?cases=1000000&seed=1&driver=shipped&only=generic&checks=16384&chunks=unitOrZero&everyLight=1), a table to look at
+// and a report for whoever drives the page.
 import { CATEGORIES } from '../../stress/categories.js';
 import { BRANCHES, CONE_EDGE, EXACT } from '../../stress/contract.js';
 import { type Measured, mergeMeasured } from '../../stress/measure.js';
 import { verdict, verdictOf } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
-import { type Checked, checkChunks } from '../chunk-checks.js';
+import { type Checked, checkChunks, type Extent, WHOLE_EXTENT } from '../chunk-checks.js';
 import type { Edit } from '../edit.js';
 import { stressRun } from '../stress-run.js';
 import type { Driver } from '../worst-driver.js';
@@ -59,6 +60,11 @@ function brokenCheck({ title, max, bound }: Checked): string[] {
 async function run(): Promise<Report> {
   const seed = Number(asked.get('seed') ?? 1);
   const driver = (asked.get('driver') ?? 'shipped') as Driver;
+  const extent: Extent = {
+    cases: Number(asked.get('checks') ?? WHOLE_EXTENT.cases),
+    only: asked.get('chunks') ?? WHOLE_EXTENT.only,
+    everyLight: Number(asked.get('everyLight') ?? WHOLE_EXTENT.everyLight),
+  };
   const edit = JSON.parse(asked.get('edit') ?? 'null') as Edit | null;
   const start = performance.now();
   let renderer = '';
@@ -69,7 +75,7 @@ async function run(): Promise<Report> {
     const gl = floatContext();
     renderer = rendererName(gl);
     byId('about').textContent = `${renderer} · ${driver} · seed ${String(seed)}`;
-    checked = checkChunks(gl, driver, seed, edit);
+    checked = checkChunks(gl, driver, seed, edit, extent);
     measured = await stressRun(gl, {
       seed,
       driver,
