@@ -78,8 +78,12 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     const guard = new ConsoleGuard();
     await guard.watch(context);
     await use(guard);
-    // One round trip to each page lets messages that are under way arrive.
-    for (const page of context.pages()) await page.evaluate(() => 0).catch(() => 0);
+    for (const page of context.pages()) {
+      // One round trip to each page lets messages that are under way arrive.
+      await page.evaluate(() => 0).catch(() => 0);
+      // The next test would have the same page, of which Playwright resets what it knows of.
+      if (scaled.has(page)) await page.close();
+    }
     guard.check();
   },
 
@@ -111,6 +115,9 @@ async function mount(page: Page, site: Site, markup: string, options: MountOptio
   return viewer;
 }
 
+/** Pages whose ratio has been changed. */
+const scaled = new WeakSet<Page>();
+
 /**
  * Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen does. Emulated:
  * `devicePixelRatio` and `resolution` queries change, a `device-pixel-content-box` stays that of the real screen.
@@ -118,6 +125,7 @@ async function mount(page: Page, site: Site, markup: string, options: MountOptio
  */
 export async function setPixelRatio(page: Page, deviceScaleFactor: number): Promise<void> {
   const { width, height } = page.viewportSize() ?? { width: 1000, height: 700 };
+  scaled.add(page);
   const session = await page.context().newCDPSession(page);
   // Chromium tells the page's resolution queries only where the viewport's size changes too.
   for (const tall of [height + 1, height]) {
