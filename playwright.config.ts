@@ -21,8 +21,8 @@ export default defineConfig({
   ...(release ? {} : { grepInvert: /@release/ }),
   use: {
     // One page for all tests of a worker, emptied between them, where they ask for no other kind: half of what a test took was a
-    // process of its own. Playwright has it for its component tests; where it is not known, each test has a page of its own.
-    ...{ _optionContextReuseMode: 'when-possible' },
+    // process of its own.
+    reuseContext: true,
     browserName: 'chromium',
     viewport: { width: 1000, height: 700 },
     locale: 'en-GB',

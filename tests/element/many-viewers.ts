@@ -158,12 +158,17 @@ export async function holdContext(page: Page): Promise<void> {
   });
 }
 
-/** Loses the context and restores it, waiting for all viewers to tell each. */
-export async function loseAndRestore(page: Page, viewers: Locator): Promise<void> {
+/** Loses the context and restores it, waiting for all viewers to tell each; `meanwhile` happens between. */
+export async function loseAndRestore(
+  page: Page,
+  viewers: Locator,
+  meanwhile?: () => Promise<unknown>,
+): Promise<void> {
   const count = await viewers.count();
   const notices = page.locator('phong-viewer [part=notice]');
   await page.evaluate('window.loss.loseContext()');
   await expect(notices).toHaveCount(count);
+  await meanwhile?.();
   await page.evaluate('window.loss.restoreContext()');
   await expect(notices).toHaveCount(0);
   await allReady(page);

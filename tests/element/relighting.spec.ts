@@ -5,6 +5,7 @@ import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilExact } from './driving.js';
 import { logGl } from './gl-log.js';
+import { holdContext, loseAndRestore } from './many-viewers.js';
 import type { PhongViewer } from './support.js';
 
 const size = { width: 60, height: 44 };
@@ -98,7 +99,15 @@ async function settle(page: Page, viewer: Locator): Promise<void> {
   await drawUntilExact(page);
   await drawFrames(page, 2);
   // Lights that stood still may be numbers in a program's text: moving ones get another. Also tells where the block is: asked once.
-  for (let frame = 0; frame < 60; frame++) await shownAfter(viewer, moveLights);
+  const move = await page.evaluateHandle(`(${String(moveLights)})`);
+  await viewer.evaluate(async (element: PhongViewer, move) => {
+    for (let frame = 0; frame < 60; frame++) {
+      const drawn = new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
+      (move as typeof moveLights)(element);
+      await drawn;
+    }
+  }, move);
+  await move.dispose();
 }
 
 // Few lights that move are read from a block, by a program that has them written out, many from a texture, in loops.
@@ -160,17 +169,12 @@ test('lights that move after the context was lost and has come back show a whole
   mount,
 }) => {
   await logGl(page);
+  await holdContext(page);
   const viewer = await mount(markup(6), size);
   await settle(page, viewer);
-  await viewer.evaluate(async (element: PhongViewer) => {
-    const gl = element.shadowRoot!.querySelector('canvas')!.getContext('webgl2')!;
-    const context = gl.getExtension('WEBGL_lose_context')!;
-    context.loseContext();
-    await new Promise((resolve) => setTimeout(resolve, 50));
-    element.lights[0]!.position = [0, 2, 1, 0];
-    context.restoreContext();
-    await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
-  });
+  await loseAndRestore(page, viewer, () =>
+    viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [0, 2, 1, 0])),
+  );
   for (let frame = 0; frame < 3; frame++)
     await expectWhole(viewer, 'restored', await shownAfter(viewer, moveLights));
 });

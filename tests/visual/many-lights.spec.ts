@@ -32,9 +32,10 @@ function sampled(picture: Picture, scene: CastScene): { readonly max: number; re
     const at = Math.floor((i * inner) / SAMPLES);
     const [x, y] = [2 + (at % (width - 4)), 2 + Math.floor(at / (width - 4))];
     const hit = cast(x, y);
-    if (hit === null || hit.coneMargin < CONE_EDGE) continue;
+    if (hit === null) continue;
     if ([-2, 2].some((by) => cast(x + by, y)?.face !== hit.face || cast(x, y + by)?.face !== hit.face))
       continue;
+    if (hit.coneMargin < CONE_EDGE) continue;
     for (const channel of [0, 1, 2] as const) {
       const off = data[4 * (y * width + x) + channel]! - 255 * hit.shaded.color[channel];
       max = Math.max(max, Math.abs(off) - 0.5);

@@ -25,6 +25,7 @@ export interface CastScene {
 }
 
 export interface Hit {
+  /** Told when it is asked for: neighbours are often looked at for their face alone. */
   readonly shaded: Shaded;
   readonly p: Vec3;
   readonly mesh: number;
@@ -60,8 +61,21 @@ export function caster(
     const eye = add(scene.pose.target, eyeOffset);
     const p = add(add(scene.pose.target, eyeOffset), scale(ray, t));
     const surface = scene.meshes[mesh]!;
-    const shaded = shade({ p, normal, eye }, surface, scene.lights, { ...scene.options, camera: axes });
-    return { shaded, p, mesh, face, coneMargin: coneMargin(scene.lights, shaded) };
+    let known: Shaded | undefined;
+    return {
+      get shaded() {
+        return (known ??= shade({ p, normal, eye }, surface, scene.lights, {
+          ...scene.options,
+          camera: axes,
+        }));
+      },
+      get coneMargin() {
+        return coneMargin(scene.lights, this.shaded);
+      },
+      p,
+      mesh,
+      face,
+    };
   };
 }
 
