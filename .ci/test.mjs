@@ -1,8 +1,9 @@
 // @ts-check
-// `npm test`: every check as a named step, all of them run even where one fails, and a count as the last line.
+// `npm test`: every check as a named step, all of them run even where one fails, and a count as the last line. Steps of one
+// thread run in two rows beside each other, and say what they have to say when they end; the others have all cores.
 // Arguments choose steps or test folders: `npm test -- unit element`; `--release` adds the slow tests.
 
-import { spawnSync } from 'node:child_process';
+import { spawn } from 'node:child_process';
 import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -41,36 +42,49 @@ if (chosen.includes('release')) {
 const allBrowser = all || chosen.includes('browser');
 const anyBrowser = allBrowser || wantedBrowser.length > 0;
 
-if (all || chosen.includes('format'))
-  check('format', 'node_modules/prettier/bin/prettier.cjs', '--check', '.');
-if (all || chosen.includes('lint')) check('lint', 'node_modules/eslint/bin/eslint.js', '.');
-if (all || chosen.includes('types')) check('types', 'node_modules/typescript/bin/tsc', '--noEmit');
-if (all || wantedNode.length > 0) unit();
-if (anyBrowser || chosen.includes('build')) {
-  check('build', '.ci/build.mjs');
-  const vite = 'node_modules/vite/bin/vite.js';
-  check('demo build', vite, 'build', '--logLevel', 'warn');
-  check('harness', vite, 'build', '--config', 'vite.harness.config.ts', '--logLevel', 'warn');
-}
+const vite = ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'];
+const building = anyBrowser || chosen.includes('build');
+await Promise.all([
+  row([[all || chosen.includes('lint'), 'lint', ['node_modules/eslint/bin/eslint.js', '.']]]),
+  row([
+    [all || chosen.includes('types'), 'types', ['node_modules/typescript/bin/tsc', '--noEmit']],
+    [building, 'build', ['.ci/build.mjs']],
+    [building, 'demo build', vite],
+    [building, 'harness', [...vite, '--config', 'vite.harness.config.ts']],
+    [all || chosen.includes('format'), 'format', ['node_modules/prettier/bin/prettier.cjs', '--check', '.']],
+  ]),
+]);
+if (all || wantedNode.length > 0) await unit();
 if (anyBrowser) await browser();
 
 rmSync(reports, { recursive: true, force: true });
 summarize();
 
-/** A step that only says yes or no counts as one. @param {string} name @param {string[]} args */
-function check(name, ...args) {
-  step(name, () => {
-    const ok = node(args) === 0;
-    return { passed: ok ? 1 : 0, failed: ok ? 0 : 1, skipped: 0 };
-  });
+/**
+ * Steps that only say yes or no, one after the other; each counts as one.
+ * @param {[wanted: boolean, name: string, args: string[]][]} steps
+ */
+async function row(steps) {
+  for (const [wanted, name, args] of steps) {
+    if (!wanted) continue;
+    const start = performance.now();
+    const { status, said } = await node(args, 'kept');
+    console.log(`${heading(name, start)}\n${said.trim()}`);
+    const ok = status === 0;
+    results.push({
+      name,
+      count: { passed: ok ? 1 : 0, failed: ok ? 0 : 1, skipped: 0 },
+      seconds: since(start),
+    });
+  }
 }
 
-function unit() {
+async function unit() {
   const report = join(reports, 'unit.json');
-  step('unit', () => {
+  await step('unit', async () => {
     const args = ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${report}`];
     const folders = wantedNode.map((name) => `tests/${name}/`);
-    const status = node(['node_modules/vitest/vitest.mjs', ...args, ...folders]);
+    const { status } = await node(['node_modules/vitest/vitest.mjs', ...args, ...folders]);
     return counted(report, status, (json) => ({
       passed: json.numPassedTests,
       // A file that cannot be loaded is a failed suite without tests.
@@ -89,13 +103,13 @@ async function browser() {
   } catch (error) {
     console.error(String(error));
   }
-  step('browser', () => {
+  await step('browser', async () => {
     if (path === '') return { passed: 0, failed: 1, skipped: 0 };
     console.log(`${browserVersion(path)} at ${path}`);
     process.env['PLAYWRIGHT_JSON_OUTPUT_FILE'] = report;
     const folders = allBrowser ? [] : wantedBrowser.map((name) => `tests/${name}/`);
     const args = ['test', '--reporter=list,json', '--pass-with-no-tests', ...folders];
-    const status = node(['node_modules/@playwright/test/cli.js', ...args]);
+    const { status } = await node(['node_modules/@playwright/test/cli.js', ...args]);
     return counted(report, status, ({ stats, errors }) => ({
       passed: stats.expected + stats.flaky,
       failed: Math.max(stats.unexpected, errors.length > 0 ? 1 : 0),
@@ -111,17 +125,39 @@ function counted(report, status, read) {
   return { ...count, failed: status === 0 ? count.failed : Math.max(count.failed, 1) };
 }
 
-/** @param {string} name @param {() => Count} run */
-function step(name, run) {
-  console.log(`\n== ${name}`);
+/** @param {string} name @param {() => Promise<Count>} run */
+async function step(name, run) {
   const start = performance.now();
-  const count = run();
-  results.push({ name, count, seconds: (performance.now() - start) / 1000 });
+  console.log(heading(name, start));
+  const count = await run();
+  results.push({ name, count, seconds: since(start) });
 }
 
-/** @param {string[]} args @returns {number} */
-function node(args) {
-  return spawnSync(process.execPath, args, { stdio: 'inherit' }).status ?? 1;
+/** Seconds. @param {number} start as performance.now() gave it */
+function since(start) {
+  return (performance.now() - start) / 1000;
+}
+
+/** @param {string} name @param {number} start milliseconds since this command's own */
+function heading(name, start) {
+  return `\n== ${name} (after ${(start / 1000).toFixed(0)} s)`;
+}
+
+/**
+ * Runs a script in Node; what it says is shown as it comes, or kept.
+ * @param {string[]} args
+ * @param {'shown' | 'kept'} words
+ * @returns {Promise<{ status: number, said: string }>}
+ */
+function node(args, words = 'shown') {
+  return new Promise((resolve) => {
+    const child = spawn(process.execPath, args, { stdio: words === 'shown' ? 'inherit' : 'pipe' });
+    /** @type {Buffer[]} */
+    const parts = [];
+    for (const stream of [child.stdout, child.stderr]) stream?.on('data', (part) => parts.push(part));
+    child.on('error', (error) => resolve({ status: 1, said: String(error) }));
+    child.on('close', (code) => resolve({ status: code ?? 1, said: Buffer.concat(parts).toString() }));
+  });
 }
 
 function summarize() {
