@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect } from '../support/test.js';
-import { drawnWith, glSpent, isExact, isLit } from './gl-log.js';
+import { drawnWith, glSpent, type GlProgram, isExact, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
 /** Frames after which it is too late; many, because the code for such programs is fetched first, on a busy machine perhaps. */
@@ -20,18 +20,21 @@ export async function drawFrames(page: Page, frames: number): Promise<void> {
   }, frames);
 }
 
-/** Whether everything on the page was drawn by programs of its own in its last frame. */
-async function allExact(page: Page): Promise<boolean> {
+/** Whether everything on the page was drawn by such programs in its last frame. */
+async function allAre(page: Page, wanted: (one: GlProgram) => boolean): Promise<boolean> {
   await glSpent(page);
   await drawFrames(page, 1);
   const lit = (await drawnWith(page)).filter(isLit);
-  return lit.length > 0 && lit.every(isExact);
+  return lit.length > 0 && lit.every(wanted);
 }
 
-/** Keeps drawing until everything on the page is drawn by programs of its own; says how many frames that took. */
-export async function drawUntilExact(page: Page): Promise<number> {
+/** Keeps drawing until everything on the page is drawn by programs of its own, or by such ones; says how many frames that took. */
+export async function drawUntilExact(
+  page: Page,
+  wanted: (one: GlProgram) => boolean = isExact,
+): Promise<number> {
   for (let frames = 0; frames < MOST_FRAMES; frames += 8) {
-    if (await allExact(page)) return frames;
+    if (await allAre(page, wanted)) return frames;
     await drawFrames(page, 7);
   }
   throw new Error(`No exact programs after ${MOST_FRAMES} frames: ${await programsDrawnWith(page)}`);
