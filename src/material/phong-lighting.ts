@@ -158,17 +158,10 @@ const Z: Vec3 = [0, 0, 1];
 const identity = (): Float64Array => new Float64Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 
 function setColumns(m: Float64Array, x: Vec3, y: Vec3, z: Vec3, place: Vec3): void {
-  setColumn(m, 0, x);
-  setColumn(m, 4, y);
-  setColumn(m, 8, z);
-  setColumn(m, 12, place);
-}
-
-/** By hand: a typed array takes lists in many times as long. */
-function setColumn(m: Float64Array, at: number, v: Vec3): void {
-  m[at] = v[0];
-  m[at + 1] = v[1];
-  m[at + 2] = v[2];
+  m.set(x, 0);
+  m.set(y, 4);
+  m.set(z, 8);
+  m.set(place, 12);
 }
 
 const countTrue = (facts: LightFacts): number => Object.values(facts).filter(Boolean).length;

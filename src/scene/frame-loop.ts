@@ -37,20 +37,25 @@ class FrameLoop {
     const pictures = [...this.#waiting];
     this.#waiting.clear();
     for (const picture of pictures) {
-      try {
+      guarded(() => {
         picture.prepare();
-      } catch (error) {
-        reportError(error); // one broken picture must not stop the others of the page
-      }
+      });
     }
     for (const picture of pictures) {
-      try {
+      guarded(() => {
         if (picture.frame(now)) this.request(picture);
-      } catch (error) {
-        reportError(error);
-      }
+      });
     }
   };
+}
+
+/** One broken picture must not stop the others of the page. */
+function guarded(action: () => void): void {
+  try {
+    action();
+  } catch (error) {
+    reportError(error);
+  }
 }
 
 /** The page's frame loop. */
