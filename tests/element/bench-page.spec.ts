@@ -6,7 +6,7 @@ import { expect, test } from '../support/test.js';
 test('measures a front, draws it and copies the result as JSON', async ({ page, context }) => {
   test.setTimeout(120_000);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
-  await page.goto('/demo/bench/?only=loops&seconds=0.2');
+  await page.goto('/demo/bench/?only=budget&seconds=0.2');
   await expect(page.locator('#renderer')).toContainText(/SwiftShader|llvmpipe|ANGLE/);
   await expect(page.getByRole('button', { name: 'Copy the result as JSON' })).toBeDisabled();
   await page.getByRole('button', { name: 'Measure' }).click();
@@ -18,7 +18,7 @@ test('measures a front, draws it and copies the result as JSON', async ({ page, 
 
   const result = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as BenchResult;
   expect(result.machine['renderer']).toBe(await page.locator('#renderer').textContent());
-  expect(result.fronts.map(({ axis }) => axis)).toEqual(['loops']);
+  expect(result.fronts.map(({ axis }) => axis)).toEqual(['budget']);
   for (const { axis, points, base, shipped } of result.fronts) {
     const ids = points.map(({ id }) => id);
     expect(ids).toEqual(expect.arrayContaining([base, shipped]));
@@ -38,7 +38,7 @@ test('measures a front, draws it and copies the result as JSON', async ({ page, 
 
 test('keeps its canvases on screen while the reader scrolls, and stops when told', async ({ page }) => {
   test.setTimeout(60_000);
-  await page.goto('/demo/bench/?only=budget&seconds=100');
+  await page.goto('/demo/bench/?only=shading&seconds=100');
   await page.getByRole('button', { name: 'Measure' }).click();
   await expect(page.getByRole('img')).toBeVisible({ timeout: 50_000 }); // a round was timed
   await page.evaluate(() => {
