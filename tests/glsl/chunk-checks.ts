@@ -1,10 +1,12 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
+import cellList from '../../shaders/cell_list.glsl?raw';
 import { BLOCK_ROWS, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
-import { ENCODING_GLSL } from '../../src/material/shader-source.js';
+import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
+import { ENCODING_GLSL, lightLoop } from '../../src/material/shader-source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
+import { cellChecks } from './cell-checks.js';
 import { exactChecks } from './exact-checks.js';
 import { FOOTPRINT_CHECKS } from './footprint-checks.js';
 import { FloatPass, type PassResult } from './float-pass.js';
@@ -21,6 +23,8 @@ export interface Check {
   readonly defines?: readonly string[];
   /** Text that comes before the loop's: where rows are from, where any are read. */
   readonly rows?: string;
+  /** What these rows are read from: the texture `u_table`, 256 texels wide; none where it is not given. */
+  readonly table?: Float32Array;
   /** Of inputs `a` and `b` (vec4) to `result`. */
   readonly glsl: string;
   readonly inputs: (random: Random) => readonly [Numbers, Numbers?];
@@ -246,10 +250,10 @@ export function checkChunks(
   edit: Edit | null = null,
   { cases, only, everyLight } = WHOLE_EXTENT,
 ): Checked[] {
-  const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
+  const glsl = onDriver(edited(`${LOOP}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
     head('STORAGE_OWN') + defines.map((define) => `#define ${define}\n`).join('') + rows + glsl;
-  const checks = [...CHECKS, ...exactChecks(everyLight), ...FOOTPRINT_CHECKS]
+  const checks = [...CHECKS, ...exactChecks(everyLight), ...cellChecks(everyLight), ...FOOTPRINT_CHECKS]
     .filter(({ title }) => title.startsWith(only))
     .map((check) =>
       runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed, cases),
@@ -263,6 +267,9 @@ export function checkChunks(
   ];
 }
 
+/** With everything that a program may ask of it. */
+const LOOP = lightLoop(`${AVERAGES_GLSL}\n${cellList}`);
+
 const head = (storage: string): string => `#define LIGHT_STORAGE ${storage}\n`;
 const NO_ROWS = 'vec4 lightRow(int i) { return vec4(0.0); }\n';
 
@@ -273,7 +280,7 @@ function runCheck(
   seed: number,
   cases: number,
 ): Checked {
-  const { title, glsl, bound, floor = 0 } = check;
+  const { title, glsl, bound, floor = 0, table } = check;
   const random = new Random(partSeed(seed, title));
   const texels = Math.ceil(cases / WIDTH) * WIDTH;
   const a = new Float32Array(texels * 4);
@@ -283,7 +290,10 @@ function runCheck(
     a.set(first, i * 4);
     b.set(second, i * 4);
   }
-  const { floats } = once(gl, { glsl: source, inputs: ['a', 'b'], main: glsl }, [a, b]);
+  const textures = table === undefined ? [] : [TABLE];
+  const tables = table === undefined ? [] : [wholeTexels(table)];
+  const pass = { glsl: source, inputs: ['a', 'b'], textures, main: glsl };
+  const { floats } = once(gl, pass, [a, b, ...tables]);
   let max = 0;
   for (let i = 0; i < cases; i++) {
     const at = i * 4;
@@ -296,6 +306,14 @@ function runCheck(
     });
   }
   return { title, cases, bound, max };
+}
+
+const TABLE = 'u_table';
+
+function wholeTexels(table: Float32Array): Float32Array {
+  const data = new Float32Array(Math.ceil(table.length / (4 * WIDTH)) * 4 * WIDTH);
+  data.set(table);
+  return data;
 }
 
 /** Every code, and the floats beside the steps between codes, as 8-bit output and as floats. */
@@ -328,7 +346,7 @@ function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number)
   for (let i = 0; i < rows; i++) index[i * 4] = i;
   const isBlock = storage === 'STORAGE_BLOCK';
   const source = {
-    glsl: head(storage) + LIGHT_LOOP_GLSL,
+    glsl: head(storage) + LOOP,
     inputs: ['a'],
     textures: isBlock ? [] : ['uLightTexture'],
     main: 'result = lightRow(int(a.x));',

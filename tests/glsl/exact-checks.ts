@@ -5,7 +5,7 @@ import { emptyPack, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import { constantRows, counted, inLoops, writtenOut } from '../../src/material/exact-lights.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
-import { shade } from '../../src/reference/equation.js';
+import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';
 import type { Check } from './chunk-checks.js';
 
@@ -115,11 +115,19 @@ const LOBES: readonly Check[] = [
 
 const TERMS = { ambient: SHAPE.ambient, diffuse: SHAPE.diffuse, specular: SHAPE.specular } as const;
 type Term = keyof typeof TERMS;
-const ALL: readonly Term[] = ['ambient', 'diffuse', 'specular'];
+export const ALL: readonly Term[] = ['ambient', 'diffuse', 'specular'];
 
-const EYE: Vec3 = [0, 0, 5];
+export const EYE: Vec3 = [0, 0, 5];
 
-const light = (values: Partial<LightValues>): LightValues => ({
+/** Multiplies nothing away. */
+export const SURFACE: Surface = {
+  ka: [255, 255, 255],
+  kd: [255, 255, 255],
+  ks: [255, 255, 255],
+  shininess: 8,
+};
+
+export const light = (values: Partial<LightValues>): LightValues => ({
   ...(Object.fromEntries(
     Object.entries(LIGHT_FIELDS).map(([key, field]) => [key, field.fallback]),
   ) as unknown as LightValues),
@@ -127,7 +135,7 @@ const light = (values: Partial<LightValues>): LightValues => ({
 });
 
 /** Lights of every kind and shape around a unit ball. */
-function allLights(): LightValues[] {
+export function allLights(): LightValues[] {
   const random = new Random(1);
   const lamp = (values: Partial<LightValues>): LightValues => {
     const place = scale(random.unit(), random.from(2, 4));
@@ -156,9 +164,20 @@ function allLights(): LightValues[] {
   ];
 }
 
+/** All terms at place a with the normal b, seen from {@link EYE}. */
+export const ANYWHERE = `
+  LightSums sums = lightSums(a.xyz, b.xyz, unitOrZero(vec3(${EYE.map((x) => x.toFixed(1)).join(', ')}) - a.xyz), 8.0);
+  result.xyz = sums.ambient + sums.diffuse + sums.specular;`;
+
 const TEXTS = { 'written out': writtenOut, counted, 'in loops': inLoops } as const;
 
-function sumsOf(form: keyof typeof TEXTS, terms: readonly Term[], chosen: readonly LightValues[]): Check {
+/** `apart`: a define that says more of where they are. */
+export function sumsOf(
+  form: keyof typeof TEXTS,
+  terms: readonly Term[],
+  chosen: readonly LightValues[],
+  apart: '' | 'LIGHTS_APART' = '',
+): Check {
   const packed = emptyPack();
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   packLights(chosen, { worldToShading: identity, cameraToShading: identity, linear: false }, packed);
@@ -166,12 +185,14 @@ function sumsOf(form: keyof typeof TEXTS, terms: readonly Term[], chosen: readon
   const text = TEXTS[form](packed, bits);
   const all = terms.length === ALL.length;
   return {
-    title: `lights ${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
-    defines: [`EXACT_LIGHTS ${text}`, ...terms.map((term) => `HAS_${term.toUpperCase()}`)],
+    title: `lights ${apart === '' ? '' : 'that stand apart '}${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
+    defines: [
+      `EXACT_LIGHTS ${text}`,
+      ...(apart === '' ? [] : [apart]),
+      ...terms.map((term) => `HAS_${term.toUpperCase()}`),
+    ],
     rows: `const vec4 ROWS[] = ${constantRows(packed)};\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
-    glsl: `
-      LightSums sums = lightSums(a.xyz, b.xyz, unitOrZero(vec3(${EYE.map((x) => x.toFixed(1)).join(', ')}) - a.xyz), 8.0);
-      result.xyz = sums.ambient + sums.diffuse + sums.specular;`,
+    glsl: ANYWHERE,
     inputs(random) {
       for (;;) {
         const N = random.unit();
@@ -181,9 +202,7 @@ function sumsOf(form: keyof typeof TEXTS, terms: readonly Term[], chosen: readon
     },
     expected: ([x, y, z], N) => {
       const fragment = { p: [x!, y!, z!] as Vec3, normal: N as unknown as Vec3, eye: EYE };
-      const white = [255, 255, 255] as const;
-      const surface = { ka: white, kd: white, ks: white, shininess: 8 };
-      return shade(fragment, surface, chosen, { terms }).sum;
+      return shade(fragment, SURFACE, chosen, { terms }).sum;
     },
     bound: 2e-5,
     floor: 1,
@@ -191,7 +210,7 @@ function sumsOf(form: keyof typeof TEXTS, terms: readonly Term[], chosen: readon
 }
 
 /** So near to the edge of its cone that float32 may take it for either side. */
-function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {
+export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {
   if (aperture === 180 || position[3] === 0) return false;
   const c = dot(normalize(subtract(p, [position[0], position[1], position[2]])), normalize(axis));
   return Math.abs(Math.acos(c) - (aperture * Math.PI) / 180) < 1e-4;

@@ -38,6 +38,8 @@ export async function startHarness(quick = false) {
     args: softwareGl,
   });
   const page = await browser.newPage();
+  // A page is loaded once its first passes have been drawn: on a busy machine that takes a while.
+  page.setDefaultNavigationTimeout(0);
   const scratch = mkdtempSync(join(tmpdir(), 'phong-viewer-mutation-'));
   const shipped = await serveFolder(await built(join(scratch, 'shipped'), null));
 

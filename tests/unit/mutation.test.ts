@@ -7,6 +7,7 @@ import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
 import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { mutated, MUTANTS, nameOf, UNIT_TESTS } from '../mutation/mutants.mjs';
 import { table } from '../mutation/table.mjs';
+import { cellChecks } from '../glsl/cell-checks.js';
 import { exactChecks } from '../glsl/exact-checks.js';
 import { FOOTPRINT_CHECKS } from '../glsl/footprint-checks.js';
 import { CATEGORIES } from '../stress/categories.js';
@@ -84,5 +85,5 @@ describe('the results of the last run', () => {
 /** Of tests/glsl, which only a browser can load. */
 const chunkTitles = (): string[] => [
   ...[...read('tests/glsl/chunk-checks.ts').matchAll(/title:\s+'([^']+)'/g)].map((match) => match[1]!),
-  ...[...exactChecks(), ...FOOTPRINT_CHECKS].map(({ title }) => title),
+  ...[...exactChecks(), ...cellChecks(), ...FOOTPRINT_CHECKS].map(({ title }) => title),
 ];

@@ -1,6 +1,7 @@
 // How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away from cones' edges.
 import type { Picture } from '../support/picture.js';
 import { caster, type CastScene, type Hit } from './ray-cast.js';
+import { remembered } from './remembered.js';
 
 /** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
 export const CONE_EDGE = 3e-3;
@@ -21,7 +22,7 @@ export interface InnerPixel {
 }
 
 /** Pixels whose neighbours all hit the same face: their insides are one sample each. */
-export function innerPixels(scene: CastScene, width: number, height: number): InnerPixel[] {
+export const innerPixels = remembered((scene: CastScene, width: number, height: number) => {
   const cast = caster(scene, width, height);
   const hits = Array.from({ length: width * height }, (_, i) => cast(i % width, Math.floor(i / width)));
   const inner: InnerPixel[] = [];
@@ -35,7 +36,7 @@ export function innerPixels(scene: CastScene, width: number, height: number): In
     }
   }
   return inner;
-}
+});
 
 export function compareWithReference(picture: Picture, scene: CastScene): Errors {
   const { width, height } = picture;

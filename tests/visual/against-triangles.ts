@@ -4,6 +4,7 @@ import type { Picture } from '../support/picture.js';
 import { length, cross, dot, type Vec3 } from '../../src/math/vector.js';
 import { CONE_EDGE } from './against-reference.js';
 import { caster, type CastScene } from './ray-cast.js';
+import { remembered } from './remembered.js';
 import { castTriangles } from './triangle-cast.js';
 
 /**
@@ -11,6 +12,10 @@ import { castTriangles } from './triangle-cast.js';
  * where the edges are snapped to the coarsest grid that OpenGL ES allows, 1/16 of a pixel.
  */
 const WHOLE = Math.SQRT1_2 + 1 / 16;
+
+const hitsOf = remembered((scene, width: number, height: number, shading: string) =>
+  castTriangles(scene, width, height, shading),
+);
 
 export interface TriangleErrors {
   /** Largest difference of a channel inside triangles, and where. */
@@ -35,7 +40,7 @@ export function compareWithTriangles(
   subpixelBits: number,
 ): TriangleErrors {
   const { width, height, data } = picture;
-  const hits = castTriangles(scene, width, height, shading);
+  const hits = hitsOf(scene, width, height, shading);
   const errors: TriangleErrors = {
     max: 0,
     at: '',

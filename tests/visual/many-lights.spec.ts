@@ -7,9 +7,10 @@ import { expect, pixels, test, type Picture } from '../support/test.js';
 import { drawFrames, drawUntilExact } from '../element/driving.js';
 import { glPrograms, glSpent, isExact, isLit, logGl } from '../element/gl-log.js';
 import { assign, type PhongViewer } from '../element/support.js';
-import { CONE_EDGE } from './against-reference.js';
+import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import { caster, type CastScene } from './ray-cast.js';
+import { remembered } from './remembered.js';
 import { compareBudgets } from './program-scenes.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 
@@ -21,28 +22,35 @@ const PROMISED = { vectors: 224, blockBytes: 16_384 } as const;
 /** So many pixels, evenly strewn over a picture without its rim, are told by float64. */
 const SAMPLES = 96;
 
-/** The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared. */
-function sampled(picture: Picture, scene: CastScene): { readonly max: number; readonly compared: number } {
-  const { width, height, data } = picture;
+/** The sampled pixels that are of one sample and one face, away from every cone's edge. */
+const samplesOf = remembered((scene: CastScene, width: number, height: number): InnerPixel[] => {
   const cast = caster(scene, width, height);
   const inner = (width - 4) * (height - 4);
-  let max = 0;
-  let compared = 0;
-  for (let i = 0; i < SAMPLES; i++) {
+  return Array.from({ length: SAMPLES }, (_, i) => {
     const at = Math.floor((i * inner) / SAMPLES);
     const [x, y] = [2 + (at % (width - 4)), 2 + Math.floor(at / (width - 4))];
     const hit = cast(x, y);
-    if (hit === null) continue;
+    if (hit === null) return [];
     if ([-2, 2].some((by) => cast(x + by, y)?.face !== hit.face || cast(x, y + by)?.face !== hit.face))
-      continue;
-    if (hit.coneMargin < CONE_EDGE) continue;
+      return [];
+    return hit.coneMargin < CONE_EDGE ? [] : [{ x, y, hit }];
+  }).flat();
+});
+
+/** The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared. */
+function sampled(
+  { width, height, data }: Picture,
+  scene: CastScene,
+): { readonly max: number; readonly compared: number } {
+  const samples = samplesOf(scene, width, height);
+  let max = 0;
+  for (const { x, y, hit } of samples) {
     for (const channel of [0, 1, 2] as const) {
       const off = data[4 * (y * width + x) + channel]! - 255 * hit.shaded.color[channel];
       max = Math.max(max, Math.abs(off) - 0.5);
-      compared += 1;
     }
   }
-  return { max, compared };
+  return { max, compared: 3 * samples.length };
 }
 
 /** Of all kinds, so dim that `count` of them together are in range; cones on the first few alone, or no pixel is away from all. */
