@@ -58,6 +58,7 @@ test.describe('keys', () => {
   test('turn by 5°, with Shift by 1°, the way a drag would', async ({ page, mount }) => {
     const viewer = await mount(near);
     await page.keyboard.press('Tab');
+    await handsReady(page);
     for (const [key, theta, phi] of [
       ['ArrowRight', 25, 70],
       ['ArrowLeft', 30, 70],
@@ -76,6 +77,7 @@ test.describe('keys', () => {
   test('zoom by 1.1, and Home goes back to the declared camera', async ({ page, mount }) => {
     const viewer = await mount(near);
     await page.keyboard.press('Tab');
+    await handsReady(page);
     for (const [key, radius] of [
       ['+', 5 / 1.1],
       ['PageDown', 5],

@@ -1,5 +1,5 @@
-// Lights in cells: no cell misses a light that brings something there, nor keeps many that do not. The lists are read back as the
-// GLSL reads them, its float32 included.
+// Lights in cells: no cell misses a light that brings something there, nor keeps many that do not; and where cells are not worth it,
+// none are made.
 
 import { describe, expect, it } from 'vitest';
 import { LEAST_DIVIDED, divide } from '../../src/light/light-grid.js';
@@ -8,110 +8,27 @@ import type { Box, Reflectance } from '../../src/light/light-reach.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, KINDS, type PackedLights } from '../../src/light/pack-lights.js';
 import { radians } from '../../src/math/angle.js';
-import { dot, length, normalize, subtract, type Vec3 } from '../../src/math/vector.js';
-import { float32, Random } from '../stress/random.js';
+import { Random } from '../stress/random.js';
 import { light } from './arbitraries.js';
+import {
+  DOWN,
+  FLOOR,
+  ROOM,
+  SEED,
+  WHITE,
+  addedAt,
+  cornerCase,
+  divided,
+  gridOf,
+  most,
+  pointIn,
+  reflected,
+  rowByNumber,
+  rowOf,
+  rowsOf,
+  spotsOver,
+} from './cell-lists.js';
 import { pack } from './packed-reader.js';
-
-const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
-const WHITE: Reflectance = { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] };
-const FLOOR: Box = [-10, 0, -10, 10, 0, 10];
-const ROOM: Box = [-4, -3, -2, 4, 3, 2];
-const DOWN: Vec3 = [0, -1, 0];
-
-/** Over the box, downward but for a little, each with colours of its own, by which it is told. */
-function spotsOver(box: Box, count: number, random: Random, more: Partial<LightValues> = {}): LightValues[] {
-  const unit = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 8;
-  const inside = (k: 0 | 2): number => random.from(box[k], box[k + 3]!);
-  return Array.from({ length: count }, (_, i) =>
-    light({
-      position: [inside(0), box[4] + unit * random.from(0.5, 2), inside(2), 1],
-      axis: subtract(DOWN, random.vector(-0.3, 0.3)),
-      aperture: random.from(8, 25),
-      ambient: [i + 1, 0, 0],
-      ...more,
-    }),
-  );
-}
-
-interface Divided {
-  readonly into: PackedLights;
-  readonly size: Vec3;
-  readonly step: Vec3;
-}
-
-function divided(lights: readonly LightValues[], box: Box, budget = 0, surface = WHITE): Divided {
-  const into = emptyPack();
-  expect(divide(pack(lights), box, surface, budget, into)).toBe(true);
-  const size = float32(rowOf(into, gridOf(into) + GRID.size));
-  return { into, size, step: [0, 1, 2].map((k) => (box[k + 3]! - box[k]!) / size[k]!) as unknown as Vec3 };
-}
-
-const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // prettier-ignore
-const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
-const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
-
-/** The rows of all lights, by kind. */
-function rowsOf({ counts }: PackedLights): number[][] {
-  let row: number = HEADER.rows;
-  return KINDS.map((kind) =>
-    Array.from({ length: counts[kind] }, () => {
-      row += ROWS[kind].rows;
-      return row - ROWS[kind].rows;
-    }),
-  );
-}
-
-/** The rows of the lights that the GLSL adds at p: as cellList and listedRow do, in float32. */
-function addedAt(into: PackedLights, p: Vec3): number[] {
-  const grid = gridOf(into);
-  const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // prettier-ignore
-  const cell = low.map((from, k) => {
-    const at = Math.floor(Math.fround(Math.fround(Math.fround(p[k]!) - from) * scales[k]!));
-    return Math.min(Math.max(at, 0), size[k]! - 1);
-  });
-  const index = cell[0]! + size[0] * (cell[1]! + size[1] * cell[2]!);
-  const [first, points, spots] = rowOf(into, lastOf(into, grid + GRID.low) + index);
-  const lists = lastOf(into, grid + GRID.scale) * 4;
-  const listed = [...into.data.subarray(lists + first, lists + first + points + spots)];
-  const all = rowsOf(into);
-  const everywhere = rowOf(into, grid + GRID.everywhere);
-  // The kinds of a list stand in order, and each row is one of its kind's.
-  listed.forEach((row, i) => {
-    expect(all[i < points ? 1 : 2]).toContain(row);
-  });
-  return [...all.flatMap((rows, kind) => rows.slice(0, everywhere[kind])), ...listed];
-}
-
-/** Anywhere in the box, its corners and the corners of its cells among it; float32, as fragments have it. */
-function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
-  const p = [0, 1, 2].map((k) => {
-    const [low, high] = [box[k]!, box[k + 3]!];
-    const corner = low + (Math.floor(random.from(0, size[k]! + 1)) / size[k]!) * (high - low);
-    return random.pick([random.from(low, high), random.from(low, high), corner, low, high]);
-  });
-  return float32(p as unknown as Vec3);
-}
-
-/** The most that a light brings at p in any channel, whatever the surface faces: by its values, not by its rows. */
-function most({ position, axis, aperture, cutoff, attenuation, ...colors }: LightValues, p: Vec3): number {
-  const { ambient, diffuse, specular } = colors;
-  const channels = (factor: number, own: number): number =>
-    Math.max(...[0, 1, 2].map((k) => own * ambient[k]! + factor * (diffuse[k]! + specular[k]!))) / 255;
-  if (position[3] === 0) return channels(1, 0);
-  const from = subtract(p, [position[0], position[1], position[2]]);
-  const d = length(from);
-  const att = 1 / Math.max(attenuation[0] + d * (attenuation[1] + d * attenuation[2]), 1);
-  if (aperture === 180 && cutoff === 0) return channels(att, 0); // ambient is of all lamps together
-  const c = dot(normalize(from), normalize(axis));
-  if (aperture < 180 && Math.acos(Math.min(Math.max(c, -1), 1)) > radians(aperture)) return 0;
-  const decay = ((c + 1) / 2) ** cutoff;
-  return channels(att * decay, decay);
-}
-
-/** The rows that each of `lights` has in `into`, found by its red ambient light, which is its number: spots alone. */
-const rowByNumber = (into: PackedLights): Map<number, number> =>
-  new Map(rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[(row + ROWS.spot.ambient) * 4]!), row]));
 
 describe('lights in cells', () => {
   it.each([
@@ -136,18 +53,27 @@ describe('lights in cells', () => {
     expect(found).toBeGreaterThan(500);
   });
 
-  it('are listed where rounding takes a point into the next cell or out of the box', () => {
+  it.each([
+    ['beside the origin', 0],
+    ['far from it', 1e4],
+  ])('are listed where rounding takes a point into the next cell, %s', (_, away) => {
     const random = new Random(SEED + 1);
-    const lights = spotsOver(FLOOR, 60, random);
-    const { into, size, step } = divided(lights, FLOOR);
-    const rows = rowByNumber(into);
-    for (let i = 0; i < 4000; i++) {
-      const at = pointIn(random, FLOOR, size);
-      // 8e-4 of a cell: within what cells are larger by.
-      const p: Vec3 = [at[0] + random.sign() * 8e-4 * step[0], at[1], at[2] + random.sign() * 8e-4 * step[2]];
-      const added = new Set(addedAt(into, p));
-      lights.forEach((one, k) => {
-        if (most(one, at) > 0 && !added.has(rows.get(k + 1)!)) expect.fail(`light ${k} at ${String(p)}`);
+    for (const flat of [0, 1, 2]) {
+      const low = [0, 1, 2].map((k) => (k === flat ? away : away - 10));
+      const box = [...low, ...low.map((x, k) => (k === flat ? x : x + 20))] as unknown as Box;
+      const [u, v] = [(flat + 1) % 3, (flat + 2) % 3] as [number, number];
+      const { size, step } = divided(spotsOver(box, 60, random, { aperture: 1 }), box);
+      // As cells are taken larger: by a share of their own size, and of the coordinates.
+      const pad = 1e-3 * step[u]! + 1e-6 * Math.max(...box.map(Math.abs));
+      const cases = Array.from({ length: 60 }, () => cornerCase(random, box, flat, [u, v], size, step, pad));
+      const { into } = divided(
+        cases.map(({ lamp }, i) => ({ ...lamp, ambient: [i + 1, 0, 0] as const })),
+        box,
+      );
+      const rows = rowByNumber(into);
+      cases.forEach(({ lamp, at, p }, i) => {
+        expect(most({ ...lamp, ambient: [255, 0, 0] }, at)).toBeGreaterThan(0);
+        expect(addedAt(into, p), `flat along ${flat}, at ${String(p)}`).toContain(rows.get(i + 1));
       });
     }
   });
@@ -219,13 +145,15 @@ describe('lights in cells', () => {
         }),
       );
       const decaying = { aperture: 180, cutoff: 60, attenuation: [1, 0, 4] as const };
-      const lights = [...lamps, ...spotsOver(box, 20, random, decaying)];
+      // A sun that brings next to nothing: all the same it is looped over everywhere.
+      const sun = light({ position: [3, 1, 2, 0], diffuse: [0, 0.001, 0], specular: [0, 0, 0] });
+      const lights = [sun, ...lamps, ...spotsOver(box, 20, random, decaying)];
       const { into, size } = divided(lights, box, budget, surface);
-      const [, points = [], spots = []] = rowsOf(into);
+      expect(rowOf(into, gridOf(into) + GRID.everywhere).slice(0, 2)).toEqual([1, 0]);
       const keyOf = (row: number): string => into.data.subarray(row * 4, row * 4 + 12).join();
       const whole = pack(lights);
       const keys = rowsOf(whole).flat().map((row) => whole.data.subarray(row * 4, row * 4 + 12).join()); // prettier-ignore
-      const byKey = new Map([...points, ...spots].map((row) => [keyOf(row), row]));
+      const byKey = new Map(rowsOf(into).flat().map((row) => [keyOf(row), row])); // prettier-ignore
       const rows = keys.map((key) => byKey.get(key)!);
       let left = 0;
       let kept = 0;
@@ -245,13 +173,6 @@ describe('lights in cells', () => {
     }
   });
 });
-
-/** The colours as a surface gives them back. */
-const reflected = ({ ambient, diffuse, specular }: LightValues, { ka, kd, ks }: Reflectance) => {
-  const times = (color: Vec3, by: ArrayLike<number>): Vec3 =>
-    [0, 1, 2].map((k) => color[k]! * by[k]!) as unknown as Vec3;
-  return { ambient: times(ambient, ka), diffuse: times(diffuse, kd), specular: times(specular, ks) };
-};
 
 describe('cells', () => {
   it.each([
@@ -321,6 +242,10 @@ describe('no cells are made', () => {
     const wide = (aperture: number): LightValues[] => spotsOver(FLOOR, 40, random, { aperture, axis: DOWN });
     expect(isDivided(wide(88))).toBe(false);
     expect(isDivided([...wide(88).slice(0, 10), ...spotsOver(FLOOR, 30, random)])).toBe(true);
+    // A quarter everywhere, and the others' lists of nearly half of the cells each.
+    const middling = spotsOver(FLOOR, 30, random, { position: [0, 6.5, 0, 1], axis: DOWN, aperture: 48 });
+    expect(isDivided([...wide(88).slice(0, 1), ...middling])).toBe(true);
+    expect(isDivided([...wide(88).slice(0, 10), ...middling])).toBe(false);
     const half = (height: number): LightValues[] =>
       spotsOver(FLOOR, 40, random, { position: [0, height, 0, 1], axis: DOWN, aperture: 45 });
     expect(isDivided(half(6))).toBe(true); // 113 of 400

@@ -1,0 +1,161 @@
+// Lights in cells as tests want them: spots that are told by their number, lists read back as the GLSL reads them, its float32
+// included, and what a light can bring to a point by its values alone.
+
+import { expect } from 'vitest';
+import { divide } from '../../src/light/light-grid.js';
+import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
+import type { Box, Reflectance } from '../../src/light/light-reach.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import { emptyPack, KINDS, type PackedLights } from '../../src/light/pack-lights.js';
+import { radians } from '../../src/math/angle.js';
+import { dot, length, normalize, subtract, type Vec3 } from '../../src/math/vector.js';
+import { float32, type Random } from '../stress/random.js';
+import { light } from './arbitraries.js';
+import { pack } from './packed-reader.js';
+
+export const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+export const WHITE: Reflectance = { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] };
+export const FLOOR: Box = [-10, 0, -10, 10, 0, 10];
+export const ROOM: Box = [-4, -3, -2, 4, 3, 2];
+export const DOWN: Vec3 = [0, -1, 0];
+
+/** Over the box, downward but for a little, each with colours of its own, by which it is told. */
+export function spotsOver(
+  box: Box,
+  count: number,
+  random: Random,
+  more: Partial<LightValues> = {},
+): LightValues[] {
+  const unit = Math.max(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 8;
+  const inside = (k: 0 | 2): number => random.from(box[k], box[k + 3]!);
+  return Array.from({ length: count }, (_, i) =>
+    light({
+      position: [inside(0), box[4] + unit * random.from(0.5, 2), inside(2), 1],
+      axis: subtract(DOWN, random.vector(-0.3, 0.3)),
+      aperture: random.from(8, 25),
+      ambient: [i + 1, 0, 0],
+      ...more,
+    }),
+  );
+}
+
+export interface Divided {
+  readonly into: PackedLights;
+  readonly size: Vec3;
+  readonly step: Vec3;
+}
+
+export function divided(lights: readonly LightValues[], box: Box, budget = 0, surface = WHITE): Divided {
+  const into = emptyPack();
+  expect(divide(pack(lights), box, surface, budget, into)).toBe(true);
+  const size = float32(rowOf(into, gridOf(into) + GRID.size));
+  return { into, size, step: [0, 1, 2].map((k) => (box[k + 3]! - box[k]!) / size[k]!) as unknown as Vec3 };
+}
+
+export const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // prettier-ignore
+export const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
+export const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
+
+/** The rows of all lights, by kind. */
+export function rowsOf({ counts }: PackedLights): number[][] {
+  let row: number = HEADER.rows;
+  return KINDS.map((kind) =>
+    Array.from({ length: counts[kind] }, () => {
+      row += ROWS[kind].rows;
+      return row - ROWS[kind].rows;
+    }),
+  );
+}
+
+/** The rows of the lights that the GLSL adds at p: as cellList and listedRow do, in float32. */
+export function addedAt(into: PackedLights, p: Vec3): number[] {
+  const grid = gridOf(into);
+  const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // prettier-ignore
+  const cell = low.map((from, k) => {
+    const at = Math.floor(Math.fround(Math.fround(Math.fround(p[k]!) - from) * scales[k]!));
+    return Math.min(Math.max(at, 0), size[k]! - 1);
+  });
+  const index = cell[0]! + size[0] * (cell[1]! + size[1] * cell[2]!);
+  const [first, points, spots] = rowOf(into, lastOf(into, grid + GRID.low) + index);
+  const lists = lastOf(into, grid + GRID.scale) * 4;
+  const listed = [...into.data.subarray(lists + first, lists + first + points + spots)];
+  const all = rowsOf(into);
+  const everywhere = rowOf(into, grid + GRID.everywhere);
+  // The kinds of a list stand in order, and each row is one of its kind's.
+  listed.forEach((row, i) => {
+    expect(all[i < points ? 1 : 2]).toContain(row);
+  });
+  return [...all.flatMap((rows, kind) => rows.slice(0, everywhere[kind])), ...listed];
+}
+
+/** Anywhere in the box, its corners and the corners of its cells among it; float32, as fragments have it. */
+export function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
+  const p = [0, 1, 2].map((k) => {
+    const [low, high] = [box[k]!, box[k + 3]!];
+    const corner = low + (Math.floor(random.from(0, size[k]! + 1)) / size[k]!) * (high - low);
+    return random.pick([random.from(low, high), random.from(low, high), corner, low, high]);
+  });
+  return float32(p as unknown as Vec3);
+}
+
+/** The most that a light brings at p in any channel, whatever the surface faces: by its values, not by its rows. */
+export function most(
+  { position, axis, aperture, cutoff, attenuation, ...colors }: LightValues,
+  p: Vec3,
+): number {
+  const { ambient, diffuse, specular } = colors;
+  const channels = (factor: number, own: number): number =>
+    Math.max(...[0, 1, 2].map((k) => own * ambient[k]! + factor * (diffuse[k]! + specular[k]!))) / 255;
+  if (position[3] === 0) return channels(1, 0);
+  const from = subtract(p, [position[0], position[1], position[2]]);
+  const d = length(from);
+  const att = 1 / Math.max(attenuation[0] + d * (attenuation[1] + d * attenuation[2]), 1);
+  if (aperture === 180 && cutoff === 0) return channels(att, 0); // ambient is of all lamps together
+  const c = dot(normalize(from), normalize(axis));
+  if (aperture < 180 && Math.acos(Math.min(Math.max(c, -1), 1)) > radians(aperture)) return 0;
+  const decay = ((c + 1) / 2) ** cutoff;
+  return channels(att * decay, decay);
+}
+
+/** The rows that each of `lights` has in `into`, found by its red ambient light, which is its number: spots alone. */
+export const rowByNumber = (into: PackedLights): Map<number, number> =>
+  new Map(rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[(row + ROWS.spot.ambient) * 4]!), row]));
+
+/**
+ * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest point of the next cell's ball
+ * is the corner itself. `at` is within the cone, and `p`, as which rounding may take it, in the next cell. In the middle of the box,
+ * where a cone itself is taken larger by next to nothing.
+ */
+export function cornerCase(
+  random: Random,
+  box: Box,
+  flat: number,
+  [u, v]: readonly [number, number],
+  size: Vec3,
+  step: Vec3,
+  pad: number,
+): { readonly lamp: LightValues; readonly at: Vec3; readonly p: Vec3 } {
+  const corner = [box[0], box[1], box[2]];
+  for (const k of [u, v]) corner[k]! += step[k]! * Math.floor(random.from(0.45, 0.55) * size[k]!);
+  const outward = [0, 0, 0];
+  for (const k of [u, v]) outward[k] = random.sign() * Math.SQRT1_2;
+  const moved = (by: number): Vec3 => corner.map((x, k) => x + by * outward[k]!) as unknown as Vec3;
+  const wall = [...moved(-1.3 * pad)];
+  wall[flat]! += 1;
+  const tilt = radians(20);
+  const axis = outward.map((x) => -Math.sin(tilt) * x);
+  axis[flat] = -Math.cos(tilt);
+  const lamp = light({
+    position: [wall[0]!, wall[1]!, wall[2]!, 1],
+    axis: axis as unknown as Vec3,
+    aperture: 20,
+  });
+  return { lamp, at: moved(-1.38 * pad), p: moved(0.3 * pad) };
+}
+
+/** The colours as a surface gives them back. */
+export const reflected = ({ ambient, diffuse, specular }: LightValues, { ka, kd, ks }: Reflectance) => {
+  const times = (color: Vec3, by: ArrayLike<number>): Vec3 =>
+    [0, 1, 2].map((k) => color[k]! * by[k]!) as unknown as Vec3;
+  return { ambient: times(ambient, ka), diffuse: times(diffuse, kd), specular: times(specular, ks) };
+};
