@@ -60,7 +60,6 @@ export class FormChoice {
   #watch(list: LightList, { surfaceVersion }: PhongMaterial): void {
     const { version } = list.rows;
     if (this.#list === list && this.#numbers === version && this.#surface === surfaceVersion) {
-      if (this.#frames === 0) this.#since = performance.now();
       this.#frames += 1;
       return;
     }
@@ -68,6 +67,7 @@ export class FormChoice {
     this.#numbers = version;
     this.#surface = surfaceVersion;
     this.#frames = 0;
+    this.#since = performance.now();
   }
 }
 
