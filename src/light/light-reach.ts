@@ -105,6 +105,12 @@ export function forEachLight(
   }
 }
 
+/**
+ * Each number of a packed axis is off by 2^-25 at most, its product with a unit vector by √3 times as much, (1 + c) / 2 by half of
+ * that. Straight behind a spot it could come out below 0, and a small exponent makes much of little.
+ */
+const AXIS_ROUNDING = Math.sqrt(3) * 2 ** -26;
+
 type Bound = readonly [number, number, number];
 
 /** The most that a positional light can bring to a point of the box, a channel each. */
@@ -130,7 +136,7 @@ export function mostOf(
     const half = Math.hypot(box[3] - box[0], box[4] - box[1], box[5] - box[2]) / 2;
     const middle = (i: 0 | 1 | 2): number => (box[i] + box[i + 3]!) / 2;
     const cosine = cone.nearestCosine(middle(0), middle(1), middle(2), half);
-    decay = ((1 + cosine) / 2) ** value(ROWS.spot.axis, 3);
+    decay = Math.min((1 + cosine) / 2 + AXIS_ROUNDING, 1) ** value(ROWS.spot.axis, 3);
   }
   const ambient = (i: number): number =>
     cone !== null && (shape & SHAPE.ambient) !== 0 ? (ka[i] ?? 0) * value(ROWS.spot.ambient, i) : 0;

@@ -154,6 +154,27 @@ describe('a budget', () => {
     expect(reach(pack([aside]), [-1, -1, -1, 1, 1, 1], WHITE, 10).given).toBe(1); // all around the spot itself
   });
 
+  it('counts on what a small exponent sends straight behind a spot, where float32 has no angle left', () => {
+    const distance = 10;
+    const half = 1e-6;
+    fc.assert(
+      fc.property(seeds, (seed) => {
+        const random = new Random(seed);
+        const back = random.unit();
+        const cutoff = random.pick([0.01, 0.1, 0.5, 3]);
+        const spot = lamp({ axis: scale(back, -1), cutoff, attenuation: [1, 0, 0] });
+        const L = random.around(back, random.magnitude(1e-8, 1e-4));
+        const [x, y, z] = scale(L, distance);
+        const box: Box = [x - half, y - half, z - half, x + half, y + half, z + half];
+        const { count, given } = reach(pack([spot]), box, WHITE, 10);
+        expect(count).toBe(0);
+        const chord = length(subtract(L, back)); // p = chord² / 4
+        expect(given).toBeGreaterThanOrEqual((chord / 2) ** (2 * cutoff));
+      }),
+      { numRuns: 300 },
+    );
+  });
+
   it('is kept at every point by the sum of what is left out, in every channel', () => {
     let left = 0;
     fc.assert(
