@@ -22,8 +22,8 @@ export interface PhongViewerEventMap {
   error: CustomEvent<ViewerErrorDetail>;
   /** The camera moved; `detail.source` says by what. */
   'camera-change': CustomEvent<{ readonly source: CameraSource }>;
-  /** A light was written to (`detail.light`), or lights came, went or moved (`detail.light` is null). */
-  'light-change': CustomEvent<{ readonly light: PhongLight | null }>;
+  /** Lights were written to (`detail.lights`, in the order of the writing), or came, went or changed places (then it may be empty). */
+  'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
   /** A frame was drawn. */
   render: CustomEvent<null>;
 }

@@ -11,10 +11,10 @@ export class Notices {
     this.#element = element;
   }
 
-  /** Dispatches a `CustomEvent` at the task's end: one for each type and subject. */
+  /** Dispatches a `CustomEvent` at the task's end: one for each type and subject. A detail that is a function is asked for then. */
   tell<K extends keyof PhongViewerEventMap>(
     type: K,
-    detail: PhongViewerEventMap[K]['detail'],
+    detail: PhongViewerEventMap[K]['detail'] | (() => PhongViewerEventMap[K]['detail']),
     subject: unknown = null,
   ): void {
     if (this.#waiting.size === 0) void Promise.resolve().then(this.#dispatch); // queueMicrotask takes ten times as long
@@ -26,7 +26,10 @@ export class Notices {
     const waiting = this.#waiting;
     this.#waiting = new Map();
     for (const [type, subjects] of waiting) {
-      for (const detail of subjects.values()) this.#element.dispatchEvent(new CustomEvent(type, { detail }));
+      for (const told of subjects.values()) {
+        const detail: unknown = typeof told === 'function' ? told() : told;
+        this.#element.dispatchEvent(new CustomEvent(type, { detail }));
+      }
     }
   };
 }

@@ -131,22 +131,35 @@ test('a drag turns by the width that is seen, inside a scaled page too', async (
   expect((await cameraOf(viewer)).theta).toBeCloseTo(-36, 9);
 });
 
-test('changes of two lights in one task are told apart, and each once', async ({ mount, page }) => {
+test('changes of several lights in one task are told by one event, which names each once', async ({
+  mount,
+  page,
+}) => {
   const viewer = await mount(
-    '<phong-viewer><phong-light name="a"></phong-light><phong-light name="b"></phong-light></phong-viewer>',
+    '<phong-viewer><phong-light name="a"></phong-light><phong-light name="b"></phong-light><phong-light name="c"></phong-light></phong-viewer>',
   );
   const told = await viewer.evaluate(async (element: PhongViewer) => {
-    const names: string[] = [];
-    element.addEventListener('light-change', (event) => names.push(event.detail.light?.name ?? 'none'));
-    const [a, b] = element.lights;
-    if (a === undefined || b === undefined) return [];
-    a.cutoff = 1;
-    b.cutoff = 2;
-    a.cutoff = 3;
+    const events: string[][] = [];
+    element.addEventListener('light-change', ({ detail }) => {
+      events.push([String(Object.isFrozen(detail.lights)), ...detail.lights.map(({ name }) => name)]);
+    });
+    const [a, b, c] = element.lights;
+    if (a === undefined || b === undefined || c === undefined) return [];
+    b.cutoff = 1;
+    a.cutoff = 2;
+    b.cutoff = 3;
     await new Promise((resolve) => setTimeout(resolve));
-    return names;
+    // One that has gone is not among them.
+    a.cutoff = 4;
+    c.cutoff = 5;
+    c.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    return events;
   });
-  expect(told).toEqual(['a', 'b']);
+  expect(told).toEqual([
+    ['true', 'b', 'a'],
+    ['true', 'a'],
+  ]);
   await nextFrame(page);
 });
 

@@ -187,7 +187,7 @@ test.describe('lights', () => {
   });
 });
 
-test('light-change tells of the light that was written to, or of none when lights come and go', async ({
+test('light-change tells of the lights that were written to, or of none when lights come and go', async ({
   mount,
 }) => {
   const viewer = await mount(scene(red, green), size);
@@ -197,9 +197,9 @@ test('light-change tells of the light that was written to, or of none when light
     element.lights[0]!.cutoff = 3;
     element.lights[0]!.aperture = 30;
   });
-  expect(await events.take()).toEqual([{ ...change, detail: { light: '<phong-light>' } }]);
+  expect(await events.take()).toEqual([{ ...change, detail: { lights: ['<phong-light>'] } }]);
   await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.cutoff = 3));
   expect(await events.take()).toEqual([]);
   await viewer.evaluate((element: PhongViewer) => element.lights[0]?.remove());
-  await expect.poll(() => events.take()).toEqual([{ ...change, detail: { light: null } }]);
+  await expect.poll(() => events.take()).toEqual([{ ...change, detail: { lights: [] } }]);
 });

@@ -51,6 +51,7 @@ export async function record(element: Locator, ...types: string[]): Promise<Reco
     const list: Heard[] = [];
     const plain = (value: unknown): unknown => {
       if (value instanceof Element) return `<${value.localName}>`;
+      if (Array.isArray(value)) return value.map(plain);
       if (typeof value !== 'object' || value === null) return value;
       return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, plain(inner)]));
     };

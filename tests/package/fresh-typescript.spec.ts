@@ -45,7 +45,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
       });
       viewer.addEventListener('error', (event) => console.log(event.detail.code === 'csp', event.detail.url?.length));
       viewer.addEventListener('light-change', function (event) {
-        this.theta += event.detail.light?.aperture ?? 0;
+        this.theta += event.detail.lights[0]?.aperture ?? 0;
       });
       viewer.addEventListener('click', (event) => console.log(event.clientX));
       viewer.addEventListener('anything', (event: Event) => console.log(event.type), { once: true });
