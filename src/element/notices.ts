@@ -1,20 +1,22 @@
 // Telling others what happened, at the end of the task: what is told several times of one subject is told once, with
-// the last detail. Knows nothing of what the events mean.
+// the last detail, and one event tells of all lights. Knows nothing of what the events mean.
 import type { PhongViewerEventMap } from './events.js';
+import type { PhongLight } from './phong-light.js';
 
 export class Notices {
   readonly #element: EventTarget;
   /** Type to subject to detail. */
   #waiting = new Map<string, Map<unknown, unknown>>();
+  readonly #lights = new Set<PhongLight>();
 
   constructor(element: EventTarget) {
     this.#element = element;
   }
 
-  /** Dispatches a `CustomEvent` at the task's end: one for each type and subject. A detail that is a function is asked for then. */
+  /** Dispatches a `CustomEvent` at the task's end: one for each type and subject. */
   tell<K extends keyof PhongViewerEventMap>(
     type: K,
-    detail: PhongViewerEventMap[K]['detail'] | (() => PhongViewerEventMap[K]['detail']),
+    detail: PhongViewerEventMap[K]['detail'],
     subject: unknown = null,
   ): void {
     if (this.#waiting.size === 0) void Promise.resolve().then(this.#dispatch); // queueMicrotask takes ten times as long
@@ -22,14 +24,19 @@ export class Notices {
     this.#waiting.set(type, subjects.set(subject, detail));
   }
 
+  /** A light was written to, or (null) lights came, went or changed places: hundreds may in every frame. */
+  tellLight(light: PhongLight | null): void {
+    if (light === null || this.#lights.size === 0) this.tell('light-change', { lights: [] });
+    if (light !== null) this.#lights.add(light);
+  }
+
   readonly #dispatch = (): void => {
     const waiting = this.#waiting;
     this.#waiting = new Map();
+    waiting.get('light-change')?.set(null, { lights: Object.freeze([...this.#lights]) });
+    this.#lights.clear();
     for (const [type, subjects] of waiting) {
-      for (const told of subjects.values()) {
-        const detail: unknown = typeof told === 'function' ? told() : told;
-        this.#element.dispatchEvent(new CustomEvent(type, { detail }));
-      }
+      for (const detail of subjects.values()) this.#element.dispatchEvent(new CustomEvent(type, { detail }));
     }
   };
 }

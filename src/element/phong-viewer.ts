@@ -2,7 +2,6 @@
 // moves, what happens into events. It computes no light and draws nothing itself.
 import { LitElement, type PropertyValues } from 'lit';
 import { LightSet } from '../light/light-set.js';
-import type { LightState } from '../light/light-state.js';
 import { Declared } from '../math/declared.js';
 import { Viewport } from '../scene/viewport.js';
 import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
@@ -67,18 +66,10 @@ export class PhongViewer extends LitElement {
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
     this.#viewport.relight();
-    // Many lights may move in every frame: one event tells of all.
-    if (light === null || this.#writtenLights.size === 0)
-      this.#notices.tell('light-change', this.#takeWrittenLights);
-    if (light !== null) this.#writtenLights.add(light);
-    this.#panel.changed(light === null ? 'lights' : 'light');
+    const element = light === null ? null : this.#children.lightOf(light);
+    this.#notices.tellLight(element);
+    this.#panel.changed(element === null ? 'lights' : 'light');
   });
-  readonly #writtenLights = new Set<LightState>();
-  readonly #takeWrittenLights = (): PhongViewerEventMap['light-change']['detail'] => {
-    const lights = [...this.#writtenLights].map((light) => this.#children.lightOf(light));
-    this.#writtenLights.clear();
-    return { lights: Object.freeze(lights.filter((light) => light !== null)) };
-  };
   readonly #viewport = new Viewport(this.#holder, this.#lightSet, {
     locate: () => this.#visibility.look(),
     beforeFrame: (now) => this.#camera.frame(now),

@@ -149,16 +149,16 @@ test('changes of several lights in one task are told by one event, which names e
     a.cutoff = 2;
     b.cutoff = 3;
     await new Promise((resolve) => setTimeout(resolve));
-    // One that has gone is not among them.
     a.cutoff = 4;
     c.cutoff = 5;
-    c.remove();
+    c.remove(); // which is told of by itself, when it is noticed
     await new Promise((resolve) => setTimeout(resolve));
     return events;
   });
   expect(told).toEqual([
     ['true', 'b', 'a'],
-    ['true', 'a'],
+    ['true', 'a', 'c'],
+    ['true'],
   ]);
   await nextFrame(page);
 });

@@ -6,7 +6,7 @@ import { basisOf } from '../../src/camera/orbit.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import { add, dot, scale, type Vec3 } from '../../src/math/vector.js';
 import { logGl } from '../element/gl-log.js';
-import { assign } from '../element/support.js';
+import { assign, type PhongViewer } from '../element/support.js';
 import { compare, expect, type Picture, pixelAt, pixels, test } from '../support/test.js';
 import { Random } from '../stress/random.js';
 import { betweenPrograms, bothPictures, DifferenceSum } from './between-programs.js';
@@ -143,10 +143,16 @@ function expectBetter(errors: Record<string, Errors>, [max, square]: Measured, w
 
 const rmse = ({ squares, count }: Errors): number => Math.sqrt(squares / count);
 
+/** Its code is fetched when it is first asked for. */
+async function averaged(viewer: Locator): Promise<void> {
+  await assign(viewer, { antialias: 'highlights' });
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+}
+
 async function bothKinds(viewer: Locator, { scene, size }: View): Promise<Record<string, Picture>> {
   await viewer.evaluate((element, text) => (element.outerHTML = text), sceneMarkup(scene, 'phong'));
   const edges = await pixels(viewer, size);
-  await assign(viewer, { antialias: 'highlights' });
+  await averaged(viewer);
   return { edges, highlights: await pixels(viewer, size) };
 }
 
@@ -223,7 +229,7 @@ test('changes no code by more than one where no highlight is undersampled, as on
   for (const reflection of ['phong', 'blinn-phong']) {
     await assign(viewer, { reflection, antialias: 'edges' });
     const edges = await pixels(viewer, size);
-    await assign(viewer, { antialias: 'highlights' });
+    await averaged(viewer);
     const { max } = compare(edges, await pixels(viewer, size));
     expect(max, reflection).toBeLessThanOrEqual(1);
   }
@@ -239,7 +245,7 @@ test('leaves every bit as it is with edges, the default, and under gouraud', asy
     const before = await pixels(viewer, SIZE);
     await assign(viewer, { antialias: 'edges' });
     expect(compare(before, await pixels(viewer, SIZE)).max, shading).toBe(0);
-    await assign(viewer, { antialias: 'highlights' });
+    await averaged(viewer);
     const { max } = compare(before, await pixels(viewer, SIZE));
     if (shading === 'gouraud') expect(max).toBe(0);
     else expect(max).toBeGreaterThan(1);
