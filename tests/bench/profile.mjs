@@ -3,7 +3,7 @@
 // a frame, or from navigation to the first picture.
 //   node tests/bench/profile.mjs [--lights 128] [--step moving|setting|still|unlit|turning] [--frames 5000]
 //   node tests/bench/profile.mjs --start start-element.html
-//   [--top 25] [--source CHECKOUT] [--browser PATH --arg=…]
+//   [--top 25] [--source CHECKOUT] [--page FOLDER of pages built with PHONG_VIEWER_BENCH_NAMES set] [--browser PATH --arg=…]
 
 import { mkdtempSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -20,13 +20,15 @@ const { values: options } = parseArgs({
     top: { type: 'string', default: '25' },
     seed: { type: 'string', default: '1' },
     source: { type: 'string', default: '' },
+    page: { type: 'string', default: '' },
     browser: { type: 'string', default: '' },
     arg: { type: 'string', multiple: true, default: [] },
   },
 });
 
 process.env['PHONG_VIEWER_BENCH_NAMES'] = 'kept';
-const folder = await buildPages(mkdtempSync(join(tmpdir(), 'phong-viewer-bench-')), options.source);
+const folder =
+  options.page || (await buildPages(mkdtempSync(join(tmpdir(), 'phong-viewer-bench-')), options.source));
 const session = await Session.open({ ...options, args: options.arg, page: folder });
 const browser = await session.launch();
 const page = await browser.newPage();

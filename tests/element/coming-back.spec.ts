@@ -155,11 +155,7 @@ test('changes of several lights in one task are told by one event, which names e
     await new Promise((resolve) => setTimeout(resolve));
     return events;
   });
-  expect(told).toEqual([
-    ['true', 'b', 'a'],
-    ['true', 'a', 'c'],
-    ['true'],
-  ]);
+  expect(told).toEqual([['true', 'b', 'a'], ['true', 'a', 'c'], ['true']]);
   await nextFrame(page);
 });
 

@@ -12,6 +12,8 @@ export interface Counts {
   readonly gl: number;
   /** Of pictures into 2D canvases. */
   readonly copies: number;
+  /** Questions of the package that lay the page out, or would: what is skipped by the browser as well. */
+  readonly layouts: number;
   /** Contexts made so far. */
   readonly contexts: number;
   /** Logs of programs and shaders asked for: each answer is waited for. */
@@ -42,9 +44,9 @@ export async function countEverything(page: Page): Promise<void> {
 export const countsOf = (page: Page): Promise<Counts> =>
   page.evaluate(() => (window as unknown as { takeCounts: () => Counts }).takeCounts());
 
-export type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 'copies'>;
+export type Spent = Pick<Counts, 'frames' | 'timers' | 'idleCallbacks' | 'gl' | 'copies' | 'layouts'>;
 
-export const NOTHING: Spent = { frames: 0, timers: 0, idleCallbacks: 0, gl: 0, copies: 0 };
+export const NOTHING: Spent = { frames: 0, timers: 0, idleCallbacks: 0, gl: 0, copies: 0, layouts: 0 };
 
 export const spentBetween = (before: Counts, after: Counts): Spent => ({
   frames: after.frames - before.frames,
@@ -52,6 +54,7 @@ export const spentBetween = (before: Counts, after: Counts): Spent => ({
   idleCallbacks: after.idleCallbacks - before.idleCallbacks,
   gl: after.gl - before.gl,
   copies: after.copies - before.copies,
+  layouts: after.layouts - before.layouts,
 });
 
 /** What the page does in this time, which is waited for outside of it. */
@@ -103,6 +106,24 @@ function wrapEverything(): void {
     });
   }
   wrap(CanvasRenderingContext2D.prototype, 'drawImage', () => count('copies'));
+
+  const isOurs = (): boolean => new Error().stack?.includes('/dist/') === true;
+  const countLayout = (): void => {
+    if (isOurs()) count('layouts');
+  };
+  wrap(window, 'getComputedStyle', countLayout);
+  wrap(Element.prototype, 'getBoundingClientRect', countLayout);
+  for (const name of ['clientWidth', 'clientHeight', 'currentCSSZoom']) {
+    const { get } = Object.getOwnPropertyDescriptor(Element.prototype, name) ?? {};
+    if (get === undefined) continue;
+    Object.defineProperty(Element.prototype, name, {
+      configurable: true,
+      get(this: Element) {
+        countLayout();
+        return Reflect.apply(get, this, []) as unknown;
+      },
+    });
+  }
 
   const canvases = new Set<WeakRef<HTMLCanvasElement>>();
   const known = new WeakSet();
@@ -159,7 +180,7 @@ function wrapEverything(): void {
   wrap(EventTarget.prototype, 'addEventListener', ([type, listener, options], self) => {
     const target = self ?? window;
     // Playwright listens too, once it has looked for an element.
-    if (!isGlobal(target) || !new Error().stack?.includes('/dist/')) return;
+    if (!isGlobal(target) || !isOurs()) return;
     listen(target, type, listener, true);
     const signal = (options as AddEventListenerOptions | undefined)?.signal;
     signal?.addEventListener('abort', () => listen(target, type, listener, false));
@@ -169,7 +190,7 @@ function wrapEverything(): void {
     if (isGlobal(target)) listen(target, type, listener, false);
   });
 
-  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'contexts', 'logs', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
+  const names = ['frames', 'timers', 'idleCallbacks', 'gl', 'copies', 'layouts', 'contexts', 'logs', 'textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'observers']; // prettier-ignore
   const takeCounts = (): Counts => {
     let canvasPixels = 0;
     let sheetPixels = 0;

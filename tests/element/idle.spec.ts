@@ -20,6 +20,7 @@ test('nothing at all happens while nothing changes, and again once every motion 
   mount,
 }) => {
   const viewer = await mount(`${box}${box}`, size);
+  expect((await countsOf(page)).layouts).toBeGreaterThan(0); // of the first look
   const stills: (readonly [string, () => Promise<unknown>])[] = [
     ['at first', () => Promise.resolve()],
     ['after a drag', () => drag(page, [45, 30], [20, 10])],

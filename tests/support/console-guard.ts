@@ -9,8 +9,10 @@ interface Claim {
   readonly met: string[];
 }
 
-// The graphics driver's own remarks about reading pixels back; they depend on the machine, not on the page.
-const driverRemark = /GL Driver Message \(OpenGL, Performance/;
+// Remarks that depend on the machine's pace, not on the page: the graphics driver's about reading pixels back, and the browser's
+// about its own work in what it skips (that the package asks for none of it is counted: `layouts` of ../element/counting.ts).
+const remark =
+  /GL Driver Message \(OpenGL, Performance|^verbose: Rendering was performed in a subtree hidden/;
 
 export class ConsoleGuard {
   readonly #claims: Claim[] = [];
@@ -50,7 +52,7 @@ export class ConsoleGuard {
   }
 
   #hear(text: string): void {
-    if (driverRemark.test(text)) return;
+    if (remark.test(text)) return;
     const claim = this.#claims.find(({ pattern }) => pattern.test(text));
     (claim?.met ?? this.#strays).push(text);
   }
