@@ -1,8 +1,6 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
-import cellList from '../../shaders/cell_list.glsl?raw';
 import { BLOCK_ROWS, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
-import { ENCODING_GLSL, lightLoop } from '../../src/material/shader-source.js';
+import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
@@ -11,6 +9,7 @@ import { exactChecks } from './exact-checks.js';
 import { FOOTPRINT_CHECKS } from './footprint-checks.js';
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
+import { WHOLE_LOOP_GLSL } from './whole-loop.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
 
 /** Up to four numbers in, up to four out. */
@@ -250,7 +249,7 @@ export function checkChunks(
   edit: Edit | null = null,
   { cases, only, everyLight } = WHOLE_EXTENT,
 ): Checked[] {
-  const glsl = onDriver(edited(`${LOOP}\n${ENCODING_GLSL}`, edit), driver);
+  const glsl = onDriver(edited(`${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
     head('STORAGE_OWN') + defines.map((define) => `#define ${define}\n`).join('') + rows + glsl;
   const checks = [...CHECKS, ...exactChecks(everyLight), ...cellChecks(everyLight), ...FOOTPRINT_CHECKS]
@@ -266,9 +265,6 @@ export function checkChunks(
     checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2),
   ];
 }
-
-/** With everything that a program may ask of it. */
-const LOOP = lightLoop(`${AVERAGES_GLSL}\n${cellList}`);
 
 const head = (storage: string): string => `#define LIGHT_STORAGE ${storage}\n`;
 const NO_ROWS = 'vec4 lightRow(int i) { return vec4(0.0); }\n';
@@ -346,7 +342,7 @@ function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number)
   for (let i = 0; i < rows; i++) index[i * 4] = i;
   const isBlock = storage === 'STORAGE_BLOCK';
   const source = {
-    glsl: head(storage) + LOOP,
+    glsl: head(storage) + WHOLE_LOOP_GLSL,
     inputs: ['a'],
     textures: isBlock ? [] : ['uLightTexture'],
     main: 'result = lightRow(int(a.x));',

@@ -2,6 +2,7 @@
 // packing. Only where the rows lie is the harness's own.
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
+import { WHOLE_LOOP_GLSL } from './whole-loop.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
 import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
 import { ENCODING_GLSL } from '../../src/material/shader-source.js';
@@ -38,7 +39,7 @@ export const FACTS = [
 ];
 
 function loopSource({ reflection, linear }: Variant, driver: Driver, edit: Edit | null): string {
-  const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
+  const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit, `${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`);
   const defines = [
     'LIGHT_STORAGE STORAGE_OWN',
     ...FACTS.map((fact) => `HAS_${fact}`),

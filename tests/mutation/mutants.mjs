@@ -4,6 +4,7 @@
 
 import { equationMutants } from './mutants-equation.mjs';
 import { glslMutants } from './mutants-glsl.mjs';
+import { gridMutants } from './mutants-grid.mjs';
 import { lightMutants } from './mutants-light.mjs';
 import { materialMutants } from './mutants-material.mjs';
 import { normalMutants } from './mutants-normals.mjs';
@@ -24,6 +25,7 @@ export const MUTANTS = [
   ...packingMutants,
   ...lightMutants,
   ...reachMutants,
+  ...gridMutants,
   ...materialMutants,
   ...normalMutants,
   ...equationMutants,
@@ -52,6 +54,8 @@ export const UNIT_TESTS = {
   'src/light/light-layout.ts': [
     ...['light-layout', 'light-kind', 'light-rows', 'light-shapes', 'pack-lights', 'equation-limits'],
   ],
+  'src/light/light-apart.ts': ['lights-apart'],
+  'src/light/light-grid.ts': ['light-grid', 'near-lights'],
   'src/light/cone.ts': ['light-reach', 'light-reach-budget', 'light-reach-bound'],
   'src/light/light-reach.ts': ['light-reach', 'light-reach-budget', 'light-reach-bound'],
   'src/material/light-list.ts': ['light-list'],

@@ -3,13 +3,13 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
-import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
 import { ENCODING_GLSL } from '../../src/material/shader-source.js';
 import { mutated, MUTANTS, nameOf, UNIT_TESTS } from '../mutation/mutants.mjs';
 import { table } from '../mutation/table.mjs';
 import { cellChecks } from '../glsl/cell-checks.js';
 import { exactChecks } from '../glsl/exact-checks.js';
 import { FOOTPRINT_CHECKS } from '../glsl/footprint-checks.js';
+import { WHOLE_LOOP_GLSL } from '../glsl/whole-loop.js';
 import { CATEGORIES } from '../stress/categories.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -24,7 +24,7 @@ const read = (path: string): string => readFileSync(join(repository, path), 'utf
 
 const results = JSON.parse(read('tests/mutation/results.json')) as readonly Result[];
 
-const joined = `${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`;
+const joined = `${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`;
 
 /** Every file of which each guard has to have its mutant. */
 const FILES = [
@@ -32,6 +32,7 @@ const FILES = [
   ...[
     'averaged_blinn_phong',
     'averaged_phong',
+    'cell_list',
     'specular_blinn_phong',
     'specular_phong',
     'spot',
