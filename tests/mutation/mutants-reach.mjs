@@ -103,6 +103,12 @@ export const reachMutants = [
     ['kc', 'Math.max(value(position, 3) + d * (', 'Math.max(d * ('],
     ['kl', '(value(diffuse, 3) + d * value(specular, 3))', '(d * value(specular, 3))'],
     ['kq', '(value(diffuse, 3) + d * value(specular, 3))', 'value(diffuse, 3)'],
+    ['the decay: the axis is rounded', '+ AXIS_ROUNDING', '+ 0'],
+    [
+      'the decay: no more than all',
+      'Math.min((1 + cosine) / 2 + AXIS_ROUNDING, 1)',
+      '((1 + cosine) / 2 + AXIS_ROUNDING)',
+    ],
     ['the decay', 'decay = Math.min((1 + cosine) / 2 + AXIS_ROUNDING, 1) ** value(ROWS.spot.axis, 3);', ''],
     ['the box’s size in the decay', 'middle(2), half)', 'middle(2), 0)'],
     ['spots’ ambient light', '(ka[i] ?? 0) * value(ROWS.spot.ambient, i)', '0'],
