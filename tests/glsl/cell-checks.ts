@@ -14,12 +14,12 @@ import { ALL, allLights, ANYWHERE, EYE, isAtEdge, light, sumsOf, SURFACE } from 
 /** A floor with some height, so that cells have three sides. */
 const FLOOR: Box = [-10, -0.5, -8, 10, 0.5, 8];
 
-/** Spots down onto the floor, lamps that fade above it, and a sun. */
+/** Spots down onto the floor, two of them onto all of it, lamps that fade above it, and a sun. */
 function lightsOverFloor(): LightValues[] {
   const random = new Random(2);
   const colors = () => ({ ambient: random.color(9), diffuse: random.color(99), specular: random.color(99) });
   const place = (): Vec3 => [random.from(-10, 10), random.from(1, 4), random.from(-8, 8)];
-  const spots = Array.from({ length: 26 }, () =>
+  const spots = Array.from({ length: 24 }, () =>
     light({
       ...colors(),
       position: [...place(), 1],
@@ -32,11 +32,14 @@ function lightsOverFloor(): LightValues[] {
       ]),
     }),
   );
+  const wide = [-5, 5].map((x) =>
+    light({ ...colors(), position: [x, 6, 0, 1], axis: [0, -1, 0], aperture: 85, cutoff: 2 }),
+  );
   const lamps = Array.from({ length: 6 }, () =>
     light({ ...colors(), position: [...place(), 1], attenuation: [1, 0, random.from(20, 60)] }),
   );
   const suns = Array.from({ length: 1 }, () => light({ ...colors(), position: [...random.unit(), 0] }));
-  return [...suns, ...lamps, ...spots];
+  return [...suns, ...lamps, ...spots, ...wide];
 }
 
 /** @param budget 1 being full: what lists may leave out. */
