@@ -100,25 +100,25 @@ describe('in software', () => {
       expect(new FormChoice().of(rendererOf(name, { masked }), listOf(4), false, surface())).toBe('written');
   });
 
-  it('16 lights are written out at once, and have their numbers in the text after 20 frames', () => {
-    const found = forms(16, 22, 10);
-    expect(found.slice(0, 20)).toEqual(Array(20).fill('written'));
-    expect(found.slice(20)).toEqual(['constant', 'constant']);
+  it('16 lights are written out at once, and have their numbers in the text after three tenths of a second', () => {
+    const found = forms(16, 32, 10);
+    expect(found.slice(0, 30)).toEqual(Array(30).fill('written'));
+    expect(found.slice(30)).toEqual(['constant', 'constant']);
   });
 
-  it('17 to 64 lights are in loops until then, and more for ever', () => {
-    for (const count of [17, 64]) {
+  it('17 to 32 lights are in loops until then, and more for ever', () => {
+    for (const count of [17, 32]) {
       const found = forms(count, 100, 16);
       expect(new Set(found)).toEqual(new Set(['loops', 'constant']));
       expect(found.indexOf('constant')).toBe(found.lastIndexOf('loops') + 1);
     }
-    expect(new Set(forms(65, 200, 50))).toEqual(new Set(['loops']));
+    expect(new Set(forms(33, 200, 50))).toEqual(new Set(['loops']));
   });
 
-  it('numbers are waited for as long as they take to compile: a second for 64', () => {
+  it('numbers are waited for as long as they take to compile: less than a second for 32', () => {
     const at = (count: number): number => 10 * forms(count, 200, 10).indexOf('constant');
-    expect(at(64)).toBe(1030); // of 4096 / 4 ms the next frame
-    expect(at(32)).toBe(260);
+    expect(at(32)).toBe(800); // of 793.6 ms the next frame
+    expect(at(16)).toBe(300);
     expect(at(1)).toBe(200); // twenty frames
   });
 

@@ -13,7 +13,7 @@ const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const SIZE = { width: 90, height: 64 };
 
 /** One alone, a few, all that software writes out at once, and all whose numbers it ever has in a text. */
-const COUNTS = [1, 2, 5, 16, 64] as const;
+const COUNTS = [1, 2, 5, 16, 32] as const;
 
 /** How a program holds its lights, told by its text; written out or counted, one light or two are the same. */
 const FORMS = {
