@@ -24,11 +24,11 @@ export function isSettled(frames: number, since: number, least = 0): boolean {
 const MOST_COUNTED = 1024;
 
 /**
- * The same in software, where the first draw compiles, in line with all other pictures: what takes longer than a second is not worth
- * the wait. Numbers that are read take two thirds of the time of a frame, so many lights are best with theirs in the program's text.
+ * The same in software, where the first draw compiles, in line with all other pictures. Numbers that are read take two thirds of the
+ * time of a frame, so many lights are best with theirs in the program's text.
  */
 const MOST_WRITTEN = 16;
-const MOST_CONSTANT = 32;
+const MOST_CONSTANT = 64;
 
 /**
  * Milliseconds that so many lights take to compile in software: 24 were measured for 3 (SwiftShader on two cores, mixed kinds), 130 for 8,
@@ -37,6 +37,9 @@ const MOST_CONSTANT = 32;
  */
 const compileTime = (lights: number): number => lights * (12 + 0.4 * lights);
 
+/** Frames that are given up for it at most: 32 lights' are always worth it, a smooth picture does not halt for 64. */
+const MOST_FRAMES_LOST = 64;
+
 /** One mesh's. */
 export class FormChoice {
   #list: LightList | null = null;
@@ -44,6 +47,7 @@ export class FormChoice {
   #surface = -1;
   #frames = 0;
   #since = 0;
+  #constant = false;
 
   /** The form for `list`, which is of `cells` or not, in this frame. */
   of(renderer: WebGLRenderer, list: LightList, cells: boolean, material: PhongMaterial): ExactForm {
@@ -53,7 +57,8 @@ export class FormChoice {
     if (cells) return 'cells';
     if (!software)
       return sent <= MOST_COUNTED && list.packed.rows <= blockRowsOf(renderer) ? 'counted' : 'loops';
-    if (sent <= MOST_CONSTANT && isSettled(this.#frames, this.#since, compileTime(sent))) return 'constant';
+    this.#constant ||= sent <= MOST_CONSTANT && this.#isWorth(compileTime(sent));
+    if (this.#constant) return 'constant';
     return sent <= MOST_WRITTEN ? 'written' : 'loops';
   }
 
@@ -69,6 +74,13 @@ export class FormChoice {
     this.#surface = surfaceVersion;
     this.#frames = 0;
     this.#since = performance.now();
+    this.#constant = false;
+  }
+
+  /** A wait of so many milliseconds, by the frames so far. */
+  #isWorth(wait: number): boolean {
+    const passed = performance.now() - this.#since;
+    return isSettled(this.#frames, this.#since, wait) && passed * MOST_FRAMES_LOST >= wait * this.#frames;
   }
 }
 

@@ -106,20 +106,35 @@ describe('in software', () => {
     expect(found.slice(30)).toEqual(['constant', 'constant']);
   });
 
-  it('17 to 32 lights are in loops until then, and more for ever', () => {
-    for (const count of [17, 32]) {
-      const found = forms(count, 100, 16);
+  it('17 to 64 lights are in loops until then, and more for ever', () => {
+    for (const count of [17, 64]) {
+      const found = forms(count, 100, 50);
       expect(new Set(found)).toEqual(new Set(['loops', 'constant']));
       expect(found.indexOf('constant')).toBe(found.lastIndexOf('loops') + 1);
     }
-    expect(new Set(forms(33, 200, 50))).toEqual(new Set(['loops']));
+    expect(new Set(forms(65, 200, 50))).toEqual(new Set(['loops']));
   });
 
-  it('numbers are waited for as long as they take to compile: less than a second for 32', () => {
-    const at = (count: number): number => 10 * forms(count, 200, 10).indexOf('constant');
-    expect(at(32)).toBe(800); // of 793.6 ms the next frame
-    expect(at(16)).toBe(300);
-    expect(at(1)).toBe(200); // twenty frames
+  it('numbers are waited for as long as they take to compile: two seconds and a half for 64', () => {
+    const at = (count: number, step: number): number => step * forms(count, 200, step).indexOf('constant');
+    expect(at(64, 40)).toBe(2440); // of 2406 ms the next frame
+    expect(at(32, 16)).toBe(800); // of 794
+    expect(at(16, 10)).toBe(300); // of 294
+    expect(at(1, 10)).toBe(200); // twenty frames
+  });
+
+  it('a smooth picture does not halt for 64, and for 32 it does', () => {
+    expect(forms(64, 1000, 16)).not.toContain('constant');
+    expect(forms(32, 1000, 16)).toContain('constant');
+  });
+
+  it('numbers in the text stay there, however fast they make the frames', () => {
+    const [choice, renderer, list] = [new FormChoice(), rendererOf(SOFTWARE), listOf(64)];
+    const found = Array.from({ length: 2000 }, (_, frame) => {
+      vi.advanceTimersByTime(frame < 100 ? 50 : 2);
+      return choice.of(renderer, list, false, surface());
+    });
+    expect(found.lastIndexOf('loops')).toBeLessThan(found.indexOf('constant'));
   });
 
   it('slow pictures wait for three frames and a third of a second', () => {
