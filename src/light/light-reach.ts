@@ -59,7 +59,7 @@ export function reachedLights(
 }
 
 /** Kept from light to light. */
-const cone = new Cone();
+const cone = /* @__PURE__ */ new Cone();
 
 /** The same where something may be given up. */
 function leaveOutFaint(

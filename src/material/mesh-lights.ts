@@ -205,9 +205,9 @@ export class MeshLights {
   }
 }
 
-const asText = new TextDecoder('latin1');
+const asText = /* @__PURE__ */ new TextDecoder('latin1');
 const reached: Reached = { mask: new Uint8Array(64), count: 0, given: 0 };
-const bounds = new Box3();
+const bounds = /* @__PURE__ */ new Box3();
 
 /** The mesh's bounds in shading space; null where it has none. */
 function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
