@@ -25,6 +25,9 @@ export const BOUNDS = {
  */
 export const EXACT = { share: 0.9998, upTo: BOUNDS.shininess1e3 } as const;
 
+/** Of all categories together on the worst lawful drivers: 99.973 to 99.982 % were measured on five stacks and seeds, where real ones have 99.987 to 99.99. */
+export const WORST_SHARE = 0.9997;
+
 /** Nearer to a cone's edge than this, radians, a fragment may be on either side. */
 export const CONE_EDGE = 5e-6;
 

@@ -1,6 +1,6 @@
 // Does what was measured keep the contract?
 import { CATEGORIES } from './categories.js';
-import { EXACT } from './contract.js';
+import { EXACT, WORST_SHARE } from './contract.js';
 import type { Measured } from './measure.js';
 
 /** Each way in which one category breaks the contract, in words; none where it keeps it. */
@@ -10,19 +10,21 @@ export function verdictOf(measured: Measured): string[] {
   if (notFinite > 0) words.push(`${String(notFinite)} channels not finite`);
   if (!(max <= bound)) words.push(`error ${max.toPrecision(3)} above ${String(bound)}`);
   if (wrongCodes > 0) words.push(`${String(wrongCodes)} codes off by more than one`);
-  if (bound <= EXACT.upTo && !exactEnough(measured)) words.push(exactness(measured));
+  if (bound <= EXACT.upTo && !exactEnough(measured, EXACT.share)) words.push(exactness(measured));
   return words.map((word) => `${title}: ${word}`);
 }
 
-/** The same of a run; the codes of all together only where all categories took part. */
-export function verdict(all: readonly Measured[]): string[] {
+/** The same of a run, on a `worst` lawful driver or a real one; the codes of all together only where all categories took part. */
+export function verdict(all: readonly Measured[], worst = false): string[] {
   const sum = { exact: 0, channels: 0 };
   for (const { exact, channels } of all) {
     sum.exact += exact;
     sum.channels += channels;
   }
   const broken = all.flatMap(verdictOf);
-  if (all.length === CATEGORIES.length && !exactEnough(sum)) broken.push(`all together: ${exactness(sum)}`);
+  const share = worst ? WORST_SHARE : EXACT.share;
+  if (all.length === CATEGORIES.length && !exactEnough(sum, share))
+    broken.push(`all together: ${exactness(sum)}`);
   return broken;
 }
 
@@ -30,8 +32,8 @@ export function verdict(all: readonly Measured[]): string[] {
  * Few channels may fall on the wrong side by chance: four standard deviations of as rare an event are let pass. The event is a
  * fragment, whose three channels fall together: of 640 that an H200 counted, all but ten came in threes.
  */
-function exactEnough({ exact, channels }: Pick<Measured, 'exact' | 'channels'>): boolean {
-  const expected = ((1 - EXACT.share) * channels) / 3;
+function exactEnough({ exact, channels }: Pick<Measured, 'exact' | 'channels'>, share: number): boolean {
+  const expected = ((1 - share) * channels) / 3;
   return (channels - exact) / 3 <= expected + 4 * Math.sqrt(expected + 1);
 }
 
