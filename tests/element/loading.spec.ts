@@ -12,8 +12,11 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   const empty = await pixels(viewer);
   const events = await record(viewer, 'progress', 'load', 'error');
-  await assign(viewer, { src: bunny });
-  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(false);
+  const loadedAtOnce = await viewer.evaluate((element: PhongViewer, src) => {
+    element.src = src;
+    return element.loaded;
+  }, bunny);
+  expect(loadedAtOnce).toBe(false);
   await settled(viewer);
   expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
   await expect.poll(async () => (await pixels(viewer)).data.some((code) => code > 0)).toBe(true);
