@@ -9,6 +9,14 @@ export const CONE_EDGE = 3e-3;
 /** Vertices lie on a grid of sixteenths of a pixel at worst, so that a pixel shows what lies up to half of one beside its ray. */
 const SNAPPED = 1 / 32;
 
+/** What is told of the four corners so far around. */
+export const around = <T>(reach: number, tell: (dx: number, dy: number) => T): T[] =>
+  [-reach, reach].flatMap((dx) => [-reach, reach].map((dy) => tell(dx, dy)));
+
+/** How far a code is from the range of these; 0 within. */
+export const outside = (code: number, codes: readonly number[]): number =>
+  Math.max(Math.min(...codes) - code, code - Math.max(...codes), 0);
+
 export interface Errors {
   /** Largest difference of a channel in 1/255, and where. */
   max: number;
@@ -47,12 +55,10 @@ export function compareWithReference(picture: Picture, scene: CastScene): Errors
   const cast = caster(scene, width, height);
   /** Where highlights of small exponents begin, codes change by several within that: a code is right that is seen right beside. */
   const beside = (x: number, y: number, channel: number): number[] =>
-    [-SNAPPED, SNAPPED].flatMap((dx) =>
-      [-SNAPPED, SNAPPED].map((dy) => {
-        const { color = [] } = cast(x + dx, y + dy)?.shaded ?? {};
-        return Math.round((color[channel] ?? NaN) * 255);
-      }),
-    );
+    around(SNAPPED, (dx, dy) => {
+      const { color = [] } = cast(x + dx, y + dy)?.shaded ?? {};
+      return Math.round((color[channel] ?? NaN) * 255);
+    });
   for (const { x, y, hit } of innerPixels(scene, width, height)) {
     for (let channel = 0; channel < 3; channel++) {
       const expected = Math.round(hit.shaded.color[channel]! * 255);
@@ -60,10 +66,7 @@ export function compareWithReference(picture: Picture, scene: CastScene): Errors
       let error = Math.abs(expected - actual);
       errors.compared += 1;
       if (error === 0) errors.exact += 1;
-      if (error > 1) {
-        const codes = [expected, ...beside(x, y, channel).filter(Number.isFinite)];
-        error = Math.max(Math.min(...codes) - actual, actual - Math.max(...codes), 0);
-      }
+      if (error > 1) error = outside(actual, [expected, ...beside(x, y, channel).filter(Number.isFinite)]);
       if (error > errors.max) {
         errors.max = error;
         errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${hit.shaded.color[channel]! * 255}`;

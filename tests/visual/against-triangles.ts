@@ -2,7 +2,7 @@
 // arithmetic's error, the second the tessellation's. In 8-bit codes.
 import type { Picture } from '../support/picture.js';
 import { length, cross, dot, type Vec3 } from '../../src/math/vector.js';
-import { CONE_EDGE } from './against-reference.js';
+import { around, CONE_EDGE, outside } from './against-reference.js';
 import { caster, type CastScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
 import { castTriangles } from './triangle-cast.js';
@@ -65,9 +65,11 @@ export function compareWithTriangles(
         found.compared += 1;
         if (error === 0) found.exact += 1;
         if (inside && error > 1) {
-          const near = [-reach, reach].flatMap((dx) => [-reach, reach].map((dy) => hit.beside(dx, dy)));
-          const codes = [...near, hit.color].map((color) => code(color, channel));
-          error = Math.max(Math.min(...codes) - actual, actual - Math.max(...codes), 0);
+          const near = around(reach, (dx, dy) => hit.beside(dx, dy));
+          error = outside(
+            actual,
+            [...near, hit.color].map((color) => code(color, channel)),
+          );
           errors.snapped += 1;
         }
         if (inside && error > errors.max)
