@@ -20,6 +20,22 @@ export async function drawFrames(page: Page, frames: number): Promise<void> {
   }, frames);
 }
 
+/**
+ * Draws this many frames, in each of which every light has moved. After 60 or so programs for moving lights are there: of some that
+ * stood still the numbers may have been in a program's text.
+ */
+export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
+  viewer.evaluate(async (element: PhongViewer, count) => {
+    for (let frame = 0; frame < count; frame++) {
+      for (const light of element.lights) {
+        const [x, y, z, w] = light.position;
+        light.position = [x + 0.001, y, z - 0.001, w];
+      }
+      await element.ready;
+      await new Promise(requestAnimationFrame);
+    }
+  }, frames);
+
 /** Whether everything on the page was drawn by such programs in its last frame. */
 async function allAre(page: Page, wanted: (one: GlProgram) => boolean): Promise<boolean> {
   await glSpent(page);

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
-import { drawFrames, drawUntilExact } from './driving.js';
+import { drawFrames, drawUntilExact, moveFor } from './driving.js';
 import { logGl } from './gl-log.js';
 import { holdContext, loseAndRestore } from './many-viewers.js';
 import type { PhongViewer } from './support.js';
@@ -98,16 +98,7 @@ async function expectWhole(viewer: Locator, which: string, { picture }: Shown): 
 async function settle(page: Page, viewer: Locator): Promise<void> {
   await drawUntilExact(page);
   await drawFrames(page, 2);
-  // Lights that stood still may be numbers in a program's text: moving ones get another. Also tells where the block is: asked once.
-  const move = await page.evaluateHandle(`(${String(moveLights)})`);
-  await viewer.evaluate(async (element: PhongViewer, move) => {
-    for (let frame = 0; frame < 60; frame++) {
-      const drawn = new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
-      (move as typeof moveLights)(element);
-      await drawn;
-    }
-  }, move);
-  await move.dispose();
+  await moveFor(viewer, 60); // also tells where the block is: asked once
 }
 
 // Few lights that move are read from a block, by a program that has them written out, many from a texture, in loops.

@@ -8,6 +8,7 @@ import { expect, pixels, test } from '../support/test.js';
 import { compareWithReference } from '../visual/against-reference.js';
 import { sceneMarkup } from '../visual/random-scene.js';
 import type { CastMesh, CastScene } from '../visual/ray-cast.js';
+import { moveFor } from './driving.js';
 import { drawnWith, glSpent, isExact, logGl, type GlSpent } from './gl-log.js';
 import { assign, nextFrame, type PhongViewer } from './support.js';
 
@@ -301,19 +302,6 @@ async function callsPerFrame(viewer: Locator, move: number): Promise<number> {
     return most;
   }, move);
 }
-
-/** So many frames, in each of which every light moves: until programs for moving ones are there. */
-const moveFor = (viewer: Locator, frames: number): Promise<void> =>
-  viewer.evaluate(async (element: PhongViewer, count) => {
-    for (let frame = 0; frame < count; frame++) {
-      for (const light of element.lights) {
-        const [x, y, z, w] = light.position;
-        light.position = [x + 0.001, y, z - 0.001, w];
-      }
-      await element.ready;
-      await new Promise(requestAnimationFrame);
-    }
-  }, frames);
 
 test('lights that move in every frame cost four calls more than a still frame, however many', async ({
   page,
