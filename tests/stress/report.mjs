@@ -5,6 +5,7 @@
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const results = join(repository, 'tests/stress/results');
@@ -13,7 +14,7 @@ const MARKERS = ['<!-- contract: written by npm run stress:report -->', '<!-- /c
 
 /**
  * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[], measured: import('./measure.js').Measured[] }} Result
- * @typedef {{ name: string, renderer: string, browser: string, contract: import('../glsl/page/page.js').Report['contract'], drivers: Record<string, Result> }} Stack
+ * @typedef {{ name: string, renderer: string, browser: string, contract: import('../glsl/page/page.js').Report['contract'], loop?: string, drivers: Record<string, Result> }} Stack
  * @typedef {{ scenes: number, table: { segments: number, rmse: number, percentile999: number, max: number }[] }} Tessellation
  */
 
@@ -36,8 +37,9 @@ export function readStacks() {
  * The whole report.
  * @param {readonly Stack[]} stacks
  * @param {Tessellation} tessellation
+ * @param {string} loop - the mark of the loop as it is now
  */
-export function reportText(stacks, tessellation) {
+export function reportText(stacks, tessellation, loop) {
   return `# How exact the light loop is: the measured contract
 
 Written by \`npm run stress:report\` from tests/stress/results; do not edit. \`npm run stress -- --out
@@ -50,11 +52,20 @@ intensities times the largest of Ka, Kd and Ks).
 ## Stacks
 
 ${table(
-  ['stack', 'driver, as it names itself', 'browser', 'cases', 'on each worst driver', 'seeds from'],
+  [
+    'stack',
+    'driver, as it names itself',
+    'browser',
+    'light loop',
+    'cases',
+    'on each worst driver',
+    'seeds from',
+  ],
   stacks.map((stack) => [
     stack.name,
     stack.renderer,
     browserName(stack.browser),
+    stack.loop === loop ? 'as shipped' : 'an earlier one',
     millions(casesOf(stack, ['shipped'])),
     millions(Math.min(...WORST.map((driver) => casesOf(stack, [driver])))),
     [...new Set(Object.values(stack.drivers).map(({ seed }) => seed))].join(', '),
@@ -290,7 +301,12 @@ const browserName = (agent) => /(Firefox|Chrome)\/(\d+)/.exec(agent)?.slice(1, 3
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const stacks = readStacks();
-  writeFileSync(join(repository, 'tests/stress/REPORT.md'), reportText(stacks, readTessellation()));
+  /** @type {{ module: typeof import('../glsl/loop-mark.js') }} */
+  const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));
+  writeFileSync(
+    join(repository, 'tests/stress/REPORT.md'),
+    reportText(stacks, readTessellation(), module.LOOP_MARK),
+  );
   const readme = join(repository, 'README.md');
   writeFileSync(readme, withPart(readFileSync(readme, 'utf8'), readmeText(stacks)));
 }

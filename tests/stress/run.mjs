@@ -48,6 +48,8 @@ let renderer = '';
 let agent = '';
 /** @type {Report['contract'] | undefined} */
 let contract;
+/** Of which loop: a file's drivers are all of one. */
+let loop = '';
 for (const driver of options.drivers.split(',')) {
   const start = performance.now();
   const result = await runDriver(driver);
@@ -63,8 +65,8 @@ process.exit(Object.values(drivers).some(({ broken }) => broken.length > 0) ? 1 
 function keep(file) {
   mkdirSync(dirname(file), { recursive: true });
   const before = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
-  const others = before.renderer === renderer ? before.drivers : {};
-  const stack = { renderer, browser: agent, contract, drivers: { ...others, ...drivers } };
+  const others = before.renderer === renderer && before.loop === loop ? before.drivers : {};
+  const stack = { renderer, browser: agent, contract, loop, drivers: { ...others, ...drivers } };
   // The worst case itself is for looking into at once: with the seed it can be had again.
   const text = JSON.stringify(stack, (key, value) => (key === 'worst' ? undefined : value), 1);
   writeFileSync(file, `${text}\n`);
@@ -90,7 +92,7 @@ async function runDriver(driver) {
   await Promise.all(Array.from({ length: Number(options.pages) }, worker));
   const failed = reports.find(({ error }) => error !== null);
   if (failed) throw new Error(`${failed.renderer}: ${failed.error}`);
-  ({ renderer, browser: agent, contract } = /** @type {Report} */ (reports[0]));
+  ({ renderer, browser: agent, contract, loop } = /** @type {Report} */ (reports[0]));
   return browser.merge(reports);
 }
 

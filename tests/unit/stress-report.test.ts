@@ -4,6 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { CATEGORIES } from '../stress/categories.js';
 import { BRANCHES, CONE_EDGE, EXACT } from '../stress/contract.js';
 import { readmeText, readStacks, readTessellation, reportText } from '../stress/report.mjs';
+import { LOOP_MARK, markOf } from '../glsl/loop-mark.js';
 import { WORST_DRIVERS } from '../glsl/worst-driver.js';
 
 const text = (path: string): string => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8');
@@ -11,8 +12,19 @@ const stacks = readStacks();
 
 describe('the published contract', () => {
   it('is what the results say, in the report and in the README', () => {
-    expect(text('tests/stress/REPORT.md')).toBe(reportText(stacks, readTessellation()));
+    expect(text('tests/stress/REPORT.md')).toBe(reportText(stacks, readTessellation(), LOOP_MARK));
     expect(text('README.md')).toContain(readmeText(stacks));
+  });
+
+  it('tells of which loop a stack was measured, whatever its comments and lines', () => {
+    expect(LOOP_MARK).toMatch(/^[0-9a-f]{8}$/);
+    expect(markOf('a * b; // twice\n/* c */ d')).toBe(markOf('a * b;\n\n  d'));
+    expect(markOf('a * b;')).not.toBe(markOf('a + b;'));
+    const row = reportText([{ ...stacks[0]!, loop: LOOP_MARK }], readTessellation(), LOOP_MARK);
+    expect(row).toContain('| as shipped |');
+    expect(reportText([{ ...stacks[0]!, loop: '' }], readTessellation(), LOOP_MARK)).toContain(
+      '| an earlier one |',
+    );
   });
 
   it('was measured in software and on a GPU, on at least four stacks', () => {

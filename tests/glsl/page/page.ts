@@ -8,6 +8,7 @@ import { verdict, verdictOf } from '../../stress/verdict.js';
 import { floatContext, rendererName } from '../float-pass.js';
 import { type Checked, checkChunks, type Extent, WHOLE_EXTENT } from '../chunk-checks.js';
 import type { Edit } from '../edit.js';
+import { LOOP_MARK } from '../loop-mark.js';
 import { stressRun } from '../stress-run.js';
 import type { Driver } from '../worst-driver.js';
 
@@ -16,6 +17,8 @@ const CONTRACT = { edge: CONE_EDGE, branches: BRANCHES, exact: EXACT } as const;
 
 export interface Report {
   readonly contract: typeof CONTRACT;
+  /** Of the shipped loop: see {@link LOOP_MARK}. */
+  readonly loop: string;
   readonly renderer: string;
   readonly browser: string;
   readonly driver: Driver;
@@ -100,6 +103,7 @@ async function run(): Promise<Report> {
   const seconds = (performance.now() - start) / 1000;
   return {
     contract: CONTRACT,
+    loop: LOOP_MARK,
     renderer,
     browser: navigator.userAgent,
     driver,

@@ -1,0 +1,13 @@
+// Tells whether a measurement is of the light loop as it is now.
+import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
+
+/** Eight hexadecimal digits (FNV-1a, 32 bits) of a GLSL text, its comments and spaces aside. */
+export function markOf(glsl: string): string {
+  const text = glsl.replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, '').replace(/\s+/g, ' ');
+  let hash = 0x811c9dc5;
+  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
+  return (hash >>> 0).toString(16).padStart(8, '0');
+}
+
+/** Of the shipped loop. */
+export const LOOP_MARK = markOf(LIGHT_LOOP_GLSL);
