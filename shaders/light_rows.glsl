@@ -1,13 +1,12 @@
 // Where packed lights are read from: lightRow(i) gives row i. The layout's defines say what stands in a row. With
-// STORAGE_OWN the program has a lightRow of its own, before this text. LIGHT_CONSTANTS, where it is defined, is all rows as
-// numbers: nothing is read then.
+// STORAGE_OWN the program has a lightRow of its own, before this text. LIGHT_CONSTANTS, where it is
+// defined, is the rows of lights that have their numbers in the program.
 
 #ifdef LIGHT_CONSTANTS
 const vec4 LIGHT_ROWS[] = LIGHT_CONSTANTS;
-vec4 lightRow(int i) {
-  return LIGHT_ROWS[i];
-}
-#elif LIGHT_STORAGE == STORAGE_BLOCK
+#endif
+
+#if LIGHT_STORAGE == STORAGE_BLOCK
 #ifndef LIGHT_BLOCK_ROWS
 #define LIGHT_BLOCK_ROWS BLOCK_ROWS
 #endif

@@ -76,7 +76,9 @@ export const SHAPE = {
   /** Diffuse or specular light whose channels differ; grey is summed as one number. */
   tintedDiffuse: 2048,
   tintedSpecular: 4096,
-  powerShift: 13,
+  /** Its rows are in the program's text: programs for exactly some lights have it, packed lights never. */
+  constant: 8192,
+  powerShift: 14,
 } as const;
 
 /**

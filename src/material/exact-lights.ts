@@ -1,7 +1,7 @@
 // The light loop for the very lights of a list: written out, each light with literal rows and its own shape; counted, as loops
 // of literal length over lights of one shape; or as loops over the shapes that all have in common. And the lights' numbers, as
 // literals. Pure text; knows neither programs nor when one is worth it.
-import { ROWS, SHAPE } from '../light/light-layout.js';
+import { HEADER, ROWS, SHAPE } from '../light/light-layout.js';
 import { forEachLight } from '../light/light-reach.js';
 import { KINDS, type PackedLights } from '../light/pack-lights.js';
 import type { LightKind } from '../light/light-kind.js';
@@ -65,11 +65,50 @@ function runsOf(packed: PackedLights, shapeOf: (light: number, kind: LightKind) 
 export const literal = (numbers: ArrayLike<number>): string =>
   `vec${String(numbers.length)}(${Array.from(numbers, (x) => x.toExponential(8)).join()})`;
 
-/** The value of the define LIGHT_CONSTANTS: all rows. */
-export function constantRows({ data, rows }: PackedLights): string {
-  const texts = Array.from({ length: rows }, (_, row) => literal(data.subarray(row * 4, row * 4 + 4)));
+/** Lights with their numbers in a text at most: a driver in software takes the square of them to compile. */
+export const MOST_CONSTANT = 64;
+
+/** Lights of which so many have theirs there at most: 256 took 0.41 of MeshPhong's time so and 0.53 without, more would gain less. */
+export const MOST_PARTLY = 4 * MOST_CONSTANT;
+
+/** The first of the lights that have their numbers in the text: spots, which have the most of them, stand last. */
+const firstConstant = ({ sent }: PackedLights): number => Math.max(sent - MOST_CONSTANT, 0);
+
+/** Whether all numbers are in the text, so that no row is read. */
+export const isAllConstant = (packed: PackedLights): boolean => firstConstant(packed) === 0;
+
+/** The same with the numbers in {@link constantRows}, for as many lights as may have theirs there; the others before, in loops. */
+export function constant(packed: PackedLights, terms: number): string {
+  const first = firstConstant(packed);
+  const counts: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
+  const calls: string[] = [];
+  let at = 0;
+  forEachLight(packed, (light, kind) => {
+    if (light < first) {
+      counts[kind] += 1;
+      return;
+    }
+    calls.push(add(kind, String(at), shapeIn(packed.shapes[light] ?? 0, terms) | SHAPE.constant));
+    at += ROWS[kind].rows;
+  });
+  const before = loops(commonShapes(packed, terms, first), (kind) => String(counts[kind]));
+  return [...(first > 0 ? [ROW] : []), ...before, ...calls].join(' ');
+}
+
+/** The value of the define LIGHT_CONSTANTS: the rows of those lights, from 0 on. */
+export function constantRows(packed: PackedLights): string {
+  const first = firstConstant(packed);
+  const texts: string[] = [];
+  forEachLight(packed, (light, kind, row) => {
+    for (let i = row; light >= first && i < row + ROWS[kind].rows; i++) texts.push(rowText(packed, i));
+  });
   return `vec4[](${texts.join()})`;
 }
+
+/** The value of the define LIGHT_AMBIENT, which stands for the row of ambient light that no cone or decay bounds. */
+export const constantAmbient = (packed: PackedLights): string => `${rowText(packed, HEADER.ambient)}.rgb`;
+
+const rowText = ({ data }: PackedLights, row: number): string => literal(data.subarray(row * 4, row * 4 + 4));
 
 /** The same as a loop per kind, for any number of lights of these shapes. */
 export function inLoops(packed: PackedLights, terms: number): string {
@@ -103,17 +142,19 @@ const ROW = 'int row=HEADER_ROWS;';
 
 type Shapes = Partial<Record<LightKind, number | undefined>>;
 
-const loops = (shapes: Shapes): string[] =>
+const loops = (shapes: Shapes, count = (kind: LightKind) => `counts.${COUNT[kind]}`): string[] =>
   KINDS.flatMap((kind) => {
     const shape = shapes[kind];
     if (shape === undefined) return [];
     const step = `${kind.toUpperCase()}_ROWS`;
-    return [`for(int i=0;i<counts.${COUNT[kind]};i++,row+=${step})${add(kind, 'row', shape)}`];
+    return [`for(int i=0;i<${count(kind)};i++,row+=${step})${add(kind, 'row', shape)}`];
   });
 
-function commonShapes(packed: PackedLights, terms: number): Shapes {
+/** Of all, or of those before one. */
+function commonShapes(packed: PackedLights, terms: number, end = Infinity): Shapes {
   const common: Shapes = {};
   forEachLight(packed, (light, kind) => {
+    if (light >= end) return;
     const shape = shapeIn(packed.shapes[light] ?? 0, terms);
     const before = common[kind];
     common[kind] = before === undefined ? shape : union(before, shape);

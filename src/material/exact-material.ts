@@ -6,7 +6,17 @@ import { SHAPE } from '../light/light-layout.js';
 import { isBlack } from '../light/light-kind.js';
 import type { PackedLights } from '../light/pack-lights.js';
 import { isMildPower, isWholePower } from '../light/steady-light.js';
-import { constantRows, counted, inCells, inLoops, literal, writtenOut } from './exact-lights.js';
+import {
+  constant,
+  constantAmbient,
+  constantRows,
+  counted,
+  inCells,
+  inLoops,
+  isAllConstant,
+  literal,
+  writtenOut,
+} from './exact-lights.js';
 import { lightBlockOf } from './light-block.js';
 import type { LightList } from './light-list.js';
 import type { PhongMaterial } from './phong-material.js';
@@ -38,7 +48,7 @@ export interface ExactChoice {
 }
 
 const TEXTS = {
-  ...{ written: writtenOut, constant: writtenOut, counted },
+  ...{ written: writtenOut, constant, counted },
   ...{ loops: inLoops, cells: inCells },
 } as const;
 
@@ -82,6 +92,7 @@ export class ExactMaterial extends ShaderMaterial {
     } else if (choice.form === 'constant') {
       const { reflectance } = source;
       defines['LIGHT_CONSTANTS'] = constantRows(choice.list.packed);
+      defines['LIGHT_AMBIENT'] = constantAmbient(choice.list.packed);
       defines['CONSTANT_KA'] = literal(reflectance.ka);
       defines['CONSTANT_KD'] = literal(reflectance.kd);
       defines['CONSTANT_KS'] = literal(reflectance.ks);
@@ -93,7 +104,7 @@ export class ExactMaterial extends ShaderMaterial {
     const { list, form } = this.#choice;
     const { uLightTexture } = this.uniforms;
     if (readsBlock(form)) lightBlockOf(list.rows).send();
-    else if (form !== 'constant' && uLightTexture !== undefined)
+    else if (!(form === 'constant' && isAllConstant(list.packed)) && uLightTexture !== undefined)
       uLightTexture.value = list.rows.sendTexture(renderer);
     this.uniformsNeedUpdate = this.standsFor.place(object);
   }

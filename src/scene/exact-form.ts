@@ -2,6 +2,7 @@
 // and for how long their numbers have stood still. Asked once a frame for each mesh.
 import type { WebGLRenderer } from 'three';
 import { LARGE_BLOCK_ROWS } from '../light/light-layout.js';
+import { MOST_CONSTANT, MOST_PARTLY } from '../material/exact-lights.js';
 import type { ExactForm } from '../material/exact-material.js';
 import type { LightList } from '../material/light-list.js';
 import type { PhongMaterial } from '../material/phong-material.js';
@@ -28,14 +29,16 @@ const MOST_COUNTED = 1024;
  * time of a frame, so many lights are best with theirs in the program's text.
  */
 const MOST_WRITTEN = 16;
-const MOST_CONSTANT = 64;
 
 /**
  * Milliseconds that so many lights take to compile in software: 24 were measured for 3 (SwiftShader on two cores, mixed kinds), 130 for 8,
- * 380 for 16, 850 for 32, 2,400 for 64. A picture is drawn for at least as long before, so that it never waits for longer than it
+ * 380 for 16, 850 for 32, 2,400 for 64 and more. A picture is drawn for at least as long before, so that it never waits for longer than it
  * has saved or soon will.
  */
-const compileTime = (lights: number): number => lights * (12 + 0.4 * lights);
+function compileTime(sent: number): number {
+  const lights = Math.min(sent, MOST_CONSTANT);
+  return lights * (12 + 0.4 * lights);
+}
 
 /** Frames that are given up for it at most: 32 lights' are always worth it, a smooth picture does not halt for 64. */
 const MOST_FRAMES_LOST = 64;
@@ -57,7 +60,7 @@ export class FormChoice {
     if (cells) return 'cells';
     if (!software)
       return sent <= MOST_COUNTED && list.packed.rows <= blockRowsOf(renderer) ? 'counted' : 'loops';
-    this.#constant ||= sent <= MOST_CONSTANT && this.#isWorth(compileTime(sent));
+    this.#constant ||= sent <= MOST_PARTLY && this.#isWorth(compileTime(sent));
     if (this.#constant) return 'constant';
     return sent <= MOST_WRITTEN ? 'written' : 'loops';
   }

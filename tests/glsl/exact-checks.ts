@@ -1,9 +1,16 @@
 // What only programs for exactly some lights have: whole exponents, vectors of usual lengths, lights written out or in loops
 // over what they have in common. Each against the same law in float64.
 import { SHAPE } from '../../src/light/light-layout.js';
-import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
-import { constantRows, counted, inLoops, writtenOut } from '../../src/material/exact-lights.js';
+import {
+  constant,
+  constantRows,
+  counted,
+  inLoops,
+  literal,
+  writtenOut,
+} from '../../src/material/exact-lights.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';
@@ -169,7 +176,10 @@ export const ANYWHERE = `
   LightSums sums = lightSums(a.xyz, b.xyz, unitOrZero(vec3(${EYE.map((x) => x.toFixed(1)).join(', ')}) - a.xyz), 8.0);
   result.xyz = sums.ambient + sums.diffuse + sums.specular;`;
 
-const TEXTS = { 'written out': writtenOut, counted, 'in loops': inLoops } as const;
+const TEXTS = { 'written out': writtenOut, 'in the text': constant, counted, 'in loops': inLoops } as const;
+
+const rowTexts = ({ data, rows }: PackedLights): string[] =>
+  Array.from({ length: rows }, (_, row) => literal(data.subarray(row * 4, row * 4 + 4)));
 
 /** `apart`: a define that says more of where they are. */
 export function sumsOf(
@@ -188,10 +198,11 @@ export function sumsOf(
     title: `lights ${apart === '' ? '' : 'that stand apart '}${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
     defines: [
       `EXACT_LIGHTS ${text}`,
+      ...(form === 'in the text' ? [`LIGHT_CONSTANTS ${constantRows(packed)}`] : []),
       ...(apart === '' ? [] : [apart]),
       ...terms.map((term) => `HAS_${term.toUpperCase()}`),
     ],
-    rows: `const vec4 ROWS[] = ${constantRows(packed)};\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
+    rows: `const vec4 ROWS[] = vec4[](${rowTexts(packed).join()});\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
     glsl: ANYWHERE,
     inputs(random) {
       for (;;) {
@@ -228,6 +239,7 @@ export function exactChecks(every = 1): readonly Check[] {
     ...LOBES,
     sumsOf('written out', ALL, lights),
     sumsOf('written out', ['specular'], lights),
+    sumsOf('in the text', ALL, lights),
     sumsOf('counted', ALL, lights),
     sumsOf('counted', ['diffuse', 'specular'], lights),
     sumsOf('in loops', ALL, lights),

@@ -80,7 +80,7 @@ export const lightMutants = [
     ['a row for spots’ ambient light', 'ambient: 4,', 'ambient: 2,'],
     ['rows of a spot', 'rows: 5,', 'rows: 4,'],
     ['a bit for cones beyond 90°', 'wide: 32,', 'wide: 16,'],
-    ['the exponent stands above all bits', 'powerShift: 13,', 'powerShift: 12,'],
+    ['the exponent stands above all bits', 'powerShift: 14,', 'powerShift: 13,'],
     ['mild powers up to what stays exact', 'LARGEST_MILD = 64', 'LARGEST_MILD = 128'],
     ['the open limit is above any chord', 'LIMIT_OPEN = 4', 'LIMIT_OPEN = 0.5'],
     ['the block fits 16 KiB', 'const BLOCK_ROWS = 1024', 'const BLOCK_ROWS = 2048'],

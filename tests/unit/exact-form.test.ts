@@ -106,25 +106,29 @@ describe('in software', () => {
     expect(found.slice(30)).toEqual(['constant', 'constant']);
   });
 
-  it('17 to 64 lights are in loops until then, and more for ever', () => {
-    for (const count of [17, 64]) {
+  it('more lights are in loops until as many as a text may hold would be compiled', () => {
+    for (const count of [17, 64, 65, 256]) {
       const found = forms(count, 100, 50);
       expect(new Set(found)).toEqual(new Set(['loops', 'constant']));
       expect(found.indexOf('constant')).toBe(found.lastIndexOf('loops') + 1);
     }
-    expect(new Set(forms(65, 200, 50))).toEqual(new Set(['loops']));
+  });
+
+  it('of 257 lights too few would gain by it', () => {
+    expect(new Set(forms(257, 200, 50))).toEqual(new Set(['loops']));
   });
 
   it('numbers are waited for as long as they take to compile: two seconds and a half for 64', () => {
     const at = (count: number, step: number): number => step * forms(count, 200, step).indexOf('constant');
     expect(at(64, 40)).toBe(2440); // of 2406 ms the next frame
+    expect(at(256, 40)).toBe(2440); // of which 64 are compiled
     expect(at(32, 16)).toBe(800); // of 794
     expect(at(16, 10)).toBe(300); // of 294
     expect(at(1, 10)).toBe(200); // twenty frames
   });
 
   it('a smooth picture does not halt for 64, and for 32 it does', () => {
-    expect(forms(64, 1000, 16)).not.toContain('constant');
+    for (const count of [64, 256]) expect(forms(count, 1000, 16)).not.toContain('constant');
     expect(forms(32, 1000, 16)).toContain('constant');
   });
 

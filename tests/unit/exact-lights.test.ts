@@ -6,7 +6,17 @@ import { describe, expect, it } from 'vitest';
 import { HEADER, layoutDefines, ROWS, SHAPE } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights } from '../../src/light/pack-lights.js';
-import { constantRows, counted, inLoops, literal, writtenOut } from '../../src/material/exact-lights.js';
+import {
+  constant,
+  constantAmbient,
+  constantRows,
+  counted,
+  inLoops,
+  isAllConstant,
+  literal,
+  MOST_CONSTANT,
+  writtenOut,
+} from '../../src/material/exact-lights.js';
 import { anyLight, light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
 
@@ -152,11 +162,86 @@ describe('numbers in a program’s text', () => {
     );
   });
 
-  it('are all rows of the lights, in order', () => {
-    const packed = pack([light(), lamp({ attenuation: [1, 2, 3] }), spot()]);
+  /** Of all kinds, each with numbers of its own. */
+  const mixed = (count: number): LightValues[] =>
+    Array.from({ length: count }, (_, i) => {
+      const own = { diffuse: [i, 2 * i, 1], ambient: [0.25, 0.5, 0.125] } as const;
+      return [light(own), lamp({ attenuation: [1, i, 0], ...own }), spot(own)][i % 3]!;
+    });
+
+  it('are the rows of the lights, in order, and the ambient light of all', () => {
+    const packed = pack(mixed(9));
     const rows = constantRows(packed).match(/vec4\([^)]+\)/g)!;
-    expect(rows).toHaveLength(packed.rows);
-    expect(rows[HEADER.rows]).toBe(literal(packed.data.slice(HEADER.rows * 4, HEADER.rows * 4 + 4)));
+    const { data } = packed;
+    const expectedRows = Array.from({ length: packed.rows }, (_, i) => literal(data.slice(i * 4, i * 4 + 4)));
+    expect(rows).toEqual(expectedRows.slice(HEADER.rows));
+    expect(constantAmbient(packed)).toBe(`${expectedRows[HEADER.ambient]!}.rgb`);
+    expect(constantAmbient(packed)).not.toMatch(/vec4\(0\.0/);
+  });
+
+  it('are where the calls say that they are, under the shapes of lights written out and a mark', () => {
+    const packed = pack(mixed(9));
+    const own = callsIn(constant(packed, TERMS));
+    const written = callsIn(writtenOut(packed, TERMS));
+    expect(own.map(({ kind }) => kind)).toEqual(written.map(({ kind }) => kind));
+    own.forEach(({ args }, i) => {
+      const [, row, ...others] = written[i]!.args;
+      const shape = Number(others.pop());
+      expect(shape & SHAPE.constant).toBe(0);
+      expect(args).toEqual([
+        'sums',
+        String(Number(row) - HEADER.rows),
+        ...others,
+        String(shape | SHAPE.constant),
+      ]);
+    });
+    expect(isAllConstant(packed)).toBe(true);
+    expect(constant(packed, TERMS)).not.toContain('for(');
+  });
+
+  it.each([MOST_CONSTANT, MOST_CONSTANT + 1, MOST_CONSTANT + 30, 3 * MOST_CONSTANT])(
+    'of %i lights are those of the last 64; the others are in loops of their number over what they have in common',
+    (count) => {
+      const packed = pack(mixed(count));
+      const others = count - MOST_CONSTANT;
+      expect(isAllConstant(packed)).toBe(others === 0);
+      const text = constant(packed, TERMS);
+      const turns = [...text.matchAll(/for\(int i=0;i<(\d+);i\+\+,row\+=(\w+)\)/g)];
+      expect(turns.reduce((sum, [, times]) => sum + Number(times), 0)).toBe(others);
+      const kinds = turns.map(([, times, step]) => [step, Number(times)]);
+      const { directional, point, spot: spots } = packed.counts;
+      const left = (before: number, own: number): number => Math.min(Math.max(others - before, 0), own);
+      const expectedKinds = [
+        ['DIRECTIONAL_ROWS', left(0, directional)],
+        ['POINT_ROWS', left(directional, point)],
+        ['SPOT_ROWS', left(directional + point, spots)],
+      ].filter(([, times]) => times !== 0);
+      expect(kinds).toEqual(expectedKinds);
+      expect(text.startsWith('int row=HEADER_ROWS;')).toBe(others > 0);
+
+      const calls = callsIn(text);
+      const inText = calls.filter(({ args }) => (Number(args.at(-1)) & SHAPE.constant) !== 0);
+      expect(inText).toHaveLength(Math.min(count, MOST_CONSTANT));
+      expect(calls.slice(0, -inText.length).map(({ args }) => args[1])).toEqual(turns.map(() => 'row'));
+      const rows = constantRows(packed).match(/vec4\([^)]+\)/g)!;
+      const firstRow = packed.rows - rows.length;
+      const written = callsIn(writtenOut(packed, TERMS)).slice(-inText.length);
+      inText.forEach(({ args }, i) => expect(Number(args[1]) + firstRow).toBe(Number(written[i]!.args[1])));
+      rows.forEach((text, i) => {
+        const at = (firstRow + i) * 4;
+        expect(text).toBe(literal(packed.data.slice(at, at + 4)));
+      });
+    },
+  );
+
+  it('leave to the loops what only their own lights have in common', () => {
+    const dark = Array.from({ length: 10 }, () => light({ specular: [0, 0, 0], diffuse: [9, 9, 9] }));
+    const bright = Array.from({ length: MOST_CONSTANT }, () =>
+      light({ diffuse: [9, 9, 9], specular: [9, 9, 9] }),
+    );
+    const shapes = shapesIn(constant(pack([...dark, ...bright]), TERMS));
+    expect(shapes[0]).toBe(SHAPE.diffuse);
+    expect(new Set(shapes.slice(1))).toEqual(new Set([SHAPE.diffuse + SHAPE.specular + SHAPE.constant]));
   });
 });
 
@@ -294,7 +379,9 @@ describe('the words', () => {
     const [, declared = ''] = /void addLight\(([^)]*)\)/.exec(loop) ?? [];
     const names = declared.split(',').map((parameter) => parameter.trim().split(' ').at(-1)!);
     expect(names).toContain('shape');
-    for (const text of [writtenOut, inLoops].map((make) => make(pack([light(), lamp(), spot()]), TERMS))) {
+    for (const text of [writtenOut, constant, inLoops].map((make) =>
+      make(pack([light(), lamp(), spot()]), TERMS),
+    )) {
       const { args } = callsIn(text).find((call) => call.kind === kind)!;
       expect(args).toHaveLength(names.length);
       names.forEach((parameter, i) => {
@@ -309,7 +396,9 @@ describe('the words', () => {
     const before = body.slice(0, body.indexOf('EXACT_LIGHTS'));
     for (const name of ['p', 'N', 'n', 'sums', 'seen'])
       expect(before).toMatch(new RegExp(`\\b\\w+ ${name}\\b`));
-    for (const text of [writtenOut, inLoops].map((make) => make(pack([light(), lamp(), spot()]), TERMS))) {
+    for (const text of [writtenOut, constant, inLoops].map((make) =>
+      make(pack([light(), lamp(), spot()]), TERMS),
+    )) {
       for (const word of text.match(/\b[a-zA-Z_]\w*/g) ?? []) {
         const own = ['i', 'xyz', 'x', 'y', 'z'].includes(word) || defines.has(word);
         if (!own) expect(loop, word).toMatch(new RegExp(`\\b${word}\\b`));
@@ -319,6 +408,7 @@ describe('the words', () => {
 
   it('fit on the one line of a define', () => {
     expect(inLoops(pack([light(), lamp(), spot()]), TERMS)).not.toMatch(/[\n\\#]|\/\//);
-    expect(writtenOut(pack([light(), lamp(), spot()]), TERMS)).not.toMatch(/[\n\\#]|\/\//);
+    for (const make of [writtenOut, constant])
+      expect(make(pack([light(), lamp(), spot()]), TERMS)).not.toMatch(/[\n\\#]|\/\//);
   });
 });

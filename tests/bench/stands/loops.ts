@@ -6,7 +6,12 @@ import { BLOCK_ROWS, SHAPE } from '../../../src/light/light-layout.js';
 import type { LightValues } from '../../../src/light/light-state.js';
 import { emptyPack, type PackedLights, packLights } from '../../../src/light/pack-lights.js';
 import { isMildPower, isWholePower } from '../../../src/light/steady-light.js';
-import { constantRows } from '../../../src/material/exact-lights.js';
+import {
+  constantAmbient,
+  constantRows,
+  MOST_CONSTANT,
+  MOST_PARTLY,
+} from '../../../src/material/exact-lights.js';
 import { type ExactForm, exactText, readsBlock } from '../../../src/material/exact-material.js';
 import cellList from '../../../shaders/cell_list.glsl?raw';
 import { LIGHT_LOOP_GLSL } from '../../../src/material/light-loop-glsl.js';
@@ -38,8 +43,8 @@ export const SURFACE = { ka: 1, kd: 1, ks: 0.5 } as const;
 /** Rows that WebGL 2 promises room for, less those of eye, material and window. */
 export const ARRAY_ROWS = 210;
 
-/** Lights with their numbers in the program, in software, and in loops of literal length; see exact-form. */
-const MOST = { software: 64, gpu: 1024 } as const;
+/** Lights with numbers in the program, in software, and in loops of literal length; see exact-form. */
+const MOST = { software: MOST_PARTLY, gpu: 1024 } as const;
 
 const SHADE = `
 vec3 shadeHere(vec3 p, vec3 normal) {
@@ -65,7 +70,9 @@ export function loopsOf(scene: FloorScene, software: boolean): LoopText[] {
     hoistedLoop(active),
     generalLoop('general', 'shipped, drawn at once', lights, factsOf(lights)),
     exact('shipped', 'shipped, once settled'),
-    ...(form === own ? [exact('written', 'shipped with each light written out', { form: 'written' })] : []),
+    ...(form === own && active.length <= MOST_CONSTANT
+      ? [exact('written', 'shipped with each light written out', { form: 'written' })]
+      : []),
     ...(form === own ? [exact('loops', 'shipped without writing lights out', { form: 'loops' })] : []),
     ...(form === 'cells' ? [exact('undivided', 'shipped without cells', { form: 'loops', packed })] : []),
     ...(power ? [exact('series', 'shipped without short powers', { skips: without('powers') })] : []),
@@ -107,8 +114,9 @@ function exactLoop(id: string, label: string, { form, packed, shininess, skips }
   }
   if (skips.includes('guards')) defines.push('LIGHTS_APART', 'USUAL_LENGTHS');
   defines.push(`EXACT_LIGHTS ${exactText(form, packed, terms)}`);
-  // LIGHT_CONSTANTS goes before any storage.
-  if (form === 'constant') defines.push(`LIGHT_CONSTANTS ${constantRows(packed)}`);
+  if (form === 'constant') {
+    defines.push(`LIGHT_CONSTANTS ${constantRows(packed)}`, `LIGHT_AMBIENT ${constantAmbient(packed)}`);
+  }
   const storage = readsBlock(form) ? 'block' : 'texture';
   const glsl = lightLoop(form === 'cells' ? cellList : '') + SHADE;
   return { id, label, defines, glsl, rows: rowsOf(packed), storage };
