@@ -3,8 +3,7 @@
 //
 // What a light needs beyond its kind is its shape: a sum of SHAPE_… bits. Shapes are literals wherever lights are added, so
 // compilers drop what a shape lacks. By default all lights have the shape of everything declared (the HAS_… facts), in
-// a loop; EXACT_LIGHTS, where it is defined, is the statements that add each light with its very own one. LIGHT_AMBIENT,
-// where it is defined, stands for the row of all lights' ambient light.
+// a loop; EXACT_LIGHTS, where it is defined, is the statements that add each light with its very own one.
 // LIGHTS_APART is for lights that are known to be nowhere near p.
 // FILTER_HIGHLIGHTS averages the specular lobe over the pixel: in fragment shaders alone, where all fragments call it.
 // Nothing branches on a fragment: measured, that is 0.8 of the time in software and as fast on a GPU.
@@ -56,14 +55,6 @@ bool has(int shape, int bit) {
   return (shape & bit) != 0;
 }
 
-/** A row of a light of this shape. */
-vec4 rowOf(int row, int shape) {
-#ifdef LIGHT_CONSTANTS
-  if (has(shape, SHAPE_CONSTANT)) return LIGHT_ROWS[row];
-#endif
-  return lightRow(row);
-}
-
 /** Adds so much of a colour to a sum, or where it is grey one channel to another: a third of the work. */
 void addColor(inout vec3 sum, inout float grey, vec3 color, float amount, bool tinted) {
   if (tinted) sum += color * amount;
@@ -105,9 +96,9 @@ const int KIND_SPOT = 2;
  * kind, as in EXACT_LIGHTS, nothing of the others is left.
  */
 void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen, float n, int shape) {
-  vec4 place = rowOf(row + POINT_POSITION, shape);
-  vec4 diffuse = rowOf(row + POINT_DIFFUSE, shape);
-  vec4 specular = rowOf(row + POINT_SPECULAR, shape);
+  vec4 place = lightRow(row + POINT_POSITION);
+  vec4 diffuse = lightRow(row + POINT_DIFFUSE);
+  vec4 specular = lightRow(row + POINT_SPECULAR);
   vec3 L = place.xyz;
   float factor = 1.0;
 #if defined(EXACT_LIGHTS) || defined(HAS_POINT) || defined(HAS_SPOT)
@@ -116,8 +107,8 @@ void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen
     L = towardLight(place.xyz, p, d, squared);
 #if defined(EXACT_LIGHTS) || defined(HAS_SPOT)
     if (kind == KIND_SPOT) {
-      vec4 axis = rowOf(row + SPOT_AXIS, shape);
-      vec4 ambient = rowOf(row + SPOT_AMBIENT, shape);
+      vec4 axis = lightRow(row + SPOT_AXIS);
+      vec4 ambient = lightRow(row + SPOT_AMBIENT);
       bool chords = has(shape, SHAPE_CHORDS);
       float toBack = chords ? quarterSquare(L - axis.xyz) : 0.5 - 0.5 * dot(L, axis.xyz); // (1 + c)/2
       float toAxis = quarterSquare(L + axis.xyz); // (1 - c)/2; nothing asks for it where a cosine will do
@@ -147,11 +138,7 @@ void addLight(inout LightSums sums, int row, int kind, vec3 p, vec3 N, SEEN seen
 LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
 #ifdef HAS_AMBIENT
-#ifdef LIGHT_AMBIENT
-  sums.ambient = LIGHT_AMBIENT;
-#else
   sums.ambient = lightRow(HEADER_AMBIENT).rgb;
-#endif
 #endif
 #ifdef FILTER_HIGHLIGHTS
   SEEN seen = seenAcross(p, N, V, n);

@@ -1,10 +1,5 @@
 // Where packed lights are read from: lightRow(i) gives row i. The layout's defines say what stands in a row. With
-// STORAGE_OWN the program has a lightRow of its own, before this text. LIGHT_CONSTANTS, where it is
-// defined, is the rows of lights that have their numbers in the program.
-
-#ifdef LIGHT_CONSTANTS
-const vec4 LIGHT_ROWS[] = LIGHT_CONSTANTS;
-#endif
+// STORAGE_OWN the program has a lightRow of its own, before this text.
 
 #if LIGHT_STORAGE == STORAGE_BLOCK
 #ifndef LIGHT_BLOCK_ROWS

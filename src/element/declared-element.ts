@@ -4,8 +4,17 @@
 import type { Declared, Fields } from '../math/declared.js';
 import { attributeOf, parseText } from './attribute-text.js';
 
+/** Of each set of fields, the keys by their attributes. */
+const keys = new WeakMap<object, ReadonlyMap<string, string>>();
+
+function keysOf(fields: object): ReadonlyMap<string, string> {
+  const found = keys.get(fields) ?? new Map(Object.keys(fields).map((key) => [attributeOf(key), key]));
+  keys.set(fields, found);
+  return found;
+}
+
 /** The attributes that belong to these fields. */
-export const attributesOf = (fields: object): string[] => Object.keys(fields).map(attributeOf);
+export const attributesOf = (fields: object): string[] => [...keysOf(fields).keys()];
 
 /** The element side of a {@link Declared} state. */
 export class DeclaredElement<V extends object> {
@@ -23,7 +32,7 @@ export class DeclaredElement<V extends object> {
 
   /** For `attributeChangedCallback`; false where the attribute is none of ours. */
   attributeChanged(attribute: string, text: string | null): boolean {
-    const key = this.#keyOf(attribute);
+    const key = keysOf(this.#state.fields).get(attribute) as (keyof V & string) | undefined;
     if (key === undefined) return false;
     if (text === null) this.#state.set(key, null);
     else this.#setOrWarn(key, text);
@@ -66,12 +75,6 @@ export class DeclaredElement<V extends object> {
       this.#setOrWarn(key, value);
       this.#assigned(key);
     }
-  }
-
-  #keyOf(attribute: string): (keyof V & string) | undefined {
-    return (Object.keys(this.#state.fields) as (keyof V & string)[]).find(
-      (key) => attributeOf(key) === attribute,
-    );
   }
 
   #setOrWarn(key: keyof V & string, value: unknown): void {

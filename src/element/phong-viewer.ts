@@ -78,10 +78,7 @@ export class PhongViewer extends LitElement {
       this.dispatchEvent(new CustomEvent('render'));
     },
     tried: () => this.#readiness.check(),
-    fitted: () => {
-      // Where a camera begins is not a move.
-      if (this.#viewport.stats.frames > 0) this.#cameraMoved('auto');
-    },
+    fitted: () => this.#cameraMoved('auto'),
     contextMissing: (error) => {
       this.#failure.contextMissing(error);
     },
@@ -305,7 +302,7 @@ export class PhongViewer extends LitElement {
   #reveal(): void {
     if (this.#revealed || this.#loading.pending || this.#failure.message !== null) return;
     this.#revealed = true;
-    this.requestUpdate();
+    if (this.state.values.poster !== '') this.requestUpdate();
   }
 
   /** By looking, not by Lit's refs: those are empty while the element is out of the document. */

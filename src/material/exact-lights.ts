@@ -77,7 +77,10 @@ const firstConstant = ({ sent }: PackedLights): number => Math.max(sent - MOST_C
 /** Whether all numbers are in the text, so that no row is read. */
 export const isAllConstant = (packed: PackedLights): boolean => firstConstant(packed) === 0;
 
-/** The same with the numbers in {@link constantRows}, for as many lights as may have theirs there; the others before, in loops. */
+/**
+ * The same with the numbers in {@link constantRows}, for as many lights as may have theirs there; the others before, in loops. The
+ * ambient light that no cone bounds is in it: HAS_AMBIENT, which would read it, is not to be defined.
+ */
 export function constant(packed: PackedLights, terms: number): string {
   const first = firstConstant(packed);
   const counts: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
@@ -92,8 +95,11 @@ export function constant(packed: PackedLights, terms: number): string {
     at += ROWS[kind].rows;
   });
   const before = loops(commonShapes(packed, terms, first), (kind) => String(counts[kind]));
-  return [...(first > 0 ? [ROW] : []), ...before, ...calls].join(' ');
+  return [...ambientOf(packed, terms), ...(first > 0 ? [ROW] : []), ...before, ...calls].join(' ');
 }
+
+const ambientOf = (packed: PackedLights, terms: number): readonly string[] =>
+  (terms & SHAPE.ambient) === 0 ? [] : [`sums.ambient=${rowText(packed, HEADER.ambient)}.rgb;`];
 
 /** The value of the define LIGHT_CONSTANTS: the rows of those lights, from 0 on. */
 export function constantRows(packed: PackedLights): string {
@@ -104,9 +110,6 @@ export function constantRows(packed: PackedLights): string {
   });
   return `vec4[](${texts.join()})`;
 }
-
-/** The value of the define LIGHT_AMBIENT, which stands for the row of ambient light that no cone or decay bounds. */
-export const constantAmbient = (packed: PackedLights): string => `${rowText(packed, HEADER.ambient)}.rgb`;
 
 const rowText = ({ data }: PackedLights, row: number): string => literal(data.subarray(row * 4, row * 4 + 4));
 

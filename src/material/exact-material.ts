@@ -2,13 +2,13 @@
 // uniforms, so only the program differs; it is right only as long as neither list nor material asks for another one.
 import { ShaderMaterial } from 'three';
 import cellList from '../../shaders/cell_list.glsl?raw';
+import constantRowsGlsl from '../../shaders/constant_rows.glsl?raw';
 import { SHAPE } from '../light/light-layout.js';
 import { isBlack } from '../light/light-kind.js';
 import type { PackedLights } from '../light/pack-lights.js';
 import { isMildPower, isWholePower } from '../light/steady-light.js';
 import {
   constant,
-  constantAmbient,
   constantRows,
   counted,
   inCells,
@@ -52,6 +52,12 @@ const TEXTS = {
   ...{ loops: inLoops, cells: inCells },
 } as const;
 
+/** The chunk that a form asks for. */
+export const CHUNKS: Readonly<Partial<Record<ExactForm, string>>> = {
+  constant: constantRowsGlsl,
+  cells: cellList,
+};
+
 /** The value of the define EXACT_LIGHTS. */
 export const exactText = (form: ExactForm, packed: PackedLights, terms: number): string =>
   TEXTS[form](packed, terms);
@@ -67,7 +73,7 @@ export class ExactMaterial extends ShaderMaterial {
     super({
       ...{ glslVersion, uniforms, side, vertexColors },
       ...{ premultipliedAlpha, blending, transparent, toneMapped },
-      ...shadersOf(source.defines as Record<string, string>, choice.form === 'cells' ? cellList : ''),
+      ...shadersOf(source.defines as Record<string, string>, CHUNKS[choice.form]),
     });
     this.standsFor = source;
     this.#choice = choice;
@@ -92,7 +98,7 @@ export class ExactMaterial extends ShaderMaterial {
     } else if (choice.form === 'constant') {
       const { reflectance } = source;
       defines['LIGHT_CONSTANTS'] = constantRows(choice.list.packed);
-      defines['LIGHT_AMBIENT'] = constantAmbient(choice.list.packed);
+      delete defines['HAS_AMBIENT'];
       defines['CONSTANT_KA'] = literal(reflectance.ka);
       defines['CONSTANT_KD'] = literal(reflectance.kd);
       defines['CONSTANT_KS'] = literal(reflectance.ks);

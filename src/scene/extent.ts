@@ -42,10 +42,11 @@ export function measure(root: Object3D): Extent {
       let farthest = 0;
       for (const mesh of meshes) {
         forEachVertex(mesh, ({ x, y, z }) => {
-          farthest = Math.max(farthest, Math.hypot(x - point[0], y - point[1], z - point[2]));
+          const [dx, dy, dz] = [x - point[0], y - point[1], z - point[2]];
+          farthest = Math.max(farthest, dx * dx + dy * dy + dz * dz); // finite: coordinates are below 1e30
         });
       }
-      return farthest;
+      return Math.sqrt(farthest);
     },
   };
 }

@@ -8,7 +8,7 @@ export interface ViewportEvents {
   drawn(): void;
   /** After {@link drawn}, and also where drawing has thrown: nothing more is coming of itself. */
   tried(): void;
-  /** `auto` found another target or radius. */
+  /** Since the first frame, `auto` has found another target or radius. */
   fitted(): void;
   /** There is no WebGL 2: nothing will be drawn. */
   contextMissing(error: Error): void;

@@ -235,7 +235,8 @@ export class Viewport implements StageClient, Framed {
 
   /** Brings the camera in step with the scene: `auto` is found anew where it has to be. */
   settle(): void {
-    if (this.#fit.settle(this.#fov)) this.#events.fitted();
+    // Where a camera begins is not a move.
+    if (this.#fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();
   }
 
   /** How near and how far zooming may go. */

@@ -105,6 +105,19 @@ test('poster covers the wait and goes with the first picture', async ({ page, mo
   await expect(poster).toHaveCount(0);
 });
 
+test('without a poster the first picture changes nothing around it', async ({ mount }) => {
+  const other = await mount('<phong-viewer></phong-viewer>', size);
+  const pending = await other.evaluate(async (element) => {
+    const viewer = document.createElement('phong-viewer');
+    element.replaceWith(viewer);
+    return new Promise<boolean>((resolve) => {
+      const drawn = (): void => resolve(viewer.isUpdatePending);
+      viewer.addEventListener('render', drawn, { once: true });
+    });
+  });
+  expect(pending).toBe(false);
+});
+
 test('lazy loads nothing until the viewer can be seen', async ({ page, mount }) => {
   const requests: string[] = [];
   page.on('request', (request) => requests.push(new URL(request.url()).pathname));

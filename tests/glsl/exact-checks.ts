@@ -200,7 +200,9 @@ export function sumsOf(
       `EXACT_LIGHTS ${text}`,
       ...(form === 'in the text' ? [`LIGHT_CONSTANTS ${constantRows(packed)}`] : []),
       ...(apart === '' ? [] : [apart]),
-      ...terms.map((term) => `HAS_${term.toUpperCase()}`),
+      ...terms
+        .filter((term) => form !== 'in the text' || term !== 'ambient')
+        .map((term) => `HAS_${term.toUpperCase()}`),
     ],
     rows: `const vec4 ROWS[] = vec4[](${rowTexts(packed).join()});\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
     glsl: ANYWHERE,

@@ -1,7 +1,10 @@
-// The light loop with everything that any program here may ask of it: averaged highlights, and the lists of cells, which only programs
-// for exactly some lights have.
+// The light loop with everything that any program here may ask of it: averaged highlights, and what only programs for exactly some
+// lights have, lists of cells and rows in the text.
 import cellList from '../../shaders/cell_list.glsl?raw';
+import constantRows from '../../shaders/constant_rows.glsl?raw';
 import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
 import { lightLoop } from '../../src/material/shader-source.js';
 
-export const WHOLE_LOOP_GLSL = lightLoop(`${AVERAGES_GLSL}\n${cellList}`);
+export const WHOLE_LOOP_GLSL = lightLoop(
+  [AVERAGES_GLSL, cellList, '#ifdef LIGHT_CONSTANTS', constantRows, '#endif'].join('\n'),
+);

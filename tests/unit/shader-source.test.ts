@@ -68,7 +68,9 @@ function preprocess(glsl: string, on: ReadonlySet<string>): string {
 }
 
 describe('the chunks', () => {
-  it.each([...chunks.keys()].filter((name) => name !== 'cell_list.glsl'))('%s is in the programs', (name) => {
+  const asked = ['cell_list.glsl', 'constant_rows.glsl'];
+
+  it.each([...chunks.keys()].filter((name) => !asked.includes(name)))('%s is in the programs', (name) => {
     const text = chunks.get(name)!;
     const inFragments = shader('fragment', ['FILTER_HIGHLIGHTS']).includes(text);
     expect(shader('vertex', []).includes(text) || inFragments).toBe(true);
@@ -89,11 +91,14 @@ describe('the chunks', () => {
     expect(count(LIGHT_LOOP_GLSL, chunk(name))).toBe(1);
   });
 
-  it('cell_list stands before the loop that asks for it, and in no other', () => {
-    const text = lightLoop(chunk('cell_list'));
-    expect(text.indexOf('cellList(')).toBeGreaterThan(text.indexOf(chunk('light_rows')));
-    expect(text.indexOf('cellList(')).toBeLessThan(text.indexOf(chunk('light_loop')));
-    expect(LIGHT_LOOP_GLSL).not.toContain('cellList');
+  it.each([
+    ['cell_list', 'cellList('],
+    ['constant_rows', 'vec4 rowOf('],
+  ])('%s stands before the loop that asks for it, and in no other', (name, word) => {
+    const text = lightLoop(chunk(name));
+    expect(text.indexOf(word)).toBeGreaterThan(text.indexOf(chunk('light_rows')));
+    expect(text.indexOf(word)).toBeLessThan(text.indexOf(chunk('light_loop')));
+    expect(LIGHT_LOOP_GLSL).not.toContain(word);
   });
 
   it('are declared before they are used, whichever lobe is chosen', () => {

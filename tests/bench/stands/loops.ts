@@ -6,14 +6,8 @@ import { BLOCK_ROWS, SHAPE } from '../../../src/light/light-layout.js';
 import type { LightValues } from '../../../src/light/light-state.js';
 import { emptyPack, type PackedLights, packLights } from '../../../src/light/pack-lights.js';
 import { isMildPower, isWholePower } from '../../../src/light/steady-light.js';
-import {
-  constantAmbient,
-  constantRows,
-  MOST_CONSTANT,
-  MOST_PARTLY,
-} from '../../../src/material/exact-lights.js';
-import { type ExactForm, exactText, readsBlock } from '../../../src/material/exact-material.js';
-import cellList from '../../../shaders/cell_list.glsl?raw';
+import { constantRows, MOST_CONSTANT, MOST_PARTLY } from '../../../src/material/exact-lights.js';
+import { CHUNKS, type ExactForm, exactText, readsBlock } from '../../../src/material/exact-material.js';
 import { LIGHT_LOOP_GLSL } from '../../../src/material/light-loop-glsl.js';
 import { lightLoop } from '../../../src/material/shader-source.js';
 import { TERMS, type Variant, variantDefines } from '../../../src/material/variant.js';
@@ -107,18 +101,17 @@ interface ExactOptions {
 /** As ExactMaterial makes it. */
 function exactLoop(id: string, label: string, { form, packed, shininess, skips }: ExactOptions): LoopText {
   const terms = SHAPE.ambient | SHAPE.diffuse | SHAPE.specular;
-  const defines = ['HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'];
+  const defines = ['HAS_DIFFUSE', 'HAS_SPECULAR'];
   if (skips.includes('powers')) {
     if (isWholePower(shininess)) defines.push(`WHOLE_SHININESS ${String(shininess)}`);
     else if (isMildPower(shininess)) defines.push('MILD_SHININESS');
   }
   if (skips.includes('guards')) defines.push('LIGHTS_APART', 'USUAL_LENGTHS');
   defines.push(`EXACT_LIGHTS ${exactText(form, packed, terms)}`);
-  if (form === 'constant') {
-    defines.push(`LIGHT_CONSTANTS ${constantRows(packed)}`, `LIGHT_AMBIENT ${constantAmbient(packed)}`);
-  }
+  if (form === 'constant') defines.push(`LIGHT_CONSTANTS ${constantRows(packed)}`);
+  else defines.push('HAS_AMBIENT');
   const storage = readsBlock(form) ? 'block' : 'texture';
-  const glsl = lightLoop(form === 'cells' ? cellList : '') + SHADE;
+  const glsl = lightLoop(CHUNKS[form]) + SHADE;
   return { id, label, defines, glsl, rows: rowsOf(packed), storage };
 }
 
