@@ -18,7 +18,9 @@ test('a page that has lived shows what a new one shows', async ({ page, mount, s
     await walk(player, seeds(WALKS), 6);
   } finally {
     const { looks, same, exact, between } = player.findings;
-    console.log(`Seeds from ${FIRST}: ${looks} looks, ${same} pairs by the same programs, ${exact} exact; else ${String(between)}`);
+    console.log(
+      `Seeds from ${FIRST}: ${looks} looks, ${same} pairs by the same programs, ${exact} exact; else ${String(between)}`,
+    );
   }
   player.findings.between.expectPromise();
 });

@@ -95,7 +95,9 @@ function installWalk(): void {
   };
   const add = (self: object, text: string): void => void texts.set(self, (texts.get(self) ?? '') + text);
   wrap(gl, 'shaderSource', (_, [shader, text]) => add(shader as object, String(text)));
-  wrap(gl, 'attachShader', (_, [program, shader]) => add(program as object, texts.get(shader as object) ?? ''));
+  wrap(gl, 'attachShader', (_, [program, shader]) =>
+    add(program as object, texts.get(shader as object) ?? ''),
+  );
   wrap(gl, 'useProgram', (self, [program]) => {
     if (program !== null) current.set(self, numbered(texts.get(program as object) ?? ''));
   });
@@ -168,7 +170,8 @@ function installWalk(): void {
   }
   function seenOf(viewer: PhongViewer): Drawn | null {
     const { left, top, right, bottom } = viewer.getBoundingClientRect();
-    const inside = right > left && bottom > top && bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
+    const inside =
+      right > left && bottom > top && bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
     if (!inside || !viewer.checkVisibility({ visibilityProperty: true })) return null;
     const canvas = canvasOf(viewer);
     const programs = seenBy.get(viewer) ?? '';
@@ -273,7 +276,9 @@ function installWalk(): void {
     picture: (viewer, { value }) => {
       const [width = 1, height = 1] = value.split(' ').map(Number);
       // While the context is lost there is none.
-      pending.push(viewer.toBlob({ width, height }).catch((error: unknown) => lost ?? Promise.reject(error as Error)));
+      pending.push(
+        viewer.toBlob({ width, height }).catch((error: unknown) => lost ?? Promise.reject(error as Error)),
+      );
     },
     explain: (viewer, { value }) => {
       const [x = 0, y = 0] = value.split(' ').map(Number);
@@ -299,9 +304,11 @@ function installWalk(): void {
     'move a mesh': (viewer, step) =>
       frames(Number(step.value), () => {
         const mesh = childOf(viewer, { ...step, tag: 'phong-mesh' }) as PhongMesh | undefined;
-        if (mesh !== undefined) mesh.position = [mesh.position[0] + 0.01, mesh.position[1], mesh.position[2] - 0.02];
+        if (mesh !== undefined)
+          mesh.position = [mesh.position[0] + 0.01, mesh.position[1], mesh.position[2] - 0.02];
       }),
-    'draw on': (_, { value }) => frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
+    'draw on': (_, { value }) =>
+      frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
     turn: async (viewer, { value }) => {
       viewer.autoRotate = Number(value);
       await frames(5, () => undefined);
@@ -324,7 +331,9 @@ function installWalk(): void {
   async function settle(): Promise<string> {
     if (lost !== null) await restore();
     const late = new Promise<string>((resolve) => setTimeout(resolve, LATE, 'never ready'));
-    const ready = Promise.all([...pending.splice(0), ...viewers().map((viewer) => viewer.ready)]).then(() => '');
+    const ready = Promise.all([...pending.splice(0), ...viewers().map((viewer) => viewer.ready)]).then(
+      () => '',
+    );
     const outcome = await Promise.race([late, ready]);
     if (outcome !== '') return outcome;
     // What observers tell comes after a frame, and may ask for another.
@@ -378,8 +387,12 @@ function installWalk(): void {
 
   async function begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]): Promise<Began[]> {
     await customElements.whenDefined('phong-viewer');
-    document.body.innerHTML = rests.map(({ html }) => html).join('');
-    const all = viewers().map((viewer, i) => ({ viewer, ...rests[i]! }));
+    // Those before go afterwards: the context and programs that are needed again stay.
+    const before = viewers();
+    document.body.insertAdjacentHTML('afterbegin', rests.map(({ html }) => html).join(''));
+    const all = viewers()
+      .slice(0, rests.length)
+      .map((viewer, i) => ({ viewer, ...rests[i]! }));
     for (const { viewer, css } of all) {
       viewer.removeAttribute('gui');
       viewer.style.width = `${css[0]}px`;
@@ -393,7 +406,7 @@ function installWalk(): void {
       const blob = await blobOf(viewer, size);
       began.push({ blob, camera: numbers(viewer), stats: { ...viewer.stats } });
     }
-    document.body.innerHTML = '';
+    for (const viewer of before) viewer.remove();
     return began;
   }
 

@@ -101,7 +101,9 @@ const property = (attribute: string): string =>
 
 function element(dice: Dice, tag: 'phong-light' | 'phong-mesh', share: number): string {
   const attributes = Object.entries(VALUES[tag])
-    .filter(([key]) => (tag === 'phong-mesh' && key === 'geometry') || dice.chance(key === 'src' ? 0.05 : share))
+    .filter(
+      ([key]) => (tag === 'phong-mesh' && key === 'geometry') || dice.chance(key === 'src' ? 0.05 : share),
+    )
     .map(([key, value]) => ` ${key}="${value(dice)}"`);
   return `<${tag}${attributes.join('')}></${tag}>`;
 }
@@ -163,7 +165,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // prettier-ignore
   { weight: 6, more: { motion: 6, 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '5', '30']) }) }, // prettier-ignore
   { weight: 2, more: { motion: 3 }, make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }) },
-  { weight: 4, more: { motion: 3 }, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '30', '60']) }) }, // prettier-ignore
+  { weight: 4, more: { motion: 3 }, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '30', '30']) }) }, // prettier-ignore
   { weight: 1, make: (dice) => ({ what: 'turn', value: dice.pick(['50', '-300']) }) },
   { weight: 3, more: { motion: 2 }, make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }) },
   { weight: 2, make: (dice) => ({ what: 'wheel', value: String(dice.from(-300, 300)) }) },
@@ -186,7 +188,11 @@ const MAKERS: readonly Maker[] = [
   { weight: 0.7, make: (dice) => ({ what: 'an own object', value: place(dice) }) },
   { weight: 0.7, make: () => ({ what: 'own object away' }) },
   { weight: 0.3, more: { page: 2 }, make: () => ({ what: 'print' }) },
-  { weight: 0.3, more: { page: 2 }, make: (dice) => ({ what: 'ratio', value: dice.pick(['1', '1.5', '2']) }) },
+  {
+    weight: 0.3,
+    more: { page: 2 },
+    make: (dice) => ({ what: 'ratio', value: dice.pick(['1', '1.5', '2']) }),
+  },
 ];
 
 function step(dice: Dice, mix: Mix): Step {
@@ -194,7 +200,13 @@ function step(dice: Dice, mix: Mix): Step {
   let left = dice.from(0, 1) * weights.reduce((sum, weight) => sum + weight, 0);
   const maker = MAKERS.find((_, i) => (left -= weights[i]!) <= 0) ?? MAKERS[0]!;
   const viewer = Math.floor(dice.from(0, 5.999));
-  const made = { viewer, child: Math.floor(dice.from(0, 199)), tag: 'phong-light', key: '', value: '' } as const;
+  const made = {
+    viewer,
+    child: Math.floor(dice.from(0, 199)),
+    tag: 'phong-light',
+    key: '',
+    value: '',
+  } as const;
   return { ...made, what: '', ...maker.make(dice) };
 }
 

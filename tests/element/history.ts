@@ -119,7 +119,8 @@ export class Player {
     });
     const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
       JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // prettier-ignore
-    if (cost(stats) !== cost(began.stats)) faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
+    if (cost(stats) !== cost(began.stats))
+      faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
     if (stats['lightsActive'] !== active)
       faults.push(`${String(stats['lightsActive'])} lights active, ${active} declared so`);
     return faults;
@@ -139,7 +140,8 @@ export class Player {
 }
 
 /** Of the machine's pace, and of values that are bad on purpose. */
-const REMARKS = /GL Driver Message|expected .*; using .* instead\.|Rendering was performed in a subtree hidden/;
+const REMARKS =
+  /GL Driver Message|expected .*; using .* instead\.|Rendering was performed in a subtree hidden/;
 
 function pictureOf({ width, height, data }: Drawn): Picture {
   return { width, height, data: Uint8Array.from(Buffer.from(data, 'base64')) };
@@ -198,7 +200,9 @@ export async function walk(player: Player, seeds: readonly number[], looks: numb
     if (fault === null) continue;
     const { least, still } = await shortest(player, history);
     const tasks = least.tasks.map((task) => JSON.stringify(task)).join('\n');
-    throw new Error(`seed ${seed}, ${fault}\n\nshortest:\n${least.begins.join('\n')}\n${tasks}\n${still ?? 'not again'}`);
+    throw new Error(
+      `seed ${seed}, ${fault}\n\nshortest:\n${least.begins.join('\n')}\n${tasks}\n${still ?? 'not again'}`,
+    );
   }
 }
 
@@ -225,7 +229,10 @@ async function shortest(
   };
   await fails(least);
   /** Leaves out runs of a list's items, long ones first. `make` gives the history of what is left. */
-  const thin = async <T>(list: () => readonly T[], make: (left: readonly T[]) => typeof least): Promise<void> => {
+  const thin = async <T>(
+    list: () => readonly T[],
+    make: (left: readonly T[]) => typeof least,
+  ): Promise<void> => {
     for (let size = Math.ceil(list().length / 2); size >= 1; size = size === 1 ? 0 : Math.ceil(size / 2)) {
       for (let at = list().length - size; at >= 0 && Date.now() < end; at -= size) {
         const left = list().filter((_, i) => i < at || i >= at + size);
@@ -240,7 +247,10 @@ async function shortest(
     for (let i = least.tasks.length - 1; i >= 0; i--) {
       await thin(
         () => least.tasks[i]?.steps ?? [],
-        (left) => ({ ...least, tasks: least.tasks.map((task, j) => (j === i ? { ...task, steps: left } : task)) }),
+        (left) => ({
+          ...least,
+          tasks: least.tasks.map((task, j) => (j === i ? { ...task, steps: left } : task)),
+        }),
       );
     }
     await thin(() => least.begins, (left) => ({ ...least, begins: left })); // prettier-ignore
