@@ -32,7 +32,21 @@ export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const canvas = context.canvas as HTMLCanvasElement;
   const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
   renderer.setClearColor(0x000000, 0);
+  renderer.setOpaqueSort(byScene);
   return renderer;
+}
+
+/**
+ * In the order of the scene, which the sort leaves as it is: of surfaces in one place the last one shows. three.js's own order
+ * is that of its materials' making, which the scene does not tell and exact programs change.
+ */
+const byScene = (a: Ordered, b: Ordered): number =>
+  a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
+
+/** Of what three.js sorts. */
+interface Ordered {
+  readonly groupOrder: number;
+  readonly renderOrder: number;
 }
 
 /** The largest side of one drawing, in pixels. */

@@ -330,6 +330,7 @@ function installWalk(): void {
   const LATE = 15_000;
   async function settle(): Promise<string> {
     if (lost !== null) await restore();
+    if (viewers().length === 0) place(0).append(away.shift() ?? ''); // there is always something to look at
     const late = new Promise<string>((resolve) => setTimeout(resolve, LATE, 'never ready'));
     const ready = Promise.all([...pending.splice(0), ...viewers().map((viewer) => viewer.ready)]).then(
       () => '',

@@ -72,6 +72,16 @@ export class Player {
     const body = `<section>${begins.join('')}</section><section></section><iframe src="${address}"></iframe>`;
     await this.#mount(body, { ...SIZE, csp: '', css: STYLE });
     this.#new = page.frames().find((frame) => frame.url() === begun) ?? null;
+    // Bad values are met sooner or later; here, in every history.
+    const bad = {
+      what: 'set attribute',
+      viewer: 0,
+      child: 0,
+      tag: 'phong-viewer',
+      key: 'fov',
+      value: 'wide',
+    } as const;
+    await this.#take([bad, { ...bad, what: 'remove attribute' }]);
     this.#heard.length = 0;
   }
 

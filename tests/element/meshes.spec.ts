@@ -3,6 +3,8 @@
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
+import { drawUntilExact } from './driving.js';
+import { logGl } from './gl-log.js';
 import { assign, type PhongViewer, record, settled, shownBy } from './support.js';
 
 const size = { width: 60, height: 40 };
@@ -37,6 +39,30 @@ test('changes give what the same meshes in markup give: added, removed, reordere
   same(await pixels(viewer), one);
   await viewer.evaluate((element, html) => (element.innerHTML = html), light + ball + box);
   same(await pixels(viewer), both);
+});
+
+test('of meshes in one place the last one shows, whatever came when and by whichever program it is drawn', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const red = '<phong-mesh geometry="sphere" kd="200 40 40"></phong-mesh>';
+  const green = red.replace('200 40', '40 200');
+  const blue = red.replace('200 40 40', '40 40 200');
+  const viewer = await mount(scene(red, green), size);
+  const wanted = { red: await shown(page, scene(red)), green: await shown(page, scene(green)) };
+  different(wanted.red, wanted.green);
+  same(await pixels(viewer), wanted.green);
+  await viewer.evaluate((element: PhongViewer) => element.append(element.meshes[0]!));
+  same(await pixels(viewer), wanted.red);
+  await viewer.evaluate((element, html) => element.insertAdjacentHTML('afterbegin', html), blue);
+  same(await pixels(viewer), wanted.red);
+  await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = 'gouraud'));
+  await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = null));
+  await drawUntilExact(page);
+  expectAlike(await pixels(viewer), wanted.red, 'by programs of their own');
+  await viewer.evaluate((element: PhongViewer) => (element.meshes[0]!.kd = [40, 40, 180]));
+  expectAlike(await pixels(viewer), wanted.red, 'one of them changed');
 });
 
 const asMesh = '<phong-mesh geometry="box"></phong-mesh>';
