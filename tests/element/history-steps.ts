@@ -2,7 +2,7 @@
 // history always; any part of one is a history too.
 
 import { Dice } from '../visual/random-scene.js';
-import type { Step } from './history-page.js';
+import type { Step } from './history-deeds.js';
 
 /** What happens in one task, and how long the page then lives on. `look` holds it against a new page. */
 export interface Task {
@@ -10,8 +10,7 @@ export interface Task {
   readonly then: 'at once' | 'a frame' | 'rest' | 'look';
 }
 
-export interface History {
-  readonly seed: number;
+export interface Scenario {
   /** Viewers' markup. */
   readonly begins: readonly string[];
   readonly tasks: readonly Task[];
@@ -139,7 +138,7 @@ interface Maker {
   readonly weight: number;
   /** Mixes in which it is this many times as frequent. */
   readonly more?: Partial<Record<Mix, number>>;
-  make(dice: Dice): Partial<Step> | readonly Partial<Step>[];
+  make(dice: Dice): Partial<Step>;
 }
 
 function written(dice: Dice, tag: Tag): Partial<Step> {
@@ -200,20 +199,14 @@ function step(dice: Dice, mix: Mix): Step {
   let left = dice.from(0, 1) * weights.reduce((sum, weight) => sum + weight, 0);
   const maker = MAKERS.find((_, i) => (left -= weights[i]!) <= 0) ?? MAKERS[0]!;
   const viewer = Math.floor(dice.from(0, 5.999));
-  const made = {
-    viewer,
-    child: Math.floor(dice.from(0, 199)),
-    tag: 'phong-light',
-    key: '',
-    value: '',
-  } as const;
-  return { ...made, what: '', ...maker.make(dice) };
+  const child = Math.floor(dice.from(0, 199));
+  return { ...{ what: '', viewer, child, tag: 'phong-light', key: '', value: '' }, ...maker.make(dice) };
 }
 
 const MIXES: readonly Mix[] = ['all', 'lights', 'many lights', 'meshes', 'page', 'motion'];
 
 /** A page of one to three viewers that is looked at `looks` times. */
-export function randomHistory(seed: number, looks: number): History {
+export function randomHistory(seed: number, looks: number): Scenario {
   const dice = new Dice(seed);
   const mix = MIXES[seed % MIXES.length]!;
   const scenes = mix === 'many lights' ? MANY : SCENES;
@@ -227,5 +220,5 @@ export function randomHistory(seed: number, looks: number): History {
       tasks.push({ steps, then });
     }
   }
-  return { seed, begins: Array.from({ length: viewers }, () => dice.pick(scenes)(dice)), tasks };
+  return { begins: Array.from({ length: viewers }, () => dice.pick(scenes)(dice)), tasks };
 }

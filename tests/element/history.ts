@@ -5,8 +5,11 @@ import type { Frame, Locator, Page } from '@playwright/test';
 import { betweenPrograms, DifferenceSum } from '../visual/between-programs.js';
 import { type Mount, type Picture, setPixelRatio } from '../support/test.js';
 import type { Site } from '../support/site.js';
-import type { Began, Drawn, Rest, Step } from './history-page.js';
-import { type History, randomHistory, type Task } from './history-steps.js';
+import type { Step } from './history-deeds.js';
+import type { Began, Rest } from './history-page.js';
+import type { Drawn } from './history-watch.js';
+import { randomHistory, type Scenario } from './history-steps.js';
+import { shortest } from './history-shortest.js';
 
 const SIZE = { width: 72, height: 52 };
 const STYLE = `
@@ -48,7 +51,7 @@ export class Player {
   }
 
   /** What was wrong at the first look that found something; null where nothing was. */
-  async play({ begins, tasks }: Pick<History, 'begins' | 'tasks'>): Promise<string | null> {
+  async play({ begins, tasks }: Scenario): Promise<string | null> {
     await this.#open(begins);
     for (const [i, { steps, then }] of tasks.entries()) {
       await this.#take(steps);
@@ -90,7 +93,7 @@ export class Player {
     while (rest.length > 0) {
       const at = rest.findIndex(({ what }) => what in HANDS);
       const inPage = at < 0 ? rest : rest.slice(0, at);
-      if (inPage.length > 0) await this.#page.evaluate((list) => window.walk.take(list), inPage);
+      if (inPage.length > 0) await this.#page.evaluate((list) => window.walkDeeds.take(list), inPage);
       if (at < 0) return;
       await HANDS[rest[at]!.what]!(this.#page, rest[at]!);
       rest = rest.slice(at + 1);
@@ -208,63 +211,15 @@ export async function walk(player: Player, seeds: readonly number[], looks: numb
     const history = randomHistory(seed, looks);
     const fault = await player.play(history);
     if (fault === null) continue;
-    const { least, still } = await shortest(player, history);
-    const tasks = least.tasks.map((task) => JSON.stringify(task)).join('\n');
-    throw new Error(
-      `seed ${seed}, ${fault}\n\nshortest:\n${least.begins.join('\n')}\n${tasks}\n${still ?? 'not again'}`,
-    );
+    const { findings } = player;
+    player.findings = new Findings();
+    const least = await shortest(history, (one) => player.play(one), SHORTENING_MS);
+    player.findings = findings;
+    const { begins, tasks } = least.scenario;
+    const told = [...begins, ...tasks.map((task) => JSON.stringify(task))].join('\n');
+    throw new Error(`seed ${seed}, ${fault}\n\nshortest:\n${told}\n${least.fault || 'did not fail again'}`);
   }
 }
 
 /** How long a failure is looked into. */
 const SHORTENING_MS = Number(process.env['PHONG_VIEWER_SHORTENING'] ?? 60_000);
-
-async function shortest(
-  player: Player,
-  { begins, tasks }: History,
-): Promise<{ least: Pick<History, 'begins' | 'tasks'>; still: string | null }> {
-  const end = Date.now() + SHORTENING_MS;
-  const kept = player.findings;
-  let least: Pick<History, 'begins' | 'tasks'> = { begins, tasks };
-  let still: string | null = null;
-  const fails = async (candidate: typeof least): Promise<boolean> => {
-    player.findings = new Findings();
-    const fault = await player.play(candidate);
-    if (fault === null) return false;
-    // What comes after the look that failed is not needed.
-    const at = Number(/^after task (\d+)/.exec(fault)?.[1]);
-    least = { ...candidate, tasks: candidate.tasks.slice(0, at + 1) };
-    still = fault;
-    return true;
-  };
-  await fails(least);
-  /** Leaves out runs of a list's items, long ones first. `make` gives the history of what is left. */
-  const thin = async <T>(
-    list: () => readonly T[],
-    make: (left: readonly T[]) => typeof least,
-  ): Promise<void> => {
-    for (let size = Math.ceil(list().length / 2); size >= 1; size = size === 1 ? 0 : Math.ceil(size / 2)) {
-      for (let at = list().length - size; at >= 0 && Date.now() < end; at -= size) {
-        const left = list().filter((_, i) => i < at || i >= at + size);
-        await fails(make(left));
-        at = Math.min(at, list().length);
-      }
-    }
-  };
-  if (still !== null) {
-    const looked = (left: readonly Task[]): readonly Task[] => [...left, { steps: [], then: 'look' }];
-    await thin(() => least.tasks, (left) => ({ ...least, tasks: looked(left) })); // prettier-ignore
-    for (let i = least.tasks.length - 1; i >= 0; i--) {
-      await thin(
-        () => least.tasks[i]?.steps ?? [],
-        (left) => ({
-          ...least,
-          tasks: least.tasks.map((task, j) => (j === i ? { ...task, steps: left } : task)),
-        }),
-      );
-    }
-    await thin(() => least.begins, (left) => ({ ...least, begins: left })); // prettier-ignore
-  }
-  player.findings = kept;
-  return { least, still };
-}
