@@ -104,7 +104,7 @@ function installWalk(): void {
       const shown = pixels[0] > 0 && pixels[1] > 0;
       const size = shown ? pixels : ([40, 30] as const);
       const blob = await blobOf(viewer, size);
-      const html = viewer.toHTML();
+      const html = viewer.toHTML().replace(/ gui(="[^"]*")?/, '');
       const { lights, clientWidth, clientHeight } = viewer;
       rests.push({
         ...{ seen, blob, html, pixels },
@@ -128,7 +128,6 @@ function installWalk(): void {
       .slice(0, rests.length)
       .map((viewer, i) => ({ viewer, ...rests[i]! }));
     for (const { viewer, css } of all) {
-      viewer.removeAttribute('gui');
       viewer.style.width = `${css[0]}px`;
       viewer.style.height = `${css[1]}px`;
     }

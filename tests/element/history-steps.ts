@@ -128,7 +128,7 @@ const SCENES: readonly Values[] = [
   (dice) => `<phong-viewer>${FLOOR}<phong-mesh geometry="box" position="${place(dice)}"></phong-mesh>${lights(dice, 4)}</phong-viewer>`, // prettier-ignore
 ];
 const MANY: readonly Values[] = [
-  (dice) => `<phong-viewer phi="40">${FLOOR}${lights(dice, 200, smallSpot)}</phong-viewer>`,
+  (dice) => `<phong-viewer phi="40">${FLOOR}${lights(dice, 150, smallSpot)}</phong-viewer>`,
   (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 70, faint)}</phong-viewer>`,
   (dice) => `<phong-viewer phi="50">${FLOOR}<phong-mesh geometry="box" scale="0.5"></phong-mesh>${lights(dice, 40, smallSpot)}</phong-viewer>`, // prettier-ignore
 ];
@@ -153,7 +153,7 @@ const child = (dice: Dice): Tag => dice.pick(['phong-light', 'phong-light', 'pho
 
 const MAKERS: readonly Maker[] = [
   { weight: 14, more: { lights: 3, 'many lights': 3 }, make: (dice) => written(dice, 'phong-light') },
-  { weight: 8, more: { meshes: 4 }, make: (dice) => written(dice, 'phong-mesh') },
+  { weight: 8, more: { meshes: 4, 'many lights': 2 }, make: (dice) => written(dice, 'phong-mesh') },
   { weight: 8, make: (dice) => written(dice, 'phong-viewer') },
   { weight: 4, more: { lights: 2 }, make: (dice) => ({ what: 'add', value: light(dice) }) },
   { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // prettier-ignore
@@ -162,9 +162,13 @@ const MAKERS: readonly Maker[] = [
   { weight: 3, make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }) },
   { weight: 3, make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }) },
   { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // prettier-ignore
-  { weight: 6, more: { motion: 6, 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '5', '30']) }) }, // prettier-ignore
-  { weight: 2, more: { motion: 3 }, make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }) },
-  { weight: 4, more: { motion: 3 }, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '30', '30']) }) }, // prettier-ignore
+  { weight: 6, more: { motion: 6, 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // prettier-ignore
+  {
+    weight: 2,
+    more: { motion: 3, 'many lights': 3 },
+    make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }),
+  },
+  { weight: 4, more: { motion: 3 }, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // prettier-ignore
   { weight: 1, make: (dice) => ({ what: 'turn', value: dice.pick(['50', '-300']) }) },
   { weight: 3, more: { motion: 2 }, make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }) },
   { weight: 2, make: (dice) => ({ what: 'wheel', value: String(dice.from(-300, 300)) }) },
@@ -186,6 +190,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 1, make: () => ({ what: 'draw again' }) },
   { weight: 0.7, make: (dice) => ({ what: 'an own object', value: place(dice) }) },
   { weight: 0.7, make: () => ({ what: 'own object away' }) },
+  { weight: 0.7, make: (dice) => ({ what: 'set attribute', tag: 'phong-viewer', key: 'gui', value: dice.pick(['', 'false', 'false']) }) }, // prettier-ignore
   { weight: 0.3, more: { page: 2 }, make: () => ({ what: 'print' }) },
   {
     weight: 0.3,
@@ -210,10 +215,10 @@ export function randomHistory(seed: number, looks: number): Scenario {
   const dice = new Dice(seed);
   const mix = MIXES[seed % MIXES.length]!;
   const scenes = mix === 'many lights' ? MANY : SCENES;
-  const viewers = dice.pick([1, 1, 2, 3]);
+  const viewers = dice.pick(mix === 'many lights' ? [1, 2] : [1, 1, 2, 3]);
   const tasks: Task[] = [];
   for (let i = 0; i < looks; i++) {
-    const count = Math.floor(dice.from(2, 9.999));
+    const count = Math.floor(dice.from(1, 6.999));
     for (let j = 0; j < count; j++) {
       const steps = Array.from({ length: dice.pick([1, 1, 1, 2, 3, 5]) }, () => step(dice, mix));
       const then = j === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);
