@@ -53,7 +53,6 @@ const leftOut: Readonly<Record<string, readonly string[]>> = {
     'initTexture',
     'resetState',
     'setDrawingBufferSize',
-    'setTransparentSort',
     'setEffects',
     'setNodesHandler',
     'setRenderTargetTextures',
