@@ -119,6 +119,7 @@ const faint: Values = (dice) => light(dice).replace(/ (diffuse|specular)="[^"]*"
 
 const FLOOR = '<phong-mesh geometry="plane" scale="4"></phong-mesh>';
 
+/** In the first ones the viewer's own mesh is all there is. */
 const SCENES: readonly Values[] = [
   (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 3)}</phong-viewer>`,
   (dice) => `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${lights(dice, 16, faint)}</phong-viewer>`, // prettier-ignore
@@ -141,6 +142,14 @@ interface Maker {
   make(dice: Dice): Partial<Step>;
 }
 
+/** What of a viewer has programs of its own. */
+const STYLE = ['terms', 'terms', 'ks', 'shininess', 'shading', 'reflection', 'color-interpolation'];
+
+function styled(dice: Dice): Partial<Step> {
+  const key = dice.pick(STYLE);
+  return { what: 'set attribute', tag: 'phong-viewer', key, value: VIEWER[key]!(dice) };
+}
+
 function written(dice: Dice, tag: Tag): Partial<Step> {
   const [name, value] = dice.pick(Object.entries<Values>(VALUES[tag]).filter(([key]) => key !== 'src' || dice.chance(0.2))); // prettier-ignore
   const what = dice.pick(['set attribute', 'set property', 'set property', 'set attribute', 'remove attribute', 'clear property']); // prettier-ignore
@@ -155,6 +164,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 14, more: { lights: 3, 'many lights': 3 }, make: (dice) => written(dice, 'phong-light') },
   { weight: 8, more: { meshes: 4, 'many lights': 2 }, make: (dice) => written(dice, 'phong-mesh') },
   { weight: 8, make: (dice) => written(dice, 'phong-viewer') },
+  { weight: 1, more: { motion: 14 }, make: styled },
   { weight: 4, more: { lights: 2 }, make: (dice) => ({ what: 'add', value: light(dice) }) },
   { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // prettier-ignore
   { weight: 5, make: (dice) => ({ what: 'remove', tag: child(dice) }) },
@@ -183,7 +193,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 1.5, more: { page: 4 }, make: (dice) => ({ what: 'another viewer', value: dice.pick(SCENES)(dice) }) }, // prettier-ignore
   { weight: 1, more: { page: 2 }, make: () => ({ what: 'clone viewer' }) },
   { weight: 2, more: { page: 4 }, make: () => ({ what: 'no viewer' }) },
-  { weight: 0.7, more: { page: 2 }, make: () => ({ what: 'lose' }) },
+  { weight: 0.7, more: { page: 2, motion: 4 }, make: () => ({ what: 'lose' }) },
   { weight: 0.5, more: { page: 2 }, make: () => ({ what: 'restore' }) },
   { weight: 2, make: (dice) => ({ what: 'picture', value: dice.pick(['30 40', '200 20', '300 300']) }) },
   { weight: 2, make: (dice) => ({ what: 'explain', value: numbers(2, 0, 60)(dice) }) },
@@ -214,11 +224,12 @@ const MIXES: readonly Mix[] = ['all', 'lights', 'many lights', 'meshes', 'page',
 export function randomHistory(seed: number, looks: number): Scenario {
   const dice = new Dice(seed);
   const mix = MIXES[seed % MIXES.length]!;
-  const scenes = mix === 'many lights' ? MANY : SCENES;
-  const viewers = dice.pick(mix === 'many lights' ? [1, 2] : [1, 1, 2, 3]);
+  const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? SCENES.slice(0, 4) : SCENES;
+  const viewers = dice.pick(mix === 'many lights' || mix === 'motion' ? [1, 1, 2] : [1, 1, 2, 3]);
   const tasks: Task[] = [];
   for (let i = 0; i < looks; i++) {
-    const count = Math.floor(dice.from(1, 6.999));
+    // Programs for exactly the lights at hand are left soon.
+    const count = Math.floor(dice.from(1, mix === 'motion' ? 3.999 : 6.999));
     for (let j = 0; j < count; j++) {
       const steps = Array.from({ length: dice.pick([1, 1, 1, 2, 3, 5]) }, () => step(dice, mix));
       const then = j === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);

@@ -10,6 +10,8 @@ export interface Drawn {
   readonly data: string;
   /** Texts of the programs it was drawn by, as short numbers, sorted. */
   readonly programs: string;
+  /** Where on the canvas that all are drawn on: numbers between vertices are rounded otherwise elsewhere. */
+  readonly place: string;
 }
 
 /** In the page. */
@@ -39,6 +41,7 @@ declare global {
 
 /** Runs in the page, before any other script. */
 export function installWatch(): void {
+  type DrawnBy = Pick<Drawn, 'programs' | 'place'>;
   type Call = (this: unknown, ...given: unknown[]) => unknown;
   const nextFrame = window.requestAnimationFrame.bind(window);
   const viewers = (): PhongViewer[] => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
@@ -84,10 +87,14 @@ export function installWatch(): void {
   };
   for (const name of Object.getOwnPropertyNames(gl)) wrap(gl, name, () => note(name));
   wrap(window, 'requestAnimationFrame', () => note('requestAnimationFrame'));
-  const takeDrawn = (): string => {
-    const taken = [...drawnBy].sort().join();
+  let place = '';
+  wrap(gl, 'viewport', (_, [x, y]) => {
+    place = `${String(x)}, ${String(y)}`;
+  });
+  const takeDrawn = (): DrawnBy => {
+    const programs = [...drawnBy].sort().join();
     drawnBy = new Set();
-    return taken;
+    return { programs, place };
   };
 
   // The context that all share, to be lost.
@@ -115,7 +122,7 @@ export function installWatch(): void {
 
   // What was last seen of a viewer whose canvas is WebGL's own, which is empty once the page has shown it.
   const copies = new WeakMap<object, OffscreenCanvas>();
-  const seenBy = new WeakMap<object, string>();
+  const seenBy = new WeakMap<object, DrawnBy>();
   /** Moved by hand. */
   const handled = new WeakSet();
   const canvasOf = (viewer: PhongViewer): HTMLCanvasElement | null =>
@@ -152,18 +159,19 @@ export function installWatch(): void {
       right > left && bottom > top && bottom > 0 && right > 0 && top < innerHeight && left < innerWidth;
     if (!inside || !viewer.checkVisibility({ visibilityProperty: true })) return null;
     const canvas = canvasOf(viewer);
-    const programs = seenBy.get(viewer) ?? '';
-    if (canvas === null) return { width: 0, height: 0, data: '', programs };
+    const by = seenBy.get(viewer) ?? { programs: '', place: '' };
+    if (canvas === null) return { width: 0, height: 0, data: '', ...by };
     const flat = canvas.getContext('2d') !== null;
     const copy = flat ? copied(canvas, canvas.width, canvas.height) : copies.get(viewer)!;
-    return { width: copy.width, height: copy.height, data: dataOf(copy), programs };
+    return { width: copy.width, height: copy.height, data: dataOf(copy), ...by };
   }
   async function blobOf(viewer: PhongViewer, [width, height]: readonly [number, number]): Promise<Drawn> {
     takeDrawn();
     const coming = viewer.toBlob({ width, height });
-    const programs = takeDrawn() || (seenBy.get(viewer) ?? ''); // alone, it is drawn again as it is seen
+    const taken = takeDrawn();
+    const by = taken.programs === '' ? (seenBy.get(viewer) ?? taken) : taken; // alone, it is drawn again as it is seen
     const bitmap = await createImageBitmap(await coming);
-    return { width, height, data: dataOf(copied(bitmap, width, height)), programs };
+    return { width, height, data: dataOf(copied(bitmap, width, height)), ...by };
   }
 
   window.walkWatch = {

@@ -143,7 +143,7 @@ class Player {
   #difference(which: string, a: Drawn, b: Drawn): string[] {
     const difference = betweenPrograms(pictureOf(a), pictureOf(b));
     const { max, differing, channels } = difference;
-    const same = a.programs === b.programs && a.programs !== '';
+    const same = a.programs === b.programs && a.programs !== '' && a.place === b.place;
     if (same) this.findings.same += 1;
     else this.findings.between.add(difference);
     if (a.programs.includes('exact')) this.findings.exact += 1;
