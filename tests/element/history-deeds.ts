@@ -7,7 +7,7 @@ import type { PhongMesh, PhongViewer } from './support.js';
 export interface Step {
   readonly what: string;
   readonly viewer: number;
-  /** Of the children of its kind. */
+  /** Of the children of its kind; -1: the one of any viewer that something has happened to last. */
   readonly child: number;
   /** Whose attribute, property or child it is about. */
   readonly tag: 'phong-viewer' | 'phong-light' | 'phong-mesh';
@@ -68,8 +68,14 @@ export function installDeeds(): void {
   const pending: Promise<unknown>[] = [];
   const MOST_VIEWERS = 3;
   const place = (i: number): Element => round([...document.querySelectorAll('section')], i)!;
+  /** Of each kind, the child that something happened to last. */
+  const latest = new Map<string, Element>();
+  const touched = (element: Element | null | undefined): Element | undefined => {
+    if (element) latest.set(element.localName, element);
+    return element ?? undefined;
+  };
   const childOf = (viewer: PhongViewer, { tag, child }: Step): Element | undefined =>
-    round([...viewer.querySelectorAll(tag)], child);
+    touched(child < 0 ? latest.get(tag) : round([...viewer.querySelectorAll(tag)], child));
   const targetOf = (viewer: PhongViewer, step: Step): Element | undefined =>
     step.tag === 'phong-viewer' ? viewer : childOf(viewer, step);
   const other = (step: Step): PhongViewer => round(viewers(), step.viewer + Number(step.value))!;
@@ -93,13 +99,20 @@ export function installDeeds(): void {
     'remove attribute': (viewer, step) => targetOf(viewer, step)?.removeAttribute(step.key),
     'set property': (viewer, step) => assign(targetOf(viewer, step), step.key, step.value),
     'clear property': (viewer, step) => assign(targetOf(viewer, step), step.key, null),
-    add: (viewer, { child, value }) =>
-      viewer.insertAdjacentHTML(child % 2 === 0 ? 'beforeend' : 'afterbegin', value),
+    add: (viewer, { child, value }) => {
+      const first = child % 2 !== 0;
+      viewer.insertAdjacentHTML(first ? 'afterbegin' : 'beforeend', value);
+      touched(first ? viewer.firstElementChild : viewer.lastElementChild);
+    },
     remove: (viewer, step) => childOf(viewer, step)?.remove(),
     'to the end': (viewer, step) => viewer.append(childOf(viewer, step) ?? ''),
     'to the front': (viewer, step) => viewer.prepend(childOf(viewer, step) ?? ''),
     'to another': (viewer, step) => other(step).append(childOf(viewer, step) ?? ''),
-    clone: (viewer, step) => other(step).append(childOf(viewer, step)?.cloneNode() ?? ''),
+    clone: (viewer, step) => {
+      const copy = childOf(viewer, step)?.cloneNode();
+      if (copy !== undefined) other(step).append(copy);
+      touched(copy as Element | undefined);
+    },
     children: (viewer, { value }) => void (viewer.innerHTML = value),
     style: (viewer, { key, value }) => viewer.style.setProperty(key, value),
     scroll: (_, { value }) => scrollTo(0, Number(value)),

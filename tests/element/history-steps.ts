@@ -155,7 +155,8 @@ function written(dice: Dice, tag: Tag): Partial<Step> {
   const what = dice.pick(['set attribute', 'set property', 'set property', 'set attribute', 'remove attribute', 'clear property']); // prettier-ignore
   const key = what.endsWith('property') ? property(name) : name;
   const isBad = dice.chance(0.04) && !['src', 'alt', 'segments'].includes(name);
-  return { what, tag, key, value: isBad ? bad(dice) : value(dice) };
+  const again = dice.chance(0.3) ? { child: -1 } : {};
+  return { what, tag, key, value: isBad ? bad(dice) : value(dice), ...again };
 }
 
 const child = (dice: Dice): Tag => dice.pick(['phong-light', 'phong-light', 'phong-mesh'] as const);
@@ -169,7 +170,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // prettier-ignore
   { weight: 5, make: (dice) => ({ what: 'remove', tag: child(dice) }) },
   { weight: 4, make: (dice) => ({ what: dice.pick(['to the end', 'to the front']), tag: child(dice) }) },
-  { weight: 3, make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }) },
+  { weight: 4, more: { page: 2 }, make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }) },
   { weight: 3, make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }) },
   { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // prettier-ignore
   { weight: 6, more: { motion: 6, 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // prettier-ignore
