@@ -173,13 +173,13 @@ const MAKERS: readonly Maker[] = [
   { weight: 4, more: { page: 2 }, make: (dice) => ({ what: 'to another', tag: child(dice), value: '1' }) },
   { weight: 3, make: (dice) => ({ what: 'clone', tag: child(dice), value: dice.pick(['0', '1']) }) },
   { weight: 0.5, make: (dice) => ({ what: 'children', value: dice.pick(['', lights(dice, 2), lights(dice, 30, smallSpot)]) }) }, // prettier-ignore
-  { weight: 6, more: { motion: 6, 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // prettier-ignore
+  { weight: 6, more: { 'many lights': 2 }, make: (dice) => ({ what: 'move lights', value: dice.pick(['1', '1', '2', '3', '5', '25']) }) }, // prettier-ignore
   {
     weight: 2,
     more: { motion: 3, 'many lights': 3 },
     make: (dice) => ({ what: 'move a mesh', value: dice.pick(['1', '4']) }),
   },
-  { weight: 4, more: { motion: 3 }, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // prettier-ignore
+  { weight: 4, make: (dice) => ({ what: 'draw on', value: dice.pick(['1', '5', '25', '25']) }) }, // prettier-ignore
   { weight: 1, make: (dice) => ({ what: 'turn', value: dice.pick(['50', '-300']) }) },
   { weight: 3, more: { motion: 2 }, make: (dice) => ({ what: 'drag', value: numbers(2, -40, 40)(dice) }) },
   { weight: 2, make: (dice) => ({ what: 'wheel', value: String(dice.from(-300, 300)) }) },
@@ -210,16 +210,41 @@ const MAKERS: readonly Maker[] = [
   },
 ];
 
+const made = (dice: Dice): Step => ({
+  ...{ what: '', tag: 'phong-light', key: '', value: '' },
+  viewer: Math.floor(dice.from(0, 5.999)),
+  child: Math.floor(dice.from(0, 199)),
+});
+
 function step(dice: Dice, mix: Mix): Step {
   const weights = MAKERS.map(({ weight, more }) => weight * (more?.[mix] ?? 1));
   let left = dice.from(0, 1) * weights.reduce((sum, weight) => sum + weight, 0);
   const maker = MAKERS.find((_, i) => (left -= weights[i]!) <= 0) ?? MAKERS[0]!;
-  const viewer = Math.floor(dice.from(0, 5.999));
-  const child = Math.floor(dice.from(0, 199));
-  return { ...{ what: '', viewer, child, tag: 'phong-light', key: '', value: '' }, ...maker.make(dice) };
+  return { ...made(dice), ...maker.make(dice) };
 }
 
 const MIXES: readonly Mix[] = ['all', 'lights', 'many lights', 'meshes', 'page', 'motion'];
+
+const several = (dice: Dice, mix: Mix, counts: readonly number[]): Step[] =>
+  Array.from({ length: dice.pick(counts) }, () => step(dice, mix));
+
+function anything(dice: Dice, mix: Mix): Task[] {
+  const count = Math.floor(dice.from(1, 6.999));
+  return Array.from({ length: count }, (_, i): Task => {
+    const then = i === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);
+    return { steps: several(dice, mix, [1, 1, 1, 2, 3, 5]), then };
+  });
+}
+
+/** What changes, and goes on moving, once programs for exactly the lights at hand have taken over. */
+function afterMotion(dice: Dice, mix: Mix): Task[] {
+  const moving = (frames: string): Step => ({ ...made(dice), what: dice.pick(['draw on', 'move lights']), value: frames }); // prettier-ignore
+  return [
+    { steps: [moving('30')], then: 'at once' },
+    { steps: several(dice, mix, [1, 1, 2]), then: dice.pick(['at once', 'a frame']) },
+    { steps: dice.chance(0.5) ? [moving('3')] : [], then: 'look' },
+  ];
+}
 
 /** A page of one to three viewers that is looked at `looks` times. */
 export function randomHistory(seed: number, looks: number): Scenario {
@@ -227,15 +252,7 @@ export function randomHistory(seed: number, looks: number): Scenario {
   const mix = MIXES[seed % MIXES.length]!;
   const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? SCENES.slice(0, 4) : SCENES;
   const viewers = dice.pick(mix === 'many lights' || mix === 'motion' ? [1, 1, 2] : [1, 1, 2, 3]);
-  const tasks: Task[] = [];
-  for (let i = 0; i < looks; i++) {
-    // Programs for exactly the lights at hand are left soon.
-    const count = Math.floor(dice.from(1, mix === 'motion' ? 3.999 : 6.999));
-    for (let j = 0; j < count; j++) {
-      const steps = Array.from({ length: dice.pick([1, 1, 1, 2, 3, 5]) }, () => step(dice, mix));
-      const then = j === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);
-      tasks.push({ steps, then });
-    }
-  }
+  const cycle = mix === 'motion' ? afterMotion : anything;
+  const tasks = Array.from({ length: looks }, () => cycle(dice, mix)).flat();
   return { begins: Array.from({ length: viewers }, () => dice.pick(scenes)(dice)), tasks };
 }
