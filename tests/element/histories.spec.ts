@@ -6,5 +6,6 @@ import { expectAsNew, seedsFrom } from './history.js';
 
 test('a page that has lived shows what a new one shows', async ({ page, mount, site, consoleGuard }) => {
   test.slow();
-  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 4), 4);
+  // One of each mix.
+  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 6), 4);
 });

@@ -147,7 +147,8 @@ const STYLE = ['terms', 'terms', 'ks', 'shininess', 'shading', 'reflection', 'co
 
 function styled(dice: Dice): Partial<Step> {
   const key = dice.pick(STYLE);
-  return { what: 'set attribute', tag: 'phong-viewer', key, value: VIEWER[key]!(dice) };
+  const value = key === 'shininess' ? dice.pick(['1', '7', '32', '33.5', '1000']) : VIEWER[key]!(dice);
+  return { what: 'set attribute', tag: 'phong-viewer', key, value };
 }
 
 function written(dice: Dice, tag: Tag): Partial<Step> {
@@ -165,7 +166,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 14, more: { lights: 3, 'many lights': 3 }, make: (dice) => written(dice, 'phong-light') },
   { weight: 8, more: { meshes: 4, 'many lights': 2 }, make: (dice) => written(dice, 'phong-mesh') },
   { weight: 8, make: (dice) => written(dice, 'phong-viewer') },
-  { weight: 1, more: { motion: 14 }, make: styled },
+  { weight: 1, more: { motion: 40 }, make: styled },
   { weight: 4, more: { lights: 2 }, make: (dice) => ({ what: 'add', value: light(dice) }) },
   { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // prettier-ignore
   { weight: 5, make: (dice) => ({ what: 'remove', tag: child(dice) }) },
