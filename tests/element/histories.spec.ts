@@ -6,6 +6,6 @@ import { expectAsNew, seedsFrom } from './history.js';
 
 test('a page that has lived shows what a new one shows', async ({ page, mount, site, consoleGuard }) => {
   test.slow();
-  // One of each mix.
-  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 6), 4);
+  // Of each mix of steps one, and one more that has programs made.
+  await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 6), 11], 4);
 });

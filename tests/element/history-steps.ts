@@ -143,7 +143,16 @@ interface Maker {
 }
 
 /** What of a viewer has programs of its own. */
-const STYLE = ['terms', 'terms', 'ks', 'shininess', 'shading', 'reflection', 'color-interpolation'];
+const STYLE = [
+  'terms',
+  'terms',
+  'ks',
+  'shininess',
+  'shininess',
+  'shading',
+  'reflection',
+  'color-interpolation',
+];
 
 function styled(dice: Dice): Partial<Step> {
   const key = dice.pick(STYLE);
@@ -166,7 +175,7 @@ const MAKERS: readonly Maker[] = [
   { weight: 14, more: { lights: 3, 'many lights': 3 }, make: (dice) => written(dice, 'phong-light') },
   { weight: 8, more: { meshes: 4, 'many lights': 2 }, make: (dice) => written(dice, 'phong-mesh') },
   { weight: 8, make: (dice) => written(dice, 'phong-viewer') },
-  { weight: 1, more: { motion: 40 }, make: styled },
+  { weight: 1, more: { motion: 10 }, make: styled },
   { weight: 4, more: { lights: 2 }, make: (dice) => ({ what: 'add', value: light(dice) }) },
   { weight: 2, more: { meshes: 3 }, make: (dice) => ({ what: 'add', value: element(dice, 'phong-mesh', 0.3) }) }, // prettier-ignore
   { weight: 5, make: (dice) => ({ what: 'remove', tag: child(dice) }) },
@@ -239,10 +248,14 @@ function anything(dice: Dice, mix: Mix): Task[] {
 
 /** What changes, and goes on moving, once programs for exactly the lights at hand have taken over. */
 function afterMotion(dice: Dice, mix: Mix): Task[] {
-  const moving = (frames: string): Step => ({ ...made(dice), what: dice.pick(['draw on', 'move lights']), value: frames }); // prettier-ignore
+  const { viewer } = made(dice);
+  const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights']), value }); // prettier-ignore
+  const changes = dice.chance(0.5)
+    ? [{ ...made(dice), ...styled(dice), viewer }]
+    : several(dice, mix, [1, 1, 2]);
   return [
     { steps: [moving('30')], then: 'at once' },
-    { steps: several(dice, mix, [1, 1, 2]), then: dice.pick(['at once', 'a frame']) },
+    { steps: changes, then: dice.pick(['at once', 'a frame']) },
     { steps: dice.chance(0.5) ? [moving('3')] : [], then: 'look' },
   ];
 }
