@@ -119,7 +119,11 @@ const faint: Values = (dice) => light(dice).replace(/ (diffuse|specular)="[^"]*"
 
 const FLOOR = '<phong-mesh geometry="plane" scale="4"></phong-mesh>';
 
-/** In the first ones the viewer's own mesh is all there is. */
+/** All lights of which are on, so that they get programs of their own soon. */
+const MOVING: readonly Values[] = [1, 3, 6].map(
+  (count) => (dice) =>
+    `<phong-viewer geometry="sphere" segments="24">${lights(dice, count, (d) => light(d).replace(/ active="[^"]*"/, ''))}</phong-viewer>`,
+);
 const SCENES: readonly Values[] = [
   (dice) => `<phong-viewer geometry="sphere" segments="24">${lights(dice, 3)}</phong-viewer>`,
   (dice) => `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${lights(dice, 16, faint)}</phong-viewer>`, // prettier-ignore
@@ -249,12 +253,12 @@ function anything(dice: Dice, mix: Mix): Task[] {
 /** What changes, and goes on moving, once programs for exactly the lights at hand have taken over. */
 function afterMotion(dice: Dice, mix: Mix): Task[] {
   const { viewer } = made(dice);
-  const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights']), value }); // prettier-ignore
+  const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // prettier-ignore
   const changes = dice.chance(0.5)
     ? [{ ...made(dice), ...styled(dice), viewer }]
     : several(dice, mix, [1, 1, 2]);
   return [
-    { steps: [moving('30')], then: 'at once' },
+    { steps: [moving('45')], then: 'at once' },
     { steps: changes, then: dice.pick(['at once', 'a frame']) },
     { steps: dice.chance(0.5) ? [moving('3')] : [], then: 'look' },
   ];
@@ -264,7 +268,7 @@ function afterMotion(dice: Dice, mix: Mix): Task[] {
 export function randomHistory(seed: number, looks: number): Scenario {
   const dice = new Dice(seed);
   const mix = MIXES[seed % MIXES.length]!;
-  const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? SCENES.slice(0, 4) : SCENES;
+  const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? MOVING : SCENES;
   const viewers = dice.pick(mix === 'many lights' || mix === 'motion' ? [1, 1, 2] : [1, 1, 2, 3]);
   const cycle = mix === 'motion' ? afterMotion : anything;
   const tasks = Array.from({ length: looks }, () => cycle(dice, mix)).flat();
