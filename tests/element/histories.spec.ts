@@ -7,5 +7,5 @@ import { expectAsNew, seedsFrom } from './history.js';
 test('a page that has lived shows what a new one shows', async ({ page, mount, site, consoleGuard }) => {
   test.slow();
   // Of each mix of steps one, and one more that has programs made.
-  await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 6), 23], 4);
+  await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 6), 23], 3);
 });
