@@ -6,6 +6,6 @@ import { expectAsNew, seedsFrom } from './history.js';
 
 test('a page that has lived shows what a new one shows', async ({ page, mount, site, consoleGuard }) => {
   test.slow();
-  // Of each mix of steps one, and one more that has programs made.
-  await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 6), 23], 3);
+  // Of each mix of steps one, and of those that have programs made two that change what is in them at once.
+  await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 4), 6, 23, 41], 3);
 });
