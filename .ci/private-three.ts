@@ -53,8 +53,6 @@ const leftOut: Readonly<Record<string, readonly string[]>> = {
     'initTexture',
     'resetState',
     'setDrawingBufferSize',
-    'setOpaqueSort',
-    'setTransparentSort',
     'setEffects',
     'setNodesHandler',
     'setRenderTargetTextures',

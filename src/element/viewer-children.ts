@@ -97,6 +97,7 @@ export class ViewerChildren {
       this.#listeners.set(mesh, listener);
       element.state.listen(listener);
     }
+    viewport.arrange(meshes.flatMap((element) => this.#meshes.get(element) ?? []));
     this.#host.meshesChanged();
   }
 

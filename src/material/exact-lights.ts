@@ -108,6 +108,7 @@ export function constantRows(packed: PackedLights): string {
   forEachLight(packed, (light, kind, row) => {
     for (let i = row; light >= first && i < row + ROWS[kind].rows; i++) texts.push(rowText(packed, i));
   });
+  if (texts.length === 0) texts.push('vec4(0)'); // GLSL has no array of nothing
   return `vec4[](${texts.join()})`;
 }
 

@@ -32,7 +32,27 @@ export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const canvas = context.canvas as HTMLCanvasElement;
   const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
   renderer.setClearColor(0x000000, 0);
+  renderer.setOpaqueSort(byScene);
+  renderer.setTransparentSort(fromBehind);
   return renderer;
+}
+
+/**
+ * In the order of the scene, which sorting leaves as it is: of surfaces in one place the last one shows. three.js's own order
+ * is that in which materials were made, of which the markup says nothing and which exact programs change.
+ */
+const byScene = (a: Ordered, b: Ordered): number =>
+  a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
+
+/** Farther ones first; three.js's own order goes on by which object was made first. */
+const fromBehind = (a: Ordered, b: Ordered): number => byScene(a, b) || b.z - a.z;
+
+/** Of what three.js sorts. */
+interface Ordered {
+  readonly groupOrder: number;
+  readonly renderOrder: number;
+  /** Depth. */
+  readonly z: number;
 }
 
 /** The largest side of one drawing, in pixels. */

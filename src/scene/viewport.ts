@@ -1,6 +1,6 @@
 // One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
 // Knows neither Lit nor attributes nor where input comes from.
-import type { Scene } from 'three';
+import type { Object3D, Scene } from 'three';
 import { zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
@@ -161,6 +161,15 @@ export class Viewport implements StageClient, Framed {
     this.#meshes.delete(mesh);
     mesh.dispose();
     this.reshaped();
+  }
+
+  /** The scene's order, in which it is drawn: a mesh that is not among `meshes`, these, and objects of one's own. */
+  arrange(meshes: readonly SceneMesh[]): void {
+    const ranks = new Map<Object3D, number>();
+    for (const mesh of this.#meshes) ranks.set(mesh.root, meshes.indexOf(mesh));
+    const rank = (object: Object3D): number => ranks.get(object) ?? meshes.length;
+    this.scene.children.sort((a, b) => rank(a) - rank(b));
+    this.invalidate();
   }
 
   /** Meshes came, went, moved or changed their triangles. */

@@ -1,8 +1,11 @@
 // Are meshes what the markup says, however it comes about and changes? Pictures are compared with those of the same scene
 // written out from the start; the camera is given, so that no refitting hides a difference.
 
+import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
+import { drawUntilExact } from './driving.js';
+import { logGl } from './gl-log.js';
 import { assign, type PhongViewer, record, settled, shownBy } from './support.js';
 
 const size = { width: 60, height: 40 };
@@ -37,6 +40,48 @@ test('changes give what the same meshes in markup give: added, removed, reordere
   same(await pixels(viewer), one);
   await viewer.evaluate((element, html) => (element.innerHTML = html), light + ball + box);
   same(await pixels(viewer), both);
+});
+
+test('of meshes in one place the last one shows, whatever came when and by whichever program it is drawn', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const red = '<phong-mesh geometry="sphere" kd="200 40 40"></phong-mesh>';
+  const green = red.replace('200 40', '40 200');
+  const blue = red.replace('200 40 40', '40 40 200');
+  const viewer = await mount(scene(red, green), size);
+  const wanted = { red: await shown(page, scene(red)), green: await shown(page, scene(green)) };
+  different(wanted.red, wanted.green);
+  same(await pixels(viewer), wanted.green);
+  await viewer.evaluate((element: PhongViewer) => element.append(element.meshes[0]!));
+  same(await pixels(viewer), wanted.red);
+  await viewer.evaluate((element, html) => element.insertAdjacentHTML('afterbegin', html), blue);
+  same(await pixels(viewer), wanted.red);
+  await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = 'gouraud'));
+  await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = null));
+  await drawUntilExact(page);
+  expectAlike(await pixels(viewer), wanted.red, 'by programs of their own');
+  await viewer.evaluate((element: PhongViewer) => (element.meshes[0]!.kd = [40, 40, 180]));
+  expectAlike(await pixels(viewer), wanted.red, 'one of them changed');
+});
+
+test('of blended meshes in one place the last one lies over the others, whatever came when', async ({
+  page,
+  mount,
+}) => {
+  const file = readFileSync(new URL('../fixtures/models/mask.glb', import.meta.url), 'latin1');
+  const blended = file.replace(/"MASK"(.*?) (?= *[^ ]{4}BIN)/s, '"BLEND"$1'); // a space less keeps its length
+  expect(blended).toHaveLength(file.length);
+  await page.route('**/blended.glb', (route) => route.fulfill({ body: Buffer.from(blended, 'latin1') }));
+  const red = '<phong-mesh src="/blended.glb" kd="255 0 0"></phong-mesh>';
+  const green = red.replace('255 0', '0 255');
+  const viewer = await mount(scene(red, green), size);
+  const [first, second] = [await shown(page, scene(red, green)), await shown(page, scene(green, red))];
+  different(first, second);
+  same(await pixels(viewer), first);
+  await viewer.evaluate((element: PhongViewer) => element.append(element.meshes[0]!));
+  same(await pixels(viewer), second);
 });
 
 const asMesh = '<phong-mesh geometry="box"></phong-mesh>';

@@ -2,7 +2,7 @@
 // `main` can reach in it after its conditions are decided.
 
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test.js';
+import { compare, expect, pixels, test } from '../support/test.js';
 import { drawUntilExact } from './driving.js';
 import { definesOf, reachableOf } from './glsl-reading.js';
 import { drawnWith, glPrograms, glSpent, isExact, isLit, logGl, type GlProgram } from './gl-log.js';
@@ -204,4 +204,18 @@ test('a fragment is explained alike whether a general or an exact program has dr
   });
   expect(programs).toBe(2);
   expect(await explain()).toEqual(before);
+});
+
+test('a picture that no light is looped over for gets a program of its own that shows the same', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const light = (more: string): string => `<phong-light ambient="90 60 30" ${more}></phong-light>`;
+  for (const lights of [light('diffuse="0" specular="0"'), light('active="false"')]) {
+    const viewer = await mount(`<phong-viewer geometry="box">${lights}</phong-viewer>`, size);
+    const before = await pixels(viewer);
+    await drawUntilExact(page, (one) => definesOf(one.fragment).has('LIGHT_CONSTANTS'));
+    expect(compare(await pixels(viewer), before).max, lights).toBe(0);
+  }
 });

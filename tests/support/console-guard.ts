@@ -14,6 +14,9 @@ interface Claim {
 const remark =
   /GL Driver Message \(OpenGL, Performance|^verbose: Rendering was performed in a subtree hidden/;
 
+/** Whether a message, `warning: …` and so on, says nothing of the page. */
+export const isRemark = (text: string): boolean => remark.test(text);
+
 export class ConsoleGuard {
   readonly #claims: Claim[] = [];
   readonly #strays: string[] = [];
@@ -52,7 +55,7 @@ export class ConsoleGuard {
   }
 
   #hear(text: string): void {
-    if (remark.test(text)) return;
+    if (isRemark(text)) return;
     const claim = this.#claims.find(({ pattern }) => pattern.test(text));
     (claim?.met ?? this.#strays).push(text);
   }

@@ -1,0 +1,147 @@
+// A page of a history at rest: waits until nothing is to come, and tells all that can be told of its viewers. The same in a page
+// within the page, where the same scenes begin anew.
+
+import type { Page } from '@playwright/test';
+import { installDeeds } from './history-deeds.js';
+import { type Drawn, installWatch } from './history-watch.js';
+import type { PhongViewer } from './support.js';
+
+/** One viewer at rest. */
+export interface Rest {
+  /** Null where nothing of it can be seen. */
+  readonly seen: Drawn | null;
+  readonly blob: Drawn;
+  /** As `toHTML` gives it, and with the camera as it is declared where no hand has moved it. */
+  readonly html: string;
+  readonly asDeclared: string | null;
+  readonly css: readonly [width: number, height: number];
+  /** Device pixels that the picture is to have. */
+  readonly pixels: readonly [width: number, height: number];
+  readonly camera: readonly number[];
+  readonly stats: Readonly<Record<string, unknown>>;
+  /** Lights that the page declares active. */
+  readonly active: number;
+  /** Objects of one's own in the scene. */
+  readonly own: readonly string[];
+}
+
+export type Began = Pick<Rest, 'blob' | 'camera' | 'stats'>;
+
+declare global {
+  interface Window {
+    walk: {
+      /** Waits until nothing is to come; tells what still came then. */
+      settle(): Promise<string>;
+      rest(): Promise<Rest[]>;
+      /** The same viewers, but new ones. */
+      begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]): Promise<Began[]>;
+    };
+  }
+}
+
+/** For pages of this context that are opened from now on. */
+export async function walkOn(page: Page): Promise<void> {
+  for (const install of [installWatch, installDeeds, installWalk]) await page.addInitScript(install);
+}
+
+/** Runs in the page, after the others. */
+function installWalk(): void {
+  const { walkWatch: watch, walkDeeds: deeds } = window;
+  const { viewers, frame, seenOf, blobOf, handled } = watch;
+
+  /** Milliseconds after which a promise counts as never kept. */
+  const LATE = 15_000;
+  const allReady = (): Promise<unknown> => Promise.all(viewers().map((viewer) => viewer.ready));
+  /** What observers tell comes after a frame, and may ask for another. */
+  const FEW = 4;
+  const fewFrames = async (count = FEW): Promise<void> => {
+    for (let i = 0; i < count; i++) await frame();
+  };
+  const loaded = (): number => performance.getEntriesByType('resource').length;
+  async function rests(): Promise<string> {
+    await Promise.all(deeds.pending.splice(0));
+    for (let round = 0; round < 5; round++) {
+      const before = loaded();
+      await fewFrames();
+      watch.happened = [];
+      await allReady(); // nothing that is asked for comes only then, but what is still fetched
+      await fewFrames(2);
+      if (watch.happened.length === 0) return '';
+      const fetching = loaded() !== before || document.querySelector('[src]') !== null;
+      if (!fetching && round > 0) break;
+    }
+    return `still busy: ${watch.happened.join()}`;
+  }
+  async function settle(): Promise<string> {
+    if (watch.lost) await watch.restore();
+    deeds.bringBack();
+    const late = new Promise<string>((resolve) => setTimeout(resolve, LATE, 'never ready'));
+    const outcome = await Promise.race([late, rests()]);
+    const failed = viewers().some(({ shadowRoot }) => shadowRoot?.querySelector('[part=notice]'));
+    return failed ? `${outcome} a notice of failure` : outcome;
+  }
+
+  const numbers = ({ camera }: PhongViewer): number[] => {
+    const { eye, target, up, theta, phi, radius } = camera;
+    return [...eye, ...target, ...up, theta, phi, radius];
+  };
+  const pixelsOf = (viewer: PhongViewer): [number, number] => {
+    const { clientWidth, clientHeight } = viewer;
+    const whole = (side: number): number => Math.round(side * devicePixelRatio);
+    return [whole(clientWidth), whole(clientHeight)];
+  };
+  const declared = (viewer: PhongViewer, html: string): string => {
+    const { radius, target } = viewer as unknown as Record<string, string | number | readonly number[]>;
+    return html
+      .replace(/ radius="[^"]*"/, ` radius="${String(radius)}"`)
+      .replace(/ target="[^"]*"/, ` target="${Array.isArray(target) ? target.join(' ') : String(target)}"`);
+  };
+  async function rest(): Promise<Rest[]> {
+    const all = viewers().map((viewer) => ({ viewer, seen: seenOf(viewer) })); // before any other picture is asked for
+    const rests: Rest[] = [];
+    for (const { viewer, seen } of all) {
+      const pixels = pixelsOf(viewer);
+      const shown = pixels[0] > 0 && pixels[1] > 0;
+      const size = shown ? pixels : ([40, 30] as const);
+      const blob = await blobOf(viewer, size);
+      const html = viewer.toHTML().replace(/ gui(="[^"]*")?/, '');
+      const { lights, clientWidth, clientHeight } = viewer;
+      rests.push({
+        ...{ seen, blob, html, pixels },
+        asDeclared: handled.has(viewer) || !shown ? null : declared(viewer, html),
+        css: shown ? [clientWidth, clientHeight] : [40, 30],
+        camera: numbers(viewer),
+        stats: { ...viewer.stats },
+        active: lights.length === 0 ? 1 : lights.filter(({ active }) => active).length,
+        own: deeds.ownOf(viewer),
+      });
+    }
+    return rests;
+  }
+
+  async function begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]): Promise<Began[]> {
+    await customElements.whenDefined('phong-viewer');
+    // Those before go afterwards: the context and programs that are needed again stay.
+    const before = viewers();
+    document.body.insertAdjacentHTML('afterbegin', rests.map(({ html }) => html).join(''));
+    const all = viewers()
+      .slice(0, rests.length)
+      .map((viewer, i) => ({ viewer, ...rests[i]! }));
+    for (const { viewer, css } of all) {
+      viewer.style.width = `${css[0]}px`;
+      viewer.style.height = `${css[1]}px`;
+    }
+    for (const { viewer, own } of all) for (const where of own) await deeds.addOwn(viewer, where);
+    await Promise.all(all.map(({ viewer }) => viewer.ready));
+    const began: Began[] = [];
+    for (const { viewer, pixels } of all) {
+      const size = pixels[0] > 0 && pixels[1] > 0 ? pixels : ([40, 30] as const);
+      const blob = await blobOf(viewer, size);
+      began.push({ blob, camera: numbers(viewer), stats: { ...viewer.stats } });
+    }
+    for (const viewer of before) viewer.remove();
+    return began;
+  }
+
+  window.walk = { settle, rest, begin };
+}

@@ -1,0 +1,245 @@
+// Plays a page's history and holds the page, each time it is looked at, against a new page of the same scene. A history
+// that fails is played again with tasks and steps left out, as long as it still fails.
+
+import type { Frame, Locator, Page } from '@playwright/test';
+import { betweenPrograms, DifferenceSum } from '../visual/between-programs.js';
+import { type Mount, type Picture, setPixelRatio } from '../support/test.js';
+import { type ConsoleGuard, isRemark } from '../support/console-guard.js';
+import type { Site } from '../support/site.js';
+import type { Step } from './history-deeds.js';
+import { type Began, type Rest, walkOn } from './history-page.js';
+import type { Drawn } from './history-watch.js';
+import { randomHistory, type Scenario } from './history-steps.js';
+import { shortest } from './history-shortest.js';
+
+const SIZE = { width: 72, height: 52 };
+const STYLE = `
+  body { height: 1500px }
+  section { height: 300px }
+  phong-viewer { display: inline-block !important }
+  phong-viewer[style*='none'] { display: none !important }
+  iframe { position: fixed; right: 0; bottom: 0; width: 200px; height: 100px }`;
+
+/** What histories found, all together. */
+class Findings {
+  /** Between different programs. */
+  readonly between = new DifferenceSum();
+  looks = 0;
+  /** Pictures that the same programs drew twice. */
+  same = 0;
+  /** Pictures that programs for exactly their lights drew. */
+  exact = 0;
+}
+
+class Player {
+  readonly #page: Page;
+  readonly #mount: Mount;
+  readonly #site: Site;
+  readonly #heard: string[] = [];
+  /** Of a page in which everything begins anew. */
+  #new: Frame | null = null;
+  readonly findings = new Findings();
+
+  constructor(page: Page, mount: Mount, site: Site) {
+    this.#page = page;
+    this.#mount = mount;
+    this.#site = site;
+    page.on('console', (message) => {
+      const text = message.text();
+      if (!isRemark(`${message.type()}: ${text}`) && !BAD_VALUES.test(text)) this.#heard.push(text);
+    });
+    page.on('pageerror', (error) => this.#heard.push(String(error)));
+  }
+
+  /** What was wrong at the first look that found something; null where nothing was. */
+  async play({ begins, tasks }: Scenario): Promise<string | null> {
+    await this.#open(begins);
+    for (const [i, { steps, then }] of tasks.entries()) {
+      await this.#take(steps);
+      if (then === 'at once') continue;
+      if (then === 'a frame') await this.#page.evaluate(() => new Promise(requestAnimationFrame));
+      else if (then === 'rest') await this.#page.evaluate(() => window.walk.settle());
+      else {
+        const fault = await this.#look();
+        if (fault !== '') return `after task ${i}: ${fault}`;
+      }
+    }
+    return null;
+  }
+
+  async #open(begins: readonly string[]): Promise<void> {
+    const page = this.#page;
+    await setPixelRatioOnce(page, 1);
+    const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
+    const begun = this.#site.page('', { csp: '', head, css: 'body { margin-left: 5000px }' });
+    const address = new URL(begun).pathname;
+    const body = `<section>${begins.join('')}</section><section></section><iframe src="${address}"></iframe>`;
+    await this.#mount(body, { ...SIZE, csp: '', css: STYLE });
+    this.#new = page.frames().find((frame) => frame.url() === begun) ?? null;
+    // Bad values are met sooner or later; here, in every history.
+    const bad = {
+      what: 'set attribute',
+      viewer: 0,
+      child: 0,
+      tag: 'phong-viewer',
+      key: 'fov',
+      value: 'wide',
+    } as const;
+    await this.#take([bad, { ...bad, what: 'remove attribute' }]);
+    this.#heard.length = 0;
+  }
+
+  async #take(steps: readonly Step[]): Promise<void> {
+    let rest = steps;
+    while (rest.length > 0) {
+      const at = rest.findIndex(({ what }) => what in HANDS);
+      const inPage = at < 0 ? rest : rest.slice(0, at);
+      if (inPage.length > 0) await this.#page.evaluate((list) => window.walkDeeds.take(list), inPage);
+      if (at < 0) return;
+      await HANDS[rest[at]!.what]!(this.#page, rest[at]!);
+      rest = rest.slice(at + 1);
+    }
+  }
+
+  async #look(): Promise<string> {
+    const busy = await this.#page.evaluate(() => window.walk.settle());
+    if (busy !== '') return busy;
+    const rests = await this.#page.evaluate(() => window.walk.rest());
+    const declared = this.findings.looks % 2 === 0;
+    const asked = rests.map(({ html, asDeclared, css, pixels, own }) => ({
+      html: declared ? (asDeclared ?? html) : html,
+      ...{ css, pixels, own },
+    }));
+    const began = await this.#new!.evaluate((list) => window.walk.begin(list), asked);
+    this.findings.looks += 1;
+    const faults = rests.flatMap((rest, i) =>
+      this.#faults(rest, began[i]!).map((fault) => `viewer ${i}: ${fault}\n${asked[i]!.html}`),
+    );
+    return [...faults, ...this.#heard.splice(0).map((text) => `on the console: ${text}`)].join('\n');
+  }
+
+  #faults(rest: Rest, began: Began): string[] {
+    const { seen, blob, pixels, stats, active, camera } = rest;
+    const faults: string[] = [];
+    if (seen !== null) {
+      const size = `${seen.width} × ${seen.height}`;
+      if (size !== pixels.join(' × ')) faults.push(`${size} pixels are seen, not ${pixels.join(' × ')}`);
+      else faults.push(...this.#difference('what is seen and toBlob', seen, blob));
+    }
+    faults.push(...this.#difference('toBlob and that of a new page', blob, began.blob));
+    camera.forEach((x, i) => {
+      if (!(Math.abs(x - began.camera[i]!) <= 1e-9 * Math.max(1, Math.abs(x))))
+        faults.push(`camera ${String(camera)}, not ${String(began.camera)}`);
+    });
+    const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
+      JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // prettier-ignore
+    if (cost(stats) !== cost(began.stats))
+      faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
+    if (stats['lightsActive'] !== active)
+      faults.push(`${String(stats['lightsActive'])} lights active, ${active} declared so`);
+    return faults;
+  }
+
+  #difference(which: string, a: Drawn, b: Drawn): string[] {
+    const difference = betweenPrograms(pictureOf(a), pictureOf(b));
+    const { max, differing, channels } = difference;
+    const same = a.programs === b.programs && a.programs !== '' && a.place === b.place;
+    if (same) this.findings.same += 1;
+    else this.findings.between.add(difference);
+    if (a.programs.includes('exact')) this.findings.exact += 1;
+    // One channel of a small picture is more than the promise's share of many.
+    if (max <= (same ? 0 : 1) && differing <= Math.max(2, 2e-3 * channels)) return [];
+    return [`${which} differ by ${max} codes on ${differing} of ${channels} channels, drawn by ${a.programs || '?'} and ${b.programs || '?'}`]; // prettier-ignore
+  }
+}
+
+/** Of values that are bad on purpose. */
+const BAD_VALUES = /expected .*; using .* instead\./;
+
+function pictureOf({ width, height, data }: Drawn): Picture {
+  return { width, height, data: Uint8Array.from(Buffer.from(data, 'base64')) };
+}
+
+const ratios = new WeakMap<Page, number>();
+async function setPixelRatioOnce(page: Page, ratio: number): Promise<void> {
+  if ((ratios.get(page) ?? 1) === ratio) return;
+  ratios.set(page, ratio);
+  await setPixelRatio(page, ratio);
+}
+
+/** What happens from outside: hands, and the screen. */
+const HANDS: Readonly<Record<string, (page: Page, step: Step) => Promise<void>>> = {
+  async drag(page, step) {
+    const [dx = 0, dy = 0] = step.value.split(' ').map(Number);
+    if (!(await over(page, step))) return;
+    const [x, y] = await middleOf(page, step);
+    await page.mouse.down();
+    await page.mouse.move(x + dx, y + dy, { steps: 2 });
+    await page.mouse.up();
+  },
+  async wheel(page, step) {
+    if (!(await over(page, step))) return;
+    await page.mouse.down();
+    await page.mouse.up();
+    await page.mouse.wheel(0, Number(step.value));
+  },
+  ratio: (page, { value }) => setPixelRatioOnce(page, Number(value)),
+};
+
+const viewerOf = async (page: Page, { viewer }: Step): Promise<Locator | null> => {
+  const all = page.locator('phong-viewer');
+  const count = await all.count();
+  return count === 0 ? null : all.nth(viewer % count);
+};
+
+async function middleOf(page: Page, step: Step): Promise<[number, number]> {
+  const box = await (await viewerOf(page, step))?.boundingBox();
+  return box ? [box.x + box.width / 2, box.y + box.height / 2] : [-1, -1];
+}
+
+async function over(page: Page, step: Step): Promise<boolean> {
+  const [x, y] = await middleOf(page, step);
+  const { width, height } = page.viewportSize() ?? { width: 0, height: 0 };
+  if (!(x >= 0 && y >= 0 && x < width && y < height)) return false;
+  await page.mouse.move(x, y);
+  return true;
+}
+
+export const seedsFrom = (first: number, count: number): number[] =>
+  Array.from({ length: count }, (_, i) => first + i);
+
+interface Fixtures {
+  readonly page: Page;
+  readonly mount: Mount;
+  readonly site: Site;
+  readonly consoleGuard: ConsoleGuard;
+}
+
+/**
+ * Plays the histories of these seeds, each looked at so many times. Throws what was found first, with the fewest tasks and
+ * steps that still find something.
+ */
+export async function expectAsNew(
+  { page, mount, site, consoleGuard }: Fixtures,
+  seeds: readonly number[],
+  looks: number,
+): Promise<void> {
+  consoleGuard.allow(BAD_VALUES);
+  await walkOn(page);
+  const player = new Player(page, mount, site);
+  for (const seed of seeds) {
+    const history = randomHistory(seed, looks);
+    const fault = await player.play(history);
+    if (fault === null) continue;
+    const { scenario, fault: still } = await shortest(history, (one) => player.play(one), SHORTENING_MS);
+    const told = [...scenario.begins, ...scenario.tasks.map((task) => JSON.stringify(task))].join('\n');
+    throw new Error(`seed ${seed}, ${fault}\n\nshortest:\n${told}\n${still || 'did not fail again'}`);
+  }
+  const { looks: looked, same, exact, between } = player.findings;
+  console.log(`Seeds ${seeds.join()}: ${looked} looks, ${same} pairs of pictures by the same programs, ${exact} by exact ones; else ${String(between)}`); // prettier-ignore
+  // What the other tests of programs ask of large pictures; here a channel may be a fifty-thousandth of all.
+  if (between.channels > 5e4) between.expectPromise();
+}
+
+/** How long a failure is looked into. */
+const SHORTENING_MS = Number(process.env['PHONG_VIEWER_SHORTENING'] ?? 60_000);
