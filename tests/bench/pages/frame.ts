@@ -4,7 +4,15 @@ import { type Capture, captureOf } from './capture.js';
 import { core } from './peers/core.js';
 import { element } from './peers/element.js';
 import { meshPhong, meshPhongLinear, unlit } from './peers/mesh-phong.js';
-import { clockFrames, litShare, type Peer, type PeerMaker, settle, timeFrames } from './peers/peer.js';
+import {
+  clockFrames,
+  litShare,
+  type Peer,
+  type PeerMaker,
+  settle,
+  SETTLED_AT_SIZE,
+  timeFrames,
+} from './peers/peer.js';
 import { raw } from './peers/raw.js';
 import type { Kind } from './scenes.js';
 
@@ -22,6 +30,8 @@ export interface FrameBench {
   /** At a small size, where frames cost little. */
   settle(): Promise<{ frames: number; programs: number; most: number }>;
   resize(width: number, height: number): Promise<void>;
+  /** Once more, where frames cost what they are timed for. */
+  settleAtSize(): Promise<void>;
   lit(): number;
   draw(frames: number): number;
   time(frames: number): Promise<number>;
@@ -52,6 +62,7 @@ window.openPeer = async (capture) => {
     hasTimer: peer.gl.getExtension('EXT_disjoint_timer_query_webgl2') !== null,
     settle: () => settle(peer),
     resize: (width, height) => peer.resize(width, height),
+    settleAtSize: () => settle(peer, SETTLED_AT_SIZE).then(() => undefined),
     lit: () => litShare(peer),
     draw: (frames) => clockFrames(peer, frames),
     time: (frames) => timeFrames(peer, frames),

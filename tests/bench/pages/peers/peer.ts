@@ -28,6 +28,9 @@ export const pause = (ms: number): Promise<void> => new Promise((resolve) => set
 /** Faster programs may take over from the background: so many frames and so long without a new one, and it is settled. */
 const SETTLED = { frames: 200, ms: 1000, atMost: 20_000 };
 
+/** At the size that is timed, where frames may be so slow that a program is worth its compiling that was not before. */
+export const SETTLED_AT_SIZE: typeof SETTLED = { frames: 5, ms: 6000, atMost: 60_000 };
+
 export async function settle(
   peer: Peer,
   { frames: enough, ms, atMost } = SETTLED,
