@@ -77,7 +77,7 @@ const made = new Map<string, Shaders>();
  */
 export function shadersOf(defines: Readonly<Record<string, string>>, more = ''): Shaders {
   const gouraud = 'SHADING_GOURAUD' in defines;
-  const asked = ('FILTER_HIGHLIGHTS' in defines ? averages : '') + more;
+  const asked = `${'FILTER_HIGHLIGHTS' in defines ? averages : ''}\n${more}`;
   const key = `${String(gouraud)} ${asked}`;
   const known = made.get(key);
   if (known !== undefined) return known;

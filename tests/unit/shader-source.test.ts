@@ -101,6 +101,14 @@ describe('the chunks', () => {
     expect(LIGHT_LOOP_GLSL).not.toContain(word);
   });
 
+  it('begin and end on lines of their own, whatever is asked for at once', () => {
+    const asked = [chunk('cell_list'), chunk('constant_rows')];
+    for (const more of asked) {
+      const { fragmentShader } = shadersOf({ FILTER_HIGHLIGHTS: '' }, more);
+      for (const text of [AVERAGES_GLSL, more]) expect(`\n${fragmentShader}\n`).toContain(`\n${text}\n`);
+    }
+  });
+
   it('are declared before they are used, whichever lobe is chosen', () => {
     for (const on of [[BLOCK], [BLOCK, 'REFLECTION_BLINN_PHONG']]) {
       const text = preprocess(LIGHT_LOOP_GLSL, new Set([...on, 'HAS_SPOT', 'HAS_POINT', 'HAS_SPECULAR']));

@@ -229,20 +229,25 @@ async function firstPicture(page: Page, markup: string): Promise<Picture> {
   return picture;
 }
 
-test('five hundred spots on a floor of many vertices look alike under Gouraud', async ({ page, mount }) => {
-  test.setTimeout(120_000);
-  await logGl(page);
-  const markup = sceneMarkup(overFloor(spots(500, 4), 'gouraud'), 'gouraud');
-  const viewer = await mount(markup, SIZE);
-  const [looped] = await picturesBy(page, [viewer], 'general', SIZE);
-  await drawUntilExact(page);
-  expect(await looksUp(page)).toBe(true);
-  const [shown] = await picturesBy(page, [viewer], 'exact', SIZE);
-  const sum = new DifferenceSum();
-  sum.add(betweenPrograms(looped!, shown!));
-  console.log(`500 spots, Gouraud: ${String(sum)}`);
-  sum.expectPromise();
-});
+for (const [name, shading, attribute] of [
+  ['on a floor of many vertices look alike under Gouraud', 'gouraud', ''],
+  ['look alike with their highlights averaged', 'phong', 'antialias="highlights"'],
+] as const) {
+  test(`five hundred spots ${name}`, async ({ page, mount }) => {
+    test.setTimeout(120_000);
+    await logGl(page);
+    const markup = sceneMarkup(overFloor(spots(500, 4), shading), shading);
+    const viewer = await mount(markup.replace('<phong-viewer', `<phong-viewer ${attribute}`), SIZE);
+    const [looped] = await picturesBy(page, [viewer], 'general', SIZE);
+    await drawUntilExact(page);
+    expect(await looksUp(page)).toBe(true);
+    const [shown] = await picturesBy(page, [viewer], 'exact', SIZE);
+    const sum = new DifferenceSum();
+    sum.add(betweenPrograms(looped!, shown!));
+    console.log(`500 spots ${name}: ${String(sum)}`);
+    sum.expectPromise();
+  });
+}
 
 test('an error budget is kept at every pixel, also where lights are looked up by place', async ({
   page,
