@@ -119,7 +119,8 @@ export class ExactPrograms {
       const { twin } = this.#compiling;
       this.#framesCompiling += 1;
       if (twin !== null && !isReady(renderer, twin, this.#framesCompiling)) return;
-      this.#compiling.ready = twin !== null;
+      // One that a driver cannot link is told of, and never drawn with: the general one goes on.
+      this.#compiling.ready = twin !== null && hasLinked(renderer, twin);
       if (twin !== null) unfinished.delete(programOf(renderer, twin) ?? twin);
       this.#compiling = null;
     }
@@ -227,6 +228,12 @@ const commonText = (list: LightList, form: ExactForm): string =>
 function isReady(renderer: WebGLRenderer, material: Material, frames: number): boolean {
   if (frames < UNTOLD_FRAMES && !renderer.extensions.has('KHR_parallel_shader_compile')) return false;
   return programOf(renderer, material)?.isReady() ?? false;
+}
+
+function hasLinked(renderer: WebGLRenderer, material: Material): boolean {
+  const gl = renderer.getContext();
+  const program = programOf(renderer, material)?.program;
+  return program !== undefined && gl.getProgramParameter(program, gl.LINK_STATUS) === true;
 }
 
 /** Not in three.js's types. */

@@ -3,7 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../support/test.js';
-import { drawUntilExact } from './driving.js';
+import { drawFrames, drawUntilExact } from './driving.js';
 import { definesOf, reachableOf } from './glsl-reading.js';
 import { drawnWith, glPrograms, glSpent, isExact, isLit, logGl, type GlProgram } from './gl-log.js';
 import { expectFewPrograms, MOST_EXACT } from './program-walk.js';
@@ -218,4 +218,29 @@ test('a picture that no light is looped over for gets a program of its own that 
     await drawUntilExact(page, (one) => definesOf(one.fragment).has('LIGHT_CONSTANTS'));
     expect(compare(await pixels(viewer), before).max, lights).toBe(0);
   }
+});
+
+test('a picture whose own program no driver links is drawn by the general one, and the failure is told once', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/uncaught: .*a program does not link.*broken by hand/s, 1);
+  await logGl(page);
+  await page.addInitScript(() => {
+    const gl = WebGL2RenderingContext.prototype;
+    const real = Object.getOwnPropertyDescriptor(gl, 'shaderSource')?.value as typeof gl.shaderSource;
+    gl.shaderSource = function (this: WebGL2RenderingContext, shader, text) {
+      real.call(this, shader, text.replace('#define EXACT_LIGHTS', '#error broken by hand\n$&'));
+    };
+  });
+  const viewer = await mount(
+    '<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>',
+    size,
+  );
+  const before = await pixels(viewer);
+  await drawFrames(page, 80);
+  expect((await drawnWith(page)).filter(isLit).some(isExact)).toBe(false);
+  expect(compare(await pixels(viewer), before).max).toBe(0);
+  expect((await glPrograms(page)).filter(isExact)).toHaveLength(1);
 });
