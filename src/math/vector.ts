@@ -41,13 +41,3 @@ export function normalize(a: Vec3): Vec3 {
   const s: Vec3 = [a[0] / largest, a[1] / largest, a[2] / largest];
   return scale(s, 1 / Math.hypot(s[0], s[1], s[2]));
 }
-
-/** A point (w = 1) or a direction (w = 0) through a 4×4 matrix whose last row is 0 0 0 1. */
-export function transform(m: Mat4, v: Vec3, w: 0 | 1): Vec3 {
-  const at = (i: number): number => m[i] ?? 0;
-  return [
-    at(0) * v[0] + at(4) * v[1] + at(8) * v[2] + at(12) * w,
-    at(1) * v[0] + at(5) * v[1] + at(9) * v[2] + at(13) * w,
-    at(2) * v[0] + at(6) * v[1] + at(10) * v[2] + at(14) * w,
-  ];
-}

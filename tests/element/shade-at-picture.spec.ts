@@ -40,9 +40,11 @@ class Tally {
   }
 }
 
+/** Another viewer in the place of this one, once its shape is there: a torus is fetched. */
 const show = (viewer: Locator, markup: string): Promise<void> =>
-  viewer.evaluate((element, text) => {
+  viewer.evaluate((element: PhongViewer, text) => {
     element.outerHTML = text;
+    return document.querySelector<PhongViewer>('phong-viewer')!.ready;
   }, markup);
 
 test.describe('agrees with the picture', () => {

@@ -12,10 +12,9 @@ import {
   normalize,
   scale,
   subtract,
-  transform,
   type Vec3,
 } from '../../src/math/vector.js';
-import { numbers, plainVector, rotation, triple } from './arbitraries.js';
+import { numbers, plainVector, triple } from './arbitraries.js';
 
 const A: Vec3 = [1, 2, 3];
 const B: Vec3 = [4, -5, 6];
@@ -111,28 +110,6 @@ describe('normalizing', () => {
           expect(normalize(negate(v)).map((x) => x + 0)).toStrictEqual(unit.map((x) => 0 - x));
         },
       ),
-    );
-  });
-});
-
-describe('transforming', () => {
-  const matrix = [1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 10, 0, 100, 200, 300, 1];
-
-  it('reads matrices by columns and moves points, not directions', () => {
-    expect(transform(matrix, [1, 0, 0], 0)).toStrictEqual([1, 2, 3]);
-    expect(transform(matrix, [0, 1, 0], 0)).toStrictEqual([4, 5, 6]);
-    expect(transform(matrix, [0, 0, 1], 0)).toStrictEqual([7, 8, 10]);
-    expect(transform(matrix, [0, 0, 0], 1)).toStrictEqual([100, 200, 300]);
-    expect(transform(matrix, [1, 1, 1], 1)).toStrictEqual([112, 215, 319]);
-  });
-
-  it('keeps lengths and angles under a rotation', () => {
-    fc.assert(
-      fc.property(rotation, plainVector, plainVector, ([x, y, z], a, b) => {
-        const turn = [...x, 0, ...y, 0, ...z, 0, 0, 0, 0, 1];
-        const turned = dot(transform(turn, a, 0), transform(turn, b, 1));
-        expect(Math.abs(turned - dot(a, b))).toBeLessThan(1e-12);
-      }),
     );
   });
 });
