@@ -68,7 +68,7 @@ export const literal = (numbers: ArrayLike<number>): string =>
 /** Lights with their numbers in a text at most: a driver in software takes the square of them to compile. */
 export const MOST_CONSTANT = 64;
 
-/** Lights of which so many have theirs there at most: 256 took 0.41 of MeshPhong's time so and 0.53 without, more would gain less. */
+/** Lights of which so many have theirs there at most: 256 took 0.35 of MeshPhong's time so and 0.53 without, more would gain less. */
 export const MOST_PARTLY = 4 * MOST_CONSTANT;
 
 /** The first of the lights that have their numbers in the text: spots, which have the most of them, stand last. */
@@ -112,7 +112,9 @@ export function constantRows(packed: PackedLights): string {
   return `vec4[](${texts.join()})`;
 }
 
-const rowText = ({ data }: PackedLights, row: number): string => literal(data.subarray(row * 4, row * 4 + 4));
+/** A row as a literal. */
+export const rowText = ({ data }: PackedLights, row: number): string =>
+  literal(data.subarray(row * 4, row * 4 + 4));
 
 /** The same as a loop per kind, for any number of lights of these shapes. */
 export function inLoops(packed: PackedLights, terms: number): string {

@@ -1,14 +1,14 @@
 // What only programs for exactly some lights have: whole exponents, vectors of usual lengths, lights written out or in loops
 // over what they have in common. Each against the same law in float64.
 import { SHAPE } from '../../src/light/light-layout.js';
-import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
+import { emptyPack, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import {
   constant,
   constantRows,
   counted,
   inLoops,
-  literal,
+  rowText,
   writtenOut,
 } from '../../src/material/exact-lights.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
@@ -178,9 +178,6 @@ export const ANYWHERE = `
 
 const TEXTS = { 'written out': writtenOut, 'in the text': constant, counted, 'in loops': inLoops } as const;
 
-const rowTexts = ({ data, rows }: PackedLights): string[] =>
-  Array.from({ length: rows }, (_, row) => literal(data.subarray(row * 4, row * 4 + 4)));
-
 /** `apart`: a define that says more of where they are. */
 export function sumsOf(
   form: keyof typeof TEXTS,
@@ -193,6 +190,7 @@ export function sumsOf(
   packLights(chosen, { worldToShading: identity, cameraToShading: identity, linear: false }, packed);
   const bits = terms.reduce((sum, term) => sum | TERMS[term], 0);
   const text = TEXTS[form](packed, bits);
+  const rows = Array.from({ length: packed.rows }, (_, row) => rowText(packed, row));
   const all = terms.length === ALL.length;
   return {
     title: `lights ${apart === '' ? '' : 'that stand apart '}${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
@@ -204,7 +202,7 @@ export function sumsOf(
         .filter((term) => form !== 'in the text' || term !== 'ambient')
         .map((term) => `HAS_${term.toUpperCase()}`),
     ],
-    rows: `const vec4 ROWS[] = vec4[](${rowTexts(packed).join()});\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
+    rows: `const vec4 ROWS[] = vec4[](${rows.join()});\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
     glsl: ANYWHERE,
     inputs(random) {
       for (;;) {
