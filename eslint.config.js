@@ -83,7 +83,7 @@ export default defineConfig(
     },
   },
   {
-    files: ['src/{math,light,reference,camera}/**/*.ts'],
+    files: ['src/{math,fields,light,reference,camera}/**/*.ts'],
     ignores: ['src/camera/orbit-input.ts', 'src/camera/*-input.ts'],
     rules: {
       'no-restricted-globals': [

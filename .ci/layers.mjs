@@ -15,21 +15,25 @@ import { posix, sep } from 'node:path';
 /** @type {Record<string, Partial<Layer>>} */
 export const layers = {
   math: {},
-  light: { layers: ['math'] },
-  reference: { layers: ['light', 'math'] },
+  fields: { layers: ['math'] },
+  light: { layers: ['fields', 'math'] },
+  reference: { layers: ['light', 'fields', 'math'] },
   camera: { layers: ['math'] },
-  material: { layers: ['light', 'math', 'shaders'], packages: ['three'] },
-  scene: { layers: ['material', 'camera', 'light', 'math'], packages: ['three'] },
+  material: { layers: ['light', 'fields', 'math', 'shaders'], packages: ['three'] },
+  scene: { layers: ['material', 'camera', 'light', 'fields', 'math'], packages: ['three'] },
   element: {
-    layers: ['core', 'scene', 'material', 'camera', 'light', 'math'],
+    layers: ['core', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
     lazy: ['reference'],
     packages: ['lit'],
     types: ['three', 'react'],
   },
-  gui: { layers: ['element', 'scene', 'material', 'camera', 'light', 'math'], packages: ['lil-gui'] },
-  core: { layers: ['material', 'camera', 'light', 'math'], packages: ['three'] },
+  gui: {
+    layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
+    packages: ['lil-gui'],
+  },
+  core: { layers: ['material', 'camera', 'light', 'fields', 'math'], packages: ['three'] },
   index: {
-    layers: ['element', 'scene', 'material', 'camera', 'light', 'math'],
+    layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
     lazy: ['gui', 'reference'],
     types: ['three'],
   },

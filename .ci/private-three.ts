@@ -91,7 +91,7 @@ const replaced: Readonly<Record<string, readonly (readonly [text: RegExp | strin
     [/import { MeshBasicMaterial } .*/, ''],
     ['material = new MeshBasicMaterial()', 'material'],
   ],
-  // Never asked for: src/scene/link-check.ts says why.
+  // Never asked for: src/scene/gpu/link-check.ts says why.
   'WebGLProgram.js': [['renderer.debug.checkShaderErrors', 'false']],
 };
 

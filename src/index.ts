@@ -22,9 +22,9 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 export { PhongLight, PhongMesh, PhongViewer };
 export type { PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
 export type { PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
-export type { PictureOptions } from './element/picture-blob.js';
-export type { FragmentExplanation, LightExplanation } from './element/shade-at.js';
-export type { CameraSource, CameraState } from './element/viewer-camera.js';
-export type { ViewerErrorCode, ViewerErrorDetail } from './element/viewer-loading.js';
-export type { ViewerStats } from './element/viewer-stats.js';
+export type { PictureOptions } from './element/viewer/picture-blob.js';
+export type { FragmentExplanation, LightExplanation } from './element/viewer/shade-at.js';
+export type { CameraSource, CameraState } from './element/viewer/camera.js';
+export type { ViewerErrorCode, ViewerErrorDetail } from './element/viewer/loading.js';
+export type { ViewerStats } from './element/viewer/stats.js';
 export type { Vec3, Vec4 } from './math/vector.js';

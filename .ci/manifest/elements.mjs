@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import ts from 'typescript';
 
 /**
- * @typedef {import('../../src/math/field.js').Field<unknown>} Field
+ * @typedef {import('../../src/fields/field.js').Field<unknown>} Field
  * @typedef {{ name: string, description: string }} Named
  * @typedef {Named & { type: string }} Typed
  * @typedef {Typed & { optional: boolean }} Parameter

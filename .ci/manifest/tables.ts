@@ -1,12 +1,12 @@
 // The tables of fields by tag, and how a field's value is written as an attribute: what the manifests take from the
 // source as it runs.
 
-import type { Field } from '../../src/math/field.js';
-import { VIEWER_FIELDS } from '../../src/element/viewer-fields.js';
+import type { Field } from '../../src/fields/field.js';
+import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
-import { MESH_FIELDS } from '../../src/scene/mesh-fields.js';
+import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 
-export { attributeOf, formatValue } from '../../src/element/attribute-text.js';
+export { attributeOf, formatValue } from '../../src/element/fields/attribute-text.js';
 
 export const fields: Readonly<Record<string, Readonly<Record<string, Field<unknown>>>>> = {
   'phong-viewer': VIEWER_FIELDS,

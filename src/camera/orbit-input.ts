@@ -2,8 +2,8 @@
 // events into the numbers of the laws, and tells the host what moved. Each event is worked off at once, by arithmetic alone; it
 // asks for no frame and draws nothing. CSS pixels. Must not know what the picture shows.
 
-import { Grip } from './grip.js';
-import type { GripHost } from './grip.js';
+import { PointerGesture } from './gesture.js';
+import type { GripHost } from './gesture.js';
 import type { Pose } from './orbit.js';
 import { keyPose, keyStep, wheelZoom } from './step.js';
 
@@ -35,7 +35,7 @@ const SCROLL_SLOP = 32;
 export class OrbitInput {
   readonly #surface: HTMLElement;
   readonly #host: OrbitInputHost;
-  readonly #grip: Grip;
+  readonly #grip: PointerGesture;
   #listeners: AbortController | undefined;
   #button = PRIMARY;
   #touching = false;
@@ -46,7 +46,7 @@ export class OrbitInput {
   constructor(surface: HTMLElement, host: OrbitInputHost) {
     this.#surface = surface;
     this.#host = host;
-    this.#grip = new Grip(host);
+    this.#grip = new PointerGesture(host);
   }
 
   get dragging(): boolean {

@@ -1,8 +1,8 @@
 // What the elements tell by events: names, details and when. The one list from which `addEventListener`, JSX and the
 // editors' data take their types and words. Types only.
 import type { PhongLight } from './phong-light.js';
-import type { CameraSource } from './viewer-camera.js';
-import type { ViewerErrorDetail } from './viewer-loading.js';
+import type { CameraSource } from './viewer/camera.js';
+import type { ViewerErrorDetail } from './viewer/loading.js';
 
 /** Events of `<phong-mesh>`. None bubbles. */
 export interface PhongMeshEventMap {

@@ -2,12 +2,12 @@
 // else, and listens to `onload`, `oncamera-change` and so on under the events' own names. Types only.
 import type { LightValues } from '../light/light-state.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
-import type { MeshValues } from '../scene/mesh-fields.js';
+import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import type { PhongMeshEventMap, PhongViewerEventMap } from './events.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import type { PhongViewer } from './phong-viewer.js';
-import type { ViewerValues } from './viewer-fields.js';
+import type { ViewerValues } from './fields/viewer-fields.js';
 
 // React is no dependency. Without it (or without its types) the name is an error here that must not reach whoever
 // imports this package, and the types below stand idle; with it they need no import of their own.

@@ -1,7 +1,7 @@
 // <phong-light>: a light as markup. It renders nothing; its attributes and properties write into one LightState, which
 // the viewer around it picks up. Knows no lighting.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state.js';
-import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
+import { attributesOf, FieldBinding, defineProperties } from './fields/field-binding.js';
 
 /** Importing this file where there is no DOM does nothing. */
 const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
@@ -19,7 +19,7 @@ export class PhongLight extends Base {
 
   /** The light itself. Written through the element's properties; here for who shades with it. */
   readonly state = new LightState();
-  readonly declared = new DeclaredElement<LightValues>(this, this.state);
+  readonly declared = new FieldBinding<LightValues>(this, this.state);
 
   /** Text shown in the panel and in explanations. Default: `light N`, N counting the viewer's lights from 1. */
   get name(): string {

@@ -1,8 +1,8 @@
 // <phong-mesh>: a mesh as markup. It renders nothing; its attributes and properties write into one state, which the
 // viewer around it picks up. Knows nothing of geometry or materials.
-import { Declared } from '../math/declared.js';
-import { MESH_FIELDS, type MeshValues } from '../scene/mesh-fields.js';
-import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
+import { FieldStore } from '../fields/field-store.js';
+import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
+import { attributesOf, FieldBinding, defineProperties } from './fields/field-binding.js';
 import type { Listen, PhongMeshEventMap } from './events.js';
 
 /** Importing this file where there is no DOM does nothing. */
@@ -22,8 +22,8 @@ export interface PhongMesh extends MeshValues {
 export class PhongMesh extends Base {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
 
-  readonly state = new Declared<MeshValues>(MESH_FIELDS);
-  readonly declared = new DeclaredElement<MeshValues>(this, this.state);
+  readonly state = new FieldStore<MeshValues>(MESH_FIELDS);
+  readonly declared = new FieldBinding<MeshValues>(this, this.state);
 
   connectedCallback(): void {
     this.declared.upgrade();

@@ -2,29 +2,29 @@
 // moves, what happens into events. It computes no light and draws nothing itself.
 import { LitElement, type PropertyValues } from 'lit';
 import { LightSet } from '../light/light-set.js';
-import { Declared } from '../math/declared.js';
+import { FieldStore } from '../fields/field-store.js';
 import { Viewport } from '../scene/viewport.js';
-import { attributesOf, DeclaredElement, defineProperties } from './declared-element.js';
+import { attributesOf, FieldBinding, defineProperties } from './fields/field-binding.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import { momentOf, pictureOf } from './moment.js';
-import { Notices } from './notices.js';
-import type { PanelLoader } from './panel-door.js';
+import { viewerSnapshot, pictureOf } from './viewer/viewer-snapshot.js';
+import { EventQueue } from './viewer/event-queue.js';
+import type { PanelLoader } from './viewer/panel-api.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import { styles } from './phong-viewer.styles.js';
-import type { PictureOptions } from './picture-blob.js';
-import { Readiness } from './readiness.js';
-import type { FragmentExplanation } from './shade-at.js';
-import { sceneMarkup } from './to-html.js';
-import { type CameraSource, type CameraState, ViewerCamera } from './viewer-camera.js';
-import { ViewerChildren } from './viewer-children.js';
-import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './viewer-fields.js';
-import { ViewerFailure } from './viewer-failure.js';
-import { ViewerLoading } from './viewer-loading.js';
-import { ViewerPanel } from './viewer-panel.js';
-import type { ViewerStats } from './viewer-stats.js';
-import { viewerTemplate } from './viewer-template.js';
-import { Visibility } from './visibility.js';
+import type { PictureOptions } from './viewer/picture-blob.js';
+import { Readiness } from './viewer/readiness.js';
+import type { FragmentExplanation } from './viewer/shade-at.js';
+import { sceneMarkup } from './viewer/to-html.js';
+import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
+import { ViewerChildren } from './viewer/children.js';
+import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
+import { ViewerFailure } from './viewer/failure.js';
+import { ViewerLoading } from './viewer/loading.js';
+import { ViewerPanel } from './viewer/panel.js';
+import type { ViewerStats } from './viewer/stats.js';
+import { viewerTemplate } from './viewer/template.js';
+import { Visibility } from './page/visibility.js';
 
 export interface PhongViewer extends ViewerValues {
   readonly localName: 'phong-viewer';
@@ -53,14 +53,14 @@ export class PhongViewer extends LitElement {
   /** Fetches the control panel's code; handed in by the package's entry. */
   static loadPanel: PanelLoader | null = null;
 
-  readonly state = new Declared<ViewerValues>(VIEWER_FIELDS);
-  readonly declared = new DeclaredElement<ViewerValues>(this, this.state, (key) => {
+  readonly state = new FieldStore<ViewerValues>(VIEWER_FIELDS);
+  readonly declared = new FieldBinding<ViewerValues>(this, this.state, (key) => {
     this.#camera.assigned(key);
     if (key === 'src') this.requestUpdate('src'); // the same address again tries again what has failed
   });
 
   readonly #holder = document.createElement('div');
-  readonly #notices = new Notices(this);
+  readonly #notices = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
   readonly #failure = new ViewerFailure(this, this.#notices);
   readonly #readiness = new Readiness(() => this.#settled);
@@ -188,7 +188,7 @@ export class PhongViewer extends LitElement {
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#bringInStep();
     const picture = pictureOf(this.#viewport, options);
-    return (await import('./picture-blob.js')).pictureBlob(picture, options);
+    return (await import('./viewer/picture-blob.js')).pictureBlob(picture, options);
   }
 
   /**
@@ -201,8 +201,8 @@ export class PhongViewer extends LitElement {
    */
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#bringInStep();
-    const moment = momentOf(this, this.#viewport, this.#children, this.#visibility.size);
-    const { shadeAt } = await import('./shade-at.js');
+    const moment = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
+    const { shadeAt } = await import('./viewer/shade-at.js');
     return shadeAt(moment, x, y);
   }
 

@@ -2,8 +2,8 @@
 // count as the panel's; reset goes back to what was declared before the panel moved anything. Degrees, scene units.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import type { CameraState } from '../element/viewer-camera.js';
-import { sameValue } from '../math/declared.js';
+import type { CameraState } from '../element/viewer/camera.js';
+import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';
 import { Folder } from './folder.js';
 import { Readout } from './readout.js';
@@ -13,7 +13,7 @@ import { linear, logarithmic, numberText } from './travel.js';
 
 const MOVED = ['theta', 'phi', 'radius', 'target'] as const;
 
-/** Declared values, null where none is given. */
+/** FieldStore values, null where none is given. */
 type Declaration = readonly unknown[];
 
 export class CameraFolder {

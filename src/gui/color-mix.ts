@@ -1,7 +1,7 @@
 // A bright colour as a colour to pick and an intensity to turn, and back. 255 = full; an intensity of 1 is the picked
 // colour itself. Numbers only: knows neither controls nor whose colour it is.
 import { LIMITS } from '../light/light-state.js';
-import { sameValue } from '../math/declared.js';
+import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';
 
 export interface Tint {

@@ -1,7 +1,7 @@
 // The control panel: which folders there are, and what brings which of them in step. It writes through the elements' own
 // properties only, and asks for no frame. Fetched on demand; must not know how anything is drawn.
 import { GUI } from 'lil-gui';
-import type { CreatePanel, Panel, PanelChange } from '../element/panel-door.js';
+import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';

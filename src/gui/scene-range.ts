@@ -2,7 +2,7 @@
 // as it is while one of them is being dragged. World space, scene units.
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Vec3 } from '../math/vector.js';
-import { measure } from '../scene/extent.js';
+import { measure } from '../scene/bounds.js';
 import { linear, niceCeil, type Travel } from './travel.js';
 
 /** Of the scene's radius: lights stand around a scene, not only in it. */

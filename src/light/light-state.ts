@@ -1,6 +1,6 @@
 // What one light is: its values in HTML's units, their domains and the one table of defaults. Elements, the panel
 // and plain JavaScript all write here. Knows neither the DOM nor three.js, nor how a light is packed or shaded.
-import { Declared } from '../math/declared.js';
+import { FieldStore } from '../fields/field-store.js';
 import {
   booleanField,
   choiceField,
@@ -10,7 +10,7 @@ import {
   numberField,
   textField,
   vectorField,
-} from '../math/field.js';
+} from '../fields/field.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
 
 export type LightSpace = 'world' | 'camera';
@@ -67,8 +67,8 @@ export const LIGHT_FIELDS: { readonly [K in keyof LightValues]: Field<LightValue
 };
 
 /** One light. Reading is free; every write is checked and tells whoever listens: its set. */
-export class LightState extends Declared<LightValues> {
-  /** Throws as {@link Declared.set} does. Values that are not given have their defaults. */
+export class LightState extends FieldStore<LightValues> {
+  /** Throws as {@link FieldStore.set} does. Values that are not given have their defaults. */
   constructor(values: Partial<LightValues> = {}) {
     super(LIGHT_FIELDS);
     this.assign(values);

@@ -1,6 +1,6 @@
 // What a surface is: its values in HTML's units (255 = 1), their domains and defaults. Knows nothing of shaders.
 import { LIMITS } from '../light/light-state.js';
-import { colorField, type Field, numberField } from '../math/field.js';
+import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';
 
 export interface SurfaceValues {

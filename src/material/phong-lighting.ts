@@ -5,7 +5,7 @@ import { gatherFacts, type LightFacts, noFacts } from '../light/light-kind.js';
 import { LightSet } from '../light/light-set.js';
 import { emptyPack, packLights, type PackedLights, repackPlaces } from '../light/pack-lights.js';
 import { SRGB } from '../math/color.js';
-import { sameValue } from '../math/declared.js';
+import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';
 import type { LightList } from './light-list.js';
 import { type MeshChoice, MeshLights, type ReflectingSurface } from './mesh-lights.js';

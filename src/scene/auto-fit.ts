@@ -4,7 +4,7 @@ import type { Object3D } from 'three';
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
-import { measure, NO_EXTENT, type Extent } from './extent.js';
+import { measure, NO_EXTENT, type Extent } from './bounds.js';
 
 /** What stands for `auto`, or the value that was given. */
 export interface Framing {

@@ -12,7 +12,7 @@ import {
 } from '../material/exact-material.js';
 import { FormChoice, isSettled } from './exact-form.js';
 import type { Drawing } from './repeat.js';
-import { unfinished } from './link-check.js';
+import { unfinished } from './gpu/link-check.js';
 import type { LightList } from '../material/light-list.js';
 import { ALL_TERMS } from '../material/exact-lights.js';
 import type { PhongLighting } from '../material/phong-lighting.js';

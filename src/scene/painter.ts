@@ -4,8 +4,8 @@ import { Scene, type WebGLRenderer } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/phong-lighting.js';
 import type { DrawnPart, ExactPrograms, Repeat } from './exact-programs.js';
-import { releaseGpu } from './release-gpu.js';
-import type { SceneMesh } from './scene-mesh.js';
+import { releaseGpu } from './gpu/release-gpu.js';
+import type { SceneMesh } from './mesh/scene-mesh.js';
 import type { ViewCamera } from './view-camera.js';
 import type { ViewportStats } from './viewport-stats.js';
 

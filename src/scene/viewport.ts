@@ -9,11 +9,11 @@ import type { PhongLighting } from '../material/phong-lighting.js';
 import { DEFAULT_STYLE, type ShadingStyle } from '../material/phong-material.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { type Framed, frameLoop } from './frame-loop.js';
-import { drawnObjects, frameNow, type Glimpse } from './glimpse.js';
+import { drawnObjects, frameNow, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter } from './painter.js';
-import type { SceneMesh } from './scene-mesh.js';
-import type { Size } from './sheet.js';
-import { NoWebGL2Error, stage, type StageClient } from './stage.js';
+import type { SceneMesh } from './mesh/scene-mesh.js';
+import type { Size } from './gpu/atlas.js';
+import { NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -265,7 +265,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** All that is drawn, as it is now; `ownerOf` says whose a mesh is. */
-  glimpse<Owner>(ownerOf: (mesh: SceneMesh) => Owner): Glimpse<Owner> {
+  glimpse<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
     this.settle();
     this.scene.updateMatrixWorld();

@@ -2,8 +2,8 @@
 // whatever can be written into an attribute.
 import { SURFACE_FIELDS, type SurfaceValues } from '../../src/material/material-values.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
-import type { Field } from '../../src/math/field.js';
-import { parseText } from '../../src/element/attribute-text.js';
+import type { Field } from '../../src/fields/field.js';
+import { parseText } from '../../src/element/fields/attribute-text.js';
 import { add, scale, type Vec3 } from '../../src/math/vector.js';
 import { lightWith, ORIGIN, type StressCase } from './case.js';
 import { BOTH, type Category } from './category.js';

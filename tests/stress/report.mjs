@@ -133,7 +133,6 @@ ${table(
   ]),
 )}
 
-Whether the tests see it when a guard or a hoisted term is missing: [the table of mutants](../mutation/TABLE.md).
 `;
 }
 

@@ -3,8 +3,8 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { formatValue, parseText } from '../../src/element/attribute-text.js';
-import { VIEWER_FIELDS } from '../../src/element/viewer-fields.js';
+import { formatValue, parseText } from '../../src/element/fields/attribute-text.js';
+import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import {
   booleanField,
@@ -15,8 +15,8 @@ import {
   subsetField,
   textField,
   vectorField,
-} from '../../src/math/field.js';
-import { MESH_FIELDS } from '../../src/scene/mesh-fields.js';
+} from '../../src/fields/field.js';
+import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 
 const number = numberField(7, { min: -10, max: 10 });
 const vector = vectorField([0, 0, 0], { min: -10, max: 10 });

@@ -1,8 +1,8 @@
 // Attribute text to values, for every kind of field. Colours by name need a browser and are tested there.
 
 import { describe, expect, it } from 'vitest';
-import { attributeOf, parseText } from '../../src/element/attribute-text.js';
-import { VIEWER_FIELDS } from '../../src/element/viewer-fields.js';
+import { attributeOf, parseText } from '../../src/element/fields/attribute-text.js';
+import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import {
   booleanField,
@@ -15,8 +15,8 @@ import {
   subsetField,
   textField,
   vectorField,
-} from '../../src/math/field.js';
-import { MESH_FIELDS } from '../../src/scene/mesh-fields.js';
+} from '../../src/fields/field.js';
+import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 
 const number = numberField(7, { min: -10, max: 10 });
 const vector = vectorField([0, 0, 0], { min: -10, max: 10 });

@@ -2,13 +2,13 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { Grip } from '../../src/camera/grip.js';
+import { PointerGesture } from '../../src/camera/gesture.js';
 import { Orbit } from '../../src/camera/orbit.js';
 
 function setUp() {
   const orbit = new Orbit();
   const world = { width: 600, height: 400, fov: 45, orbit: true, zoom: true };
-  const grip = new Grip({
+  const grip = new PointerGesture({
     orbit,
     size: () => ({ width: world.width, height: world.height }),
     fov: () => world.fov,

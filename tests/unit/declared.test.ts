@@ -1,8 +1,15 @@
 // A record of declared values: defaults, checks on the way in, and one listener told of changes.
 
 import { describe, expect, it, vi } from 'vitest';
-import { Declared, sameValue } from '../../src/math/declared.js';
-import { booleanField, colorField, numberField, optional, orWord, textField } from '../../src/math/field.js';
+import { FieldStore, sameValue } from '../../src/fields/field-store.js';
+import {
+  booleanField,
+  colorField,
+  numberField,
+  optional,
+  orWord,
+  textField,
+} from '../../src/fields/field.js';
 import type { Vec3 } from '../../src/math/vector.js';
 
 interface Lamp {
@@ -14,8 +21,8 @@ interface Lamp {
   radius: number | 'auto';
 }
 
-const lamp = (): Declared<Lamp> =>
-  new Declared<Lamp>({
+const lamp = (): FieldStore<Lamp> =>
+  new FieldStore<Lamp>({
     power: numberField(60, { min: 0, max: 100 }),
     tint: colorField([255, 255, 255], { min: 0, max: 1e6 }),
     on: booleanField(true),

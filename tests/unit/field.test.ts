@@ -16,7 +16,7 @@ import {
   subsetField,
   textField,
   vectorField,
-} from '../../src/math/field.js';
+} from '../../src/fields/field.js';
 
 const kinds = {
   number: numberField(5, { min: 0, max: 10 }),

@@ -8,7 +8,7 @@ import {
   GEOMETRIES,
   releaseGeometry,
   type GeometryName,
-} from '../../src/scene/geometry.js';
+} from '../../src/scene/mesh/shapes/shapes.js';
 
 type Point = [number, number, number];
 

@@ -18,9 +18,9 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import { PhongLighting } from '../../src/material/phong-lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
-import { drawnObjects, frameNow, type Glimpse } from '../../src/scene/glimpse.js';
-import { type Hit, pick } from '../../src/scene/pick/pick.js';
-import { cornersOf } from '../../src/scene/pick/corners.js';
+import { drawnObjects, frameNow, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
+import { type Hit, pick } from '../../src/scene/snapshot/pick.js';
+import { cornersOf } from '../../src/scene/snapshot/corners.js';
 import { ViewCamera } from '../../src/scene/view-camera.js';
 
 const lighting = new PhongLighting();
@@ -44,7 +44,7 @@ function look(column = 50, row = 50): Hit | null {
   return pick(glimpseThrough(view), column, row);
 }
 
-function glimpseThrough({ camera, frame }: ViewCamera): Glimpse {
+function glimpseThrough({ camera, frame }: ViewCamera): SceneSnapshot {
   scene.updateMatrixWorld();
   const objects = drawnObjects(scene, camera, (object) =>
     own.includes(object as Mesh) ? 'ours' : undefined,

@@ -5,7 +5,7 @@ import { BoxGeometry, BufferAttribute, BufferGeometry, Matrix4, PlaneGeometry } 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import { add, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
-import { forEachHit, type TriangleHit, type ViewRay } from '../../src/scene/pick/ray-triangles.js';
+import { forEachHit, type TriangleHit, type ViewRay } from '../../src/scene/snapshot/ray-triangles.js';
 
 /** The ray at these slopes of a camera 3 from `target`; by default it looks along −z. */
 function rayAt(

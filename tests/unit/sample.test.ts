@@ -9,7 +9,7 @@ import {
   type Wrapping,
 } from 'three';
 import { describe, expect, it } from 'vitest';
-import { sample, type Sampler } from '../../src/scene/pick/sample.js';
+import { sample, type Sampler } from '../../src/scene/snapshot/sample.js';
 
 /** Red tells the column, green the row, in codes of 255. */
 const texels = {

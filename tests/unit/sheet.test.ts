@@ -1,7 +1,7 @@
 // Do the pictures of one frame find places on one canvas: apart from each other, inside it, and without much waste?
 import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
-import { layOut, type Place } from '../../src/scene/sheet.js';
+import { layOutAtlas, type Place } from '../../src/scene/gpu/atlas.js';
 
 const limit = { side: 4096, area: 1920 * 1080 };
 const side = fc.oneof(fc.integer({ min: 1, max: 40 }), fc.integer({ min: 1, max: limit.side }));
@@ -14,7 +14,7 @@ describe('a sheet of pictures', () => {
   test('holds the first pictures at their sizes, apart from each other, and nothing outside of it', () => {
     fc.assert(
       fc.property(sizes, (wanted) => {
-        const { places, width, height } = layOut(wanted, limit);
+        const { places, width, height } = layOutAtlas(wanted, limit);
         expect(places.length).toBeGreaterThan(0);
         places.forEach((place, i) => {
           expect({ width: place.width, height: place.height }).toEqual(wanted[i]);
@@ -30,7 +30,7 @@ describe('a sheet of pictures', () => {
   test('stays within its limits, unless one picture alone is larger than the area', () => {
     fc.assert(
       fc.property(sizes, (wanted) => {
-        const { places, width, height } = layOut(wanted, limit);
+        const { places, width, height } = layOutAtlas(wanted, limit);
         expect(Math.max(width, height)).toBeLessThanOrEqual(limit.side);
         if (places.length > 1) expect(width * height).toBeLessThanOrEqual(limit.area);
       }),
@@ -40,7 +40,7 @@ describe('a sheet of pictures', () => {
   test('begins in the corner: the first picture lies where it would alone', () => {
     fc.assert(
       fc.property(sizes, (wanted) => {
-        expect(layOut(wanted, limit).places[0]).toEqual({ x: 0, y: 0, ...wanted[0] });
+        expect(layOutAtlas(wanted, limit).places[0]).toEqual({ x: 0, y: 0, ...wanted[0] });
       }),
     );
   });
@@ -48,7 +48,7 @@ describe('a sheet of pictures', () => {
   test('is exactly as large as one picture that is alone', () => {
     fc.assert(
       fc.property(side, side, (width, height) => {
-        expect(layOut([{ width, height }], limit)).toMatchObject({ width, height });
+        expect(layOutAtlas([{ width, height }], limit)).toMatchObject({ width, height });
       }),
     );
   });
@@ -57,7 +57,7 @@ describe('a sheet of pictures', () => {
     fc.assert(
       fc.property(fc.integer({ min: 9, max: 200 }), fc.integer({ min: 1, max: 80 }), side, (count, w, h) => {
         const one = { width: w, height: Math.min(h, 2 * w, 80) };
-        const { places, width, height } = layOut(Array.from({ length: count }, () => one), limit); // prettier-ignore
+        const { places, width, height } = layOutAtlas(Array.from({ length: count }, () => one), limit); // prettier-ignore
         expect(places.length * one.width * one.height).toBeGreaterThanOrEqual(0.7 * width * height);
       }),
     );

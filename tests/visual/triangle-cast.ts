@@ -6,7 +6,7 @@ import { flatGeometry } from '../../src/material/flat-geometry.js';
 import { srgbEncode } from '../../src/math/color.js';
 import { add, cross, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Shaded } from '../../src/reference/equation.js';
-import { createGeometry } from '../../src/scene/geometry.js';
+import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
 import { type CastMesh, type CastScene, coneMargin, lens, placement } from './ray-cast.js';
 
 export interface TriangleHit {

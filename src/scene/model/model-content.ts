@@ -1,7 +1,7 @@
 // A loaded model in the form in which meshes show built-in shapes too. The door to all that reads models, fetched with the
 // first one; knows neither materials nor elements.
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { Content } from '../content.js';
+import type { Content } from '../mesh/content.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
 
 /** The model at `url`, loaded as {@link loadModel} says. */

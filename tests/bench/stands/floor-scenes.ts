@@ -7,7 +7,7 @@ import { lightsOf, type SceneQuery } from '../pages/scenes.js';
 
 export interface FloorScene {
   readonly title: string;
-  /** Declared: inactive ones too. */
+  /** FieldStore: inactive ones too. */
   readonly lights: readonly LightValues[];
   readonly shininess: number;
   readonly eye: Vec3;

@@ -1,0 +1,65 @@
+// Attribute text to values and back. One contract for every kind: `parseText` gives a value of the right shape for the
+// field's own check, or undefined where the text is malformed; it never throws and never guesses. Domains are the
+// fields' business. Knows no element.
+import type { Field, FieldKind } from '../../fields/field.js';
+import { cssColor } from './css-color.js';
+
+type Parser = (text: string) => unknown;
+
+// Each digit can be taken in one way only: a long text that is no number after all is refused in linear time.
+const NUMBER = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
+
+function parseNumber(text: string): number | undefined {
+  const trimmed = text.trim();
+  return NUMBER.test(trimmed) ? Number(trimmed) : undefined;
+}
+
+/** Numbers apart by white space or single commas. */
+function parseNumbers(text: string): readonly number[] | undefined {
+  const numbers = text
+    .trim()
+    .split(/\s*,\s*|\s+/)
+    .map(parseNumber);
+  return numbers.includes(undefined) ? undefined : (numbers as readonly number[]);
+}
+
+function parseFlag(text: string): boolean | undefined {
+  const word = text.trim().toLowerCase();
+  if (word === '' || word === 'true') return true;
+  return word === 'false' ? false : undefined;
+}
+
+const PARSERS: Readonly<Record<FieldKind, Parser>> = {
+  number: parseNumber,
+  numbers: parseNumbers,
+  color: (text) => parseNumbers(text) ?? cssColor(text) ?? undefined,
+  boolean: parseFlag,
+  // As HTML's own boolean attributes: there is no malformed text.
+  presence: (text) => parseFlag(text) ?? true,
+  text: (text) => text,
+  choice: (text) => text.trim().toLowerCase(),
+  words: (text) =>
+    text
+      .toLowerCase()
+      .split(/[\s,]+/)
+      .filter((word) => word !== ''),
+};
+
+/** A value for `field.check`, or undefined where the text is malformed. */
+export function parseText(text: string, field: Field<unknown>): unknown {
+  const word = text.trim().toLowerCase();
+  if (field.word !== undefined && word === field.word) return field.word;
+  if (field.empty !== undefined && word === '') return field.empty;
+  return PARSERS[field.kind](text);
+}
+
+/** The attribute text that {@link parseText} reads as this value; null where the attribute must be absent. */
+export function formatValue(value: unknown, field: Field<unknown>): string | null {
+  if (field.kind === 'presence') return value === true ? '' : null;
+  if (value === null || value === undefined) return null;
+  return Array.isArray(value) ? value.join(' ') : `${value as string | number | boolean}`;
+}
+
+/** `autoRotate` is written `auto-rotate`; `crossOrigin` as HTML has it. */
+export const attributeOf = (key: string): string =>
+  key === 'crossOrigin' ? 'crossorigin' : key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);

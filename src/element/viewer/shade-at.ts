@@ -1,0 +1,135 @@
+// One fragment of a viewer's picture, explained: what is seen at a pixel joined with the lights, term by term, by the
+// equation in float64, whose code is fetched with the first explanation. Knows nothing of rays or triangles.
+import type { Mesh } from 'three';
+import type { LightValues } from '../../light/light-state.js';
+import { srgbDecode } from '../../math/color.js';
+import { add, map, multiply, scale, subtract, type Vec3 } from '../../math/vector.js';
+import type { LightShare } from '../../reference/index.js';
+import { cornersOf } from '../../scene/snapshot/corners.js';
+import { pick } from '../../scene/snapshot/pick.js';
+import type { ViewerSnapshot } from './viewer-snapshot.js';
+import type { PhongLight } from '../phong-light.js';
+import type { PhongMesh } from '../phong-mesh.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import { shadeHit, type Subject } from './shade-hit.js';
+
+/** One light's part in a fragment. Frozen. */
+export interface LightExplanation extends LightShare {
+  /** The light's element; null for the light at the eye that a viewer without any light has. */
+  readonly light: PhongLight | null;
+  /** Its name as the panel shows it. */
+  readonly name: string;
+}
+
+/** What the equation makes of one fragment, in float64. Frozen; lengths in scene units, vectors in world space. */
+export interface FragmentExplanation {
+  /** The point of the surface. */
+  readonly p: Vec3;
+  /** Unit normal, interpolated and turned to the side that is seen; zero where the surface has none. */
+  readonly N: Vec3;
+  /** Unit vector toward the eye. */
+  readonly V: Vec3;
+  /** Whose surface it is: a child, or the viewer itself for its own `src` or `geometry`. */
+  readonly mesh: PhongMesh | PhongViewer;
+  /** The part of it in {@link PhongViewer.scene}. */
+  readonly object: Mesh;
+  /** Which of the object's triangles, counted from 0 in the order of its geometry's index. */
+  readonly triangle: number;
+  /** Ka, Kd and Ks as the equation takes them: 0–1 a channel, times the base colour, decoded where shading is linear. */
+  readonly ka: Vec3;
+  readonly kd: Vec3;
+  readonly ks: Vec3;
+  /** The specular exponent n. */
+  readonly shininess: number;
+  /** What of ka and kd a model's own colour, texture and vertex colours make. Encoded sRGB, 0–1; 1 1 1 without any. */
+  readonly baseColor: Vec3;
+  /** How much of `color` the picture shows, 0–1; the rest is what lies behind. */
+  readonly opacity: number;
+  /**
+   * One for each of {@link PhongViewer.lights}, in their order, null where it is not active; or the one light at the eye
+   * of a viewer without any. The terms of all of them add up to the sum.
+   */
+  readonly shares: readonly (LightExplanation | null)[];
+  /** The sum over the lights before it is clamped; encoded where shading is linear. 1 is full. */
+  readonly sum: Vec3;
+  /** As it is drawn: the sum clamped to 0–1. */
+  readonly color: Vec3;
+}
+
+/** Rejects with TypeError or RangeError where x or y is no finite number. */
+export async function shadeAt(
+  { glimpse, width, height, lights }: ViewerSnapshot,
+  x: number,
+  y: number,
+): Promise<FragmentExplanation | null> {
+  const column = pixel('x', x, width, glimpse?.width ?? 0);
+  const row = pixel('y', y, height, glimpse?.height ?? 0);
+  const hit = glimpse === null ? null : pick(glimpse, column, row);
+  if (hit === null) return null;
+  const { object, owner, phong } = hit.drawn;
+  const { surface, style, linear } = phong;
+  const subject: Subject = { hit, corners: cornersOf(hit), surface, style, linear };
+  const { shade } = await import('../../reference/index.js');
+  const shaded = shadeHit(
+    shade,
+    subject,
+    lights.map(({ values }) => relative(values, hit.frame.origin)),
+  );
+  const { color: baseColor, opacity } = hit.base;
+  return Object.freeze({
+    p: frozen(add(hit.frame.origin, hit.p)),
+    N: frozen(shaded.N),
+    V: frozen(shaded.V),
+    mesh: owner,
+    object: object as Mesh,
+    triangle: hit.triangle,
+    ka: coefficient(surface.ka, baseColor, linear),
+    kd: coefficient(surface.kd, baseColor, linear),
+    ks: coefficient(surface.ks, WHITE, linear),
+    shininess: surface.shininess,
+    baseColor: frozen(baseColor),
+    opacity,
+    shares: Object.freeze(
+      shaded.shares.map((share, i) => {
+        const { light, name } = lights[i]!;
+        return share === null ? null : Object.freeze({ light, name, ...frozenVectors(share) });
+      }),
+    ),
+    sum: frozen(shaded.sum),
+    color: frozen(shaded.color),
+  });
+}
+
+/** Which device pixel lies at CSS pixel `at`: the fragment that the GPU draws is the one at its centre. */
+function pixel(name: string, at: unknown, size: number, pixels: number): number {
+  if (typeof at !== 'number')
+    throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
+  if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
+  return Math.floor((at * pixels) / size);
+}
+
+/** A light with its place relative to `origin`: far from the world's origin differences come first. */
+function relative(values: LightValues, origin: Vec3): LightValues {
+  const [x, y, z, w] = values.position;
+  if (w === 0 || values.space === 'camera') return values;
+  return { ...values, position: [...subtract([x, y, z], origin), 1] };
+}
+
+/** 255 to 1, times the base colour. */
+function coefficient(k: Vec3, base: Vec3, linear: boolean): Vec3 {
+  const decoded = (v: Vec3): Vec3 => (linear ? map(v, srgbDecode) : v);
+  return frozen(multiply(decoded(scale(k, 1 / 255)), decoded(base)));
+}
+
+const WHITE: Vec3 = [1, 1, 1];
+
+/** Adding 0 turns -0 into 0, so that equal vectors print alike. */
+const frozen = (v: Vec3): Vec3 => Object.freeze(map(v, (x) => x + 0));
+
+const frozenVectors = (share: LightShare): LightShare => ({
+  ...share,
+  L: frozen(share.L),
+  ambient: frozen(share.ambient),
+  diffuse: frozen(share.diffuse),
+  specular: frozen(share.specular),
+});

@@ -1,0 +1,225 @@
+// What a declared value may be: its default, its domain in words, and the one check that everything passes:
+// attributes after parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units
+// (degrees, 255 = full colour). Knows neither the DOM nor what a value is for.
+import type { Vec3, Vec4 } from '../math/vector.js';
+
+/** How a value is written as text; the element's parsers and formatters go by it. */
+export type FieldKind = 'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words';
+
+/** A declared value's default and domain. */
+export interface Field<T> {
+  readonly kind: FieldKind;
+  /** A word that may stand instead of the value: `auto`. */
+  readonly word?: string;
+  /** What an attribute without a value means, where that is a value: `crossorigin` alone is `anonymous`. */
+  readonly empty?: T;
+  /** What stands where nothing, or nothing valid, is given. Frozen. */
+  readonly fallback: T;
+  /** The domain as a noun phrase, for warnings and errors: "a number from 0 to 180". */
+  readonly expected: string;
+  /**
+   * Gives the value as it is kept (arrays are copies). Throws `TypeError` for the wrong kind of value and
+   * `RangeError` for one outside the domain; NaN and ±Infinity are never inside.
+   */
+  check(value: unknown): T;
+}
+
+export interface Range {
+  readonly min?: number;
+  readonly max?: number;
+  /** The lower end itself is outside. */
+  readonly above?: number;
+  readonly integer?: boolean;
+}
+
+const spell = (n: number): string => (Math.abs(n) >= 1e5 ? n.toExponential().replace('e+', 'e') : String(n));
+
+function rangeWords({ min, max, above, integer }: Range): string {
+  const kind = integer === true ? 'whole number' : 'number';
+  if (above !== undefined && max !== undefined) return `${kind} above ${spell(above)}, up to ${spell(max)}`;
+  if (min !== undefined && max !== undefined) return `${kind} from ${spell(min)} to ${spell(max)}`;
+  return kind;
+}
+
+function show(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value);
+  if (Array.isArray(value)) return `[${value.map(show).join(', ')}]`;
+  if (typeof value === 'object' && value !== null) return 'an object';
+  return String(value);
+}
+
+const wrong = (expected: string, value: unknown): TypeError =>
+  new TypeError(`expected ${expected}, got ${show(value)}`);
+
+/** The check of a number that is `whole`, or one of its numbers. */
+function numberCheck(
+  { min = -Infinity, max = Infinity, above = -Infinity, integer = false }: Range,
+  expected: string,
+): (value: unknown, whole: unknown) => number {
+  return (value, whole) => {
+    if (typeof value !== 'number') throw wrong(expected, whole);
+    const inside = Number.isFinite(value) && value >= min && value <= max && value > above;
+    if (!inside || (integer && !Number.isInteger(value))) {
+      throw new RangeError(`expected ${expected}, got ${show(value)}`);
+    }
+    return value + 0; // -0 would show as "0" and divide as "-"
+  };
+}
+
+export function numberField(fallback: number, range: Range): Field<number> {
+  const expected = `a ${rangeWords(range)}`;
+  const check = numberCheck(range, expected);
+  return { kind: 'number', fallback, expected, check: (value) => check(value, value) };
+}
+
+/** A tuple of numbers, each in the same range. `finish` makes a whole tuple of a shorter list, and writes to none. */
+function tupleField<T extends Vec3 | Vec4>(
+  fallback: T,
+  range: Range,
+  words?: string,
+  finish?: (numbers: readonly unknown[]) => readonly unknown[],
+): Field<T> {
+  const size = fallback.length;
+  const expected = words ?? `${String(size)} numbers, each a ${rangeWords(range)}`;
+  const at = numberCheck(range, expected);
+  return {
+    kind: 'numbers',
+    fallback: Object.freeze([...fallback]) as unknown as T,
+    expected,
+    check(value) {
+      if (!isList(value)) throw wrong(expected, value);
+      const n = finish === undefined ? value : finish(value);
+      if (n.length !== size) throw wrong(expected, value);
+      // Moving lights do this in every frame: one pass into a literal.
+      const [x, y, z] = [at(n[0], value), at(n[1], value), at(n[2], value)];
+      return (size === 3 ? [x, y, z] : [x, y, z, at(n[3], value)]) as unknown as T;
+    },
+  };
+}
+
+const isList = (value: unknown): value is readonly unknown[] =>
+  Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+
+export const vectorField = (fallback: Vec3, range: Range): Field<Vec3> => tupleField(fallback, range);
+
+/** x y z w with w 0 (a direction) or 1 (a place); three numbers mean w = 1. */
+export function homogeneousField(fallback: Vec4, range: Range): Field<Vec4> {
+  const expected = `3 or 4 numbers x y z w, each a ${rangeWords(range)}, w 0 or 1`;
+  const tuple = tupleField(fallback, range, expected, (n) => (n.length === 3 ? [...n, 1] : n));
+  return {
+    ...tuple,
+    check(value) {
+      const numbers = tuple.check(value);
+      if (numbers[3] !== 0 && numbers[3] !== 1)
+        throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      return numbers;
+    },
+  };
+}
+
+/** One number means the same on all three axes. */
+export function scaleField(fallback: Vec3, range: Range): Field<Vec3> {
+  const expected = `1 or 3 numbers, each a ${rangeWords(range)}`;
+  return orSingle(tupleField(fallback, range, expected, repeatSingle));
+}
+
+/** Three channels where 255 is full; one number means grey. */
+export function colorField(fallback: Vec3, range: Range): Field<Vec3> {
+  const expected = `r g b (or one number), each a ${rangeWords(range)} with 255 full, or a CSS colour in sRGB`;
+  return { ...orSingle(tupleField(fallback, range, expected, repeatSingle)), kind: 'color' };
+}
+
+const repeatSingle = (n: readonly unknown[]): readonly unknown[] => (n.length === 1 ? [...n, ...n, ...n] : n);
+
+function orSingle(tuple: Field<Vec3>): Field<Vec3> {
+  return { ...tuple, check: (value) => tuple.check(typeof value === 'number' ? [value] : value) };
+}
+
+export const booleanField = (fallback: boolean): Field<boolean> => flagField('boolean', fallback);
+
+/** True by being there, as HTML's own boolean attributes; `false` as text is off all the same. */
+export const presenceField = (): Field<boolean> => flagField('presence', false);
+
+function flagField(kind: 'boolean' | 'presence', fallback: boolean): Field<boolean> {
+  const expected = 'true or false';
+  return {
+    kind,
+    fallback,
+    expected,
+    check(value) {
+      if (typeof value !== 'boolean') throw wrong(expected, value);
+      return value;
+    },
+  };
+}
+
+export function textField(fallback = '', expected = 'text'): Field<string> {
+  return {
+    kind: 'text',
+    fallback,
+    expected,
+    check(value) {
+      if (typeof value !== 'string') throw wrong(expected, value);
+      return value;
+    },
+  };
+}
+
+export function choiceField<T extends string>(fallback: T, choices: readonly T[]): Field<T> {
+  const expected = `one of ${choices.map((c) => (c === '' ? '(empty)' : c)).join(', ')}`;
+  return {
+    kind: 'choice',
+    fallback,
+    expected,
+    check(value) {
+      if (typeof value !== 'string') throw wrong(expected, value);
+      const choice = choices.find((c) => c === value);
+      if (choice === undefined) throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      return choice;
+    },
+  };
+}
+
+/** Any subset of the choices, in the choices' order, each once. */
+export function subsetField<T extends string>(choices: readonly T[]): Field<readonly T[]> {
+  const expected = `any of ${choices.join(', ')}`;
+  return {
+    kind: 'words',
+    fallback: Object.freeze([...choices]),
+    expected,
+    check(value) {
+      // Spread first: holes count as what they are, no words.
+      const words: readonly unknown[] | null = Array.isArray(value) ? [...(value as unknown[])] : null;
+      if (words?.every((word) => typeof word === 'string') !== true) throw wrong(expected, value);
+      const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
+      if (stray !== undefined) throw new RangeError(`expected ${expected}, got ${show(stray)}`);
+      return Object.freeze(choices.filter((choice) => words.includes(choice)));
+    },
+  };
+}
+
+/** A value that may be left out: null where nothing is given. */
+export function optional<T>(field: Field<T>): Field<T | null> {
+  return { ...field, fallback: null, check: (value) => field.check(value) };
+}
+
+/** Another field's value, or a word that stands for it: `auto`. The word is the default. */
+export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T | W> {
+  const expected = `${word} or ${field.expected}`;
+  return {
+    ...field,
+    word,
+    fallback: word,
+    expected,
+    check(value) {
+      if (value === word) return word;
+      try {
+        return field.check(value);
+      } catch (error) {
+        // The field alone does not know of the word.
+        if (error instanceof RangeError) throw new RangeError(`expected ${expected}, got ${show(value)}`);
+        throw wrong(expected, value);
+      }
+    },
+  };
+}

@@ -1,0 +1,127 @@
+// Which fragment does a picture show at a pixel? The nearest point of what was drawn at one moment, by a ray in float64 from
+// the orbit's own basis. Knows three.js and the Phong material; must not know lights or elements.
+import {
+  type Intersection,
+  type Mesh,
+  type Object3D,
+  type PerspectiveCamera,
+  Raycaster,
+  type Vector3,
+} from 'three';
+import type { ShadingFrame } from '../../material/phong-lighting.js';
+import { radians } from '../../math/angle.js';
+import { add, dot, scale, subtract, type Vec3 } from '../../math/vector.js';
+import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
+import { type BaseColor, baseColorAt } from './base-color.js';
+import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
+
+/** The point of a Phong-lit surface that is seen through a pixel. */
+export interface Hit<Owner = unknown> extends TriangleHit {
+  readonly drawn: OwnDrawn<Owner>;
+  readonly frame: ShadingFrame;
+  /** Place relative to the frame's origin. */
+  readonly p: Vec3;
+  readonly base: BaseColor;
+}
+
+/** One of ours. */
+export type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
+  readonly owner: Owner;
+  readonly phong: DrawnLook;
+  readonly geometry: NonNullable<Drawn['geometry']>;
+};
+
+/**
+ * What is seen through the centre of a device pixel, counted from the top left corner. Null where that is nothing, or a
+ * mesh or sprite that is none of ours; lines and points are looked through. Of blended surfaces the nearest counts,
+ * however much shows through it.
+ */
+export function pick<Owner>(glimpse: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
+  const { width, height, camera } = glimpse;
+  if (!(column >= 0 && column < width && row >= 0 && row < height)) return null;
+  const ray = viewRay(glimpse, (column + 0.5) / width, (row + 0.5) / height);
+  let nearest: Hit<Owner> | null = null;
+  let depth = Infinity;
+  for (const drawn of glimpse.objects) {
+    if (isOwn(drawn)) {
+      for (const hit of phongHits(drawn, ray)) {
+        // As the depth test: of two that are equally near the later one stays.
+        if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
+      }
+    } else {
+      const foreign = foreignDepth(drawn, camera, ray);
+      if (foreign < depth) [nearest, depth] = [null, foreign];
+    }
+  }
+  return nearest;
+}
+
+/** Faces in one plane, such as a flattened box's, differ in depth by roundings of float64: some 1e-15, times a few. */
+const COPLANAR = 1e-12;
+
+const isOwn = <Owner>(drawn: Drawn<Owner>): drawn is OwnDrawn<Owner> =>
+  drawn.phong !== null && drawn.geometry !== undefined;
+
+/** The ray through a place of the picture: from 0 to 1 rightwards and downwards. */
+function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number): ViewRay {
+  const { near, far, fov, aspect } = camera;
+  const tan = Math.tan(radians(fov) / 2);
+  return { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
+}
+
+function phongHits<Owner>(drawn: OwnDrawn<Owner>, ray: ViewRay): Hit<Owner>[] {
+  const { geometry, matrixWorld, phong } = drawn;
+  const { index, drawRange } = geometry;
+  const count = (index ?? geometry.getAttribute('position')).count;
+  const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
+  const hits: Hit<Owner>[] = [];
+  forEachHit(ray, geometry, matrixWorld, range, (hit) => {
+    const base = baseColorAt(phong.look, geometry, hit, phong.linear);
+    if (base.discarded) return;
+    hits.push({ ...hit, drawn, base, frame: ray.frame, p: placeAt(ray, hit.depth) });
+  });
+  return hits;
+}
+
+const placeAt = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
+  add(frame.eye, scale(direction(frame, slopeX, slopeY), depth));
+
+const direction = ({ right, up, back }: ShadingFrame, slopeX: number, slopeY: number): Vec3 =>
+  subtract(add(scale(right, slopeX), scale(up, slopeY)), back);
+
+/** How deep a mesh or sprite of somebody else's lies, by three.js's own means; Infinity where it is not hit. */
+function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): number {
+  const { isMesh, isSprite } = drawn.object as { isMesh?: boolean; isSprite?: boolean };
+  if (isMesh !== true && isSprite !== true) return Infinity;
+  const { frame } = ray;
+  const caster = new Raycaster();
+  caster.camera = camera;
+  caster.ray.origin.set(...add(frame.origin, frame.eye));
+  caster.ray.direction.set(...direction(frame, ray.slopeX, ray.slopeY)).normalize();
+  const hits: Intersection[] = [];
+  asItWas(drawn, (object) => {
+    object.raycast(caster, hits);
+  });
+  let nearest = Infinity;
+  for (const { point } of hits) {
+    const depth = depthOf(point, frame);
+    if (depth >= ray.near && depth <= ray.far) nearest = Math.min(nearest, depth);
+  }
+  return nearest;
+}
+
+/** Lends the object the place, shape and material that it had then; all else is what it is. */
+function asItWas({ object, ...then }: Drawn, use: (object: Object3D) => void): void {
+  const lent = object as Partial<Mesh>;
+  const { matrixWorld, geometry, material } = lent;
+  const write = (values: object): unknown => Object.assign(lent, values);
+  write({ matrixWorld: then.matrixWorld, geometry: then.geometry, material: then.material });
+  try {
+    use(object);
+  } finally {
+    write({ matrixWorld, geometry, material });
+  }
+}
+
+const depthOf = ({ x, y, z }: Vector3, { origin, eye, back }: ShadingFrame): number =>
+  -dot(subtract(subtract([x, y, z], origin), eye), back);
