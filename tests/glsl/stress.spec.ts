@@ -1,5 +1,5 @@
 // Does the shipped GLSL, with the shipped packing, keep the numerical contract? The harness page tests itself in this browser:
-// on its own driver, and on the worst lawful one. Before a release with ten times as many cases, on all lights of exact programs at
+// on its own driver, and on the worst lawful one. Before a release with ten times as many cases, on all lights of specialised programs at
 // once, and on drivers that err one way alone; `npm run stress` does the same with a thousand times as many.
 import type { Report } from './page/page.js';
 import { expect, test } from '../support/test.js';
