@@ -83,6 +83,12 @@ const DEFAULT_SURFACE: SurfaceValues = {
 
 const BLACK: Vec3 = [0, 0, 0];
 
+/**
+ * The rows that each program's uniform array holds, by the keys of variant and content. Sending 1,000 rows with every mesh is
+ * what many meshes would spend their frame on. Forgotten with every disposed material: a program made again starts empty.
+ */
+let programRows = new WeakMap<object, Map<string, string>>();
+
 /** Parameters of three.js's hook before each draw. */
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
@@ -128,7 +134,8 @@ export class PhongMaterial extends RawShaderMaterial {
       uAlphaCutoff: { value: look.alphaCutoff },
       uMap: { value: look.map },
       uMapTransform: { value: look.map?.matrix ?? new Matrix3() },
-      uLightRows: { value: new Float32Array(4) as Float32Array },
+      // three.js sends a uniform array whether it changed or not, unless needsUpdate is false.
+      uLightRows: { value: new Float32Array(4) as Float32Array, needsUpdate: true },
       uLightTexture: { value: null as Texture | null },
       uLightTextureScale: { value: new Vector2() },
     };
@@ -197,20 +204,33 @@ export class PhongMaterial extends RawShaderMaterial {
     this.side = culls ? FrontSide : DoubleSide;
     const lights = this.#chooseProgram({ renderer, camera, mesh });
     this.#lighting.countUpload(lights);
-    const uniforms = this.#uniforms;
-    if (this.#readsTexture) {
-      uniforms.uLightTexture.value = lights.sendTexture(renderer);
-      uniforms.uLightTextureScale.value.copy(lights.textureScale);
+    const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
+    const storage = this.#variant?.defines['LIGHT_STORAGE'];
+    uLightRows.needsUpdate = storage === 'STORAGE_UNIFORMS' && !this.#holdsRows(renderer, lights);
+    if (uLightRows.needsUpdate) uLightRows.value = lights.rows;
+    if (storage === 'STORAGE_TEXTURE') {
+      uLightTexture.value = lights.sendTexture(renderer);
+      uLightTextureScale.value.copy(lights.textureScale);
     }
-    const sameRows = uniforms.uLightRows.value === lights.rows;
-    uniforms.uLightRows.value = lights.rows;
     const sameMesh = this.#place(mesh);
     // three.js sends a material's uniforms once per frame; meshes after the first need theirs sent again.
-    this.uniformsNeedUpdate = !(sameMesh && sameRows);
+    this.uniformsNeedUpdate = !sameMesh || uLightRows.needsUpdate;
   }
 
-  get #readsTexture(): boolean {
-    return this.#variant?.defines['LIGHT_STORAGE'] === 'STORAGE_TEXTURE';
+  /** Frees the material's programs; drawing makes them again. */
+  override dispose(): void {
+    super.dispose();
+    programRows = new WeakMap();
+  }
+
+  /** Whether the program of this draw holds these rows already; from now on it does. */
+  #holdsRows(renderer: BeforeRender[0], { contentKey }: LightBuffer): boolean {
+    let held = programRows.get(renderer);
+    if (held === undefined) programRows.set(renderer, (held = new Map()));
+    const program = this.#variant?.key ?? '';
+    if (held.get(program) === contentKey) return true;
+    held.set(program, contentKey);
+    return false;
   }
 
   /** Chooses the variant for this draw, and returns the lights it reads. */
