@@ -6,6 +6,7 @@ import { cpSync, existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { packageAliases } from './.ci/package-aliases.js';
@@ -38,7 +39,7 @@ export default defineConfig({
   // No page stands in for one that is not there.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl(), copiedAssets()],
+  plugins: [dracoDecoder(), strippedGlsl(), licences(), copiedAssets()],
   resolve: {
     alias: packageAliases,
     // Lit's development build writes to the console of every page; the pages are to be quiet here too.

@@ -3,6 +3,7 @@
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { strippedGlsl } from './.ci/strip-glsl.js';
@@ -25,7 +26,7 @@ const entries: Readonly<Record<string, string>> = {
 /** `--mode` names the entry; `index`, built first, empties dist/. */
 export default defineConfig(({ mode }) => ({
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl()],
+  plugins: [dracoDecoder(), strippedGlsl(), licences({ listed: false })],
   build: {
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',

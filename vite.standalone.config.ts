@@ -4,15 +4,16 @@
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
-import { privateThree } from './.ci/private-three.js';
+import { standaloneThree } from './.ci/standalone-three/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [dracoDecoder(), privateThree(), strippedGlsl()],
+  plugins: [dracoDecoder(), standaloneThree(), strippedGlsl(), licences()],
   define: { 'process.env.NODE_ENV': '"production"' },
   build: {
     outDir: outputFolder('dist'),

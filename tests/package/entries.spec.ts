@@ -36,6 +36,7 @@ test.describe('the packed package', () => {
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
     /^dist\/[\w.-]+\.json$/,
+    /^dist\/THIRD-PARTY-LICENSES\.txt$/,
   ];
 
   test('holds the files that are meant for users and no others', () => {
