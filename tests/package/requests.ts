@@ -3,7 +3,7 @@
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { gzipSync } from 'node:zlib';
+import { brotliCompressSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import type { PageOptions } from '../support/site.js';
@@ -57,9 +57,9 @@ export class Requests {
 export const chunkName = (path: string): string =>
   path.replace(/^shared\/(.*)\.js$/, '$1').replace(/^chunks\/(.*)-[\w-]{8}\.js$/, '$1');
 
-/** Bytes of these files of dist/, each compressed as a server would. */
-export const gzippedSize = (paths: readonly string[]): number =>
-  paths.reduce(
-    (sum, path) => sum + gzipSync(readFileSync(join(outputFolder('dist'), path)), { level: 9 }).length,
-    0,
-  );
+/** Bytes of this text as a server sends it, compressed by Brotli at its highest level. */
+export const brotliSize = (text: string | Buffer): number => brotliCompressSync(text).length;
+
+/** Bytes of these files of dist/, each compressed for itself. */
+export const sentSize = (paths: readonly string[]): number =>
+  paths.reduce((sum, path) => sum + brotliSize(readFileSync(join(outputFolder('dist'), path))), 0);

@@ -1,0 +1,26 @@
+// What a user's bundler makes of a script that imports packages of this repository or files of dist/.
+
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const entry = 'script-of-a-user';
+
+/** The minified code of all chunks. Imports are found as from the repository's root. */
+export async function bundleOf(script: string): Promise<string> {
+  const built = await build({
+    root: repository,
+    configFile: false,
+    logLevel: 'silent',
+    build: { write: false, rolldownOptions: { input: entry } },
+    plugins: [
+      {
+        name: entry,
+        resolveId: (id) => (id === entry ? `${repository}${entry}.js` : undefined),
+        load: (id) => (id === `${repository}${entry}.js` ? script : undefined),
+      },
+    ],
+  });
+  if (!('output' in built)) throw new Error('more than one bundle');
+  return built.output.map((part) => (part.type === 'chunk' ? part.code : '')).join('\n');
+}
