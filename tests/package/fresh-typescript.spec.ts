@@ -86,6 +86,27 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     await site.close();
   });
 
+  test('draws in a page that Vite built from the standalone file, with the parts that it fetches later', async ({
+    page,
+  }) => {
+    project.write('standalone.ts', "import 'phong-viewer/standalone';\n");
+    const folder = project.build(
+      '<script type="module" src="./standalone.ts"></script>' +
+        '<phong-viewer geometry="torus" gui><phong-light name="sun"></phong-light></phong-viewer>',
+    );
+    const site = await startSite({ '/': folder });
+    await page.goto(`${site.origin}/`);
+    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+    await allReady(page);
+    const viewer = page.locator('phong-viewer');
+    const { data } = await pixels(viewer, { width: 64, height: 64 });
+    expect(data.some((code, i) => i % 4 === 3 && code === 255)).toBe(true);
+    await expect(viewer.getByText('sun').first()).toBeAttached();
+    // The index of three.js would have put its version there: nothing but the standalone file's own copy is inside.
+    expect(await page.evaluate(() => '__THREE__' in window)).toBe(false);
+    await site.close();
+  });
+
   test('draws with plain three.js as the README says, without elements and without Lit', async ({ page }) => {
     project.write('core.js', readmeSample('With plain three.js'));
     const folder = project.build(
