@@ -55,6 +55,20 @@ test.describe('the packed package', () => {
     expect(named.filter((path) => !present.has(path))).toEqual([]);
   });
 
+  test('names one repository as its source, its home and its issue tracker', () => {
+    const {
+      homepage,
+      repository: source,
+      bugs,
+    } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+      homepage: string;
+      repository: { url: string };
+      bugs: string;
+    };
+    const address = source.url.replace(/^git\+|\.git$/g, '');
+    expect([homepage, bugs]).toEqual([`${address}#readme`, `${address}/issues`]);
+  });
+
   test('carries no source map above half a megabyte', () => {
     const large = packedFiles().filter(({ path, size }) => path.endsWith('.map') && size > 512 * 1024);
     expect(large).toEqual([]);
