@@ -1,5 +1,5 @@
-// What a page fetches before anything moves: how many bytes, compressed by Brotli, and in how many files. three.js and Lit are not
-// counted where they stay imports, and are inside where the file is the standalone one.
+// How much does a page fetch before its first frame? Counts files and bytes, compressed by Brotli. The standalone file contains
+// three.js and Lit; for the ES modules they are not counted.
 
 import { allReady, expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support.js';
@@ -12,7 +12,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>
 </phong-viewer>`;
 
-/** Measured bytes, rounded up to the next 256: whoever adds some decides whether they are worth it. */
+/** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
 const budgets = { standalone: 98_560, modules: 28_416 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
@@ -29,7 +29,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     expect(fetched).toEqual([usage === 'standalone' ? 'phong-viewer.standalone.js' : 'index.js']);
     const bytes = sentSize(fetched);
     expect(bytes).toBeLessThanOrEqual(budgets[usage]);
-    // Far below, the budget would let as much creep back in.
+    // A budget far above the real size would let new code in unnoticed.
     expect(bytes, 'the budget can be lowered').toBeGreaterThan(0.97 * budgets[usage]);
   });
 }

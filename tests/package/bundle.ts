@@ -1,4 +1,4 @@
-// What a user's bundler makes of a script that imports packages of this repository or files of dist/.
+// Bundles a script as a user's bundler does. The script may import packages of this repository or files of dist/.
 
 import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
@@ -6,7 +6,7 @@ import { build } from 'vite';
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const entry = 'script-of-a-user';
 
-/** The minified code of all chunks. Imports are found as from the repository's root. */
+/** The minified code of all chunks. Imports are resolved from the repository's root. */
 export async function bundleOf(script: string): Promise<string> {
   const built = await build({
     root: repository,

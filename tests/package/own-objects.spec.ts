@@ -53,7 +53,7 @@ test('an object of another three.js with a ShaderMaterial is drawn', async ({ mo
   ).toBeGreaterThan(100);
 });
 
-test('its ShaderMaterial may be drawn in instances, with colours of vertices', async ({ mount }) => {
+test('an InstancedMesh with vertex colours and a ShaderMaterial is drawn', async ({ mount }) => {
   const viewer = await mount('<phong-viewer radius="4"></phong-viewer>');
   await viewer.evaluate(async (element: PhongViewer, address) => {
     const { BufferAttribute, InstancedMesh, Matrix4, PlaneGeometry, ShaderMaterial } = (await import(
@@ -88,7 +88,7 @@ test('its ShaderMaterial may be drawn in instances, with colours of vertices', a
   expect(runs).toHaveLength(2);
 });
 
-test('an object with a material that the file has no shaders for is refused in words', async ({
+test("an object with one of three.js's own materials gives an error that names the cure", async ({
   mount,
   consoleGuard,
 }) => {
