@@ -1,6 +1,8 @@
 // How much does a page fetch before its first frame? Counts files and bytes, compressed by Brotli. The standalone file contains
 // three.js and Lit; for the ES modules they are not counted.
 
+import { join } from 'node:path';
+import { outputFolder } from '../../.ci/output-folder.mjs';
 import { allReady, expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support.js';
 import { bundleOf } from './bundle.js';
@@ -45,6 +47,14 @@ test('the standalone file is smaller than a bundle of plain three.js with its Ph
   `);
   // Measured: 0.92. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
   expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(0.93);
+});
+
+test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
+  const bundled = async (file: string): Promise<number> =>
+    brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
+  // Measured: 148 kB, because bundlers keep three's shader chunks, and 99 kB.
+  expect(await bundled('index.js')).toBeLessThan(149_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(100_000);
 });
 
 test('core and reference are one file each, and the latter needs no three.js', async ({ page, site }) => {

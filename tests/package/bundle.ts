@@ -6,7 +6,7 @@ import { build } from 'vite';
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const entry = 'script-of-a-user';
 
-/** The minified code of all chunks. Imports are resolved from the repository's root. */
+/** The minified code that a page fetches at start. Imports are resolved from the repository's root. */
 export async function bundleOf(script: string): Promise<string> {
   const built = await build({
     root: repository,
@@ -22,5 +22,8 @@ export async function bundleOf(script: string): Promise<string> {
     ],
   });
   if (!('output' in built)) throw new Error('more than one bundle');
-  return built.output.map((part) => (part.type === 'chunk' ? part.code : '')).join('\n');
+  const chunks = built.output.filter((part) => part.type === 'chunk');
+  const main = chunks.find(({ isEntry }) => isEntry);
+  const atStart = chunks.filter(({ fileName, isEntry }) => isEntry || main?.imports.includes(fileName));
+  return atStart.map(({ code }) => code).join('\n');
 }
