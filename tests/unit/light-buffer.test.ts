@@ -232,6 +232,15 @@ describe('the texture', () => {
 });
 
 describe('a buffer that was disposed of', () => {
+  it('sends rows of lights that are switched off too, so that they are there when these are on again', () => {
+    const rows = settled(20);
+    write(rows, packed(10));
+    rows.dispose();
+    draw(rows);
+    write(rows, packed(20));
+    expect(gpu.pixels(draw(rows)).slice(0, 80)).toStrictEqual(floatsOf(packed(20)));
+  });
+
   it('holds nothing on the GPU, and sends everything with the next draw', () => {
     const rows = settled(2000);
     const texture = draw(rows);
