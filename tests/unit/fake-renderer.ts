@@ -40,6 +40,7 @@ export class FakeRenderer {
   /** By the object that stands for a texture in WebGL. */
   readonly #held = new Map<object, Texels>();
   #bound: object = {};
+  readonly #programs = new Map<Material, object>();
 
   constructor(device: Partial<FakeDevice> = {}) {
     this.#device = { ...GPU, ...device };
@@ -87,9 +88,7 @@ export class FakeRenderer {
       extensions: { has: () => tells },
       properties: {
         get: (material: Material) =>
-          this.compiled.includes(material)
-            ? { currentProgram: { program: material, isReady: () => this.ready } }
-            : {},
+          this.compiled.includes(material) ? { currentProgram: this.programOf(material) } : {},
       },
       compile: ({ material }: Mesh) => {
         const one = material as Material;
@@ -114,8 +113,11 @@ export class FakeRenderer {
     return [...(this.#texelsOf(texture)?.data ?? [])];
   }
 
-  loseContext(): void {
-    this.#held.clear();
+  /** The program that a compiled material has. */
+  programOf(material: Material): object {
+    const program = this.#programs.get(material) ?? { program: material, isReady: () => this.ready };
+    this.#programs.set(material, program);
+    return program;
   }
 
   texSubImage2D(

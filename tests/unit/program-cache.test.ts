@@ -80,10 +80,10 @@ describe('a specialised program', () => {
     gpu.ready = false;
     draw(21);
     expect(draw(100)).toStrictEqual([]);
-    expect(compilingPrograms.has(gpu.compiled[0]!)).toBe(true);
+    expect(compilingPrograms.has(gpu.programOf(gpu.compiled[0]!))).toBe(true);
     gpu.ready = true;
     expect(draw(1)).toStrictEqual(['a']);
-    expect(compilingPrograms.has(gpu.compiled[0]!)).toBe(false);
+    expect(compilingPrograms.has(gpu.programOf(gpu.compiled[0]!))).toBe(false);
   });
 
   it('waits a few frames where the browser does not say whether it has linked', () => {
