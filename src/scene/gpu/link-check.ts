@@ -1,19 +1,19 @@
-// Tells of programs that do not link, without waiting for any that the driver still works on.
+// Reports programs that do not link, without waiting for programs that the driver is still compiling.
 import type { WebGLProgram as ThreeProgram, WebGLRenderer } from 'three';
 
-/** three.js's types leave these out. */
+/** What three.js's types leave out. */
 type Program = ThreeProgram & {
   readonly program: WebGLProgram;
-  /** Asks KHR_parallel_shader_compile; true where the browser has it not. */
+  /** According to KHR_parallel_shader_compile; always true without that extension. */
   isReady(): boolean;
 };
 
-/** Programs that are made in the background and not drawn with yet: asking for them could wait. */
+/** Programs that compile in the background and have not drawn yet: querying their state could block. */
 export const unfinished = new WeakSet<object>();
 
 /**
- * three.js's own check asks for three logs of each program, and each answer is waited for. Whether a program that was
- * drawn with has linked is known to the browser by then; the logs are wanted only where it has not.
+ * Replaces three.js's own check, which reads three logs of each program and blocks for each. After a program has drawn,
+ * the browser knows its link status without blocking. The logs are read only after a failure.
  */
 export class LinkCheck {
   readonly #checked = new WeakSet<Program>();
@@ -22,7 +22,7 @@ export class LinkCheck {
     renderer.debug.checkShaderErrors = false;
   }
 
-  /** After drawing: each program that has failed is reported, once. */
+  /** Call after drawing. Reports each failed program once. */
   check(renderer: WebGLRenderer): void {
     const gl = renderer.getContext();
     for (const program of (renderer.info.programs ?? []) as Program[]) {
