@@ -1,5 +1,6 @@
 // Reports programs that do not link, without waiting for programs that the driver is still compiling.
 import type { WebGLProgram as ThreeProgram, WebGLRenderer } from 'three';
+import { compilingPrograms } from '../../material/program/program-cache.js';
 
 /** What three.js's types leave out. */
 type Program = ThreeProgram & {
@@ -7,9 +8,6 @@ type Program = ThreeProgram & {
   /** According to KHR_parallel_shader_compile; always true without that extension. */
   isReady(): boolean;
 };
-
-/** Programs that compile in the background and have not drawn yet: querying their state could block. */
-export const unfinished = new WeakSet<object>();
 
 /**
  * Replaces three.js's own check, which reads three logs of each program and blocks for each. After a program has drawn,
@@ -26,7 +24,7 @@ export class LinkCheck {
   check(renderer: WebGLRenderer): void {
     const gl = renderer.getContext();
     for (const program of (renderer.info.programs ?? []) as Program[]) {
-      if (this.#checked.has(program) || unfinished.has(program) || !program.isReady()) continue;
+      if (this.#checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
       this.#checked.add(program);
       if (gl.getProgramParameter(program.program, gl.LINK_STATUS) === true || gl.isContextLost()) continue;
       reportError(new Error(`<phong-viewer> a program does not link: ${logOf(gl, program.program)}`));
