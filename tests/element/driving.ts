@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect } from '../support/test.js';
-import { drawnWith, glSpent, type GlProgram, isExact, isLit } from './gl-log.js';
+import { drawnWith, glSpent, type GlProgram, isSpecialised, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
 /** Frames after which it is too late; many, because the code for such programs is fetched first, on a busy machine perhaps. */
@@ -45,9 +45,9 @@ async function allAre(page: Page, wanted: (one: GlProgram) => boolean): Promise<
 }
 
 /** Keeps drawing until everything on the page is drawn by programs of its own, or by such ones; says how many frames that took. */
-export async function drawUntilExact(
+export async function drawUntilSpecialised(
   page: Page,
-  wanted: (one: GlProgram) => boolean = isExact,
+  wanted: (one: GlProgram) => boolean = isSpecialised,
 ): Promise<number> {
   for (let frames = 0; frames < MOST_FRAMES; frames += 8) {
     if (await allAre(page, wanted)) return frames;
@@ -59,7 +59,7 @@ export async function drawUntilExact(
 async function programsDrawnWith(page: Page): Promise<string> {
   await glSpent(page);
   await drawFrames(page, 1);
-  return (await drawnWith(page)).map((one) => (isExact(one) ? 'exact' : 'general')).join();
+  return (await drawnWith(page)).map((one) => (isSpecialised(one) ? 'exact' : 'general')).join();
 }
 
 /** One lit program draws, and it is a general one. */
@@ -69,5 +69,5 @@ export async function expectGeneral(page: Page, viewer: Locator): Promise<void> 
   await viewer.evaluate((element: PhongViewer) => element.ready);
   const lit = (await drawnWith(page)).filter(isLit);
   expect(lit.length).toBeGreaterThan(0);
-  expect(lit.some(isExact)).toBe(false);
+  expect(lit.some(isSpecialised)).toBe(false);
 }

@@ -12,7 +12,7 @@ export interface GlSpent {
   readonly links: number;
   readonly compiles: number;
   /** Of programs for exactly the lights at hand, which are made in the background. */
-  readonly exactLinks: number;
+  readonly specialisedLinks: number;
   /** Calls that send data into a texture or buffer that is there already, and their bytes. */
   readonly uploads: number;
   readonly bytes: number;
@@ -64,8 +64,8 @@ export const glPrograms = (page: Page): Promise<GlProgram[]> => page.evaluate(()
 export const drawnWith = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.drawnWith());
 
 /** A program for exactly the lights at hand. */
-export const isExact = ({ fragment, vertex }: GlProgram): boolean =>
-  /#define EXACT_LIGHTS/.test(fragment + vertex);
+export const isSpecialised = ({ fragment, vertex }: GlProgram): boolean =>
+  /#define LIGHT_STATEMENTS/.test(fragment + vertex);
 
 /** A program that runs the light loop, and not the page's own. */
 export const isLit = ({ fragment, vertex }: GlProgram): boolean => /LightSums/.test(fragment + vertex);
@@ -83,7 +83,7 @@ function wrapGl(limits: Limits): void {
     draws: 0,
     links: 0,
     compiles: 0,
-    exactLinks: 0,
+    specialisedLinks: 0,
     uploads: 0,
     bytes: 0,
     allocations: 0,
@@ -147,7 +147,7 @@ function wrapGl(limits: Limits): void {
     const present = stages.get(program as object) ?? [];
     stages.set(program as object, [...present, shader as WebGLShader]);
   });
-  wrap('compileShader', ([shader]) => (spent.compiles += isExactText(texts.get(shader as object)) ? 0 : 1));
+  wrap('compileShader', ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1));
   wrap('useProgram', ([program], self) => {
     if (program === null) current.delete(self);
     else current.set(self, program as WebGLProgram);
@@ -160,7 +160,7 @@ function wrapGl(limits: Limits): void {
         .map((shader) => texts.get(shader) ?? '')
         .join('');
     const text = { vertex: of(gl.VERTEX_SHADER), fragment: of(gl.FRAGMENT_SHADER) };
-    if (isExactText(text.fragment)) spent.exactLinks += 1;
+    if (isSpecialisedText(text.fragment)) spent.specialisedLinks += 1;
     else spent.links += 1;
     linked.set(program, { ...text, ...sizes(program, self), live: true, draws: 0 });
   });
@@ -169,8 +169,8 @@ function wrapGl(limits: Limits): void {
     if (one !== undefined) one.live = false;
   });
 
-  function isExactText(text = ''): boolean {
-    return text.includes('#define EXACT_LIGHTS');
+  function isSpecialisedText(text = ''): boolean {
+    return text.includes('#define LIGHT_STATEMENTS');
   }
 
   function draw(self: WebGL2RenderingContext): void {

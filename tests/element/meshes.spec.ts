@@ -4,7 +4,7 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
-import { drawUntilExact } from './driving.js';
+import { drawUntilSpecialised } from './driving.js';
 import { logGl } from './gl-log.js';
 import { assign, type PhongViewer, record, settled, shownBy } from './support.js';
 
@@ -60,7 +60,7 @@ test('of meshes in one place the last one shows, whatever came when and by which
   same(await pixels(viewer), wanted.red);
   await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = 'gouraud'));
   await viewer.evaluate((element: PhongViewer) => (element.meshes[1]!.shading = null));
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   expectAlike(await pixels(viewer), wanted.red, 'by programs of their own');
   await viewer.evaluate((element: PhongViewer) => (element.meshes[0]!.kd = [40, 40, 180]));
   expectAlike(await pixels(viewer), wanted.red, 'one of them changed');

@@ -3,7 +3,7 @@
 import type { Locator, Page } from '@playwright/test';
 import { Dice } from '../visual/random-scene.js';
 import { expect } from '../support/test.js';
-import { glPrograms, isExact, isLit } from './gl-log.js';
+import { glPrograms, isSpecialised, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
 interface Walked {
@@ -60,7 +60,7 @@ export async function expectFewPrograms(
 ): Promise<void> {
   const { needs, mostExact } = await walk(page, viewer, new Dice(seed), steps);
   const programs = (await glPrograms(page)).filter(isLit);
-  const general = programs.filter((one) => !isExact(one));
+  const general = programs.filter((one) => !isSpecialised(one));
   const texts = general.map(({ vertex, fragment }) => vertex + fragment);
   console.log(`Seed ${seed}, ${steps} steps: ${general.length} general programs for ${needs} sets of needs, ${programs.length - general.length} exact ones, ${mostExact} at a time`); // prettier-ignore
   expect(new Set(texts).size, 'no text twice').toBe(texts.length);
@@ -82,7 +82,7 @@ async function walk(page: Page, viewer: Locator, dice: Dice, steps: number): Pro
     const { style, facts } = await take(viewer, what, value, i);
     for (const fact of facts) declared.add(fact);
     needs.add([style, ...[...declared].sort()].join());
-    const exact = (await glPrograms(page)).filter((one) => one.live && isLit(one) && isExact(one));
+    const exact = (await glPrograms(page)).filter((one) => one.live && isLit(one) && isSpecialised(one));
     mostExact = Math.max(mostExact, exact.length);
   }
   return { needs: needs.size, mostExact };

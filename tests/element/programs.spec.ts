@@ -3,9 +3,9 @@
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../support/test.js';
-import { drawFrames, drawUntilExact } from './driving.js';
+import { drawFrames, drawUntilSpecialised } from './driving.js';
 import { definesOf, reachableOf } from './glsl-reading.js';
-import { drawnWith, glPrograms, glSpent, isExact, isLit, logGl, type GlProgram } from './gl-log.js';
+import { drawnWith, glPrograms, glSpent, isSpecialised, isLit, logGl, type GlProgram } from './gl-log.js';
 import { expectFewPrograms, MOST_EXACT } from './program-walk.js';
 import type { PhongViewer } from './support.js';
 
@@ -120,9 +120,9 @@ test('a program of its own adds what each light has and no more', async ({ page,
     '<phong-light></phong-light><phong-light active="false" position="1 2 3" attenuation="1 1 1"></phong-light>';
   await mount(`<phong-viewer geometry="box">${lights}</phong-viewer>`, size);
   expect(codeIn((await litPrograms(page))[0]!)).toEqual(['directional', 'point', 'attenuation', 'diffuse', 'specular']); // prettier-ignore
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   const [exact] = (await litPrograms(page)) as [GlProgram];
-  expect(/#define EXACT_LIGHTS (.*)/.exec(exact.fragment)?.[1]?.match(/KIND_\w+/g)).toEqual([
+  expect(/#define LIGHT_STATEMENTS (.*)/.exec(exact.fragment)?.[1]?.match(/KIND_\w+/g)).toEqual([
     'KIND_DIRECTIONAL',
   ]);
 });
@@ -158,7 +158,7 @@ test('ten meshes of ten lights each have eight programs of their own together', 
   const viewer = await mount(`<phong-viewer>${meshes.join('')}${lights.join('')}</phong-viewer>`, size);
   const exactNow = async (): Promise<number> => {
     const programs = await glPrograms(page);
-    return programs.filter((one) => one.live && isExact(one)).length;
+    return programs.filter((one) => one.live && isSpecialised(one)).length;
   };
   await expect
     .poll(async () => {
@@ -177,7 +177,7 @@ test('ten meshes of ten lights each have eight programs of their own together', 
     await element.ready;
   });
   const drawn = await litPrograms(page);
-  expect(drawn.filter(isExact).length).toBe(MOST_EXACT);
+  expect(drawn.filter(isSpecialised).length).toBe(MOST_EXACT);
   expect(drawn.length).toBe(MOST_EXACT + 1); // the general one draws both others
   expect(await viewer.evaluate((element: PhongViewer) => element.stats.lightsSentByMesh)).toEqual([1, 2, 3, 4, 5, 6, 7, 8, 9, 10]); // prettier-ignore
 });
@@ -215,7 +215,7 @@ test('a picture that no light is looped over for gets a program of its own that 
   for (const lights of [light('diffuse="0" specular="0"'), light('active="false"')]) {
     const viewer = await mount(`<phong-viewer geometry="box">${lights}</phong-viewer>`, size);
     const before = await pixels(viewer);
-    await drawUntilExact(page, (one) => definesOf(one.fragment).has('LIGHT_CONSTANTS'));
+    await drawUntilSpecialised(page, (one) => definesOf(one.fragment).has('LIGHT_CONSTANTS'));
     expect(compare(await pixels(viewer), before).max, lights).toBe(0);
   }
 });
@@ -231,7 +231,7 @@ test('a picture whose own program no driver links is drawn by the general one, a
     const gl = WebGL2RenderingContext.prototype;
     const real = Object.getOwnPropertyDescriptor(gl, 'shaderSource')?.value as typeof gl.shaderSource;
     gl.shaderSource = function (this: WebGL2RenderingContext, shader, text) {
-      real.call(this, shader, text.replace('#define EXACT_LIGHTS', '#error broken by hand\n$&'));
+      real.call(this, shader, text.replace('#define LIGHT_STATEMENTS', '#error broken by hand\n$&'));
     };
   });
   const viewer = await mount(
@@ -240,7 +240,7 @@ test('a picture whose own program no driver links is drawn by the general one, a
   );
   const before = await pixels(viewer);
   await drawFrames(page, 80);
-  expect((await drawnWith(page)).filter(isLit).some(isExact)).toBe(false);
+  expect((await drawnWith(page)).filter(isLit).some(isSpecialised)).toBe(false);
   expect(compare(await pixels(viewer), before).max).toBe(0);
-  expect((await glPrograms(page)).filter(isExact)).toHaveLength(1);
+  expect((await glPrograms(page)).filter(isSpecialised)).toHaveLength(1);
 });

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
-import { drawFrames, drawUntilExact, moveFor } from './driving.js';
+import { drawFrames, drawUntilSpecialised, moveFor } from './driving.js';
 import { drawnWith, type GlProgram, logGl } from './gl-log.js';
 import { holdContext, loseAndRestore } from './many-viewers.js';
 import type { PhongViewer } from './support.js';
@@ -109,7 +109,7 @@ async function expectWhole(viewer: Locator, which: string, { picture, programs }
 }
 
 async function settle(page: Page, viewer: Locator): Promise<void> {
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   await drawFrames(page, 2);
   await moveFor(viewer, 60); // also tells where the block is: asked once
 }

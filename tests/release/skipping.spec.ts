@@ -1,7 +1,7 @@
 // The long forms of what is skipped and changes no picture: more scenes by two programs each, more budgets, longer walks.
 
 import { expect, pixels, test } from '../support/test.js';
-import { drawUntilExact } from '../element/driving.js';
+import { drawUntilSpecialised } from '../element/driving.js';
 import { logGl } from '../element/gl-log.js';
 import { expectFewPrograms } from '../element/program-walk.js';
 import type { PhongViewer } from '../element/support.js';
@@ -63,7 +63,7 @@ test('@release four thousand lights that keep moving look as they do standing st
   const size = { width: 60, height: 42 };
   const viewer = await mount(sceneMarkup({ ...randomScene(4), lights }), size);
   const [general] = await picturesBy(page, [viewer], 'general', size);
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   const [exact] = await picturesBy(page, [viewer], 'exact', size);
   const sum = new DifferenceSum();
   sum.add(betweenPrograms(general!, exact!));

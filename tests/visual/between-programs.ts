@@ -2,8 +2,8 @@
 // viewers at a time, drawn by general programs at first and by programs of their own once they keep being drawn.
 
 import type { Locator, Page } from '@playwright/test';
-import { drawUntilExact } from '../element/driving.js';
-import { drawnWith, glSpent, isExact, isLit } from '../element/gl-log.js';
+import { drawUntilSpecialised } from '../element/driving.js';
+import { drawnWith, glSpent, isSpecialised, isLit } from '../element/gl-log.js';
 import type { PhongViewer } from '../element/support.js';
 import { allReady, expect, pixels, type Picture } from '../support/test.js';
 
@@ -73,7 +73,7 @@ export async function showAll(page: Page, markups: readonly string[]): Promise<L
 export async function expectDrawnBy(page: Page, kind: 'exact' | 'general'): Promise<void> {
   const lit = (await drawnWith(page)).filter(isLit);
   expect(lit.length).toBeGreaterThan(0);
-  expect(lit.map((one) => (isExact(one) ? 'exact' : 'general'))).toEqual(lit.map(() => kind));
+  expect(lit.map((one) => (isSpecialised(one) ? 'exact' : 'general'))).toEqual(lit.map(() => kind));
 }
 
 export async function picturesBy(
@@ -103,7 +103,7 @@ export async function bothPictures(
   const viewers = await showAll(page, markups);
   const general = await picturesBy(page, viewers, 'general', size);
   const programs = await programsOf(viewers[0]!);
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   // Viewers of the same lights and surface share one.
   expect(await programsOf(viewers[0]!)).toBeGreaterThan(programs);
   const exact = await picturesBy(page, viewers, 'exact', size);

@@ -4,8 +4,8 @@
 import type { Page } from '@playwright/test';
 import type { LightValues } from '../../src/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
-import { drawFrames, drawUntilExact } from '../element/driving.js';
-import { glPrograms, glSpent, isExact, isLit, logGl } from '../element/gl-log.js';
+import { drawFrames, drawUntilSpecialised } from '../element/driving.js';
+import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/gl-log.js';
 import { assign, type PhongViewer } from '../element/support.js';
 import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
@@ -107,7 +107,7 @@ test('one to 4,096 lights shine as float64 says, with the uniforms that WebGL 2 
     expect(errors.compared).toBeGreaterThan(100);
     found[count] = errors.max;
     if (count > 256) continue; // 0.1 s and more a frame in software
-    await drawUntilExact(page);
+    await drawUntilSpecialised(page);
     const exact = (await picturesBy(page, [viewer], 'exact', SIZE))[0]!;
     expect(sampled(exact, scene).max, `${count} lights, exact`).toBeLessThan(0.5);
     const difference = new DifferenceSum();
@@ -163,7 +163,7 @@ async function looksUp(page: Page): Promise<boolean> {
   await glSpent(page);
   await drawFrames(page, 1);
   const drawn = await page.evaluate(() => window.glLog.drawnWith());
-  return drawn.filter(isLit).every((one) => /cellList\(/.test(one.vertex + one.fragment) && isExact(one));
+  return drawn.filter(isLit).every((one) => /cellList\(/.test(one.vertex + one.fragment) && isSpecialised(one));
 }
 
 test('five hundred spots on a floor look as the loop over all of them does, whatever changes', async ({
@@ -187,7 +187,7 @@ test('five hundred spots on a floor look as the loop over all of them does, what
     if (floats) expect(sampled(shown, scene).max, what).toBeLessThan(0.5);
   };
   await expectLike('at first', true);
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   expect(await looksUp(page)).toBe(true);
   expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({ lightsActive: 500, drawCalls: 1 }); // prettier-ignore
   await expectLike('settled', true);
@@ -205,13 +205,13 @@ test('five hundred spots on a floor look as the loop over all of them does, what
     element.lights.forEach((light, i) => (light.active = i % 3 > 0)),
   );
   await expectLike('with a third of the lights out', false);
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   expect(await looksUp(page)).toBe(true);
   await expectLike('settled with a third of the lights out', false);
   await assign(viewer.locator('phong-mesh'), { rotation: [25, 40, 10], scale: [14, 1, 25] });
   await expectLike('with the floor turned and stretched', false);
   await assign(viewer, { reflection: 'blinn-phong', colorInterpolation: 'linear' });
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   await expectLike('in linear light', false);
   console.log(`500 spots: ${String(sum)}`);
   sum.expectPromise();
@@ -239,7 +239,7 @@ for (const [name, shading, attribute] of [
     const markup = sceneMarkup(overFloor(spots(500, 4), shading), shading);
     const viewer = await mount(markup.replace('<phong-viewer', `<phong-viewer ${attribute}`), SIZE);
     const [looped] = await picturesBy(page, [viewer], 'general', SIZE);
-    await drawUntilExact(page);
+    await drawUntilSpecialised(page);
     expect(await looksUp(page)).toBe(true);
     const [shown] = await picturesBy(page, [viewer], 'exact', SIZE);
     const sum = new DifferenceSum();
@@ -259,7 +259,7 @@ test('an error budget is kept at every pixel, also where lights are looked up by
   const viewer = await mount(sceneMarkup(scene), SIZE);
   for (const errorBudget of [0, 1]) {
     await assign(viewer, { errorBudget });
-    await drawUntilExact(page);
+    await drawUntilSpecialised(page);
     expect(await looksUp(page)).toBe(true);
     const { max, compared } = sampled((await picturesBy(page, [viewer], 'exact', SIZE))[0]!, scene);
     expect(max, `budget ${errorBudget}`).toBeLessThan(errorBudget + 0.5);

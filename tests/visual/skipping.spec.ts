@@ -2,7 +2,7 @@
 // programs for exactly what they show; with and without lights that reach nothing; and all of them against float64.
 
 import { expect, pixels, test } from '../support/test.js';
-import { drawFrames, drawUntilExact } from '../element/driving.js';
+import { drawFrames, drawUntilSpecialised } from '../element/driving.js';
 import { glSpent, logGl } from '../element/gl-log.js';
 import { assign, type PhongViewer } from '../element/support.js';
 import { compareWithReference } from './against-reference.js';
@@ -103,7 +103,7 @@ test('lights that reach nothing leave every bit as it is, in the same program', 
       markup(Object.values(IDLE).map((attributes) => `<phong-light ${attributes}></phong-light>`).join('')), // prettier-ignore
     ]);
     for (const kind of ['general', 'exact'] as const) {
-      if (kind === 'exact') await drawUntilExact(page);
+      if (kind === 'exact') await drawUntilSpecialised(page);
       const [alone, ...others] = await picturesBy(page, viewers, kind, SIZE);
       for (const [i, other] of others.entries()) {
         const { max } = betweenPrograms(alone!, other);
@@ -128,7 +128,7 @@ test('terms that go and come again, lights that go out and on: the same program 
   };
   for (const terms of ['', 'ambient', 'diffuse specular', null]) await assign(viewer, { terms });
   await expectSame('terms');
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   const exact = await pixels(viewer, SIZE);
   for (const off of [true, false]) {
     await viewer.evaluate(async (element: PhongViewer, active) => {
@@ -137,7 +137,7 @@ test('terms that go and come again, lights that go out and on: the same program 
     }, !off);
     if (!off) await expectSame('a light out and on');
   }
-  await drawUntilExact(page);
+  await drawUntilSpecialised(page);
   expect(betweenPrograms(exact, await pixels(viewer, SIZE)).max, 'exact again').toBe(0);
   await assign(viewer, { terms: 'diffuse' });
   await drawFrames(page, 1);
