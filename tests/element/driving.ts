@@ -1,12 +1,11 @@
-// Pictures that keep being drawn: frames one after another, as motion makes them, until a viewer draws by a program for
-// exactly its lights. Needs the page's log of WebGL (gl-log.ts).
+// Pictures that keep being drawn: frames one after another, as motion makes them, until a viewer draws by a specialised program. Needs the page's log of WebGL (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
 import { expect } from '../support/test.js';
 import { drawnWith, glSpent, type GlProgram, isSpecialised, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
-/** Frames after which it is too late; many, because the code for such programs is fetched first, on a busy machine perhaps. */
+/** Frames after which it is too late: many, for busy machines. */
 const MOST_FRAMES = 400;
 
 /** Draws all the page's viewers in this many frames, one after another, unchanged. */
@@ -21,8 +20,7 @@ export async function drawFrames(page: Page, frames: number): Promise<void> {
 }
 
 /**
- * Draws this many frames, in each of which every light has moved. After 60 or so programs for moving lights are there: of some that
- * stood still the numbers may have been in a program's text.
+ * Draws this many frames, in each of which every light has moved. In software the general program draws them.
  */
 export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
   viewer.evaluate(async (element: PhongViewer, count) => {
@@ -53,13 +51,13 @@ export async function drawUntilSpecialised(
     if (await allAre(page, wanted)) return frames;
     await drawFrames(page, 7);
   }
-  throw new Error(`No exact programs after ${MOST_FRAMES} frames: ${await programsDrawnWith(page)}`);
+  throw new Error(`No specialised programs after ${MOST_FRAMES} frames: ${await programsDrawnWith(page)}`);
 }
 
 async function programsDrawnWith(page: Page): Promise<string> {
   await glSpent(page);
   await drawFrames(page, 1);
-  return (await drawnWith(page)).map((one) => (isSpecialised(one) ? 'exact' : 'general')).join();
+  return (await drawnWith(page)).map((one) => (isSpecialised(one) ? 'specialised' : 'general')).join();
 }
 
 /** One lit program draws, and it is a general one. */
