@@ -1,5 +1,5 @@
 // How far are two pictures of one scene by two programs from each other? And how such pictures come about: pages of a few
-// viewers at a time, drawn by general programs at first and by programs of their own once they keep being drawn.
+// viewers at a time, drawn by general programs at first and by specialised ones once they keep being drawn.
 
 import type { Locator, Page } from '@playwright/test';
 import { drawUntilSpecialised } from '../element/driving.js';
@@ -59,7 +59,7 @@ export class DifferenceSum {
   }
 }
 
-/** So many programs of their own a page has at most. */
+/** Viewers on a page at a time: few, so that their specialised programs take over soon. */
 export const A_PAGE = 8;
 
 /** Puts these viewers into the page in place of all it has. Gives each one's locator. */
@@ -69,17 +69,17 @@ export async function showAll(page: Page, markups: readonly string[]): Promise<L
   return markups.map((_, i) => page.locator('phong-viewer').nth(i));
 }
 
-/** What all the programs of the pictures since `glSpent` were: exact ones, or general ones. */
-export async function expectDrawnBy(page: Page, kind: 'exact' | 'general'): Promise<void> {
+/** All lit programs since `glSpent` were of this kind. */
+export async function expectDrawnBy(page: Page, kind: 'specialised' | 'general'): Promise<void> {
   const lit = (await drawnWith(page)).filter(isLit);
   expect(lit.length).toBeGreaterThan(0);
-  expect(lit.map((one) => (isSpecialised(one) ? 'exact' : 'general'))).toEqual(lit.map(() => kind));
+  expect(lit.map((one) => (isSpecialised(one) ? 'specialised' : 'general'))).toEqual(lit.map(() => kind));
 }
 
 export async function picturesBy(
   page: Page,
   viewers: readonly Locator[],
-  kind: 'exact' | 'general',
+  kind: 'specialised' | 'general',
   size: { readonly width: number; readonly height: number },
 ): Promise<Picture[]> {
   await glSpent(page);
@@ -91,10 +91,10 @@ export async function picturesBy(
 
 export interface TwoPictures {
   readonly general: Picture;
-  readonly exact: Picture;
+  readonly specialised: Picture;
 }
 
-/** Each viewer's picture by its first program and by its own one; `markups` are of one mesh each, A_PAGE at most. */
+/** Each viewer's picture by the general program and by the specialised one; `markups` are of one mesh each, A_PAGE at most. */
 export async function bothPictures(
   page: Page,
   markups: readonly string[],
@@ -106,8 +106,8 @@ export async function bothPictures(
   await drawUntilSpecialised(page);
   // Viewers of the same lights and surface share one.
   expect(await programsOf(viewers[0]!)).toBeGreaterThan(programs);
-  const exact = await picturesBy(page, viewers, 'exact', size);
-  return general.map((picture, i) => ({ general: picture, exact: exact[i]! }));
+  const specialised = await picturesBy(page, viewers, 'specialised', size);
+  return general.map((picture, i) => ({ general: picture, specialised: specialised[i]! }));
 }
 
 /** Programs of the page, as a viewer tells. */

@@ -303,8 +303,8 @@ test('is filtered alike by general programs and by those for exactly some lights
     return sceneMarkup(scene, shading).replace('<phong-viewer', '<phong-viewer antialias="highlights"');
   });
   const sum = new DifferenceSum();
-  for (const [i, { general, exact }] of (await bothPictures(page, markups, SIZE)).entries()) {
-    const difference = betweenPrograms(general, exact);
+  for (const [i, { general, specialised }] of (await bothPictures(page, markups, SIZE)).entries()) {
+    const difference = betweenPrograms(general, specialised);
     expect.soft(difference.max, names[i]).toBeLessThanOrEqual(1);
     sum.add(difference);
   }

@@ -42,12 +42,12 @@ test('every kind of surface and light differs as little between its two programs
       scenes.map(({ scene, shading }) => sceneMarkup(scene, shading)),
       SIZE,
     );
-    for (const [i, { general, exact }] of pictures.entries()) {
+    for (const [i, { general, specialised }] of pictures.entries()) {
       const { scene, shading } = scenes[i]!;
-      const difference = betweenPrograms(general, exact);
+      const difference = betweenPrograms(general, specialised);
       expect.soft(difference.max, some[i]).toBeLessThanOrEqual(1);
       sum.add(difference);
-      for (const picture of [general, exact]) {
+      for (const picture of [general, specialised]) {
         const errors = compareWithTriangles(picture, scene, shading, subpixelBits);
         expect.soft(errors.max, `${some[i]}: ${errors.at}`).toBeLessThanOrEqual(1);
         expect(errors.compared, some[i]).toBeGreaterThan(1500);
@@ -75,7 +75,7 @@ test('a textured model differs as little between its two programs, under every s
     ),
   );
   const sum = new DifferenceSum();
-  for (const { general, exact } of await bothPictures(page, markups, SIZE)) sum.add(betweenPrograms(general, exact)); // prettier-ignore
+  for (const { general, specialised } of await bothPictures(page, markups, SIZE)) sum.add(betweenPrograms(general, specialised)); // prettier-ignore
   console.log(`textured models: ${String(sum)}`);
   expect(sum.channels).toBeGreaterThan(20_000);
   sum.expectPromise();
@@ -102,8 +102,8 @@ test('lights that reach nothing leave every bit as it is, in the same program', 
       ...Object.values(IDLE).map((attributes) => markup(`<phong-light ${attributes}></phong-light>`)),
       markup(Object.values(IDLE).map((attributes) => `<phong-light ${attributes}></phong-light>`).join('')), // prettier-ignore
     ]);
-    for (const kind of ['general', 'exact'] as const) {
-      if (kind === 'exact') await drawUntilSpecialised(page);
+    for (const kind of ['general', 'specialised'] as const) {
+      if (kind === 'specialised') await drawUntilSpecialised(page);
       const [alone, ...others] = await picturesBy(page, viewers, kind, SIZE);
       for (const [i, other] of others.entries()) {
         const { max } = betweenPrograms(alone!, other);
@@ -129,7 +129,7 @@ test('terms that go and come again, lights that go out and on: the same program 
   for (const terms of ['', 'ambient', 'diffuse specular', null]) await assign(viewer, { terms });
   await expectSame('terms');
   await drawUntilSpecialised(page);
-  const exact = await pixels(viewer, SIZE);
+  const specialised = await pixels(viewer, SIZE);
   for (const off of [true, false]) {
     await viewer.evaluate(async (element: PhongViewer, active) => {
       element.lights[0]!.active = active;
@@ -138,7 +138,7 @@ test('terms that go and come again, lights that go out and on: the same program 
     if (!off) await expectSame('a light out and on');
   }
   await drawUntilSpecialised(page);
-  expect(betweenPrograms(exact, await pixels(viewer, SIZE)).max, 'exact again').toBe(0);
+  expect(betweenPrograms(specialised, await pixels(viewer, SIZE)).max, 'specialised again').toBe(0);
   await assign(viewer, { terms: 'diffuse' });
   await drawFrames(page, 1);
   const diffuse: typeof scene = { ...scene, options: { ...scene.options, terms: ['diffuse'] } };
