@@ -105,12 +105,12 @@ test('one to 4,096 lights shine as float64 says, with the uniforms that WebGL 2 
     expect(errors.max, `${count} lights`).toBeLessThan(0.5);
     expect(errors.compared).toBeGreaterThan(100);
     found[count] = errors.max;
-    if (count > 256) continue; // 0.1 s and more a frame in software
+    if (count > 16) continue; // the general program is as fast in software
     await drawUntilSpecialised(page);
-    const exact = (await picturesBy(page, [viewer], 'specialised', SIZE))[0]!;
-    expect(sampled(exact, scene).max, `${count} lights, exact`).toBeLessThan(0.5);
+    const specialised = (await picturesBy(page, [viewer], 'specialised', SIZE))[0]!;
+    expect(sampled(specialised, scene).max, `${count} lights, specialised`).toBeLessThan(0.5);
     const difference = new DifferenceSum();
-    difference.add(betweenPrograms(general, exact));
+    difference.add(betweenPrograms(general, specialised));
     difference.expectPromise();
   }
   console.log('Codes beyond rounding, by number of lights:', JSON.stringify(found));
