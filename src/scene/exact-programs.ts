@@ -39,6 +39,7 @@ export interface DrawnPart {
 
 interface Record {
   readonly near: NearLights;
+  material: PhongMaterial;
   readonly form: FormChoice;
   /** What the program is made for: this, the shapes of its lights, and what else of the material is in the text. */
   choice: ExactChoice | null;
@@ -76,7 +77,7 @@ export class ExactPrograms {
     const usual = camera.near > USUAL.near && camera.far < USUAL.far;
     for (const record of this.#records.values()) record.seen = false;
     for (const { mesh, material } of parts) {
-      const record = this.#records.get(mesh) ?? this.#add(mesh);
+      const record = this.#records.get(mesh) ?? this.#add(mesh, material);
       record.seen = true;
       const choice = this.#lighting.reach(mesh, material);
       record.near.update(choice, material);
@@ -84,6 +85,8 @@ export class ExactPrograms {
       const list = cells ?? choice.list;
       const form = record.form.of(renderer, list, cells !== null, material);
       material.chooseProgram();
+      if (record.material !== material) this.#drop(record);
+      record.material = material;
       if (isAsBefore(record, material, list, form, usual, apart)) {
         record.frames += 1;
       } else {
@@ -154,10 +157,11 @@ export class ExactPrograms {
     return sum;
   }
 
-  #add(mesh: Mesh): Record {
+  #add(mesh: Mesh, material: PhongMaterial): Record {
     const record: Record = {
       ...{
         near: new NearLights(),
+        material,
         form: new FormChoice(),
         choice: null,
         shapeVersion: -1,

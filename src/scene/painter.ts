@@ -26,7 +26,7 @@ export class Painter {
   constructor(lights: LightSet, meshes: ReadonlySet<SceneMesh>) {
     this.lighting = new PhongLighting(lights);
     this.#meshes = meshes;
-    this.scene.matrixWorldAutoUpdate = false; // done here, before the lights that reach a mesh are chosen
+    this.scene.matrixWorldAutoUpdate = false; // the viewport does it, before bounds and lights are found
   }
 
   /** Draws what `view` was last aimed at. `relit`: nothing but lights has changed since the last drawing. */
@@ -34,7 +34,6 @@ export class Painter {
     const { scene, lighting } = this;
     if (renderer !== this.#renderer) lighting.restore();
     this.#renderer = renderer;
-    if (!relit) scene.updateMatrixWorld();
     lighting.update(frame);
     const parts = this.#parts();
     if (this.#exact !== null) this.#exact.choose(renderer, camera, parts);
@@ -47,7 +46,6 @@ export class Painter {
       this.#repeat?.note(renderer, drawing);
     }
     this.#exact?.settle(renderer, camera, parts);
-    for (const mesh of this.#meshes) mesh.sweep();
     this.#drawings += 1;
     if (this.#drawings === DRAWINGS_OF_MOTION) this.#quicken();
   }
@@ -55,7 +53,6 @@ export class Painter {
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
     this.#exact?.dispose(this.#parts());
-    for (const mesh of this.#meshes) mesh.sweep();
     releaseGpu(this.scene);
     this.lighting.dispose();
   }
