@@ -32,24 +32,23 @@ export function measure(root: Object3D): Extent {
   if (meshes.length === 0) return NO_EXTENT;
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  const include = (points: Float64Array, matrix: readonly number[]): void => {
-    const places = placesOf(points, matrix);
-    for (let i = 0; i < points.length; i++) {
+  const include = ({ extremes, matrix }: Placed, count: number): void => {
+    const places = placesOf(extremes.points, count, matrix);
+    for (let i = 0; i < count; i++) {
       const place = places[i]!;
       const axis = (i % 3) as 0 | 1 | 2;
       if (place < low[axis]) low[axis] = place;
       if (place > high[axis]) high[axis] = place;
     }
   };
+  const inside = ({ center, radius }: Placed): boolean => {
+    const r = (1 - SAME) * radius;
+    for (const i of [0, 1, 2] as const) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
+    return true;
+  };
   // One point of each first: then most meshes are found to lie inside by their spheres.
-  for (const { extremes, matrix } of meshes) include(extremes.points.subarray(0, 3), matrix);
-  for (const { extremes, matrix, center, radius } of meshes) {
-    const slack = SAME * radius;
-    const inside = ([0, 1, 2] as const).every(
-      (i) => center[i] - radius >= low[i] - slack && center[i] + radius <= high[i] + slack,
-    );
-    if (!inside) include(extremes.points, matrix);
-  }
+  for (const mesh of meshes) include(mesh, 3);
+  for (const mesh of meshes) if (!inside(mesh)) include(mesh, mesh.extremes.points.length);
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   return {
     empty: false,
@@ -128,8 +127,9 @@ function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
   for (const { extremes, matrix, center, radius } of meshes) {
     const reach = distance(point, ...center) + radius;
     if (reach <= farthest * (1 + SAME)) continue;
-    const places = placesOf(extremes.points, matrix);
-    for (let i = 0; i < extremes.points.length; i += 3)
+    const { length } = extremes.points;
+    const places = placesOf(extremes.points, length, matrix);
+    for (let i = 0; i < length; i += 3)
       farthest = Math.max(farthest, distance(point, places[i]!, places[i + 1]!, places[i + 2]!));
   }
   return farthest;
@@ -137,10 +137,10 @@ function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
 
 let scratch = new Float64Array(0);
 
-/** The points in world space, as many as there are; overwritten by the next call. */
-function placesOf(points: Float64Array, m: readonly number[]): Float64Array {
-  if (scratch.length < points.length) scratch = new Float64Array(points.length);
-  for (let i = 0; i < points.length; i += 3) {
+/** The first `count` coordinates of points, in world space; overwritten by the next call. */
+function placesOf(points: Float64Array, count: number, m: readonly number[]): Float64Array {
+  if (scratch.length < count) scratch = new Float64Array(count);
+  for (let i = 0; i < count; i += 3) {
     const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
     scratch[i] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]!;
     scratch[i + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]!;

@@ -4,8 +4,9 @@ import { Group, Matrix4, Mesh, type Object3D } from 'three';
 import { flatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { PhongMaterial, ShadingStyle } from '../../material/phong-material.js';
-import { type FieldStore, sameValue } from '../../fields/field-store.js';
+import type { FieldStore } from '../../fields/field-store.js';
 import { radians } from '../../math/angle.js';
+import type { Vec3 } from '../../math/vector.js';
 import type { CrossOrigin } from '../model/load-model.js';
 import { type Content, type ContentPart, modelContent, NOTHING, shapeContent } from './content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
@@ -51,8 +52,8 @@ export class SceneMesh {
   /** What the content was requested by; null before the first request and after a failure. */
   #request: string | null = null;
   #showsModel = false;
-  /** Position, rotation and scale as last written to the scene. */
-  #placed: readonly number[] = [];
+  /** Position, rotation and scale as last written to the scene; values are replaced when they change. */
+  #placed: readonly Vec3[] = [];
   #shading: ShadingStyle['shading'] | null = null;
   #reflection: ShadingStyle['reflection'] | null = null;
 
@@ -123,8 +124,8 @@ export class SceneMesh {
   dispose(): void {
     this.#drop();
     this.#request = null;
-    this.#show(NOTHING);
     this.#parent = null;
+    this.#show(NOTHING);
   }
 
   /** Attributes win, then the file's values, then the defaults. */
@@ -142,25 +143,20 @@ export class SceneMesh {
   }
 
   #place(): void {
-    const { position = ZERO, rotation = ZERO, scale = ONE } = this.#values;
-    const place = [...position, ...rotation, ...scale];
-    const moved = !sameValue(place, this.#placed);
-    this.#placed = place;
-    this.#writeRoot(moved);
-    if (moved) this.#host.reshaped();
-  }
-
-  #writeRoot(moved: boolean): void {
-    const root = this.#root;
-    if (root === null) return;
     const { position = ZERO, rotation = ZERO, scale = ONE, name = '' } = this.#values;
     const [part] = this.#parts;
-    root.name = name === '' && part?.mesh === root ? part.source.name : name;
-    if (!moved) return;
-    root.position.set(...position);
-    root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
-    root.scale.set(...scale);
-    root.updateMatrix();
+    const root = this.#root;
+    if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
+    const place = [position, rotation, scale];
+    if (place.every((vector, i) => vector === this.#placed[i])) return;
+    this.#placed = place;
+    if (root !== null) {
+      root.position.set(...position);
+      root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
+      root.scale.set(...scale);
+      root.updateMatrix();
+    }
+    this.#host.reshaped();
   }
 
   #load(): void {
@@ -201,6 +197,8 @@ export class SceneMesh {
         }
         this.#loading = null;
         this.#show(content);
+        this.#place();
+        this.restyle();
         this.#showsModel = url !== null;
         this.#host.ended(this, url, null);
       },
@@ -222,6 +220,7 @@ export class SceneMesh {
     if (wanted) this.#host.dropped(this);
   }
 
+  /** Call {@link #place} and {@link restyle} next. */
   #show(content: Content): void {
     this.#showsModel = false;
     const { materials } = this.#host;
@@ -244,9 +243,7 @@ export class SceneMesh {
     this.#content = content;
     this.#root = rootOf(this.#parts);
     if (this.#root !== null) this.#parent?.add(this.#root);
-    this.#writeRoot(true);
-    this.restyle();
-    this.#host.reshaped();
+    this.#placed = []; // the new root has no place yet
   }
 }
 
@@ -267,11 +264,11 @@ function rootOf(parts: readonly Part[]): Object3D | null {
 const IDENTITY = /* @__PURE__ */ new Matrix4();
 
 const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
-  SURFACE_KEYS.every((key) => sameValue(a[key], b[key]));
+  a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;
 
 function addressOf(src: string): URL | null {
   return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
 }
 
-const ZERO = [0, 0, 0] as const;
-const ONE = [1, 1, 1] as const;
+const ZERO: Vec3 = [0, 0, 0];
+const ONE: Vec3 = [1, 1, 1];
