@@ -2,7 +2,8 @@
 
 import type { Mesh } from 'three';
 import { expect, test } from '../support/test.js';
-import { cameraOf, type PhongViewer, pixels } from './support.js';
+import { pixels } from '../support/picture.js';
+import { cameraOf, type PhongViewer } from './support.js';
 
 const box =
   '<phong-viewer geometry="box" theta="0" phi="90"><phong-light ambient="99"></phong-light></phong-viewer>';
