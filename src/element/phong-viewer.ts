@@ -71,13 +71,13 @@ export class PhongViewer extends LitElement {
     this.#panel.changed(element === null ? 'lights' : 'light');
   });
   readonly #viewport = new Viewport(this.#holder, this.#lightSet, {
-    locate: () => this.#visibility.look(),
+    needsLayout: () => this.#visibility.look(),
     beforeFrame: (now) => this.#camera.frame(now),
     drawn: () => {
       this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));
     },
-    tried: () => this.#readiness.check(),
+    afterFrame: () => this.#readiness.check(),
     fitted: () => this.#cameraMoved('auto'),
     contextMissing: (error) => {
       this.#failure.contextMissing(error);
@@ -181,7 +181,12 @@ export class PhongViewer extends LitElement {
 
   /** Draws a frame, soon: for changes to {@link scene} that the element cannot see. */
   requestRender(): void {
-    this.#viewport.reshaped();
+    this.#viewport.invalidate();
+  }
+
+  /** Measures the scene again: for new vertices in a geometry of your own, and for a new framing by `auto`. */
+  refit(): void {
+    this.#viewport.refit();
   }
 
   /** The picture now, at exactly `width` × `height` pixels. Bad sizes reject with `RangeError`. */

@@ -1,12 +1,11 @@
 // What is on its way to a viewer: its own mesh, its children's, and what is said of their loads. Knows neither how
 // files are read nor how anything is drawn.
 import type { FieldStore } from '../../fields/field-store.js';
-import type { PhongLighting } from '../../material/lighting.js';
-import type { ShadingStyle } from '../../material/phong-material.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import type { CrossOrigin } from '../../scene/model/load-model.js';
 import { ModelError } from '../../scene/model/model.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
+import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { EventQueue } from './event-queue.js';
@@ -60,12 +59,8 @@ export class ViewerLoading implements MeshHost {
     host.viewport.add(this.ownMesh);
   }
 
-  get lighting(): PhongLighting {
-    return this.#host.viewport.lighting;
-  }
-
-  get style(): ShadingStyle {
-    return this.#host.viewport.style;
+  get materials(): SharedMaterials {
+    return this.#host.viewport.materials;
   }
 
   get crossOrigin(): CrossOrigin {

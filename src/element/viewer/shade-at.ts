@@ -58,13 +58,13 @@ export interface FragmentExplanation {
 
 /** Rejects with TypeError or RangeError where x or y is no finite number. */
 export async function shadeAt(
-  { glimpse, width, height, lights }: ViewerSnapshot,
+  { snapshot, width, height, lights }: ViewerSnapshot,
   x: number,
   y: number,
 ): Promise<FragmentExplanation | null> {
-  const column = pixel('x', x, width, glimpse?.width ?? 0);
-  const row = pixel('y', y, height, glimpse?.height ?? 0);
-  const hit = glimpse === null ? null : pick(glimpse, column, row);
+  const column = pixel('x', x, width, snapshot?.width ?? 0);
+  const row = pixel('y', y, height, snapshot?.height ?? 0);
+  const hit = snapshot === null ? null : pick(snapshot, column, row);
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
   const { surface, style, linear } = phong;

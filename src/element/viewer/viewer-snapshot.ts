@@ -11,7 +11,7 @@ import type { ViewerChildren } from './children.js';
 
 export interface ViewerSnapshot {
   /** Null while the picture has no place on the page. */
-  readonly glimpse: SceneSnapshot<PhongMesh | PhongViewer> | null;
+  readonly snapshot: SceneSnapshot<PhongMesh | PhongViewer> | null;
   /** The picture's, in the CSS pixels that pointer events count in. */
   readonly width: number;
   readonly height: number;
@@ -34,9 +34,9 @@ export function viewerSnapshot(
   // Inside CSS zoom pointer events count in the page's pixels, sizes in the element's own. Not all browsers know the name.
   const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   return {
-    glimpse:
+    snapshot:
       holder.getClientRects().length > 0
-        ? viewport.glimpse((mesh) => children.elementOf(mesh) ?? viewer)
+        ? viewport.snapshot((mesh) => children.elementOf(mesh) ?? viewer)
         : null,
     width: size.width * zoom,
     height: size.height * zoom,

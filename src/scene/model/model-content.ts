@@ -13,6 +13,7 @@ export async function modelContent(url: URL, options: LoadOptions): Promise<Cont
       geometry,
       matrix,
       look: { ...look, vertexColors: 'color' in geometry.attributes },
+      sides: look.doubleSided ? 'double' : 'single',
       surface: surfaceOf(look),
     })),
     dispose: () => {

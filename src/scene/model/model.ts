@@ -36,6 +36,8 @@ export interface ModelLook {
    * file's filters and wrapping. Its first row is the image's top, as glTF has it.
    */
   readonly map: Texture | null;
+  /** Both sides of its faces are to be seen. False only where a glTF file says so. */
+  readonly doubleSided: boolean;
   /** The file has no normals: `geometry` has one a triangle. */
   readonly flat: boolean;
   /** Phong's own factors, only from formats that carry them. Encoded sRGB, 0 to 1. */

@@ -1,4 +1,4 @@
-// The part of glTF materials that the equation knows: base colour, its texture, alpha. Indices are checked.
+// The part of glTF materials that the equation knows: base colour, its texture, alpha, sides. Indices are checked.
 // Knows the JSON only.
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
@@ -40,6 +40,7 @@ export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]
     return {
       name: textAt(material['name']),
       alphaMode: textAt(material['alphaMode']) || 'OPAQUE',
+      doubleSided: material['doubleSided'] === true,
       alphaCutoff: numberAt(material['alphaCutoff'], `${what}.alphaCutoff`, 0.5),
       pbrMetallicRoughness: {
         baseColorFactor: numbersAt(metallic['baseColorFactor'] ?? glossy['diffuseFactor'], 4, what),
