@@ -269,7 +269,6 @@ export class PhongViewer extends LitElement {
     const viewport = this.#viewport;
     viewport.fov = values.fov;
     viewport.linear = values.colorInterpolation === 'linear';
-    viewport.errorBudget = values.errorBudget;
     if (['shading', 'reflection', 'terms', 'antialias'].some((key) => changed.has(key))) {
       const { shading, reflection, terms, antialias } = values;
       viewport.style = { shading, reflection, terms, antialias };

@@ -119,12 +119,6 @@ export class Viewport implements StageClient, Framed {
     this.lighting.linear = linear;
   }
 
-  /** Colour, in 1/255, that may be given up per fragment for fewer lights. */
-  set errorBudget(budget: number) {
-    if (budget !== this.lighting.errorBudget) this.invalidate();
-    this.lighting.errorBudget = budget;
-  }
-
   /** How target and radius are found; null leaves them where the user has put them. */
   get framing(): Framing | null {
     return this.#fit.framing;

@@ -37,7 +37,6 @@ function App() {
         geometry="sphere"
         theta={0}
         phi="90"
-        error-budget={0}
         oncamera-change={(event) => setSource(event.detail.source)}
       >
         {lamps.map(({ number, ...props }) => (

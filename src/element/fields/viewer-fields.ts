@@ -70,8 +70,6 @@ export interface ViewerValues extends ShapeValues, CameraValues {
    * each pixel too, so that highlights smaller than pixels keep their brightness; not under `gouraud`. Default edges.
    */
   antialias: Antialias;
-  /** How much colour may be given up per fragment for speed, in 1/255; 0 gives up nothing. Default 0. */
-  errorBudget: number;
   /** The control panel is shown. Default false. */
   gui: boolean;
 }
@@ -103,7 +101,6 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
   antialias: choiceField<Antialias>('edges', ANTIALIASES),
-  errorBudget: numberField(0, { min: 0, max: 255 }),
   gui: presenceField(),
 };
 
