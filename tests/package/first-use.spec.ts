@@ -47,7 +47,7 @@ const uses: readonly Use[] = [
   {
     what: 'highlights averaged over pixels',
     use: set({ shading: 'phong', antialias: 'highlights' }),
-    chunks: ['averaged-highlights'],
+    chunks: [],
   },
   { what: 'a sphere', use: set({ geometry: 'sphere' }), chunks: [] },
   { what: 'a torus', use: set({ geometry: 'torus' }), chunks: ['fit', 'solids'] },
@@ -61,9 +61,8 @@ const uses: readonly Use[] = [
   { what: 'a look at nothing', use: explain(1, 1), chunks: ['shade-at'] },
   { what: 'an explanation', use: explain(300, 200), chunks: ['reference'] },
   { what: 'another explanation', use: explain(301, 200), chunks: [] },
-  { what: 'a pointer', use: (viewer) => viewer.hover(), chunks: ['orbit-input'] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
-  { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: ['turntable'] },
+  { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: [] },
   { what: 'the panel', use: set({ gui: true }), chunks: ['panel'] },
   {
     what: 'a model',
