@@ -48,9 +48,8 @@ export class LightSet {
     this.#bump(null);
   }
 
-  /** Adds a light at the end, in constant time. Does nothing if it is there already. */
+  /** Adds a light at the end, in constant time. */
   add(light: LightState): void {
-    if (this.#listeners.has(light)) return;
     this.#lights.push(light);
     this.#values.push(light.values);
     this.#listen(light);
@@ -63,9 +62,10 @@ export class LightSet {
     if (listener === undefined) return;
     light.unlisten(listener);
     this.#listeners.delete(light);
-    const index = this.#lights.indexOf(light);
-    this.#lights.splice(index, 1);
-    this.#values.splice(index, 1);
+    for (let index = this.#lights.indexOf(light); index >= 0; index = this.#lights.indexOf(light)) {
+      this.#lights.splice(index, 1);
+      this.#values.splice(index, 1);
+    }
     this.#kindVersion += 1;
     this.#bump(null);
   }
