@@ -1,6 +1,7 @@
 // <phong-viewer>: the element. It translates attributes and children into state for the picture, input into camera moves,
 // and what happens into events. It computes no light and draws nothing itself.
 import { LitElement, type PropertyValues } from 'lit';
+import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
 import { Viewport } from '../scene/viewport.js';
@@ -163,7 +164,7 @@ export class PhongViewer extends LitElement {
    * new vertices. The standalone file contains no shaders of three.js's own materials: objects need a ShaderMaterial
    * there.
    */
-  get scene(): Viewport['scene'] {
+  get scene(): Scene {
     return this.#viewport.scene;
   }
 
