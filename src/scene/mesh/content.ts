@@ -3,6 +3,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { acquireGeometry, type GeometryName, releaseGeometry } from './shapes/shapes.js';
+import { requestModel } from '../model/fetch-bytes.js';
 import type { LoadOptions } from '../model/load-model.js';
 
 /** Geometry with everything a file, or a built-in shape, says of how it looks. */
@@ -37,6 +38,8 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
   return geometry instanceof Promise ? geometry.then(content) : content(geometry);
 }
 
-/** A model from its address. The code that reads models is fetched with the first one. */
-export const modelContent = async (url: URL, options: LoadOptions): Promise<Content> =>
-  (await import('../model/model-content.js')).modelContent(url, options);
+/** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
+export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
+  const request = requestModel(url, options);
+  return (await import('../model/model-content.js')).modelContent(url, options, request);
+}
