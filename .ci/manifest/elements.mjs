@@ -1,7 +1,7 @@
 // @ts-check
-// What the elements offer, read from their source: values with words, types and defaults, events, methods, slots and
-// parts. Words and types come from the TypeScript compiler, domains and defaults from the tables of fields. Knows no
-// file format.
+// The elements' public API, read from their source: values with descriptions, types and defaults, events, methods, slots
+// and parts. Descriptions and types come from the TypeScript compiler, domains and defaults from the tables of fields.
+// Knows no file format.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -14,8 +14,8 @@ import ts from 'typescript';
  * @typedef {Typed & { optional: boolean }} Parameter
  * @typedef {Typed & { parameters: Parameter[] }} Method  `type` is what it returns
  * @typedef {Typed & { attribute: string, field: Field, fallback: string | undefined, choices: string[] }} Value
- *   an attribute and its property, which `name` and `type` are of; `fallback` is the default as the attribute's text,
- *   and `choices` are the words that it may be made of
+ *   an attribute and its property; `name` and `type` are the property's, `fallback` is the default as attribute text, and
+ *   `choices` are the words it may contain
  * @typedef {object} Element
  * @property {string} tag
  * @property {string} className
@@ -138,12 +138,12 @@ class SourceReader {
   /** @param {ts.Node | undefined} name @returns {ts.Symbol} */
   #symbol(name) {
     const symbol = name && this.#checker.getSymbolAtLocation(name);
-    if (!symbol) throw new Error(`nothing is known of ${name?.getText()}`);
+    if (!symbol) throw new Error(`no symbol for ${name?.getText()}`);
     return symbol;
   }
 
   /**
-   * Docstrings, one line a paragraph, links as plain names. A getter without one has its type's.
+   * The docstring, one line per paragraph, links as plain names. A getter without one has its type's docstring.
    * @param {ts.Symbol} symbol @returns {string}
    */
   #words(symbol) {
@@ -172,7 +172,7 @@ class SourceReader {
     return this.#checker.typeToString(type, undefined, flags);
   }
 
-  /** An event's detail, written out: its properties are what a listener reads. @param {ts.Type} type */
+  /** An event's detail with its properties written out. @param {ts.Type} type */
   #detail(type) {
     const properties = this.#checker.getPropertiesOfType(type);
     if (properties.length === 0) return this.#text(type);
@@ -180,7 +180,7 @@ class SourceReader {
     return `{ ${texts.join('; ')} }`;
   }
 
-  /** The union that a list is made of. @param {ts.Type} type */
+  /** The union of a list's items. @param {ts.Type} type */
   #listed(type) {
     if (!this.#checker.isArrayType(type)) return undefined;
     const [item] = this.#checker.getTypeArguments(/** @type {ts.TypeReference} */ (type));
@@ -194,7 +194,7 @@ class SourceReader {
   }
 }
 
-/** Members for users: public, and neither the platform's nor Lit's to call. @param {ts.ClassElement} member */
+/** Public members that are called neither by the platform nor by Lit. @param {ts.ClassElement} member */
 function isOffered(member) {
   if (!member.name || !ts.isIdentifier(member.name) || /Callback$/.test(member.name.text)) return false;
   const flags = ts.getCombinedModifierFlags(member);

@@ -8,7 +8,7 @@
  * @typedef {{ name: string, version: string }} Package
  */
 
-/** Where the classes are, from the package's root. */
+/** The module of the classes, relative to the package. */
 const module = 'dist/index.js';
 
 /** @param {Element[]} elements @returns {import('custom-elements-manifest').Package} */
@@ -151,12 +151,12 @@ function suggestions({ field, choices }) {
   return words.length > 0 ? { values: words.map((name) => ({ name })) } : {};
 }
 
-/** What it means and, where the words alone do not tell, what may be written. @param {Value} value */
+/** The description and, unless the value is text, its domain. @param {Value} value */
 function described({ description, field }) {
   return field.kind === 'text' ? description : `${description}\n\nTakes ${field.expected}.`;
 }
 
-/** Of the attribute's text, where it is more than any string. @param {Value} value */
+/** The type of the attribute's text. @param {Value} value */
 function attributeType({ field, choices }) {
   if (field.kind === 'boolean' || field.kind === 'presence') return 'boolean';
   const words = choices.map((word) => `'${word}'`);
