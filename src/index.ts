@@ -6,10 +6,7 @@ import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { providePanel } from './element/viewer/panel.js';
-import { AVERAGES_GLSL } from './material/averaged-highlights.js';
-import { bringAverages } from './material/shader-source.js';
 
-bringAverages(AVERAGES_GLSL);
 providePanel(() => import('./gui/panel.js'));
 
 // Children first: the viewer then finds all of them at once when it is upgraded.

@@ -64,7 +64,7 @@ export class PhongViewer extends LitElement {
   readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
-    this.#viewport.relight();
+    this.#viewport.invalidate();
     const element = light === null ? null : this.#children.lightOf(light);
     this.#events.enqueueLight(element);
     this.#panel.changed(element === null ? 'lights' : 'light');
@@ -161,8 +161,8 @@ export class PhongViewer extends LitElement {
 
   /**
    * The three.js scene, for objects of your own. After changing it call {@link requestRender}, or {@link refit} if it has
-   * new vertices. The standalone file contains no shaders of three.js's own materials: objects need a ShaderMaterial
-   * there.
+   * new vertices. The standalone file does not contain the shaders of three.js's own materials: objects need a
+   * ShaderMaterial or a RawShaderMaterial there.
    */
   get scene(): Scene {
     return this.#viewport.scene;

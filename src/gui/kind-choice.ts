@@ -1,6 +1,6 @@
 // What makes a light directional, a point light or a spot? What is written for each choice, so that coming back to a
 // kind finds it as it was. World or camera space, as the light's own. Knows no controls.
-import { isSpot, kindOf, type LightKind } from '../light/light-kind.js';
+import { isSpot, kindOf, type LightKind } from '../light/light-features.js';
 import type { LightValues } from '../light/light-state.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
 

@@ -1,7 +1,7 @@
 // The folder of what holds for the whole picture: shading, lobe, terms, colour arithmetic, antialiasing. Knows no light or mesh.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/variant.js';
+import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/program/variant.js';
 import { Folder } from './folder.js';
 import { addChoice, addFlag, named } from './rows.js';
 

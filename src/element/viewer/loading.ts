@@ -1,7 +1,7 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
 // are read nor how anything is drawn.
 import type { FieldStore } from '../../fields/field-store.js';
-import type { PhongLighting } from '../../material/phong-lighting.js';
+import type { PhongLighting } from '../../material/lighting.js';
 import type { ShadingStyle } from '../../material/phong-material.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
