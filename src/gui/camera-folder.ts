@@ -1,6 +1,7 @@
 // The camera's folder: where the camera is now, live, and how to move it. Moves go through the viewer's own properties and
 // count as the panel's; reset goes back to what was declared before the panel moved anything. Degrees, scene units.
 import type { GUI } from 'lil-gui';
+import { fieldsOf, moveCameraFrom } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { CameraState } from '../element/viewer/camera.js';
 import { sameValue } from '../fields/field-store.js';
@@ -13,7 +14,7 @@ import { linear, logarithmic, numberText } from './travel.js';
 
 const MOVED = ['theta', 'phi', 'radius', 'target'] as const;
 
-/** FieldStore values, null where none is given. */
+/** Declared values, null where none is given. */
 type Declaration = readonly unknown[];
 
 export class CameraFolder {
@@ -125,7 +126,7 @@ export class CameraFolder {
     const declared = this.#declaration;
     const ours = this.#before !== null && sameDeclaration(this.#before.written, declared);
     try {
-      this.#viewer.moveFrom('panel', write);
+      moveCameraFrom(this.#viewer, 'panel', write);
     } finally {
       this.#before = { declared: ours ? this.#before!.declared : declared, written: this.#declaration };
       this.#now = this.#viewer.camera;
@@ -138,14 +139,14 @@ export class CameraFolder {
     const declared = ours ? before.declared : this.#declaration;
     this.#before = null;
     // Assigning a camera property moves the camera there, whatever its value was.
-    this.#viewer.moveFrom('panel', () => {
-      MOVED.forEach((key, i) => this.#viewer.declared.set(key, declared[i]));
+    moveCameraFrom(this.#viewer, 'panel', () => {
+      MOVED.forEach((key, i) => fieldsOf(this.#viewer).set(key, declared[i]));
     });
   }
 
   get #declaration(): Declaration {
-    const { state } = this.#viewer;
-    return MOVED.map((key) => (state.given(key) ? state.values[key] : null));
+    const { store } = fieldsOf(this.#viewer);
+    return MOVED.map((key) => (store.given(key) ? store.values[key] : null));
   }
 }
 

@@ -27,9 +27,7 @@ const meshes = `<phong-viewer gui>
 const valuesOf = (viewer: Locator, ...keys: (keyof PhongViewer)[]): Promise<unknown[]> =>
   viewer.evaluate((element: PhongViewer, names) => names.map((name) => element[name]), keys);
 
-test('writes and follows shading, reflection, terms, colour space and antialiasing', async ({
-  mount,
-}) => {
+test('writes and follows shading, reflection, terms, colour space and antialiasing', async ({ mount }) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Shading');
   await choice(folder, 'shading').selectOption('gouraud');

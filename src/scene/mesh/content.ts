@@ -4,6 +4,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import type { Sides } from '../../material/back-faces.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
+import { requestModel } from '../model/fetch-bytes.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import type { LoadOptions } from '../model/load-model.js';
 
@@ -44,6 +45,8 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
 
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
 
-/** A model from its address. The code that reads models is fetched with the first one. */
-export const modelContent = async (url: URL, options: LoadOptions): Promise<Content> =>
-  (await import('../model/model-content.js')).modelContent(url, options);
+/** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
+export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
+  const request = requestModel(url, options);
+  return (await import('../model/model-content.js')).modelContent(url, options, request);
+}

@@ -17,6 +17,20 @@ export interface Transfer {
 
 export type FetchBytes = (url: URL, redirect: RequestRedirect) => Promise<Uint8Array<ArrayBuffer>>;
 
+/** A model's file on its way, and the fetch for the files that it names. */
+export interface ModelRequest {
+  readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
+  readonly fetchBytes: FetchBytes;
+}
+
+/** Requests a model's file at once: the code that reads it may still have to be fetched. */
+export function requestModel(url: URL, transfer: Transfer): ModelRequest {
+  const fetchBytes = byteFetcher(transfer);
+  const bytes = fetchBytes(url, 'follow');
+  bytes.catch(() => undefined); // whoever awaits it reports the error
+  return { bytes, fetchBytes };
+}
+
 /** A fetch for one model's files, which share the limit and the progress. */
 export function byteFetcher(transfer: Transfer): FetchBytes {
   let loaded = 0;

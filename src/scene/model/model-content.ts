@@ -2,11 +2,12 @@
 // first one; knows neither materials nor elements.
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { Content } from '../mesh/content.js';
+import type { ModelRequest } from './fetch-bytes.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
 
 /** The model at `url`, loaded as {@link loadModel} says. */
-export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const model = await loadModel(url, options);
+export async function modelContent(url: URL, options: LoadOptions, request: ModelRequest): Promise<Content> {
+  const model = await loadModel(url, options, request);
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
       name,
