@@ -58,24 +58,28 @@ export function timeText(seconds) {
 export class Progress {
   #start = performance.now();
   #printed = -Infinity;
-  #interactive = process.stdout.isTTY;
+  #oneLine;
+
+  /** @param {{ oneLine?: boolean }} [options] oneLine: a line that changes; on a terminal where nothing else is said */
+  constructor({ oneLine = process.stdout.isTTY } = {}) {
+    this.#oneLine = oneLine;
+  }
 
   /** @param {number} done @param {number} total in the same unit @param {string} what is being done, in a few words */
   show(done, total, what) {
     const now = performance.now();
-    if (now - this.#printed < (this.#interactive ? 200 : 15_000) && done < total) return;
+    if (now - this.#printed < (this.#oneLine ? 200 : 15_000) && done < total) return;
     this.#printed = now;
     const elapsed = (now - this.#start) / 1000;
     const left =
       done > 0 && done < total ? `, about ${timeText((elapsed / done) * (total - done))} left` : '';
     const line = `${((100 * done) / total).toFixed(0)} % after ${timeText(elapsed)}${left}: ${what}`;
-    if (this.#interactive)
-      process.stdout.write(`\r\x1b[K${line.slice(0, (process.stdout.columns ?? 80) - 1)}`);
+    if (this.#oneLine) process.stdout.write(`\r\x1b[K${line.slice(0, (process.stdout.columns ?? 80) - 1)}`);
     else console.log(line);
   }
 
   /** Ends the line that changes, so that others can follow. */
   clear() {
-    if (this.#interactive) process.stdout.write('\r\x1b[K');
+    if (this.#oneLine) process.stdout.write('\r\x1b[K');
   }
 }
