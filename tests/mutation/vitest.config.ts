@@ -7,7 +7,8 @@ import { BaseSequencer, type TestSpecification } from 'vitest/node';
 import config from '../../vitest.config.js';
 
 /** What a test of pure code has no need of: three.js, the layers above but for their tables of fields, tools and files. */
-const ABOVE = /from '(three|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values))|[^']*\/bench\/|node:)/;
+const ABOVE =
+  /from '(three|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values))|[^']*\/bench\/|node:)/;
 
 /** Longest time that a file has taken, in ms: a run that only needs a part of a file says little. */
 const longest = new Map<string, number>();
@@ -32,5 +33,6 @@ const pure = readdirSync('tests/unit')
 
 export default mergeConfig(
   { ...config, test: { ...config.test, include: pure } },
-  { test: { sequence: { sequencer: QuickestFirst }, isolate: false } },
+  // Instrumented code is slow, and a machine may be busy: Stryker has a clock of its own.
+  { test: { sequence: { sequencer: QuickestFirst }, isolate: false, testTimeout: 120_000 } },
 );
