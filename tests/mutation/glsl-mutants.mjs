@@ -48,12 +48,12 @@ const OPERATORS = [
   { what: 'drop a sign', pattern: /(?<=[(=,*?:]\s*|return\s+)-(?=[\w(])/g, after: () => '' },
   {
     what: 'change a constant',
-    pattern: /(?<![\w.])\d+\.\d*(e[+-]?\d+)?/g,
+    pattern: /(?<![\w.])(?<!\de[+-])\d+(\.\d*(e[+-]?\d+)?|e[+-]?\d+)/g,
     after: ([text]) => changedFloat(text),
   },
   {
     what: 'change a constant',
-    pattern: /(?<![\w.])\d+(?![\w.])/g,
+    pattern: /(?<![\w.])(?<!\de[+-])\d+(?![\w.])/g,
     after: ([text]) => String(text === '1' ? 0 : Number(text) + 1),
   },
   { what: 'never take a branch', pattern: /(?<=\bif \()[^;{}]*?(?=\) (\w|\{))/g, after: () => 'false' },
