@@ -51,8 +51,7 @@ const sample = numberOption('sample', options.sample);
 const seed = numberOption('seed', options.seed);
 const jobs = numberOption('jobs', options.jobs, 1);
 
-/** @type {Record<string, Score>} */
-const recorded = JSON.parse(readFileSync(file, 'utf8'));
+const recorded = recordedScores();
 const start = performance.now();
 if (sample > 0) console.log(`A sample of about ${sample} mutants, seed ${seed}`);
 
@@ -78,10 +77,15 @@ for (const [folder, score] of Object.entries(measured)) {
 }
 console.log(`${results.length} mutants in ${timeText((performance.now() - start) / 1000)}`);
 if (options.record) {
-  const all = Object.entries({ ...recorded, ...measured }).sort(([a], [b]) => (a < b ? -1 : 1));
+  const all = Object.entries({ ...recordedScores(), ...measured }).sort(([a], [b]) => (a < b ? -1 : 1));
   writeFileSync(file, `${JSON.stringify(Object.fromEntries(all), null, 2)}\n`);
 }
 process.exit(fell && !options.record ? 1 : 0);
+
+/** As they are now: another folder's run may have written since this one began. @returns {Record<string, Score>} */
+function recordedScores() {
+  return JSON.parse(readFileSync(file, 'utf8'));
+}
 
 async function typeScriptResults() {
   const files = options.folder.flatMap((folder) => FOLDERS[folder] ?? []);
