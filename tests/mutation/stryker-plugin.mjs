@@ -35,12 +35,14 @@ class Sample {
 }
 
 class Shown {
+  /** From when the mutants are run: the tests without any come first. */
   #progress = new Progress();
   #total = 0;
   #done = 0;
 
   /** @param {import('@stryker-mutator/api/report').MutationTestingPlanReadyEvent} event */
   onMutationTestingPlanReady({ mutantPlans }) {
+    this.#progress = new Progress();
     this.#total = Math.ceil(mutantPlans.filter(({ plan }) => plan === 'Run').length * share);
   }
 

@@ -1,6 +1,9 @@
 // @ts-check
 // Runs mutants of the pure TypeScript with StrykerJS and the unit tests, in a copy of the repository.
 
+import { mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { Stryker } from '@stryker-mutator/core';
 
 /** @typedef {{ name: string, status: 'killed' | 'survived' | 'did not compile', by: string }} Result */
@@ -26,8 +29,8 @@ export async function runTypeScript({ files, share, seed, jobs }) {
     // Tables at the top of modules: every test would have to run for each of their entries.
     ignoreStatic: true,
     concurrency: jobs,
-    // Vitest ignores node_modules, so the copy must lie elsewhere.
-    tempDirName: 'test-results/mutation',
+    // Neither in node_modules, which Vitest ignores, nor in test-results, which Playwright empties.
+    tempDirName: mkdtempSync(join(tmpdir(), 'phong-viewer-mutation-')),
     ignorePatterns: ['dist*', 'demo', 'tests/bench', 'tests/*/results', 'tests/visual/baselines'],
     allowConsoleColors: false,
     logLevel: /** @type {import('@stryker-mutator/api/core').LogLevel} */ ('warn'),
