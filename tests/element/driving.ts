@@ -2,7 +2,6 @@
 // exactly its lights. Needs the page's log of WebGL (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
-import { expect } from '../support/test.js';
 import { drawnWith, glSpent, type GlProgram, isExact, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
@@ -60,14 +59,4 @@ async function programsDrawnWith(page: Page): Promise<string> {
   await glSpent(page);
   await drawFrames(page, 1);
   return (await drawnWith(page)).map((one) => (isExact(one) ? 'exact' : 'general')).join();
-}
-
-/** One lit program draws, and it is a general one. */
-export async function expectGeneral(page: Page, viewer: Locator): Promise<void> {
-  await glSpent(page);
-  await viewer.evaluate((element: PhongViewer) => element.requestRender());
-  await viewer.evaluate((element: PhongViewer) => element.ready);
-  const lit = (await drawnWith(page)).filter(isLit);
-  expect(lit.length).toBeGreaterThan(0);
-  expect(lit.some(isExact)).toBe(false);
 }

@@ -4,11 +4,14 @@ import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import { turnedBy, Turntable } from '../../src/camera/turntable.js';
 import { wrapDegrees } from '../../src/math/angle.js';
+import { repeats } from '../support/repeats.js';
 import { seeded } from '../visual/random-scene.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 const HOUR = 3_600_000;
+/** Twelve in a release run. */
+const HOURS = repeats(12);
 
 /** Doubles of at least 2^-40 are whole multiples of 2^-92, which integers hold without rounding. */
 const SCALE = 92;
@@ -86,12 +89,12 @@ function turnFor(hours: number, { next }: Frames, speed: number, asleep?: 'unsee
   return { drift, outermost, range };
 }
 
-describe(`twelve hours of turning (seed ${SEED})`, () => {
+describe(`${HOURS} hours of turning (seed ${SEED})`, () => {
   it.each(FRAMES)(
     'end where they should at $name, but for one rounding of the time, and θ stays within a turn',
     (frames) => {
       for (const speed of SPEEDS) {
-        const { drift, outermost, range } = turnFor(12, frames, speed);
+        const { drift, outermost, range } = turnFor(HOURS, frames, speed);
         expect(drift, `${speed} degrees a second`).toBeLessThan(bound(speed));
         expect(outermost).toBeLessThan(360);
         expect(range.low).toBeGreaterThanOrEqual(-180);
@@ -107,7 +110,7 @@ describe(`twelve hours of turning (seed ${SEED})`, () => {
     ['does not count where nobody could see', 'unseen'],
   ] as const)('hold an hour asleep in their middle, which %s', (_, asleep) => {
     for (const frames of [FRAMES[0]!, FRAMES[3]!]) {
-      const { drift, outermost } = turnFor(12, frames, 7.3, asleep);
+      const { drift, outermost } = turnFor(HOURS, frames, 7.3, asleep);
       expect(drift, frames.name).toBeLessThan(bound(7.3));
       expect(outermost).toBeLessThan(360);
     }
@@ -118,7 +121,7 @@ describe(`twelve hours of turning (seed ${SEED})`, () => {
       const there = new Orbit({ theta: 0 });
       const back = new Orbit({ theta: 0 });
       const [a, b] = [new Turntable(), new Turntable()];
-      for (let frame = 0; frame < 1e5; frame++) {
+      for (let frame = 0; frame < repeats(1e5); frame++) {
         const time = BEGIN + frame * 432;
         a.step(there, time, speed);
         b.step(back, time, -speed);
