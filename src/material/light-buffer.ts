@@ -16,6 +16,8 @@ export class LightBuffer {
   /** What the GPU is to hold: a copy of the packed rows, in lines of the texture. */
   #data = new Float32Array(TEXTURE_WIDTH * 4);
   #rows = this.#data.subarray(0, 0);
+  /** Most rows ever held. Those beyond the last row stay: lights that come back find theirs unchanged. */
+  #written = 0;
   #version = 0;
   #features: readonly number[] = [];
   #featureKey = '';
@@ -62,6 +64,7 @@ export class LightBuffer {
     const end = rows * 4;
     const kept = this.#data;
     if (this.#rows.length !== end) this.#rows = kept.subarray(0, end);
+    this.#written = Math.max(this.#written, rows);
     let first = 0;
     while (first < end && kept[first] === data[first]) first += 1;
     if (first === end) return;
@@ -93,7 +96,7 @@ export class LightBuffer {
     state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
     state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-    sendRows(gl, this.#data, isNew ? 0 : from, isNew ? this.#rows.length / 4 : to);
+    sendRows(gl, this.#data, isNew ? 0 : from, isNew ? this.#written : to);
     return this.#texture;
   }
 

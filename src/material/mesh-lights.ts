@@ -18,6 +18,8 @@ interface Subset {
 export class MeshLights {
   readonly all = new LightBuffer();
   readonly #subsets = new Map<string, Subset>();
+  /** Those that the last frame used. */
+  readonly #grids = new Set<MeshLightGrid>();
   readonly #choices = new WeakMap<Mesh, Choice>();
   #version = 0;
   #frame = 0;
@@ -30,6 +32,11 @@ export class MeshLights {
       if (subset.frame === this.#frame) continue;
       subset.buffer.dispose();
       this.#subsets.delete(key);
+    }
+    for (const grid of this.#grids) {
+      if (grid.frame === this.#frame) continue;
+      grid.dispose();
+      this.#grids.delete(grid);
     }
     this.#frame += 1;
     this.#origin = origin;
@@ -55,8 +62,10 @@ export class MeshLights {
     if (this.all.packed.counts.spot < LEAST_DIVIDED) return null;
     if (this.of(mesh).packed.counts.spot < LEAST_DIVIDED) return null;
     const choice = this.#choiceOf(mesh);
-    choice.grid ??= new MeshLightGrid();
-    return choice.grid.of(choice);
+    const grid = (choice.grid ??= new MeshLightGrid());
+    grid.frame = this.#frame;
+    this.#grids.add(grid);
+    return grid.of(choice);
   }
 
   /** Whether `light`, an index among all sent lights, is among those for `mesh`. */
@@ -67,6 +76,7 @@ export class MeshLights {
   dispose(): void {
     this.all.dispose();
     for (const { buffer } of this.#subsets.values()) buffer.dispose();
+    for (const grid of this.#grids) grid.dispose();
   }
 
   #choiceOf(mesh: Mesh): Choice {
@@ -164,6 +174,8 @@ const MOST_SKIPPED = 63;
 
 /** One mesh's grid. Divides again when the lights change; backs off while dividing does not pay. */
 class MeshLightGrid {
+  /** The last frame that used it. */
+  frame = 0;
   readonly #buffer = new LightBuffer();
   #changes = -1;
   #divided = false;
@@ -179,6 +191,11 @@ class MeshLightGrid {
       else if (box !== null) this.#divide(buffer, box);
     }
     return this.#divided ? this.#buffer : null;
+  }
+
+  /** Frees what the GPU holds; the next draw sends it again. */
+  dispose(): void {
+    this.#buffer.dispose();
   }
 
   #divide({ packed }: LightBuffer, box: Box): void {

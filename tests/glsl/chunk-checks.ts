@@ -1,15 +1,14 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
 import { BLOCK_ROWS, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { ENCODING_GLSL } from '../../src/material/program/source.js';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
-import { cellChecks } from './cell-checks.js';
-import { exactChecks } from './exact-checks.js';
 import { FOOTPRINT_CHECKS } from './footprint-checks.js';
-import { FloatPass, type PassResult } from './float-pass.js';
+import { FloatPass, type Held, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
-import { WHOLE_LOOP_GLSL } from './whole-loop.js';
+import { gridCheck } from './grid-checks.js';
+import { specialisedChecks } from './specialised-checks.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
 
 /** Up to four numbers in, up to four out. */
@@ -18,11 +17,11 @@ export type Numbers = readonly number[];
 export interface Check {
   /** What holds, as a sentence. */
   readonly title: string;
-  /** Defines that the program has besides, a name and a value each. */
+  /** The program's defines, a name and a value each; without LIGHT_STORAGE, rows come from `rows`. */
   readonly defines?: readonly string[];
-  /** Text that comes before the loop's: where rows are from, where any are read. */
+  /** Text before the loop's: the program's own `lightRow`. */
   readonly rows?: string;
-  /** What these rows are read from: the texture `u_table`, 256 texels wide; none where it is not given. */
+  /** What these rows are read from: the texture `u_table`, 256 texels wide. Default: no texture. */
   readonly table?: Float32Array;
   /** Of inputs `a` and `b` (vec4) to `result`. */
   readonly glsl: string;
@@ -42,13 +41,13 @@ export interface Checked {
 
 export interface Extent {
   readonly cases: number;
-  /** What the titles begin with of those that are made; all where it is empty. */
+  /** Checks whose title begins with this; empty for all. */
   readonly only: string;
-  /** Of the lights of exact programs, each so many-th alone. */
+  /** Of the lights of specialised programs, each so many-th alone. */
   readonly everyLight: number;
 }
 
-/** What is checked where nobody asks for less. */
+/** The default extent. */
 export const WHOLE_EXTENT: Extent = { cases: 1 << 14, only: '', everyLight: 1 };
 
 const WIDTH = 256;
@@ -108,7 +107,7 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title: 'attenuation is 1/max(kc + kl·d + kq·d², 1), less what a shape has no need of',
+    title: 'attenuation is 1/max(kc + kl·d + kq·d², 1), less what a feature mask leaves out',
     glsl: `
       result.x = attenuation(a.xyz, b.x, b.x * b.x, FEATURE_LINEAR + FEATURE_CLAMPED);
       result.y = attenuation(vec3(a.x, 0.0, a.z), b.x, b.x * b.x, FEATURE_CLAMPED);
@@ -138,10 +137,10 @@ const CHECKS: readonly Check[] = [
   },
   {
     title:
-      'insideCone does the same where a shape says which side it is, and lets all through where it has no cone',
+      'insideCone does the same where the features name the side, and lets all through where it has no cone',
     glsl: `
-      int shape = a.z < 0.0 ? FEATURE_WIDE : FEATURE_NARROW;
-      result.xy = vec2(insideCone(a.x, a.y, a.z, shape), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
+      int features = a.z < 0.0 ? FEATURE_WIDE : FEATURE_NARROW;
+      result.xy = vec2(insideCone(a.x, a.y, a.z, features), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
     inputs(random) {
       const q = f(random.from(0, 1));
       return [
@@ -152,7 +151,7 @@ const CHECKS: readonly Check[] = [
     bound: 0,
   },
   {
-    title: 'powInteger keeps x^k to the rounding of x for every whole k to 64, and 1 at 1',
+    title: 'powInteger keeps x^k to the rounding of x for every integer k to 64, and 1 at 1',
     glsl: 'result.x = powInteger(a.x, int(a.y));',
     inputs: (random) => [
       [
@@ -166,7 +165,7 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title: 'spotDecay multiplies whole cutoffs out, raises others and leaves 1 without either',
+    title: 'spotDecay multiplies integer cutoffs out, raises others and leaves 1 without either',
     glsl: `
       result.x = spotDecay(a.x, a.y, a.z, (int(a.z) << FEATURE_POWER_SHIFT) + FEATURE_CHORDS);
       result.y = spotDecay(a.x, a.y, a.w, FEATURE_DECAY + FEATURE_CHORDS);
@@ -184,7 +183,7 @@ const CHECKS: readonly Check[] = [
       'spotDecay takes a cosine for cutoffs from 1 to 64, also where rounding made it less than -1 or more than 1',
     glsl: `
       result.x = spotDecay(1.0 - a.x, a.x, a.y, int(a.y) << FEATURE_POWER_SHIFT);
-      result.y = spotDecay(1.0 - a.x, a.x, a.z, FEATURE_DECAY + FEATURE_MILD);`,
+      result.y = spotDecay(1.0 - a.x, a.x, a.z, FEATURE_DECAY + FEATURE_DECAY_TO64);`,
     inputs: (random) => [
       [
         f(random.pick([0, 1, -6e-8, 1 + 1.2e-7, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
@@ -249,10 +248,13 @@ export function checkChunks(
   edit: Edit | null = null,
   { cases, only, everyLight } = WHOLE_EXTENT,
 ): Checked[] {
-  const glsl = onDriver(edited(`${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
+  const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
-    head('STORAGE_OWN') + defines.map((define) => `#define ${define}\n`).join('') + rows + glsl;
-  const checks = [...CHECKS, ...exactChecks(everyLight), ...cellChecks(everyLight), ...FOOTPRINT_CHECKS]
+    (defines.some((define) => define.startsWith('LIGHT_STORAGE')) ? '' : head('STORAGE_OWN')) +
+    defines.map((define) => `#define ${define}\n`).join('') +
+    rows +
+    glsl;
+  const checks = [...CHECKS, ...specialisedChecks(everyLight), gridCheck(), ...FOOTPRINT_CHECKS]
     .filter(({ title }) => title.startsWith(only))
     .map((check) =>
       runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed, cases),
@@ -261,6 +263,7 @@ export function checkChunks(
   return [
     ...checks,
     checkCodes(gl, source({})),
+    checkStorage(gl, 'STORAGE_UNIFORMS', 200),
     checkStorage(gl, 'STORAGE_BLOCK', BLOCK_ROWS),
     checkStorage(gl, 'STORAGE_TEXTURE', 3 << TEXTURE_ROWS_LOG2),
   ];
@@ -336,26 +339,29 @@ function checkCodes(gl: WebGL2RenderingContext, source: string): Checked {
   return { title: 'nearestCode gives the nearest of 256 codes', cases: inputs.length, bound: 1e-4, max };
 }
 
+/** Every slot of a storage holds a number of its own. */
 function checkStorage(gl: WebGL2RenderingContext, storage: string, rows: number): Checked {
   const data = new Float32Array(rows * 4).map((_, i) => i + 1);
-  const index = new Float32Array(rows * 4);
+  const index = new Float32Array(Math.ceil(rows / WIDTH) * WIDTH * 4);
   for (let i = 0; i < rows; i++) index[i * 4] = i;
-  const isBlock = storage === 'STORAGE_BLOCK';
-  const source = {
-    glsl: head(storage) + WHOLE_LOOP_GLSL,
+  const width = 1 << TEXTURE_ROWS_LOG2;
+  const inTexture = storage === 'STORAGE_TEXTURE';
+  const pass = new FloatPass(gl, {
+    glsl: `${head(storage)}#define LIGHT_ROWS ${String(rows)}\n${LIGHT_LOOP_GLSL}`,
     inputs: ['a'],
-    textures: isBlock ? [] : ['uLightTexture'],
+    textures: inTexture ? ['uLightTexture'] : [],
     main: 'result = lightRow(int(a.x));',
-  };
-  const pass = new FloatPass(gl, source);
-  const lights = { data, width: 1 << TEXTURE_ROWS_LOG2 };
+  });
   const input = { data: index, width: WIDTH };
-  const { floats } = isBlock ? pass.run([input], { name: 'LightRows', data }) : pass.run([input, lights]);
+  const held: Held =
+    storage === 'STORAGE_BLOCK'
+      ? { block: { name: 'LightRows', data } }
+      : { vectors: inTexture ? { uLightTextureScale: [1 / width, width / rows] } : { uLightRows: data } };
+  const { floats } = pass.run([input, ...(inTexture ? [{ data, width }] : [])], held);
   pass.dispose();
   let max = 0;
   data.forEach((wanted, i) => (max = Math.max(max, Math.abs(floats[i]! - wanted))));
-  const place = isBlock ? 'the uniform block' : 'the texture';
-  return { title: `lightRow reads every number of ${place}`, cases: rows * 4, bound: 0, max };
+  return { title: `lightRow reads every number of ${storage}`, cases: rows * 4, bound: 0, max };
 }
 
 function once(

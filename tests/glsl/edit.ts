@@ -5,9 +5,9 @@ export interface Edit {
   readonly to: string;
 }
 
-/** `glsl` with the edit, where there is one; what goes has to stand exactly once in `whole`, of which `glsl` is a part or all. */
-export function edited(glsl: string, edit: Edit | null, whole = glsl): string {
+/** `glsl` with the edit, where there is one. Throws unless `from` stands in it exactly once. */
+export function edited(glsl: string, edit: Edit | null): string {
   if (edit === null) return glsl;
-  if (whole.split(edit.from).length !== 2) throw new Error(`not in the shader once: ${edit.from}`);
+  if (glsl.split(edit.from).length !== 2) throw new Error(`not in the shader once: ${edit.from}`);
   return glsl.replace(edit.from, () => edit.to);
 }

@@ -25,10 +25,12 @@ export interface PassResult {
   readonly codes: Uint8Array;
 }
 
-/** A uniform block of this name and its bytes. */
-export interface BlockData {
-  readonly name: string;
-  readonly data: Float32Array;
+/** What a program reads besides textures. */
+export interface Held {
+  /** A uniform block of this name and its bytes. */
+  readonly block?: { readonly name: string; readonly data: Float32Array };
+  /** Uniforms by name: two numbers are a vec2, more are an array of vec4. */
+  readonly vectors?: Readonly<Record<string, ArrayLike<number>>>;
 }
 
 /** RGBA32F texels, row by row. */
@@ -87,7 +89,7 @@ void main() {
   }
 
   /** One texture an input and one a further texture, in the order of the source; inputs share one size. */
-  run(textures: readonly FloatTexture[], block?: BlockData): PassResult {
+  run(textures: readonly FloatTexture[], { block, vectors = {} }: Held = {}): PassResult {
     const gl = this.#gl;
     const { data, width } = textures[0]!;
     const height = data.length / 4 / width;
@@ -108,6 +110,11 @@ void main() {
     gl.useProgram(this.#program);
     const bound = textures.map((texture, i) => this.#bind(texture, i));
     const buffer = block === undefined ? null : this.#bindBlock(block);
+    for (const [name, numbers] of Object.entries(vectors)) {
+      const place = gl.getUniformLocation(this.#program, name);
+      if (numbers.length === 2) gl.uniform2fv(place, Float32Array.from(numbers));
+      else gl.uniform4fv(place, Float32Array.from(numbers));
+    }
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     const floats = new Float32Array(width * height * 4);
     const codes = new Uint8Array(width * height * 4);
@@ -127,7 +134,7 @@ void main() {
     this.#gl.deleteProgram(this.#program);
   }
 
-  #bindBlock({ name, data }: BlockData): WebGLBuffer {
+  #bindBlock({ name, data }: Required<Held>['block']): WebGLBuffer {
     const gl = this.#gl;
     const buffer = gl.createBuffer();
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, buffer);

@@ -93,8 +93,8 @@ const LOBES: readonly Check[] = [
     defines: [FILTER],
     glsl: `${SIDES}
       vec3 N = vec3(0.0, 0.0, 1.0);
-      Seen seen = Seen(specularView(N, b.xyz), dx, dy, vec3(0.0), vec3(0.0), footprintOf(dx, dy, a.w));
-      result.x = specularLobe(N, a.xyz, seen, a.w);`,
+      PixelView view = PixelView(specularView(N, b.xyz), dx, dy, vec3(0.0), vec3(0.0), footprintOf(dx, dy, a.w));
+      result.x = specularLobe(N, a.xyz, view, a.w);`,
     inputs: lobeInputs,
     expected([x, y, z, n], [u, v, w, side]) {
       const V: Vec3 = [u!, v!, w!];
@@ -111,8 +111,8 @@ const LOBES: readonly Check[] = [
     glsl: `${SIDES}
       vec3 N = vec3(0.0, 0.0, 1.0);
       vec3 W = specularView(N, b.xyz);
-      Seen seen = Seen(W, dx, dy, dy, -dx, footprintOf(dx, dy, a.w));
-      result.x = specularLobe(N, a.xyz, pixelViewNear(seen, a.xyz, 0.5, a.w), a.w);`,
+      PixelView view = PixelView(W, dx, dy, dy, -dx, footprintOf(dx, dy, a.w));
+      result.x = specularLobe(N, a.xyz, pixelViewNear(view, a.xyz, 0.5, a.w), a.w);`,
     inputs: lobeInputs,
     expected([x, y, z, n], [u, v, w, side]) {
       const V: Vec3 = [u!, v!, w!];
@@ -131,9 +131,9 @@ const LOBES: readonly Check[] = [
     defines: [FILTER, 'REFLECTION_BLINN_PHONG'],
     glsl: `${SIDES}
       vec3 N = vec3(0.0, 0.0, 1.0);
-      Seen seen = Seen(b.xyz, 0.5 * dx, dy, -dy, 0.25 * dx, dy, dx);
-      result.x = specularLobe(N, a.xyz, seen, a.w);
-      result.y = specularLobe(N, a.xyz, pixelViewNear(seen, a.xyz, 0.5, a.w), a.w);`,
+      PixelView view = PixelView(b.xyz, 0.5 * dx, dy, -dy, 0.25 * dx, dy, dx);
+      result.x = specularLobe(N, a.xyz, view, a.w);
+      result.y = specularLobe(N, a.xyz, pixelViewNear(view, a.xyz, 0.5, a.w), a.w);`,
     inputs(random) {
       const [a, b] = lobeInputs(random);
       // Of L = -V but for roundings a device's own decide; of nothing there is nothing to round.

@@ -2,10 +2,8 @@
 // packing. Only where the rows lie is the harness's own.
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
-import { WHOLE_LOOP_GLSL } from './whole-loop.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
-import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
-import { ENCODING_GLSL } from '../../src/material/program/source.js';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode } from '../../src/math/color.js';
 import type { Surface } from '../../src/reference/equation.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';
@@ -39,7 +37,7 @@ export const FACTS = [
 ];
 
 function loopSource({ reflection, linear }: Variant, driver: Driver, edit: Edit | null): string {
-  const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit, `${WHOLE_LOOP_GLSL}\n${ENCODING_GLSL}`);
+  const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
   const defines = [
     'LIGHT_STORAGE STORAGE_OWN',
     ...FACTS.map((fact) => `HAS_${fact}`),

@@ -1,6 +1,6 @@
-// As much of three.js's renderer as light data is sent by: which textures the GPU holds, and the calls that fill them.
-// Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
-import type { ExternalTexture, WebGLRenderer } from 'three';
+// As much of three.js's renderer as light data and programs need: textures with the calls that fill them, and programs that compile
+// in the background. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
+import type { ExternalTexture, Material, Mesh, WebGLRenderer } from 'three';
 
 /** One texSubImage2D: a rectangle of texels. */
 export interface Patch {
@@ -16,16 +16,53 @@ interface Texels {
   data: Float32Array;
 }
 
+/** What the browser says of the device. */
+export interface FakeDevice {
+  readonly name: string;
+  /** Has KHR_parallel_shader_compile. */
+  readonly tells: boolean;
+  readonly uniformVectors: number;
+}
+
+const GPU: FakeDevice = { name: 'NVIDIA', tells: true, uniformVectors: 1024 };
+
 export class FakeRenderer {
   patches: Patch[] = [];
+  /** Whether programs have linked, and whether they do at all. */
+  ready = true;
+  links = true;
+  /** Materials whose programs were compiled, and of these the ones that were disposed of. */
+  readonly compiled: Material[] = [];
+  readonly disposed: Material[] = [];
+  readonly #device: FakeDevice;
   /** What a patch must not inherit from whoever unpacked before it. */
   readonly unpack = new Map<number, number | boolean>();
   /** By the object that stands for a texture in WebGL. */
   readonly #held = new Map<object, Texels>();
   #bound: object = {};
+  readonly #programs = new Map<Material, object>();
 
+  constructor(device: Partial<FakeDevice> = {}) {
+    this.#device = { ...GPU, ...device };
+  }
+
+  /** Always the same object. */
   get renderer(): WebGLRenderer {
+    return (this.#renderer ??= this.#make());
+  }
+
+  #renderer: WebGLRenderer | null = null;
+
+  #make(): WebGLRenderer {
+    const { name, tells, uniformVectors } = this.#device;
     const gl = {
+      ...{ RENDERER: 7, LINK_STATUS: 8, MAX_FRAGMENT_UNIFORM_VECTORS: 9, MAX_VERTEX_UNIFORM_VECTORS: 9 },
+      getExtension: () => null,
+      getParameter: (what: number) => (what === 7 ? name : uniformVectors),
+      getProgramParameter: () => this.links,
+      getProgramInfoLog: () => 'broken by hand',
+      getAttachedShaders: () => [],
+      isContextLost: () => false,
       ...{ TEXTURE_2D: 1, RGBA: 2, FLOAT: 3, UNPACK_FLIP_Y_WEBGL: 4 },
       ...{ UNPACK_PREMULTIPLY_ALPHA_WEBGL: 5, UNPACK_ALIGNMENT: 6 },
       createTexture: () => {
@@ -48,6 +85,16 @@ export class FakeRenderer {
         pixelStorei: (name: number, value: number | boolean) => this.unpack.set(name, value),
       },
       getContext: () => gl,
+      extensions: { has: () => tells },
+      properties: {
+        get: (material: Material) =>
+          this.compiled.includes(material) ? { currentProgram: this.programOf(material) } : {},
+      },
+      compile: ({ material }: Mesh) => {
+        const one = material as Material;
+        this.compiled.push(one);
+        one.addEventListener('dispose', () => this.disposed.push(one));
+      },
     } as unknown as WebGLRenderer;
   }
 
@@ -66,8 +113,11 @@ export class FakeRenderer {
     return [...(this.#texelsOf(texture)?.data ?? [])];
   }
 
-  loseContext(): void {
-    this.#held.clear();
+  /** The program that a compiled material has. */
+  programOf(material: Material): object {
+    const program = this.#programs.get(material) ?? { program: material, isReady: () => this.ready };
+    this.#programs.set(material, program);
+    return program;
   }
 
   texSubImage2D(

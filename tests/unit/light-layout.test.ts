@@ -5,14 +5,12 @@ import {
   BLOCK_ROWS,
   GRID,
   HEADER,
-  LARGE_BLOCK_ROWS,
-  LARGEST_MILD,
+  LARGEST_COSINE_POWER,
   layoutDefines,
   LEAST_EXPONENT,
   LIMIT_OPEN,
   NEAREST,
   ROWS,
-  SHAPE,
   TEXTURE_ROWS_LOG2,
 } from '../../src/light/light-layout.js';
 
@@ -29,33 +27,6 @@ const defines = new Map(
 describe('the defines of the layout', () => {
   it('name each thing once', () => {
     expect(defines.size).toBe(layoutDefines().split('\n').length);
-  });
-
-  it('carry every offset of the table, and no other', () => {
-    const offsets = Object.entries(ROWS).flatMap(([kind, rows]) =>
-      Object.entries(rows).map(([row, offset]) => [`${kind}_${row}`.toUpperCase(), String(offset)]),
-    );
-    const header = Object.entries(HEADER).map(([row, offset]) => [
-      `HEADER_${row.toUpperCase()}`,
-      String(offset),
-    ]);
-    const grid = Object.entries(GRID).map(([row, offset]) => [`GRID_${row.toUpperCase()}`, String(offset)]);
-    const shapes = Object.entries(SHAPE).map(([name, bit]) => [
-      `SHAPE_${name.replace(/[A-Z]/g, '_$&').toUpperCase()}`,
-      String(bit),
-    ]);
-    const others = [
-      'LIMIT_OPEN',
-      'BLOCK_ROWS',
-      'TEXTURE_ROWS_LOG2',
-      'NEAREST_SQUARED',
-      'LEAST_EXPONENT',
-      'TINY',
-    ];
-    expect(Object.fromEntries([...defines].filter(([name]) => !others.includes(name)))).toStrictEqual(
-      Object.fromEntries([...header, ...grid, ...shapes, ...offsets]),
-    );
-    expect(defines.size).toBe(header.length + grid.length + shapes.length + offsets.length + others.length);
   });
 
   it('write whole numbers as ints and real ones as floats, as GLSL tells them apart', () => {
@@ -78,7 +49,7 @@ describe('the layout', () => {
     },
   );
 
-  it('gives the rows before a divided box’s lists distinct places that fill them', () => {
+  it('gives the rows before a grid’s lists distinct places that fill them', () => {
     const { rows, ...offsets } = GRID;
     expect(Object.values(offsets)).toStrictEqual(Array.from({ length: rows }, (_row, i) => i));
   });
@@ -93,25 +64,15 @@ describe('the layout', () => {
     expect(ROWS.spot).toMatchObject(point);
   });
 
-  it('fills 16 KiB, which every device has, or the 64 KiB of most, and texture rows by a shift', () => {
+  it('fills 16 KiB of a block, which every device has, and texture rows by a shift', () => {
     expect(BLOCK_ROWS * 16).toBe(16384);
-    expect(LARGE_BLOCK_ROWS * 16).toBe(65536);
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);
   });
 
-  it('gives each bit of a shape a place of its own, below the exponent, and all of it less than a sign', () => {
-    const { powerShift, ...bits } = SHAPE;
-    const all = Object.values(bits);
-    for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
-    expect(new Set(all).size).toBe(all.length);
-    expect(Math.max(...all)).toBeLessThan(1 << powerShift);
-    expect((LARGEST_MILD + 1) << powerShift).toBeLessThan(2 ** 31);
-  });
-
-  it('calls mild no exponent whose errors would be seen: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {
-    expect(LARGEST_MILD * 2 ** -25).toBeLessThan(2e-6);
-    expect(LARGEST_MILD * 2 ** -21 * Math.LN2).toBeLessThan(0.01 / 255);
-    expect(Math.log2(LARGEST_MILD) % 1).toBe(0);
+  it('takes a cosine to no power whose errors would be seen: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {
+    expect(LARGEST_COSINE_POWER * 2 ** -25).toBeLessThan(2e-6);
+    expect(LARGEST_COSINE_POWER * 2 ** -21 * Math.LN2).toBeLessThan(0.01 / 255);
+    expect(Math.log2(LARGEST_COSINE_POWER) % 1).toBe(0);
   });
 
   it('keeps its thresholds normal float32 numbers', () => {

@@ -1,31 +1,27 @@
-// Which lights each mesh is drawn with, and that this is found out only when it may have changed.
+// Which lights each mesh is drawn with: those that can reach it. Culled again only where that may have changed.
 
-import { BoxGeometry, BufferGeometry, Mesh, Object3D } from 'three';
+import { BoxGeometry, BufferGeometry, Mesh, Object3D, PlaneGeometry } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import * as lightReach from '../../src/light/cull-lights.js';
+import * as culling from '../../src/light/cull-lights.js';
+import { HEADER } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { lightBlockOf } from '../../src/material/light-block.js';
-import type { LightList } from '../../src/material/light-list.js';
-import { LightRows } from '../../src/material/light-buffer.js';
-import { MeshLights, type ReachQuestion } from '../../src/material/mesh-lights.js';
+import { packLights } from '../../src/light/pack-lights.js';
+import type { Vec3 } from '../../src/math/vector.js';
+import type { LightBuffer } from '../../src/material/light-buffer.js';
+import { MeshLights } from '../../src/material/mesh-lights.js';
 import { light } from './arbitraries.js';
-import { pack, read } from './packed-reader.js';
+import { FakeRenderer } from './fake-renderer.js';
+import { read, WORLD } from './packed-reader.js';
 
 vi.mock(import('../../src/light/cull-lights.js'), async (original) => {
   const module = await original();
-  return { ...module, reachedLights: vi.fn(module.reachedLights) };
+  return { ...module, cullLights: vi.fn(module.cullLights) };
 });
 
-const asked = vi.mocked(lightReach.reachedLights);
+const culled = vi.mocked(culling.cullLights);
 beforeEach(() => {
-  asked.mockClear();
+  culled.mockClear();
 });
-
-const QUESTION: ReachQuestion = {
-  origin: [0, 0, 0],
-  surface: { reflectance: { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] }, surfaceVersion: 1 },
-  budget: 0,
-};
 
 /** A unit box at x. */
 function meshAt(x: number, geometry: BufferGeometry = new BoxGeometry()): Mesh {
@@ -43,43 +39,49 @@ function moveTo(mesh: Object3D, x: number): void {
 const spotOver = (x: number, values: Partial<LightValues> = {}): LightValues =>
   light({ position: [x, 3, 0, 1], axis: [0, -1, 0], aperture: 15, ...values });
 
-function lit(...lights: LightValues[]): MeshLights {
-  const meshLights = new MeshLights();
-  meshLights.take(pack(lights));
-  return meshLights;
+function give(lights: MeshLights, ...list: LightValues[]): void {
+  packLights(list, WORLD, lights.all.packed);
+  lights.changed();
 }
 
-const chosen = (lights: MeshLights, mesh: Mesh, question: ReachQuestion): LightList =>
-  lights.choose(mesh, question).list;
+function lit(...list: LightValues[]): MeshLights {
+  const lights = new MeshLights();
+  lights.begin([0, 0, 0]);
+  give(lights, ...list);
+  return lights;
+}
 
-const spotsOf = (list: { packed: Parameters<typeof read>[0] }): number[] =>
-  read(list.packed).spot.map((one) => one['position']!.xyz[0]);
+const spotsOf = ({ packed }: LightBuffer): number[] =>
+  read(packed).spot.map((one) => one['position']!.xyz[0]);
 
 describe('a mesh', () => {
-  it('is drawn with the lights that reach it, and with all others that are no spots', () => {
+  it('is drawn with the spots that reach it and with all other lights', () => {
     const lights = lit(spotOver(0), light(), spotOver(5), light({ position: [9, 9, 9, 1] }));
-    const list = chosen(lights, meshAt(5), QUESTION);
-    expect(spotsOf(list)).toStrictEqual([5]);
-    expect(read(list.packed).counts).toStrictEqual([1, 1, 1]);
-    expect(lights.all.packed.sent).toBe(4);
+    const mesh = meshAt(5);
+    const buffer = lights.of(mesh);
+    expect(spotsOf(buffer)).toStrictEqual([5]);
+    expect(read(buffer.packed).counts).toStrictEqual([1, 1, 1]);
+    expect([0, 1, 2, 3].map((i) => lights.reaches(mesh, i))).toStrictEqual([true, true, false, true]);
   });
 
-  it('is drawn with all lights before it was asked after, and where all reach it', () => {
-    const lights = lit(spotOver(0), light());
-    const mesh = meshAt(0);
-    expect(lights.of(mesh)).toBe(lights.all);
-    expect(chosen(lights, mesh, QUESTION)).toBe(lights.all);
+  it('shares the buffer of all lights where all reach it, and one of its own with meshes that the same reach', () => {
+    const lights = lit(spotOver(0), spotOver(5), light());
+    expect(lights.of(meshAt(2.5, new BoxGeometry(9, 1, 1)))).toBe(lights.all);
+    const [a, b, c] = [meshAt(5), meshAt(5.1), meshAt(0)].map((mesh) => lights.of(mesh));
+    expect(a).toBe(b);
+    expect(a).not.toBe(c);
+    expect(spotsOf(c!)).toStrictEqual([0]);
   });
 
-  it('has its bounds turned, scaled and moved with it, relative to the origin that lights are packed about', () => {
+  it('has its bounds turned, scaled and moved with it, relative to the origin', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const parent = new Object3D();
     const mesh = new Mesh(new BoxGeometry(0.1, 9, 0.1));
     parent.add(mesh);
-    const reached = (origin: ReachQuestion['origin'] = [0, 0, 0]): number[] => {
+    const reached = (origin: Vec3 = [0, 0, 0]): number[] => {
       parent.updateMatrixWorld();
-      lights.take(pack([spotOver(0), spotOver(5)])); // another origin is always another pack
-      return spotsOf(chosen(lights, mesh, { ...QUESTION, origin }));
+      lights.begin(origin);
+      return spotsOf(lights.of(mesh));
     };
     expect(reached()).toStrictEqual([0]);
     mesh.rotation.z = Math.PI / 2;
@@ -90,7 +92,6 @@ describe('a mesh', () => {
     parent.position.x = 50;
     expect(reached()).toStrictEqual([]);
     expect(reached([50, 0, 0])).toStrictEqual([0, 5]);
-    expect(reached([45, 0, 0])).toStrictEqual([0, 5]);
     mesh.scale.y = 0.2;
     expect(reached([50, 0, 0])).toStrictEqual([0]);
     mesh.scale.y = -0.9;
@@ -99,209 +100,130 @@ describe('a mesh', () => {
 
   it.each<[string, () => Mesh]>([
     ['without vertices', () => meshAt(0, new BufferGeometry())],
-    ['nowhere', () => meshAt(NaN)],
-    ['everywhere', () => meshAt(Infinity)],
+    ['at NaN', () => meshAt(NaN)],
+    ['at infinity', () => meshAt(Infinity)],
   ])('%s is drawn with all lights', (_, make) => {
     const lights = lit(spotOver(99), light());
     const warned = vi.spyOn(console, 'error').mockReturnValue();
-    expect(chosen(lights, make(), QUESTION)).toBe(lights.all);
+    expect(lights.of(make())).toBe(lights.all);
     warned.mockRestore();
   });
-
-  it('gets with a budget what is left of faint lamps, without one all of them', () => {
-    const lamp = light({ position: [0, 99, 0, 1], attenuation: [0, 0, 1] });
-    const lights = lit(lamp, light());
-    expect(chosen(lights, meshAt(0), QUESTION)).toBe(lights.all);
-    expect(asked).not.toHaveBeenCalled();
-    const list = chosen(lights, meshAt(0), { ...QUESTION, budget: 0.01 });
-    expect(read(list.packed).counts).toStrictEqual([1, 0, 0]);
-  });
-
-  it('keeps what its lights left of the budget for others to give up', () => {
-    const lamp = light({ position: [0, 100.5, 0, 1], attenuation: [0, 0, 1], specular: [0, 0, 0] });
-    const lights = lit(lamp, light());
-    const mesh = meshAt(0);
-    const left = (budget: number): number => lights.choose(mesh, { ...QUESTION, budget }).left;
-    expect(left(0.01)).toBeCloseTo(0.01 - 1 / 100 ** 2, 9);
-    expect(left(1e-9)).toBe(1e-9);
-    expect(left(0)).toBe(0);
-  });
-
-  it('shares its list with others that the same lights reach', () => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const [a, b, c] = [meshAt(5), meshAt(5.1), meshAt(0)].map((mesh) => chosen(lights, mesh, QUESTION));
-    expect(a).toBe(b);
-    expect(a).not.toBe(c);
-    expect(spotsOf(c!)).toStrictEqual([0]);
-  });
 });
 
-describe('nothing is found out anew', () => {
-  it('while nothing changes', () => {
+describe('culling', () => {
+  it('happens once while nothing changes, and not at all without spots', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
-    const list = chosen(lights, mesh, QUESTION);
+    const buffer = lights.of(mesh);
     for (let frame = 0; frame < 5; frame++) {
+      lights.begin([0, 0, 0]);
       mesh.updateMatrixWorld(true);
-      expect(chosen(lights, mesh, { ...QUESTION })).toBe(list);
+      expect(lights.of(mesh)).toBe(buffer);
+      expect(lights.gridOf(mesh)).toBeNull();
     }
-    expect(asked).toHaveBeenCalledTimes(1);
+    expect(culled).toHaveBeenCalledTimes(1);
+    const plain = meshAt(0);
+    const without = lit(light(), light({ position: [9, 9, 9, 1] }));
+    expect(without.of(plain)).toBe(without.all);
+    expect(plain.geometry.boundingBox).toBeNull();
+    expect(culled).toHaveBeenCalledTimes(1);
   });
 
-  it('for a picture without spots', () => {
-    const lights = lit(light(), light({ position: [9, 9, 9, 1] }));
+  it.each<[string, (lights: MeshLights, mesh: Mesh) => void]>([
+    ['the mesh moves', (_, mesh) => moveTo(mesh, 1)],
+    ['the mesh has another geometry', (_, mesh) => (mesh.geometry = new BoxGeometry(2, 2, 2))],
+    ['the origin moves', (lights) => lights.begin([1, 0, 0])],
+    ['the lights change', (lights) => give(lights, spotOver(0), spotOver(5))],
+  ])('happens once more where %s', (_, change) => {
+    const lights = lit(spotOver(0), spotOver(5));
+    const mesh = meshAt(5);
+    lights.of(mesh);
+    culled.mockClear();
+    change(lights, mesh);
+    lights.of(mesh);
+    lights.of(mesh);
+    expect(culled).toHaveBeenCalledTimes(1);
+  });
+
+  it('takes a moved spot along: the buffer stays, its numbers and features follow', () => {
+    const lights = lit(spotOver(0), spotOver(5));
+    const mesh = meshAt(5);
+    const buffer = lights.of(mesh);
+    const { version, featureKey } = buffer;
+    give(lights, spotOver(0), spotOver(5.1));
+    expect(lights.of(mesh)).toBe(buffer);
+    expect(spotsOf(buffer)[0]).toBeCloseTo(5.1, 6);
+    expect(buffer.version).toBe(version + 1);
+    expect(buffer.featureKey).toBe(featureKey);
+  });
+
+  it('finds a spot that moved away from a mesh that all lights reached', () => {
+    const lights = lit(spotOver(0));
     const mesh = meshAt(0);
-    expect(chosen(lights, mesh, QUESTION)).toBe(lights.all);
-    expect(mesh.geometry.boundingBox).toBeNull();
-    expect(asked).not.toHaveBeenCalled();
-  });
-
-  it.each<[string, (lights: MeshLights, mesh: Mesh) => Partial<ReachQuestion>]>([
-    ['the mesh moves', (_, mesh) => (moveTo(mesh, 1), {})],
-    ['the mesh has another geometry', (_, mesh) => ((mesh.geometry = new BoxGeometry(2, 2, 2)), {})],
-    ['the budget changes', () => ({ budget: 0.1 })],
-    ['the lights change', (lights) => (lights.take(pack([spotOver(0), spotOver(5)])), {})],
-  ])('but once where %s', (_, change) => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const mesh = meshAt(5);
-    chosen(lights, mesh, QUESTION);
-    asked.mockClear();
-    const question = { ...QUESTION, ...change(lights, mesh) };
-    chosen(lights, mesh, question);
-    chosen(lights, mesh, question);
-    expect(asked).toHaveBeenCalledTimes(1);
-  });
-
-  it.each([
-    ['but once where the surface changes and something may be given up', 0.1, 1],
-    ['where the surface changes and nothing may be given up', 0, 0],
-  ])('%s', (_, budget, times) => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const mesh = meshAt(5);
-    chosen(lights, mesh, { ...QUESTION, budget });
-    asked.mockClear();
-    const surface = { ...QUESTION.surface, surfaceVersion: 2 };
-    chosen(lights, mesh, { ...QUESTION, budget, surface });
-    chosen(lights, mesh, { ...QUESTION, budget, surface });
-    expect(asked).toHaveBeenCalledTimes(times);
-  });
-
-  it('of a list that was selected for the same lights already', () => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const written = vi.spyOn(LightRows.prototype, 'write');
-    chosen(lights, meshAt(5), QUESTION);
-    chosen(lights, meshAt(5.1), QUESTION);
-    expect(written).toHaveBeenCalledTimes(1);
-    written.mockRestore();
-  });
-
-  it('of a mesh that comes back to where it was: it has its list again', () => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const mesh = meshAt(5);
-    const list = chosen(lights, mesh, QUESTION);
-    moveTo(mesh, 0);
-    expect(spotsOf(chosen(lights, mesh, QUESTION))).toStrictEqual([0]);
-    moveTo(mesh, 5);
-    expect(chosen(lights, mesh, QUESTION)).toBe(list);
+    expect(lights.of(mesh)).toBe(lights.all);
+    give(lights, spotOver(5));
+    expect(spotsOf(lights.of(mesh))).toStrictEqual([]);
   });
 });
 
-describe('lights that move', () => {
-  it('take a mesh’s list with them', () => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const mesh = meshAt(5);
-    const list = chosen(lights, mesh, QUESTION);
-    const { shapeVersion } = list;
-    lights.take(pack([spotOver(0), spotOver(5.1)]));
-    expect(chosen(lights, mesh, QUESTION)).toBe(list);
-    expect(read(list.packed).spot[0]!['position']!.xyz[0]).toBe(Math.fround(5.1));
-    expect(list.shapeVersion).toBe(shapeVersion);
-  });
+describe('what the GPU holds', () => {
+  /** Draws these meshes in a frame and returns the number of textures then. */
+  function frame(lights: MeshLights, gpu: FakeRenderer, meshes: readonly Mesh[]): number {
+    lights.begin([0, 0, 0]);
+    for (const mesh of meshes) (lights.gridOf(mesh) ?? lights.of(mesh)).sendTexture(gpu.renderer);
+    return gpu.textures;
+  }
 
-  it('keep count of what freed lists have sent', () => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const list = chosen(lights, meshAt(0), QUESTION);
-    lightBlockOf(list.rows).send();
-    lightBlockOf(lights.all.rows).send();
-    expect(lights.uploads).toBe(2);
-    for (let i = 0; i < 3; i++) lights.begin();
-    expect(lights.uploads).toBe(2);
-  });
-});
-
-it('a mesh that all lights have reached is asked about again where they move', () => {
-  const lights = lit(spotOver(0));
-  const mesh = meshAt(0);
-  expect(chosen(lights, mesh, QUESTION)).toBe(lights.all);
-  lights.take(pack([spotOver(5)]));
-  expect(spotsOf(chosen(lights, mesh, QUESTION))).toStrictEqual([]);
-});
-
-describe('a frame', () => {
-  const freed = vi.spyOn(LightRows.prototype, 'dispose');
-  beforeEach(() => {
-    freed.mockClear();
-  });
-
-  it.each<[string, (lights: MeshLights, i: number) => void]>([
-    ['whose lights move', (lights, i) => lights.take(pack([spotOver(0), spotOver(5, { cutoff: i })]))],
-    ['whose lights stand still', () => undefined],
-  ])('%s frees the lists that the one before had no use for, and no others', (_, change) => {
-    const lights = lit(spotOver(0), spotOver(5));
-    const [stays, goes] = [meshAt(5), meshAt(0)];
-    lights.begin();
-    const [kept, lost] = [stays, goes].map((mesh) => chosen(lights, mesh, QUESTION));
-    for (let i = 1; i < 4; i++) {
-      lights.begin();
-      change(lights, i);
-      expect(chosen(lights, stays, QUESTION)).toBe(kept);
-    }
-    expect(freed.mock.contexts).toStrictEqual([lost!.rows]);
-    const again = chosen(lights, goes, QUESTION);
-    expect(again).not.toBe(lost);
-    expect(spotsOf(again)).toStrictEqual([0]);
-  });
-
-  it('keeps no list of the places that a mesh has passed', () => {
+  it('is freed in the frame after the last one that drew it', () => {
+    const gpu = new FakeRenderer();
     const lights = lit(...Array.from({ length: 20 }, (_, i) => spotOver(2 * i)));
     const mesh = meshAt(0);
     for (let x = 0; x < 40; x += 0.5) {
-      lights.begin();
       moveTo(mesh, x);
-      chosen(lights, mesh, QUESTION);
+      expect(frame(lights, gpu, [mesh])).toBeLessThanOrEqual(2);
     }
-    const before = freed.mock.contexts.length;
+    frame(lights, gpu, []);
+    expect(frame(lights, gpu, [])).toBe(0);
+    expect(frame(lights, gpu, [mesh])).toBe(1);
+  });
+
+  /** Many narrow spots on a floor. */
+  const overFloor = (): { lights: MeshLights; floor: Mesh } => {
+    const floor = meshAt(0, new PlaneGeometry(20, 20).rotateX(-Math.PI / 2));
+    const place = (i: number): number => 3 * i - 7.5;
+    const spots = Array.from({ length: 36 }, (_, i) =>
+      spotOver(place(i % 6), { position: [place(i % 6), 2, place(Math.floor(i / 6)), 1] }),
+    );
+    return { lights: lit(...spots), floor };
+  };
+
+  it('has a grid over a mesh under many narrow spots, of the same lights', () => {
+    const { lights, floor } = overFloor();
+    const grid = lights.gridOf(floor)!;
+    expect(grid.packed.counts).toStrictEqual(lights.of(floor).packed.counts);
+    expect(grid.packed.data[HEADER.counts * 4 + 3]).toBeGreaterThan(0);
+    expect(lights.gridOf(floor)).toBe(grid);
+    give(lights, spotOver(0));
+    expect(lights.gridOf(floor)).toBeNull();
+  });
+
+  it('loses a grid with its mesh, as it loses a list', () => {
+    const gpu = new FakeRenderer();
+    const { lights, floor } = overFloor();
+    expect(frame(lights, gpu, [floor])).toBe(1);
+    expect(frame(lights, gpu, [floor])).toBe(1);
+    frame(lights, gpu, []);
+    expect(frame(lights, gpu, [])).toBe(0);
+    expect(frame(lights, gpu, [floor])).toBe(1);
+  });
+
+  it('is nothing after disposal, grids included, and all of it comes again with the next draw', () => {
+    const gpu = new FakeRenderer();
+    const { lights, floor } = overFloor();
+    const small = meshAt(-7.5);
+    const before = frame(lights, gpu, [floor, small]);
     lights.dispose();
-    expect(freed.mock.contexts.length - before).toBeLessThanOrEqual(3); // all, the last and the one before
+    expect(gpu.textures).toBe(0);
+    expect(frame(lights, gpu, [floor, small])).toBe(before);
   });
-});
-
-describe('how many lights reach any of some meshes', () => {
-  it('is all without meshes, or where one of them has all', () => {
-    const lights = lit(spotOver(0), spotOver(5), spotOver(10));
-    expect(lights.reaching([])).toBe(3);
-    const mesh = meshAt(5);
-    chosen(lights, mesh, QUESTION);
-    expect(lights.reaching([mesh])).toBe(1);
-    expect(lights.reaching([mesh, meshAt(0)])).toBe(3);
-  });
-
-  it('counts no light twice', () => {
-    const lights = lit(spotOver(0), spotOver(5), spotOver(10), light());
-    const meshes = [meshAt(5), meshAt(5.1), meshAt(0), meshAt(50)];
-    for (const mesh of meshes) chosen(lights, mesh, QUESTION);
-    expect(lights.reaching(meshes)).toBe(3);
-    expect(meshes.map((mesh) => lights.of(mesh).packed.sent)).toStrictEqual([2, 2, 2, 1]);
-  });
-});
-
-it('sends every list again after a loss, and frees every one', () => {
-  const lights = lit(spotOver(0), spotOver(5));
-  const lists = [lights.all, chosen(lights, meshAt(0), QUESTION), chosen(lights, meshAt(5), QUESTION)];
-  for (const method of ['restore', 'dispose'] as const) {
-    const called = vi.spyOn(LightRows.prototype, method);
-    lights[method]();
-    for (const list of lists) expect(called.mock.contexts).toContain(list.rows);
-    called.mockRestore();
-  }
 });

@@ -2,10 +2,9 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { kindOf } from '../../src/light/light-features.js';
-import { BLOCK_ROWS, LIMIT_OPEN, ROWS } from '../../src/light/light-layout.js';
+import { coneLimit, kindOf } from '../../src/light/light-features.js';
+import { LIMIT_OPEN } from '../../src/light/light-layout.js';
 import type { PackSpace } from '../../src/light/pack-lights.js';
-import { coneLimit } from '../../src/light/steady-light.js';
 import { multiply, normalize, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade } from '../../src/reference/equation.js';
 import { anyLight, numbers, plainLight, plainVector, rotation, triple } from './arbitraries.js';
@@ -195,8 +194,4 @@ describe("the cone's limit", () => {
       }),
     );
   });
-});
-
-it('needs no more than the block for 200 spots, so that ordinary pages never take the texture', () => {
-  expect(200 * ROWS.spot.rows + 2).toBeLessThanOrEqual(BLOCK_ROWS);
 });

@@ -1,12 +1,19 @@
 // What stands in each row of packed lights, and which lights get none.
 
+import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
+import { coneLimit } from '../../src/light/light-features.js';
 import { HEADER, LIMIT_OPEN } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { emptyPack, packLights } from '../../src/light/pack-lights.js';
-import { coneLimit } from '../../src/light/steady-light.js';
+import {
+  emptyPack,
+  forEachLight,
+  type PackedLights,
+  packLights,
+  selectLights,
+} from '../../src/light/pack-lights.js';
 import { srgbDecode } from '../../src/math/color.js';
-import { light } from './arbitraries.js';
+import { anyLight, light, rotation } from './arbitraries.js';
 import { pack, type PackedLight, read, WORLD } from './packed-reader.js';
 
 const f = Math.fround;
@@ -257,5 +264,68 @@ describe('a pack that is used again', () => {
 
   it('begins as an empty picture', () => {
     expect(read(emptyPack())).toStrictEqual({ ...read(pack([])) });
+  });
+
+  it('packs what a fresh one packs, whatever changes between frames', () => {
+    const space = fc.tuple(rotation, fc.boolean()).map(([[x, y, z], linear]) => ({
+      worldToShading: [...x, 0, ...y, 0, ...z, 0, 1, 2, 3, 1],
+      cameraToShading: [...z, 0, ...x, 0, ...y, 0, 4, 5, 6, 1],
+      linear,
+    }));
+    const frames = fc.array(fc.tuple(fc.array(anyLight, { maxLength: 6 }), space), { maxLength: 4 });
+    const essence = ({ data, rows, active, sent, counts, features }: PackedLights): object => ({
+      ...{ rows, active, sent, counts },
+      data: [...data.subarray(0, rows * 4)],
+      features: [...features.subarray(0, sent)],
+    });
+    fc.assert(
+      fc.property(frames, (list) => {
+        const into = emptyPack();
+        for (const [lights, frame] of list) {
+          packLights(lights, frame, into);
+          expect(essence(into)).toStrictEqual(essence(pack(lights, frame)));
+        }
+      }),
+    );
+  });
+});
+
+describe('a selection of lights', () => {
+  const lights = [
+    light(),
+    light(lamp),
+    light(spot),
+    light({ ...spot, cutoff: 3 }),
+    light({ ...lamp, diffuse: [1, 2, 3] }),
+  ];
+
+  it('is what packing these lights alone gives, but for ambient light, which is of all', () => {
+    const packed = pack(lights);
+    const order = [0, 1, 4, 2, 3]; // sorted by kind
+    fc.assert(
+      fc.property(fc.uint8Array({ minLength: 5, maxLength: 5, max: 1 }), (mask) => {
+        const into = emptyPack();
+        selectLights(packed, mask, into);
+        const chosen = order.filter((_, i) => mask[i] === 1).map((i) => lights[i]!);
+        const alone = read(pack(chosen));
+        expect(read(into)).toStrictEqual({ ...alone, ambient: read(packed).ambient });
+        expect(into.sent).toBe(chosen.length);
+        expect([...into.features.subarray(0, into.sent)]).toStrictEqual(
+          [...packed.features.subarray(0, 5)].filter((_, i) => mask[i] === 1),
+        );
+      }),
+    );
+  });
+
+  it('visits each light with its kind and first row', () => {
+    const seen: unknown[] = [];
+    forEachLight(pack(lights), (...one) => seen.push(one));
+    expect(seen).toStrictEqual([
+      [0, 'directional', 2],
+      [1, 'point', 5],
+      [2, 'point', 8],
+      [3, 'spot', 11],
+      [4, 'spot', 16],
+    ]);
   });
 });

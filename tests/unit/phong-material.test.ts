@@ -1,144 +1,177 @@
-// When a material needs another program: for code that it has never needed before, and for nothing else.
+// What a material asks three.js for: another program where it needs other code, and nothing otherwise.
 
+import {
+  BoxGeometry,
+  DoubleSide,
+  FrontSide,
+  Mesh,
+  PerspectiveCamera,
+  Scene,
+  SphereGeometry,
+  Texture,
+} from 'three';
 import { describe, expect, it } from 'vitest';
-import { LightSet } from '../../src/light/light-set.js';
-import { LightState } from '../../src/light/light-state.js';
-import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
-import { PhongLighting, type ShadingFrame } from '../../src/material/lighting.js';
-import { PhongMaterial } from '../../src/material/phong-material.js';
-import { bringAverages } from '../../src/material/program/source.js';
-import { type Term, TERMS } from '../../src/material/program/variant.js';
+import { LightSet, LightState, PhongLighting, PhongMaterial } from '../../src/core.js';
+import { type LightValues } from '../../src/light/light-state.js';
+import { PLAIN_LOOK } from '../../src/material/phong-material.js';
+import { FakeRenderer } from './fake-renderer.js';
 
-const FRAME: ShadingFrame = {
-  ...{ origin: [0, 0, 0], eye: [0, 0, 5] },
-  ...{ right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] },
-};
-
-/** A material under one light that brings every term. */
-function lit(): { lighting: PhongLighting; material: PhongMaterial } {
-  const light = new LightState();
-  light.set('ambient', [9, 9, 9]);
-  const set = new LightSet();
-  set.assign([light]);
-  const lighting = new PhongLighting(set);
-  lighting.update(FRAME);
-  return { lighting, material: new PhongMaterial(lighting) };
+/** A material on a mesh before a camera, under lights that bring every term. */
+function lit(values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }], gpu = new FakeRenderer()) {
+  const lights = new LightSet();
+  lights.assign(values.map((one) => new LightState(one)));
+  const lighting = new PhongLighting(lights);
+  const material = new PhongMaterial(lighting);
+  const mesh: Mesh = new Mesh(new BoxGeometry(), material);
+  const camera = new PerspectiveCamera();
+  camera.position.z = 5;
+  const draw = (frames = 1, meshes: readonly Mesh[] = [mesh]): number => {
+    for (let i = 0; i < frames; i++) {
+      camera.updateMatrixWorld();
+      lighting.update(camera);
+      for (const one of meshes) {
+        one.updateMatrixWorld();
+        const own = one.material as PhongMaterial;
+        own.onBeforeRender(gpu.renderer, new Scene(), camera, one.geometry, one, null as never);
+      }
+    }
+    return material.version;
+  };
+  return { lights, lighting, material, mesh, camera, gpu, draw };
 }
 
-const termsOf = (material: PhongMaterial): string[] => {
-  material.chooseProgram();
-  return Object.keys(material.defines).filter((name) => /AMBIENT|DIFFUSE|SPECULAR/.test(name));
-};
-
-const terms = (...names: Term[]): { terms: Term[] } => ({ terms: names });
-
-describe('the code for a term', () => {
-  it('is not there before the term is summed', () => {
-    const { material } = lit();
-    material.setStyle(terms('diffuse'));
-    expect(termsOf(material)).toStrictEqual(['HAS_DIFFUSE']);
-    material.setStyle(terms());
-    expect(termsOf(lit().material)).toHaveLength(TERMS.length);
-  });
-
-  it('stays once it was needed: turning it off and on needs no other program, and sums nothing meanwhile', () => {
-    const { material } = lit();
-    termsOf(material);
-    const { programVersion } = material;
-    for (const chosen of [terms('diffuse'), terms(), terms('specular', 'ambient'), { terms: TERMS }]) {
-      material.setStyle(chosen);
-      expect(termsOf(material)).toHaveLength(TERMS.length);
-      const { ka, kd, ks } = material.reflectance;
-      const given = { ambient: ka, diffuse: kd, specular: ks };
-      for (const term of TERMS)
-        expect([...Array.from(given[term])].some((k) => k > 0)).toBe(chosen.terms.includes(term));
-    }
-    expect(material.programVersion).toBe(programVersion);
-  });
-
-  it('is not there for specular light that the surface never gave back', () => {
-    const { material } = lit();
-    material.setSurface({ ks: [0, 0, 0] });
-    expect(termsOf(material)).not.toContain('HAS_SPECULAR');
-    const { programVersion } = material;
-    material.setSurface({ ks: [0, 1, 0] });
-    expect(termsOf(material)).toContain('HAS_SPECULAR');
-    expect(material.programVersion).toBe(programVersion + 1);
-    material.setSurface({ ks: [0, 0, 0] });
-    expect(termsOf(material)).toContain('HAS_SPECULAR');
-    expect(material.programVersion).toBe(programVersion + 1);
-  });
-});
-
-it('averages highlights from when the code for it is there, and shows them as they are until then', () => {
-  const { material } = lit();
-  material.setStyle({ antialias: 'highlights' });
-  material.chooseProgram();
-  expect(material.defines).not.toHaveProperty('FILTER_HIGHLIGHTS');
-  bringAverages(AVERAGES_GLSL);
-  material.setStyle({});
-  material.chooseProgram();
-  expect(material.defines).toHaveProperty('FILTER_HIGHLIGHTS');
-  expect(material.fragmentShader).toContain(AVERAGES_GLSL);
-});
-
 describe('another program', () => {
-  it('is for another way of shading, and for what lights need the first time', () => {
-    const { lighting, material } = lit();
-    termsOf(material);
-    const versions = [material.programVersion];
-    const next = (change: () => void): void => {
+  it('is asked for where code is needed for the first time', () => {
+    const { lights, lighting, material, draw } = lit();
+    const [light] = lights.lights;
+    const changes: [string, () => void, number][] = [
+      ['gouraud shading', () => material.setStyle({ shading: 'gouraud' }), 1],
+      ['Blinn’s lobe', () => material.setStyle({ reflection: 'blinn-phong' }), 1],
+      ['a point light', () => light!.set('position', [0, 1, 0, 1]), 1],
+      ['linear light', () => (lighting.linear = true), 1],
+      ['a kind that was there before', () => light!.set('position', [0, 1, 0, 0]), 0],
+      ['an inactive light', () => light!.set('active', false), 0],
+      ['the same light again', () => light!.set('active', true), 0],
+      ['fewer terms', () => material.setStyle({ terms: ['diffuse'] }), 0],
+      ['no specular colour', () => material.setSurface({ ks: [0, 0, 0] }), 0],
+      ['other colours and exponents to 64', () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }), 0],
+      ['an exponent above 64', () => material.setSurface({ shininess: 65 }), 1],
+      ['an exponent to 64 again', () => material.setSurface({ shininess: 8 }), 0],
+    ];
+    let before = draw();
+    for (const [which, change, programs] of changes) {
       change();
-      lighting.update(FRAME);
-      material.chooseProgram();
-      versions.push(material.programVersion);
-    };
-    const [light] = lighting.lights.lights;
-    next(() => material.setStyle({ shading: 'gouraud' }));
-    next(() => material.setStyle({ reflection: 'blinn-phong' }));
-    next(() => light!.set('position', [0, 1, 0, 1]));
-    next(() => (lighting.linear = true));
-    next(() => light!.set('position', [0, 1, 0, 0]));
-    next(() => light!.set('active', false));
-    next(() => material.setStyle({ shading: 'phong' }));
-    next(() => material.setStyle({ antialias: 'highlights' }));
-    next(() => material.setSurface({ shininess: 7, ka: [1, 2, 3] }));
-    next(() => lighting.update(FRAME));
-    expect(versions.map((version) => version - versions[0]!)).toStrictEqual([
-      0, 1, 2, 3, 4, 4, 4, 5, 6, 6, 6,
-    ]);
+      const after = draw();
+      expect(after - before, which).toBe(programs);
+      before = after;
+    }
+  });
+
+  it('is not asked for by a scene that stays, until its specialised one takes over', () => {
+    const { gpu, draw } = lit();
+    const first = draw();
+    expect(draw(20)).toBe(first);
+    expect(draw(20)).toBe(first + 1);
+    expect(draw(100)).toBe(first + 1);
+    expect(gpu.compiled).toHaveLength(1);
+  });
+
+  it('is not asked for where lights move or change colour on a GPU', () => {
+    const { lights, gpu, draw } = lit([{}, { position: [1, 2, 3, 1] }]);
+    const settled = draw(40);
+    for (let i = 0; i < 50; i++) {
+      lights.lights[1]!.set('position', [i, 2, 3, 1]);
+      lights.lights[0]!.set('diffuse', [i + 1, i + 1, i + 1]);
+      expect(draw()).toBe(settled);
+    }
+    expect(gpu.compiled).toHaveLength(1);
+  });
+
+  it('is the general one again while lights move in software, where their numbers are inlined', () => {
+    const { lights, gpu, draw } = lit([{}], new FakeRenderer({ name: 'SwiftShader' }));
+    const settled = draw(40);
+    for (let i = 0; i < 50; i++) {
+      lights.lights[0]!.set('position', [i, 1, 1, 0]);
+      expect(draw()).toBe(settled + 1);
+    }
+    expect(gpu.compiled).toHaveLength(1);
+  });
+
+  it.each<[string, Partial<ConstructorParameters<typeof FakeRenderer>[0]>, number, number]>([
+    ['16 lights in software', { name: 'llvmpipe' }, 16, 1],
+    ['17 lights in software', { name: 'Google SwiftShader' }, 17, 0],
+    ['32 lights on a GPU', {}, 32, 1],
+    ['33 lights on a GPU', {}, 33, 0],
+    ['a renderer of unknown name', { name: '' }, 20, 1],
+    ['8 lights where linking blocks', { tells: false }, 8, 1],
+    ['9 lights where linking blocks', { tells: false }, 9, 0],
+  ])('is specialised or not for %s', (_, device, lights, programs) => {
+    const { gpu, draw } = lit(
+      Array.from({ length: lights }, () => ({ position: [1, 2, 3, 1] as const })),
+      new FakeRenderer(device),
+    );
+    draw(60);
+    expect(gpu.compiled).toHaveLength(programs);
+  });
+
+  it('is one for a thousand equal meshes', () => {
+    const { lighting, gpu, draw } = lit();
+    const meshes = Array.from(
+      { length: 1000 },
+      () => new Mesh(new BoxGeometry(), new PhongMaterial(lighting)),
+    );
+    draw(40, meshes);
+    expect(gpu.compiled).toHaveLength(1);
   });
 });
 
-describe('what an exact program is made for', () => {
-  const keyAfter = (change: (material: PhongMaterial) => void): string => {
-    const { material } = lit();
-    material.setSurface({ shininess: 0.5 });
-    change(material);
-    return material.exactKey;
-  };
-  const plain = keyAfter(() => undefined);
-
-  it.each<[string, (material: PhongMaterial) => void]>([
-    ['a whole exponent', (material) => material.setSurface({ shininess: 8 })],
-    ['a surface without specular light', (material) => material.setSurface({ ks: [0, 0, 0] })],
-    ['fewer terms', (material) => material.setStyle(terms('diffuse'))],
-  ])('is %s', (_, change) => {
-    expect(keyAfter(change)).not.toBe(plain);
+describe('the sides', () => {
+  it('are chosen in each draw, without another program', () => {
+    const { material, mesh, camera, draw } = lit();
+    mesh.geometry = new SphereGeometry(1);
+    material.sides = 'closed';
+    const version = draw();
+    expect(material.side).toBe(FrontSide);
+    camera.position.z = 0;
+    expect(draw()).toBe(version);
+    expect(material.side).toBe(DoubleSide);
+    camera.position.z = 5;
+    draw();
+    expect(material.side).toBe(FrontSide);
+    material.sides = 'double';
+    draw();
+    expect(material.side).toBe(DoubleSide);
   });
+});
 
-  it('is that an exponent is mild where it is not whole, and neither which nor a colour', () => {
-    for (const shininess of [0.1, 2.5, 63.5])
-      expect(keyAfter((material) => material.setSurface({ shininess, ka: [1, 2, 3], ks: [1, 0, 0] }))).toBe(
-        plain,
-      );
+describe('a clone', () => {
+  it('has the same look, surface, style and sides, and changes alone', () => {
+    const { lighting } = lit();
+    const map = new Texture();
+    const material = new PhongMaterial(lighting, { ...PLAIN_LOOK, map, alphaMode: 'blend' });
+    material.setSurface({ ka: [1, 2, 3], kd: [4, 5, 6], ks: [7, 8, 9], shininess: 70 });
+    material.setStyle({ shading: 'flat', terms: ['diffuse'], antialias: 'highlights' });
+    material.sides = 'single';
+    material.name = 'a';
+    const clone = material.clone();
+    expect(clone).toBeInstanceOf(PhongMaterial);
+    expect(clone.surface).toStrictEqual(material.surface);
+    expect(clone.style).toStrictEqual(material.style);
+    expect(clone).toMatchObject({ sides: 'single', name: 'a', transparent: true, premultipliedAlpha: true });
+    expect(clone.look.map).toBe(map);
+    clone.setSurface({ shininess: 1 });
+    clone.setStyle({ shading: 'gouraud' });
+    expect(material.surface.shininess).toBe(70);
+    expect(material.style.shading).toBe('flat');
+    expect(material.uniforms['uShininess']!.value).toBe(70);
   });
+});
 
-  it('is no exponent that is 0 or large', () => {
-    const keys = [0, 65, 128.5, 1e6].map((shininess) =>
-      keyAfter((material) => material.setSurface({ shininess })),
-    );
-    expect(new Set(keys).size).toBe(1);
-    expect(keys[0]).not.toBe(plain);
-  });
+it('keeps its surface where a value is outside its domain', () => {
+  const { material } = lit();
+  const before = material.surface;
+  expect(() => {
+    material.setSurface({ ka: [1, 2, 3], shininess: -1 });
+  }).toThrow(RangeError);
+  expect(material.surface).toBe(before);
 });

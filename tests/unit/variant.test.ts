@@ -1,171 +1,153 @@
-// Which code a program holds: nothing that was not declared, and few programs however much changes.
+// Which states share a program? Nothing that was not declared costs one, and a specialised program depends on no number of a light
+// unless the light is inlined.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { gatherFacts, type LightFacts, noFacts } from '../../src/light/light-features.js';
+import { declareFeatures, noFeatures } from '../../src/light/light-features.js';
+import type { LightValues } from '../../src/light/light-state.js';
 import {
   ANTIALIASES,
+  type Form,
+  generalVariant,
+  type MaterialFeatures,
+  type MaterialTerms,
   REFLECTIONS,
   SHADINGS,
+  specialisedVariant,
   TERMS,
-  type Variant,
-  variantDefines,
 } from '../../src/material/program/variant.js';
 import { anyLight, light } from './arbitraries.js';
+import { pack } from './packed-reader.js';
 
-const plain: Variant = {
-  shading: 'phong',
-  reflection: 'phong',
-  terms: TERMS,
-  antialias: 'edges',
-  linear: false,
-  map: false,
-  vertexColors: false,
-  alphaMode: 'opaque',
+const plain: MaterialFeatures = {
+  ...{ shading: 'phong', reflection: 'phong', terms: TERMS, antialias: 'edges', alphaMode: 'opaque' },
+  ...{ linear: false, shininessTo64: true, map: false, vertexColors: false },
 };
 
-const allFacts = Object.fromEntries(
-  Object.keys(noFacts()).map((fact) => [fact, true]),
-) as unknown as LightFacts;
+const declaredBy = (lights: readonly LightValues[]) => {
+  const declared = noFeatures();
+  for (const values of lights) declareFeatures(values, declared);
+  return declared;
+};
 
-const names = (variant: Partial<Variant>, facts: LightFacts = noFacts()): string[] =>
-  Object.keys(variantDefines({ ...plain, ...variant }, facts)).sort();
+const generalKey = (
+  lights: readonly LightValues[],
+  material: Partial<MaterialFeatures> = {},
+  capacity = 0,
+): string => generalVariant({ ...plain, ...material }, declaredBy(lights), capacity).key;
 
-const anyVariant: fc.Arbitrary<Variant> = fc.record({
-  shading: fc.constantFrom(...SHADINGS),
-  reflection: fc.constantFrom(...REFLECTIONS),
-  terms: fc.subarray([...TERMS]),
-  antialias: fc.constantFrom(...ANTIALIASES),
-  linear: fc.boolean(),
-  map: fc.boolean(),
-  vertexColors: fc.boolean(),
-  alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
-});
+const count = (keys: readonly string[]): number => new Set(keys).size;
 
-describe("a program's code", () => {
-  it('is nothing but where lights are read from, for a plain surface without lights', () => {
-    expect(variantDefines(plain, noFacts())).toStrictEqual({ LIGHT_STORAGE: 'STORAGE_TEXTURE' });
-  });
+const lamp = { position: [1, 2, 3, 1] } as const;
+const spot = { ...lamp, aperture: 20 } as const;
+const EVERYTHING = [
+  light({ ambient: [9, 9, 9] }),
+  light({ ...spot, cutoff: 2 }),
+  light({ ...lamp, attenuation: [1, 1, 1] }),
+];
 
-  it.each<[Partial<Variant>, string[]]>([
-    [{ shading: 'gouraud' }, ['SHADING_GOURAUD']],
-    [{ shading: 'flat' }, []],
-    [{ reflection: 'blinn-phong' }, ['REFLECTION_BLINN_PHONG']],
-    [{ linear: true }, ['IS_LINEAR']],
-    [{ map: true }, ['HAS_MAP']],
-    [{ vertexColors: true }, ['HAS_VERTEX_COLOR']],
-    [{ alphaMode: 'mask' }, ['HAS_ALPHA_MASK']],
-    [{ alphaMode: 'blend' }, ['IS_BLENDED']],
-  ])('of a surface with %j has %j', (variant, defines) => {
-    expect(names(variant)).toStrictEqual([...defines, 'LIGHT_STORAGE'].sort());
-  });
-
-  it.each([
-    ['ambient', 'HAS_AMBIENT'],
-    ['diffuse', 'HAS_DIFFUSE'],
-    ['specular', 'HAS_SPECULAR'],
-    ['directional', 'HAS_DIRECTIONAL'],
-    ['point', 'HAS_POINT'],
-    ['spot', 'HAS_SPOT'],
-    ['attenuation', 'HAS_ATTENUATION'],
-    ['cone', 'HAS_CONE'],
-    ['decay', 'HAS_DECAY'],
-  ] as const)('for %s light is there once a light has declared it: %s', (fact, define) => {
-    expect(names({}, { ...noFacts(), [fact]: true })).toStrictEqual([define, 'LIGHT_STORAGE'].sort());
-    expect(names({}, { ...allFacts, [fact]: false })).not.toContain(define);
-  });
-
-  it('filters highlights where there is specular light to filter, at fragments alone', () => {
-    const filter = (variant: Partial<Variant>, facts = allFacts): boolean =>
-      names({ antialias: 'highlights', ...variant }, facts).includes('FILTER_HIGHLIGHTS');
-    expect(filter({})).toBe(true);
-    expect(filter({ shading: 'flat', reflection: 'blinn-phong' })).toBe(true);
-    expect(filter({ antialias: 'edges' })).toBe(false);
-    expect(filter({ shading: 'gouraud' })).toBe(false);
-    expect(filter({ terms: ['ambient', 'diffuse'] })).toBe(false);
-    expect(filter({}, { ...allFacts, specular: false })).toBe(false);
-  });
-
-  it('leaves out the terms that have never been needed', () => {
-    const terms = (variant: Partial<Variant>): string[] =>
-      names(variant, allFacts).filter((name) => /AMBIENT|DIFFUSE|SPECULAR/.test(name));
-    expect(terms({ terms: ['diffuse'] })).toStrictEqual(['HAS_DIFFUSE']);
-    expect(terms({ terms: ['ambient', 'diffuse'] })).toStrictEqual(['HAS_AMBIENT', 'HAS_DIFFUSE']);
-    expect(terms({ terms: [] })).toStrictEqual([]);
-  });
-
-  it('has a light fact only where that fact was declared', () => {
-    fc.assert(
-      fc.property(anyVariant, fc.array(anyLight, { maxLength: 4 }), (variant, lights) => {
-        const facts = noFacts();
-        for (const values of lights) gatherFacts(values, facts);
-        const defines = variantDefines(variant, facts);
-        for (const [fact, known] of Object.entries(facts)) {
-          if (!known) expect(defines).not.toHaveProperty(`HAS_${fact.toUpperCase()}`);
-        }
-      }),
+describe('the general program', () => {
+  it('is one for any number of lights of declared kinds, wherever and however bright they are', () => {
+    const keys = [1, 2, 50].map((n) =>
+      generalKey(
+        Array.from({ length: n }, (_, i) => light({ position: [i, 0, 0, 1], diffuse: [i + 1, 1, 1] })),
+      ),
     );
+    expect(count(keys)).toBe(1);
   });
 
-  it('only grows while lights come and go', () => {
-    fc.assert(
-      fc.property(anyVariant, fc.array(anyLight, { maxLength: 8 }), (variant, lights) => {
-        const facts = noFacts();
-        let before = Object.keys(variantDefines(variant, facts));
-        for (const values of lights) {
-          gatherFacts(values, facts);
-          const now = Object.keys(variantDefines(variant, facts));
-          expect(now).toStrictEqual(expect.arrayContaining(before));
-          before = now;
-        }
-      }),
-    );
-  });
-});
-
-describe('the number of programs', () => {
-  const programs = (states: readonly (readonly [Variant, LightFacts])[]): number =>
-    new Set(states.map(([variant, facts]) => JSON.stringify(variantDefines(variant, facts)))).size;
-
-  it('is one for any number of lights of kinds already declared', () => {
-    const facts = noFacts();
-    const states = Array.from({ length: 300 }, (_, i) => {
-      gatherFacts(light({ position: [i, 0, 0, 1], diffuse: [i, 1, 1] }), facts);
-      return [plain, { ...facts }] as const;
-    });
-    expect(programs(states)).toBe(1);
-  });
-
-  it('grows by one at most for the first light of each kind', () => {
-    const facts = noFacts();
-    const states = [
+  it('changes at most once for the first light of each kind', () => {
+    const lights = [
       light(),
-      light({ position: [0, 1, 0, 1] }),
-      light({ position: [0, 1, 0, 1], aperture: 20 }),
+      light(lamp),
+      light(spot),
       light({ aperture: 20 }),
-      light({ position: [0, 1, 0, 1], aperture: 50, cutoff: 3 }),
-    ].map((values) => {
-      gatherFacts(values, facts);
-      return [plain, { ...facts }] as const;
+      light({ ...spot, cutoff: 3 }),
+    ];
+    const keys = lights.map((_, i) => generalKey(lights.slice(0, i + 1)));
+    expect(count(keys)).toBe(4); // a directional light's cone needs no code
+  });
+
+  it.each<[string, Partial<MaterialFeatures>, number]>([
+    ['flat shading, by its geometry alone,', { shading: 'flat' }, 1],
+    ['other orders of terms', { terms: ['specular', 'ambient', 'diffuse'] }, 1],
+    ['gouraud shading', { shading: 'gouraud' }, 2],
+    ['Blinn’s lobe', { reflection: 'blinn-phong' }, 2],
+    ['averaged highlights', { antialias: 'highlights' }, 2],
+    ['large exponents', { shininessTo64: false }, 2],
+    ['fewer terms', { terms: ['diffuse'] }, 2],
+    ['a texture', { map: true }, 2],
+  ])('with %s makes %3$i in all', (_, material, programs) => {
+    expect(count([generalKey(EVERYTHING), generalKey(EVERYTHING, material)])).toBe(programs);
+  });
+
+  it('averages highlights only where there is specular light, at fragments', () => {
+    const pairs: [readonly LightValues[], Partial<MaterialFeatures>][] = [
+      [EVERYTHING, { shading: 'gouraud' }],
+      [EVERYTHING, { terms: ['ambient', 'diffuse'] }],
+      [[light({ specular: [0, 0, 0] })], {}],
+    ];
+    for (const [lights, material] of pairs)
+      expect(generalKey(lights, { ...material, antialias: 'highlights' })).toBe(generalKey(lights, material));
+  });
+
+  it('is the same for equal states', () => {
+    const anyMaterial: fc.Arbitrary<MaterialFeatures> = fc.record({
+      shading: fc.constantFrom(...SHADINGS),
+      reflection: fc.constantFrom(...REFLECTIONS),
+      terms: fc.subarray([...TERMS]),
+      antialias: fc.constantFrom(...ANTIALIASES),
+      ...{ linear: fc.boolean(), shininessTo64: fc.boolean(), map: fc.boolean(), vertexColors: fc.boolean() },
+      alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
     });
-    expect(programs(states)).toBe(4); // a cone about a directional light needs none: it is the same everywhere
-  });
-
-  it('is the same for flat and phong, and for the order of terms', () => {
-    expect(variantDefines({ ...plain, shading: 'flat' }, allFacts)).toStrictEqual(
-      variantDefines(plain, allFacts),
-    );
-    expect(variantDefines({ ...plain, terms: ['specular', 'ambient', 'diffuse'] }, allFacts)).toStrictEqual(
-      variantDefines(plain, allFacts),
-    );
-  });
-
-  it('stays the same for equal states, in the same order of defines', () => {
     fc.assert(
-      fc.property(anyVariant, (variant) => {
-        const once = Object.entries(variantDefines(variant, allFacts));
-        expect(Object.entries(variantDefines({ ...variant }, { ...allFacts }))).toStrictEqual(once);
+      fc.property(anyMaterial, fc.array(anyLight, { maxLength: 4 }), (material, lights) => {
+        expect(generalKey(lights, { ...material })).toBe(generalKey(lights.toReversed(), material));
       }),
     );
+  });
+});
+
+describe('a specialised program', () => {
+  const keyOf = (form: Form, lights: readonly LightValues[], material: Partial<MaterialTerms> = {}): string =>
+    specialisedVariant(
+      generalVariant(plain, declaredBy(EVERYTHING), 200),
+      { terms: TERMS, integerShininess: 32, ...material },
+      form,
+      pack(lights),
+    ).key;
+  const lights = [light(), light(lamp), light(spot)];
+  const moved = lights.map(
+    (one) => ({ ...one, position: [7, 8, 9, one.position[3]], diffuse: [7, 7, 7] }) as const,
+  );
+
+  it.each<[Form, number]>([
+    ['counted', 1],
+    ['grid', 1],
+    ['inlined', 2],
+  ])('with %s lights makes %i program(s) for lights that move and change colour', (form, programs) => {
+    expect(count([keyOf(form, lights), keyOf(form, moved)])).toBe(programs);
+  });
+
+  it.each<[Form, number]>([
+    ['counted', 3],
+    ['grid', 1],
+    ['inlined', 3],
+  ])('with %s lights makes %i program(s) for one, two and three lamps', (form, programs) => {
+    expect(
+      count(
+        [1, 2, 3].map((n) =>
+          keyOf(
+            form,
+            Array.from({ length: n }, () => light(lamp)),
+          ),
+        ),
+      ),
+    ).toBe(programs);
+  });
+
+  it('depends on the terms that are summed and on an integer exponent', () => {
+    const keys = [{}, { terms: ['diffuse'] as const }, { integerShininess: 8 }, { integerShininess: null }];
+    expect(count(keys.map((material) => keyOf('counted', lights, material)))).toBe(4);
   });
 });

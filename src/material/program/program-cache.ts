@@ -139,8 +139,12 @@ export class ProgramCache {
     this.#compiling = null;
     const gl = renderer.getContext();
     const linked = program !== undefined && gl.getProgramParameter(program.program, gl.LINK_STATUS) === true;
-    if (program !== undefined) compilingPrograms.delete(program); // a failure is reported by the link check
-    if (!linked) disposeOf(entry);
+    if (program !== undefined) compilingPrograms.delete(program);
+    if (!linked) {
+      // Disposing takes it out of three.js's list: nobody else can report it.
+      if (program !== undefined && !gl.isContextLost()) reportLinkFailure(gl, program.program);
+      disposeOf(entry);
+    }
     entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };
   }
 
@@ -151,6 +155,17 @@ export class ProgramCache {
     entry.state = { name: 'specialised', probe };
     return probe.variant;
   }
+}
+
+/** Reports a program that does not link to the page's error handlers, with the driver's logs. */
+export function reportLinkFailure(
+  gl: WebGLRenderingContext | WebGL2RenderingContext,
+  program: WebGLProgram,
+): void {
+  const shaders = gl.getAttachedShaders(program) ?? [];
+  const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
+  const text = logs.filter((log) => log !== null && log !== '').join('\n');
+  reportError(new Error(`phong-viewer: a program does not link: ${text}`));
 }
 
 /** What a material needs to draw with a variant. */

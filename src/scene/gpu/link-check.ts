@@ -1,6 +1,6 @@
 // Reports programs that do not link, without waiting for programs that the driver is still compiling.
 import type { WebGLProgram as ThreeProgram, WebGLRenderer } from 'three';
-import { compilingPrograms } from '../../material/program/program-cache.js';
+import { compilingPrograms, reportLinkFailure } from '../../material/program/program-cache.js';
 
 /** What three.js's types leave out. */
 type Program = ThreeProgram & {
@@ -27,14 +27,7 @@ export class LinkCheck {
       if (this.#checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
       this.#checked.add(program);
       if (gl.getProgramParameter(program.program, gl.LINK_STATUS) === true || gl.isContextLost()) continue;
-      reportError(new Error(`<phong-viewer> a program does not link: ${logOf(gl, program.program)}`));
+      reportLinkFailure(gl, program.program);
     }
   }
-}
-
-function logOf(gl: WebGLRenderingContext | WebGL2RenderingContext, program: WebGLProgram): string {
-  const shaders = gl.getAttachedShaders(program) ?? [];
-  return [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))]
-    .filter((text) => text !== null && text !== '')
-    .join('\n');
 }

@@ -1,16 +1,16 @@
-// What only programs for exactly some lights have: whole exponents, vectors of usual lengths, lights written out or in loops
-// over what they have in common. Each against the same law in float64.
-import { SHAPE } from '../../src/light/light-layout.js';
-import { emptyPack, packLights } from '../../src/light/pack-lights.js';
+// What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and inlined lights.
+// Also the lobes that a program with a known exponent has. Each against the same law in float64.
+import { declareFeatures, noFeatures } from '../../src/light/light-features.js';
+import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import {
-  constant,
-  constantRows,
-  counted,
-  inLoops,
-  rowText,
-  writtenOut,
-} from '../../src/material/exact-lights.js';
+  type Form,
+  generalVariant,
+  type Reflection,
+  specialisedVariant,
+  type Term,
+  TERMS,
+} from '../../src/material/program/variant.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';
@@ -61,7 +61,7 @@ const lobe = (
 });
 
 const LOBES: readonly Check[] = [
-  ...['SHININESS_TO_64', 'INTEGER_SHININESS 8', 'IS_ANY_SHININESS'].map((define) => ({
+  ...['SHININESS_TO_64', 'INTEGER_SHININESS 8', 'ANY_SHININESS'].map((define) => ({
     ...lobe(
       [define, 'REFLECTION_BLINN_PHONG'],
       `specularLobe makes no half vector of what rounding leaves of L + V (${define})`,
@@ -72,25 +72,25 @@ const LOBES: readonly Check[] = [
   })),
   lobe(
     ['INTEGER_SHININESS 8'],
-    'specularLobe multiplies a whole exponent out, and is 0 behind and without a view',
+    'specularLobe multiplies an integer exponent out, and is 0 behind and without a view',
     ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
     5e-6,
   ),
   lobe(
     ['INTEGER_SHININESS 8', 'REFLECTION_BLINN_PHONG'],
-    'specularLobe multiplies Blinn’s whole exponent out, and is 0 where there is no H',
+    'specularLobe multiplies Blinn’s integer exponent out, and is 0 where there is no H',
     blinn,
     5e-6,
   ),
   lobe(
     ['SHININESS_TO_64', 'REFLECTION_BLINN_PHONG'],
-    'specularLobe raises Blinn’s mild exponent without the series',
+    'specularLobe raises Blinn’s exponent to 64 without the series',
     blinn,
     2e-5,
   ),
   lobe(
     ['SHININESS_TO_64'],
-    'specularLobe raises a mild exponent without the series',
+    'specularLobe raises an exponent to 64 without the series',
     ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
     2e-5,
   ),
@@ -107,22 +107,7 @@ const LOBES: readonly Check[] = [
     bound: 3e-5, // 64 · 2^-21 · ln 2 of log2, and exp2's own
     floor: 1,
   },
-  {
-    title: 'unitOrZero gives unit vectors of vectors of usual lengths, and zero of zero',
-    defines: ['USUAL_LENGTHS'],
-    glsl: 'result.xyz = unitOrZero(a.xyz);',
-    inputs: (random) => [
-      float32(scale(random.unit(), random.pick([0, 1, 1.1e-10, random.magnitude(1.1e-10, 1e15)]))),
-    ],
-    expected: (v) => normalize(v as unknown as Vec3),
-    bound: 4e-7, // as of any lengths
-    floor: 1,
-  },
 ];
-
-const TERMS = { ambient: SHAPE.ambient, diffuse: SHAPE.diffuse, specular: SHAPE.specular } as const;
-type Term = keyof typeof TERMS;
-export const ALL: readonly Term[] = ['ambient', 'diffuse', 'specular'];
 
 export const EYE: Vec3 = [0, 0, 5];
 
@@ -141,7 +126,7 @@ export const light = (values: Partial<LightValues>): LightValues => ({
   ...values,
 });
 
-/** Lights of every kind and shape around a unit ball. */
+/** Lights of every kind and feature around a unit ball. */
 export function allLights(): LightValues[] {
   const random = new Random(1);
   const lamp = (values: Partial<LightValues>): LightValues => {
@@ -176,49 +161,92 @@ export const ANYWHERE = `
   LightSums sums = lightSums(a.xyz, b.xyz, unitOrZero(vec3(${EYE.map((x) => x.toFixed(1)).join(', ')}) - a.xyz), 8.0);
   result.xyz = sums.ambient + sums.diffuse + sums.specular;`;
 
-const TEXTS = { 'written out': writtenOut, 'in the text': constant, counted, 'in loops': inLoops } as const;
+/** Reads rows from the check's table, 256 texels wide. */
+const ROWS_BY_TABLE = `
+uniform sampler2D u_table;
+vec4 lightRow(int i) { return texelFetch(u_table, ivec2(i & 255, i >> 8), 0); }
+`;
 
-/** `apart`: a define that says more of where they are. */
-export function sumsOf(
-  form: keyof typeof TEXTS,
-  terms: readonly Term[],
-  chosen: readonly LightValues[],
-  apart: '' | 'LIGHTS_APART' = '',
-): Check {
+/** In world space, where shading space is the world's. */
+export function packedFor(lights: readonly LightValues[]): PackedLights {
   const packed = emptyPack();
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  packLights(chosen, { worldToShading: identity, cameraToShading: identity, linear: false }, packed);
-  const bits = terms.reduce((sum, term) => sum | TERMS[term], 0);
-  const text = TEXTS[form](packed, bits);
-  const rows = Array.from({ length: packed.rows }, (_, row) => rowText(packed, row));
-  const all = terms.length === ALL.length;
+  packLights(lights, { worldToShading: identity, cameraToShading: identity, linear: false }, packed);
+  return packed;
+}
+
+export interface SumsOptions {
+  readonly terms?: readonly Term[];
+  readonly reflection?: Reflection;
+  /** The exponent is known when the program is made. Default true. */
+  readonly integerShininess?: boolean;
+}
+
+/** What such a program has before the loop's text, and the rows that it reads. */
+export function programOf(
+  form: Form | 'general',
+  lights: readonly LightValues[],
+  packed: PackedLights,
+  { terms = TERMS, reflection = 'phong', integerShininess = true }: SumsOptions = {},
+): Pick<Check, 'defines' | 'rows' | 'table'> {
+  const declared = noFeatures();
+  for (const one of lights) declareFeatures(one, declared);
+  const general = generalVariant(
+    {
+      ...{ shading: 'phong', reflection, antialias: 'edges', alphaMode: 'opaque' },
+      ...{ linear: false, map: false, vertexColors: false },
+      terms: form === 'general' ? terms : TERMS,
+      shininessTo64: true,
+    },
+    declared,
+    0,
+  );
+  const material = { terms, integerShininess: integerShininess ? SURFACE.shininess : null };
+  const { defines } = form === 'general' ? general : specialisedVariant(general, material, form, packed);
+  const list = Object.entries(defines).filter(([name]) => name !== 'LIGHT_STORAGE');
+  const storage = form === 'inlined' ? 'STORAGE_INLINED' : 'STORAGE_OWN';
   return {
-    title: `lights ${apart === '' ? '' : 'that stand apart '}${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
-    defines: [
-      `LIGHT_STATEMENTS ${text}`,
-      ...(form === 'in the text' ? [`LIGHT_CONSTANTS ${constantRows(packed)}`] : []),
-      ...(apart === '' ? [] : [apart]),
-      ...terms
-        .filter((term) => form !== 'in the text' || term !== 'ambient')
-        .map((term) => `HAS_${term.toUpperCase()}`),
-    ],
-    rows: `const vec4 ROWS[] = vec4[](${rows.join()});\nvec4 lightRow(int i) { return ROWS[i]; }\n`,
+    defines: [`LIGHT_STORAGE ${storage}`, ...list.map((pair) => pair.join(' '))],
+    ...(form === 'inlined'
+      ? { rows: '' }
+      : { rows: ROWS_BY_TABLE, table: packed.data.slice(0, packed.rows * 4) }),
+  };
+}
+
+function sumsOf(form: Form | 'general', lights: readonly LightValues[], options: SumsOptions = {}): Check {
+  const { terms = TERMS, reflection = 'phong' } = options;
+  const what = terms.length === TERMS.length ? 'all terms' : terms.join(' and ');
+  return {
+    title: `${form} lights add up to the reference’s sum of ${what}, ${reflection}, ${lights.length} lights`,
+    ...programOf(form, lights, packedFor(lights), options),
     glsl: ANYWHERE,
     inputs(random) {
       for (;;) {
         const N = random.unit();
         const p = float32(scale(N, random.from(0.5, 1)));
-        if (chosen.every((one) => !isAtEdge(one, p))) return [[...p], [...float32(N)]];
+        if (lights.every((one) => !isAtEdge(one, p))) return [[...p], [...float32(N)]];
       }
     },
     expected: ([x, y, z], N) => {
       const fragment = { p: [x!, y!, z!] as Vec3, normal: N as unknown as Vec3, eye: EYE };
-      return shade(fragment, SURFACE, chosen, { terms }).sum;
+      return shade(fragment, SURFACE, lights, { terms, reflection }).sum;
     },
     bound: 2e-5,
     floor: 1,
   };
 }
+
+/** More of a kind than one counted loop takes. */
+const manyLights = (): LightValues[] => {
+  const random = new Random(3);
+  return Array.from({ length: 70 }, () =>
+    light({
+      position: [...scale(random.unit(), random.from(2, 4)), 1],
+      diffuse: random.color(6),
+      specular: random.color(6),
+    }),
+  );
+};
 
 /** So near to the edge of its cone that float32 may take it for either side. */
 export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {
@@ -230,19 +258,21 @@ export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): bo
 const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
 
 /**
- * @param every of the lights, each so many-th alone: a program takes a driver in software the square of its lights to compile, and
- * with each built-in replaced by a function four times as long.
+ * @param every of the lights, each so many-th alone: a driver in software takes the square of a program's lights to compile it, and
+ *   four times as long with each built-in replaced by a function.
  */
-export function exactChecks(every = 1): readonly Check[] {
+export function specialisedChecks(every = 1): readonly Check[] {
   const lights = allLights().filter((_, i) => i % every === 0);
   return [
     ...LOBES,
-    sumsOf('written out', ALL, lights),
-    sumsOf('written out', ['specular'], lights),
-    sumsOf('in the text', ALL, lights),
-    sumsOf('counted', ALL, lights),
-    sumsOf('counted', ['diffuse', 'specular'], lights),
-    sumsOf('in loops', ALL, lights),
-    sumsOf('in loops', ['ambient', 'diffuse'], lights.filter(isSpot)),
+    sumsOf('general', lights),
+    sumsOf('general', lights, { reflection: 'blinn-phong' }),
+    sumsOf('general', lights, { terms: ['diffuse'] }),
+    sumsOf('counted', lights),
+    sumsOf('counted', lights, { terms: ['diffuse', 'specular'], integerShininess: false }),
+    sumsOf('counted', manyLights()),
+    sumsOf('inlined', lights),
+    sumsOf('inlined', lights, { terms: ['specular'] }),
+    sumsOf('inlined', lights.filter(isSpot), { reflection: 'blinn-phong', integerShininess: false }),
   ];
 }

@@ -1,6 +1,6 @@
 // Boxes, and lights whose cones graze them: of all sizes, from apexes inside and far away. Places are in shading space; each
-// light is written in the world's or the camera's, as an author would. Knows geometry and lights' values, not how reach is found.
-import { type Box, type Reached, reachedLights, type Reflectance } from '../../src/light/cull-lights.js';
+// light is written in the world's or the camera's, as an author would. Knows geometry and lights' values, not how culling works.
+import { type Box, cullLights } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights, PackSpace } from '../../src/light/pack-lights.js';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
@@ -150,10 +150,14 @@ export const shadeAt = (
 ): Shaded =>
   shade({ p: add(point, origin), normal, eye: add(eye, origin) }, surface, lights, { camera, linear });
 
-export const WHITE: Reflectance = { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] };
+export interface Culled {
+  /** 1 for each sent light that can reach the box. */
+  readonly mask: readonly number[];
+  readonly count: number;
+}
 
-export function reach(packed: PackedLights, box: Box, surface = WHITE, budget = 0): Reached {
-  const into: Reached = { mask: new Uint8Array(1), count: 0, given: 0 };
-  reachedLights(packed, box, surface, budget, into);
-  return into;
+export function cull(packed: PackedLights, box: Box): Culled {
+  const mask = new Uint8Array(packed.sent + 1).fill(7);
+  const count = cullLights(packed, box, mask);
+  return { mask: [...mask.subarray(0, packed.sent)], count };
 }

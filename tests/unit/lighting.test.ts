@@ -1,8 +1,8 @@
-// A picture's lights are packed anew, or by their places alone, as what has changed since the last frame asks for: the bits are
-// those of a picture that has never drawn before.
+// A picture's lights are packed anew where something changed, and then as a new picture packs them.
 
 import fc from 'fast-check';
-import { expect, it } from 'vitest';
+import { PerspectiveCamera } from 'three';
+import { describe, expect, it } from 'vitest';
 import { LightSet } from '../../src/light/light-set.js';
 import { LightState } from '../../src/light/light-state.js';
 import { PhongLighting, type ShadingFrame } from '../../src/material/lighting.js';
@@ -26,15 +26,15 @@ const frameAt = (origin: ShadingFrame['origin'], turn: number): ShadingFrame => 
 
 function packedBy(lighting: PhongLighting, { frame, linear }: Picture): object {
   lighting.linear = linear;
-  lighting.update(frame);
-  const { data, rows, active, sent, counts, shapes } = lighting.packed;
+  lighting.updateFrame(frame);
+  const { data, rows, active, sent, counts, features } = lighting.packed;
   return {
     rows,
     active,
     sent,
     counts,
     data: [...data.slice(0, rows * 4)],
-    shapes: [...shapes.slice(0, sent)],
+    features: [...features.slice(0, sent)],
   };
 }
 
@@ -86,4 +86,47 @@ it(`packs what a new picture packs, whatever changes from frame to frame (seed $
     }),
     { numRuns: 500, seed: SEED },
   );
+});
+
+describe('a three.js camera', () => {
+  it('sees what a frame of the same eye, axes and origin sees', () => {
+    const lights = new LightSet();
+    lights.add(new LightState({ space: 'camera', position: [1, 2, 3, 1] }));
+    lights.add(new LightState({ position: [4, 5, 6, 1] }));
+    const camera = new PerspectiveCamera();
+    camera.position.set(14 + 4 * Math.sin(0.5), 3, 7 + 4 * Math.cos(0.5));
+    camera.rotation.y = 0.5;
+    camera.updateMatrixWorld();
+    const [byCamera, byFrame] = [new PhongLighting(lights), new PhongLighting(lights)];
+    byCamera.update(camera, [14, 3, 7]);
+    byFrame.updateFrame(frameAt([14, 3, 7], 0.5));
+    expect(byCamera.origin).toStrictEqual([14, 3, 7]);
+    expect(byCamera.eye.value.distanceTo(byFrame.eye.value)).toBeLessThan(1e-12);
+    const { data: packed, rows } = byFrame.packed;
+    byCamera.packed.data.subarray(0, rows * 4).forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
+    byCamera.update(camera);
+    expect(byCamera.origin).toStrictEqual([0, 0, 0]);
+  });
+});
+
+describe('the features of the picture', () => {
+  it('change version only where a light or the colour space needs other code', () => {
+    const light = new LightState();
+    const lights = new LightSet();
+    lights.add(light);
+    const lighting = new PhongLighting(lights);
+    const next = (change: () => void): number => {
+      change();
+      lighting.updateFrame(frameAt([0, 0, 0], 0));
+      return lighting.featureVersion;
+    };
+    const first = next(() => undefined);
+    expect(next(() => light.set('diffuse', [1, 2, 3]))).toBe(first);
+    expect(next(() => light.set('active', false))).toBe(first);
+    expect(next(() => lights.add(new LightState()))).toBe(first);
+    expect(next(() => light.set('position', [1, 2, 3, 1]))).toBe(first + 1);
+    expect(next(() => light.set('position', [1, 2, 3, 0]))).toBe(first + 1);
+    expect(next(() => lights.remove(light))).toBe(first + 1);
+    expect(next(() => (lighting.linear = true))).toBe(first + 2);
+  });
 });

@@ -1,12 +1,13 @@
-// Lights in cells as tests want them: spots that are told by their number, lists read back as the GLSL reads them, its float32
-// included, and what a light can bring to a point by its values alone.
+// Light grids as tests need them: numbered spots, lists read back as the GLSL reads them, its float32 included, and what a light
+// can add at a point by its values alone.
 
 import { expect } from 'vitest';
-import { divide } from '../../src/light/light-grid.js';
+import { divideLights } from '../../src/light/light-grid.js';
+import { KINDS } from '../../src/light/light-features.js';
 import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
-import type { Box, Reflectance } from '../../src/light/cull-lights.js';
+import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { emptyPack, KINDS, type PackedLights } from '../../src/light/pack-lights.js';
+import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
 import { radians } from '../../src/math/angle.js';
 import { dot, length, normalize, subtract, type Vec3 } from '../../src/math/vector.js';
 import { float32, type Random } from '../stress/random.js';
@@ -14,12 +15,11 @@ import { light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
 
 export const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
-export const WHITE: Reflectance = { ka: [1, 1, 1], kd: [1, 1, 1], ks: [1, 1, 1] };
 export const FLOOR: Box = [-10, 0, -10, 10, 0, 10];
 export const ROOM: Box = [-4, -3, -2, 4, 3, 2];
 export const DOWN: Vec3 = [0, -1, 0];
 
-/** Over the box, downward but for a little, each with colours of its own, by which it is told. */
+/** Spots above the box that point nearly downward. Red ambient light numbers them from 1. */
 export function spotsOver(
   box: Box,
   count: number,
@@ -45,9 +45,9 @@ export interface Divided {
   readonly step: Vec3;
 }
 
-export function divided(lights: readonly LightValues[], box: Box, budget = 0, surface = WHITE): Divided {
+export function divided(lights: readonly LightValues[], box: Box): Divided {
   const into = emptyPack();
-  expect(divide(pack(lights), box, surface, budget, into)).toBe(true);
+  expect(divideLights(pack(lights), box, into)).toBe(true);
   const size = float32(rowOf(into, gridOf(into) + GRID.size));
   return { into, size, step: [0, 1, 2].map((k) => (box[k + 3]! - box[k]!) / size[k]!) as unknown as Vec3 };
 }
@@ -55,6 +55,9 @@ export function divided(lights: readonly LightValues[], box: Box, budget = 0, su
 export const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 4]!, data[row * 4 + 1]!, data[row * 4 + 2]!]; // prettier-ignore
 export const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
 export const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
+
+/** The number of leading spots that stand in no list. */
+export const unlistedOf = (into: PackedLights): number => lastOf(into, gridOf(into) + GRID.size);
 
 /** The rows of all lights, by kind. */
 export function rowsOf({ counts }: PackedLights): number[][] {
@@ -67,7 +70,7 @@ export function rowsOf({ counts }: PackedLights): number[][] {
   );
 }
 
-/** The rows of the lights that the GLSL adds at p: as cellList and listedRow do, in float32. */
+/** The rows of the lights that the GLSL adds at p: as cellSpots and listedRow do, in float32. */
 export function addedAt(into: PackedLights, p: Vec3): number[] {
   const grid = gridOf(into);
   const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // prettier-ignore
@@ -76,16 +79,12 @@ export function addedAt(into: PackedLights, p: Vec3): number[] {
     return Math.min(Math.max(at, 0), size[k]! - 1);
   });
   const index = cell[0]! + size[0] * (cell[1]! + size[1] * cell[2]!);
-  const [first, points, spots] = rowOf(into, lastOf(into, grid + GRID.low) + index);
+  const [first, count] = rowOf(into, lastOf(into, grid + GRID.low) + index);
   const lists = lastOf(into, grid + GRID.scale) * 4;
-  const listed = [...into.data.subarray(lists + first, lists + first + points + spots)];
-  const all = rowsOf(into);
-  const everywhere = rowOf(into, grid + GRID.everywhere);
-  // The kinds of a list stand in order, and each row is one of its kind's.
-  listed.forEach((row, i) => {
-    expect(all[i < points ? 1 : 2]).toContain(row);
-  });
-  return [...all.flatMap((rows, kind) => rows.slice(0, everywhere[kind])), ...listed];
+  const listed = [...into.data.subarray(lists + first, lists + first + count)];
+  const [directional, point, spot] = rowsOf(into) as [number[], number[], number[]];
+  for (const row of listed) expect(spot).toContain(row);
+  return [...directional, ...point, ...spot.slice(0, unlistedOf(into)), ...listed];
 }
 
 /** Anywhere in the box, its corners and the corners of its cells among it; float32, as fragments have it. */
@@ -98,7 +97,7 @@ export function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
   return float32(p as unknown as Vec3);
 }
 
-/** The most that a light brings at p in any channel, whatever the surface faces: by its values, not by its rows. */
+/** The most that a light can add at p in any channel, whichever way the surface faces: by its values, not by its rows. */
 export function most(
   { position, axis, aperture, cutoff, attenuation, ...colors }: LightValues,
   p: Vec3,
@@ -152,10 +151,3 @@ export function cornerCase(
   });
   return { lamp, at: moved(-1.38 * pad), p: moved(0.3 * pad) };
 }
-
-/** The colours as a surface gives them back. */
-export const reflected = ({ ambient, diffuse, specular }: LightValues, { ka, kd, ks }: Reflectance) => {
-  const times = (color: Vec3, by: ArrayLike<number>): Vec3 =>
-    [0, 1, 2].map((k) => color[k]! * by[k]!) as unknown as Vec3;
-  return { ambient: times(ambient, ka), diffuse: times(diffuse, kd), specular: times(specular, ks) };
-};

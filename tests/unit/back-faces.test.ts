@@ -1,0 +1,111 @@
+// Are back faces culled exactly where nobody can see them?
+
+import {
+  BoxGeometry,
+  BufferGeometry,
+  Euler,
+  Matrix4,
+  OrthographicCamera,
+  PerspectiveCamera,
+  Quaternion,
+  SphereGeometry,
+  Vector3,
+} from 'three';
+import { describe, expect, it } from 'vitest';
+import { cullsBackFaces, type Sides } from '../../src/material/back-faces.js';
+
+const sphere = new SphereGeometry(0.5, 16, 8);
+const box = new BoxGeometry();
+
+const place = ({
+  position = [0, 0, 0],
+  rotation = [0, 0, 0],
+  scale = [1, 1, 1],
+}: Partial<Record<'position' | 'rotation' | 'scale', readonly [number, number, number]>> = {}): Matrix4 =>
+  new Matrix4().compose(
+    new Vector3(...position),
+    new Quaternion().setFromEuler(new Euler(...rotation)),
+    new Vector3(...scale),
+  );
+
+/** Looks along −z from z. */
+function eyeAt(z: number, near = 0.1): PerspectiveCamera {
+  const camera = new PerspectiveCamera(45, 1, near, 100);
+  camera.position.z = z;
+  camera.updateMatrixWorld();
+  return camera;
+}
+
+const culls = (
+  sides: Sides,
+  matrix = place(),
+  camera = eyeAt(5),
+  geometry: BufferGeometry = sphere,
+): boolean => cullsBackFaces(sides, geometry, matrix, camera);
+
+describe('back faces of a closed shape', () => {
+  it('are culled from outside and drawn from inside', () => {
+    expect(culls('closed', place(), eyeAt(5))).toBe(true);
+    expect(culls('closed', place(), eyeAt(0.4))).toBe(false);
+    expect(culls('closed', place(), eyeAt(0))).toBe(false);
+  });
+
+  it('are drawn while any part of the near plane may be inside', () => {
+    expect(culls('closed', place(), eyeAt(0.7, 0.1))).toBe(true);
+    expect(culls('closed', place(), eyeAt(0.7, 0.25))).toBe(false);
+    // The plane's corner lies farther from the eye than its middle: 0.19 of it at 45° and a square picture.
+    expect(culls('closed', place(), eyeAt(0.7, 0.19))).toBe(false);
+  });
+
+  it('are culled beside each side of a long, turned box, and drawn in it', () => {
+    const matrix = place({ position: [0, 0, 1], rotation: [0, Math.PI / 4, 0], scale: [20, 1, 1] });
+    expect(culls('closed', matrix, eyeAt(2), box)).toBe(true);
+    expect(culls('closed', matrix, eyeAt(1.2), box)).toBe(false);
+    expect(culls('closed', place({ scale: [20, 1, 1] }), eyeAt(2), box)).toBe(true);
+  });
+
+  it.each([1e-9, 1e9])('are culled at any scale: %d', (size) => {
+    const matrix = place({ scale: [size, size, size] });
+    const camera = eyeAt(5 * size, 0.1 * size);
+    expect(culls('closed', matrix, camera)).toBe(true);
+    camera.position.z = 0;
+    camera.updateMatrixWorld();
+    expect(culls('closed', matrix, camera)).toBe(false);
+  });
+
+  it('are culled by an orthographic camera whose near plane is outside', () => {
+    const camera = new OrthographicCamera(-1, 1, 1, -1, 0.1, 10);
+    camera.position.z = 5;
+    camera.updateMatrixWorld();
+    expect(culls('closed', place(), camera as never)).toBe(true);
+    camera.position.z = 1;
+    camera.updateMatrixWorld();
+    expect(culls('closed', place(), camera as never)).toBe(false);
+  });
+
+  it('are drawn where there are no bounds', () => {
+    expect(culls('closed', place(), eyeAt(5), new BufferGeometry().setFromPoints([]))).toBe(false);
+  });
+});
+
+describe('back faces', () => {
+  it('of a single-sided surface are always culled, and of a double-sided one never', () => {
+    for (const z of [0, 0.4, 5]) {
+      expect(culls('single', place(), eyeAt(z))).toBe(true);
+      expect(culls('double', place(), eyeAt(z))).toBe(false);
+    }
+  });
+
+  it.each<[readonly [number, number, number], boolean]>([
+    [[-1, 1, 1], true],
+    [[-1, -1, -1], true],
+    [[1e-6, 1, 1], true],
+    [[0, 1, 1], false],
+    [[1, 0, 1], false],
+    [[0, 0, 0], false],
+  ])('at scale %j are culled: %s', (scale, expected) => {
+    expect(culls('closed', place({ scale }))).toBe(expected);
+    expect(culls('single', place({ scale }))).toBe(expected);
+    expect(culls('single', place({ scale, rotation: [1, 2, 3] }))).toBe(expected);
+  });
+});

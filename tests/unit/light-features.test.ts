@@ -1,0 +1,164 @@
+// Which kind of light some values make, which code it needs, and which code the general program must have for it.
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { declareFeatures, featuresOf, kindOf, noFeatures, unionOf } from '../../src/light/light-features.js';
+import { LARGEST_COSINE_POWER, LIGHT_FEATURES } from '../../src/light/light-layout.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import { anyLight, light } from './arbitraries.js';
+
+const lamp = { position: [1, 2, 3, 1], ambient: [9, 9, 9] } as const satisfies Partial<LightValues>;
+const spot = { ...lamp, aperture: 20 } as const;
+const black = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
+
+describe('the kind of a light', () => {
+  it.each<[string, Partial<LightValues>, string]>([
+    ['w = 0', {}, 'directional'],
+    ['w = 0 with a cone', { aperture: 20, cutoff: 5 }, 'directional'],
+    ['w = 1', lamp, 'point'],
+    ['a cone', { ...lamp, aperture: 179.999 }, 'spot'],
+    ['a cone of no width', { ...lamp, aperture: 0 }, 'spot'],
+    ['a decay', { ...lamp, cutoff: 1e-6 }, 'spot'],
+    ['a decay too slight to be one', { ...lamp, cutoff: 9.99e-7 }, 'point'],
+    ['an axis alone', { ...lamp, axis: [1, 2, 3] }, 'point'],
+    ['a cone without an axis', { ...lamp, aperture: 20, cutoff: 5, axis: [0, 0, 0] }, 'point'],
+    ['a cone about the shortest axis', { ...lamp, aperture: 20, axis: [0, 5e-324, 0] }, 'spot'],
+  ])('with %s is %s', (_, values, kind) => {
+    expect(kindOf(light(values))).toBe(kind);
+  });
+});
+
+type Bit = Exclude<keyof typeof LIGHT_FEATURES, 'powerShift'>;
+
+/** The names of the bits in a light's mask, and `power n` for an integer power. */
+function bitsOf(mask: number): string[] {
+  const { powerShift, ...bits } = LIGHT_FEATURES;
+  const names = (Object.keys(bits) as Bit[]).filter((name) => (mask & bits[name]) !== 0);
+  const power = mask >> powerShift;
+  return [...names, ...(power > 0 ? [`power ${String(power)}`] : [])];
+}
+
+const featuresFor = (values: Partial<LightValues>): string[] => {
+  const values_ = light(values);
+  return bitsOf(featuresOf(values_, kindOf(values_)));
+};
+
+describe('the features of a light', () => {
+  const lit = ['diffuse', 'specular'];
+  const inCone = ['ambient', ...lit];
+  it.each<[string, Partial<LightValues>, string[]]>([
+    ['a directional light', { ambient: [9, 9, 9], aperture: 60, cutoff: 5, attenuation: [2, 2, 2] }, lit],
+    ['a lamp', lamp, lit],
+    ['a lamp without diffuse light', { ...lamp, diffuse: [0, 0, 0] }, ['specular']],
+    [
+      'a lamp with one channel of diffuse light',
+      { ...lamp, ...black, diffuse: [0, 0, 1] },
+      ['diffuse', 'tintedDiffuse'],
+    ],
+    ['tinted specular light', { ...lamp, specular: [8, 9, 9] }, [...lit, 'tintedSpecular']],
+    ['kc above 1', { ...lamp, attenuation: [1.01, 0, 0] }, [...lit, 'attenuated']],
+    ['kc below 1', { ...lamp, attenuation: [0.99, 0, 0] }, [...lit, 'clamped']],
+    ['kl', { ...lamp, attenuation: [1, 1e-9, 0] }, [...lit, 'attenuated', 'linear']],
+    ['kq', { ...lamp, attenuation: [0, 0, 1e-9] }, [...lit, 'attenuated', 'clamped']],
+    ['a spot', spot, [...inCone, 'wide']],
+    ['a spot with ambient light alone', { ...spot, ...black, ambient: [0, 1, 0] }, ['ambient', 'wide']],
+    ['a cone of no width', { ...lamp, aperture: 0 }, [...inCone, 'narrow', 'chords']],
+    ['a cone just too slim for a cosine', { ...lamp, aperture: 14.9999 }, [...inCone, 'narrow', 'chords']],
+    ['a cone of 15°', { ...lamp, aperture: 15 }, [...inCone, 'wide']],
+    ['a cone of 165°', { ...lamp, aperture: 165 }, [...inCone, 'wide']],
+    ['a cone of a little more', { ...lamp, aperture: 165.0001 }, [...inCone, 'wide', 'chords']],
+    ['a decay without a cone', { ...lamp, cutoff: 1.5 }, [...inCone, 'decay', 'decayTo64']],
+    ['a decay that begins steeply', { ...lamp, cutoff: 0.5 }, [...inCone, 'decay', 'decayTo64', 'chords']],
+    ['a decay beyond 64', { ...lamp, cutoff: 64.5 }, [...inCone, 'decay', 'chords']],
+    ['an integer cutoff', { ...spot, cutoff: 7 }, [...inCone, 'wide', 'power 7']],
+    ['the largest integer cutoff', { ...spot, cutoff: 64 }, [...inCone, 'wide', 'power 64']],
+  ])('of %s are what it needs', (_, values, needed) => {
+    expect(featuresFor(values).toSorted()).toStrictEqual([...needed].toSorted());
+  });
+
+  it('of several lights are those of each, and one power only where all have the same', () => {
+    fc.assert(
+      fc.property(anyLight, anyLight, (a, b) => {
+        const [first, second] = [a, b].map((one) =>
+          featuresOf({ ...one, position: [0, 0, 0, 1] }, 'spot'),
+        ) as [number, number];
+        const both = unionOf(first, second);
+        expect(unionOf(second, first)).toBe(both);
+        expect(unionOf(first, first)).toBe(first);
+        const power = (mask: number): number => mask >> LIGHT_FEATURES.powerShift;
+        for (const own of [first, second]) {
+          const decays = LIGHT_FEATURES.decay | LIGHT_FEATURES.decayTo64;
+          const others = own & ((1 << LIGHT_FEATURES.powerShift) - 1) & ~decays;
+          expect(both & others).toBe(others);
+          if (power(both) > 0) expect(power(own)).toBe(power(both));
+          else if (power(own) > 0) expect(both & LIGHT_FEATURES.decay).not.toBe(0);
+          const isSteep = (own & decays) === LIGHT_FEATURES.decay && power(own) === 0;
+          if (isSteep) expect(both & decays).toBe(LIGHT_FEATURES.decay);
+        }
+      }),
+    );
+  });
+
+  it('are distinct bits below the power, and all fit an int of GLSL', () => {
+    const { powerShift, ...bits } = LIGHT_FEATURES;
+    const all = Object.values(bits);
+    for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
+    expect(new Set(all).size).toBe(all.length);
+    expect(Math.max(...all)).toBeLessThan(1 << powerShift);
+    expect((LARGEST_COSINE_POWER + 1) << powerShift).toBeLessThan(2 ** 31);
+  });
+});
+
+describe('declared features', () => {
+  const declaredBy = (...lights: Partial<LightValues>[]): string[] => {
+    const declared = noFeatures();
+    for (const values of lights) declareFeatures(light(values), declared);
+    return Object.entries(declared).flatMap(([name, on]) => (on ? [name] : []));
+  };
+
+  it.each<[string, Partial<LightValues>, string[]]>([
+    ['no light at all', black, ['directional']],
+    ['a cone', { ...black, ...spot, ambient: [0, 0, 0] }, ['spot', 'cone']],
+    ['a decay', { ...black, position: lamp.position, cutoff: 1e-6 }, ['spot', 'decay']],
+    ['a cone about no axis', { ...black, position: lamp.position, aperture: 20, axis: [0, 0, 0] }, ['point']],
+    [
+      'attenuation',
+      { ...black, position: lamp.position, attenuation: [0, 0, 0.1] },
+      ['point', 'attenuation'],
+    ],
+    [
+      'attenuation that is 1 everywhere',
+      { ...black, position: lamp.position, attenuation: [0.5, 0, 0] },
+      ['point'],
+    ],
+    ['every term', lamp, ['point', 'ambient', 'diffuse', 'specular']],
+  ])('of %s are what it needs', (_, values, needed) => {
+    expect(declaredBy(values).toSorted()).toStrictEqual([...needed].toSorted());
+  });
+
+  it('are the same for a light that is switched off, so that toggling it compiles nothing', () => {
+    fc.assert(
+      fc.property(anyLight, (values) => {
+        expect(declaredBy({ ...values, active: false })).toStrictEqual(
+          declaredBy({ ...values, active: true }),
+        );
+      }),
+    );
+  });
+
+  it('only grow, and say when they did', () => {
+    fc.assert(
+      fc.property(fc.array(anyLight, { maxLength: 6 }), (lights) => {
+        const declared = noFeatures();
+        for (const values of lights) {
+          const before = { ...declared };
+          const grew = declareFeatures(values, declared);
+          const names = Object.keys(before) as (keyof typeof before)[];
+          expect(names.some((name) => before[name] && !declared[name])).toBe(false);
+          expect(grew).toBe(names.some((name) => before[name] !== declared[name]));
+          expect(declareFeatures(values, declared)).toBe(false);
+        }
+      }),
+    );
+  });
+});
