@@ -47,7 +47,6 @@ export async function measureFront(
   progress: (table: FrontTable, done: number) => void,
 ): Promise<FrontTable> {
   const size = SIZES[isSoftware(rendererHere()) ? 'software' : 'gpu'];
-  holder.style.setProperty('--shrunk', String(holder.clientWidth / size[0]));
   const front = openFront(holder, name, size);
   try {
     const until = performance.now() + ms;

@@ -99,6 +99,17 @@ async function measureAll(lab, names, { launches, minutes }, result, begun, save
   }
 }
 
+/** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
+const MOST_LIGHTS_AT_SIZE = 32;
+
+/** @param {import('./subjects.mjs').FrameSubject} subject @param {import('./results.mjs').BenchResult} result @returns {readonly [number, number]} */
+function sizeOf({ scene }, { machine, size }) {
+  const lights = Number(scene.split(':')[1]);
+  if (!isSoftware(machine['renderer'] ?? '') || lights <= MOST_LIGHTS_AT_SIZE) return size;
+  const shrink = Math.sqrt(MOST_LIGHTS_AT_SIZE / lights);
+  return [Math.round(size[0] * shrink), Math.round(size[1] * shrink)];
+}
+
 /** @param {Promise<void>} work */
 async function withPatience(work) {
   /** @type {NodeJS.Timeout | undefined} */
@@ -125,7 +136,7 @@ async function measure(lab, name, launch, result) {
   };
   switch (subject?.kind) {
     case 'frames':
-      return measureFrames(lab, subject, launch, options);
+      return measureFrames(lab, subject, launch, { ...options, size: sizeOf(subject, result) });
     case 'script':
       return measureScript(lab, subject, options);
     case 'start':

@@ -44,6 +44,8 @@ export const SUBJECTS = {
   ...Object.fromEntries(
     SPHERE_LIGHTS.map((count) => [`sphere, ${lights(count)}`, frames(`sphere:${count}`)]),
   ),
+  // Beyond what MeshPhongMaterial can draw.
+  'sphere, 1,024 lights': frames('sphere:1024', ['element']),
   'box room, 8 lights': frames('room:8'),
   'bunny, 3 lights': frames('bunny:3'),
   '64 spheres, 8 lights': frames('spheres:8'),

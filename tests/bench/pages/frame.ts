@@ -35,7 +35,7 @@ declare global {
 }
 
 /** Settled: so many frames drawn, and so long without a new program. Milliseconds. */
-const SETTLED = { frames: 60, quiet: 1500, atMost: 20_000 } as const;
+const SETTLED = { frames: 60, quiet: 1500, atMost: 40_000 } as const;
 /** Between frames while settling: programs that are compiled in the background need time. */
 const BETWEEN_MS = 4;
 /** Frames between waits for the GPU, so that script is never timed while it waits for a full queue. */

@@ -1,0 +1,121 @@
+// The bench's report: it judges every aim, keeps its tables regular, and draws readable charts. On made-up results.
+import { describe, expect, test } from 'vitest';
+import { AIMS, judge } from '../bench/aims.mjs';
+import { reportOf } from '../bench/report.mjs';
+import { addSamples, type BenchResult } from '../bench/results.mjs';
+import { SPHERE_LIGHTS, SUBJECTS } from '../bench/subjects.mjs';
+
+function resultOf(stack: string): BenchResult {
+  const result: BenchResult = {
+    ...{ stack, machine: { renderer: 'some GPU' }, date: '2026-01-01', launches: 1, size: [480, 360] },
+    ...{ measures: [], fronts: [], failures: [{ subject: 'bunny', message: 'no | model' }] },
+  };
+  for (const count of SPHERE_LIGHTS) {
+    const subject = count === 1 ? 'sphere, 1 light' : `sphere, ${count} lights`;
+    for (const measure of ['first frames', 'settled'])
+      for (const element of [0.8, 1, 1.2]) addSamples(result, subject, measure, 'ms', { element, three: 2 });
+    addSamples(result, subject, 'longest frame', 'ms', { element: 60, three: 5 });
+    addSamples(result, subject, 'usual frame', 'ms', { element: 5, three: 5 });
+  }
+  addSamples(result, '20 turning viewers', 'frame rate', 'frames/s', { twenty: 30, one: 40 });
+  addSamples(result, 'connecting 5,000 lights', 'time', 'ms', { element: 1200 });
+  addSamples(result, 'start', 'first picture', 'ms', { standalone: 11, bundled: 13, three: 10 });
+  addSamples(result, 'script, 8 moving lights', 'script per frame', 'µs', {
+    element: 20,
+    three: 15,
+    unlit: 10,
+  });
+  result.fronts.push({
+    ...{ subject: 'front, 8 lights', title: '8 lights', variants: ['as specified', 'shipped'], base: 0 },
+    errors: [
+      { rmse: 0, p999: 0, max: 0 },
+      { rmse: 0.1, p999: 0.2, max: 0.3 },
+    ],
+    ms: [
+      [2, 4],
+      [1, 2],
+    ],
+  });
+  return result;
+}
+
+const { report, charts } = reportOf([resultOf('h200-vulkan'), resultOf('software')]);
+const row = (start: string): string | undefined =>
+  report.split('\n').find((line) => line.startsWith(`| ${start}`));
+
+describe('an aim', () => {
+  const verdict = (label: string, stack: string) =>
+    judge(
+      AIMS.find((aim) => aim.label === label)!,
+      resultOf(stack),
+    );
+
+  test('is a most, on a GPU another than in software', () => {
+    expect(verdict('sphere, 8 lights, settled', 'software')).toMatchObject({ most: 0.3, met: false });
+    expect(verdict('sphere, 8 lights, settled', 'h200-opengl')).toMatchObject({ most: 0.8, met: true });
+  });
+
+  test('is a least for frame rates', () => {
+    expect(verdict('20 turning viewers, frame rate to one viewer’s', 'software')).toMatchObject({
+      met: true,
+    });
+  });
+
+  test('is about the side, or the time above the usual frame, that it names', () => {
+    expect(verdict('start, bundled', 'software')).toMatchObject({ measured: { median: 1.3 }, met: false });
+    expect(verdict('sphere, 8 lights, longest frame over usual', 'h200-vulkan')).toMatchObject({
+      measured: { median: 55 },
+      met: false,
+    });
+  });
+
+  test('is about a subject and a measure that exist', () => {
+    for (const { label, subject } of AIMS) expect(Object.keys(SUBJECTS), label).toContain(subject);
+  });
+
+  test('has no verdict where nothing was measured', () => {
+    expect(verdict('core to element, settled', 'software')).toBeUndefined();
+  });
+});
+
+describe('the report', () => {
+  test('puts each aim beside what was measured', () => {
+    expect(row('sphere, 8 lights, settled')).toBe(
+      '| sphere, 8 lights, settled | ✓ 0.5 (0.45–0.55), aim ≤ 0.8 | **✗** 0.5 (0.45–0.55), aim ≤ 0.3 |',
+    );
+    expect(row('connecting 5,000 lights, ms')).toContain('**✗** 1200, aim ≤ 1000');
+  });
+
+  test('has figures of every kind of subject', () => {
+    expect(row('sphere, 4 lights |')).toContain('0.5 (0.45–0.55) = 1 : 2');
+    expect(row('script, 8 moving lights, script per frame, three')).toContain('| 15 |');
+    expect(row('8 lights: shipped')).toContain('0.50, error 0.3');
+    expect(report).toContain('- software, bunny: no \\| model');
+  });
+
+  test('has as many cells in every row of a table as in its head', () => {
+    let cells = 0;
+    for (const line of report.split('\n')) {
+      const count = line.startsWith('|') ? line.replaceAll('\\|', '').split('|').length : 0;
+      if (cells > 0 && count > 0) expect(count, line).toBe(cells);
+      cells = count;
+    }
+  });
+
+  test('stays short for three stacks', () => {
+    const three = reportOf(['h200-opengl', 'h200-vulkan', 'software'].map(resultOf));
+    expect(three.report.split('\n').length).toBeLessThan(300);
+    expect(three.charts.size).toBeLessThanOrEqual(12);
+  });
+});
+
+test('every chart is an SVG with a title, its series named in it, and is shown in the report', () => {
+  expect(charts.size).toBeGreaterThan(0);
+  for (const [file, svg] of charts) {
+    expect(svg, file).toMatch(/^<svg [^]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"[^]*<\/svg>$/);
+    expect(svg, file).not.toContain('NaN');
+    expect(report).toContain(`](charts/${file})`);
+  }
+  expect(charts.get('software-sphere.svg')).toContain('>first frames</text>');
+  expect(charts.get('software-fronts.svg')).toContain('>shipped</text>');
+});
