@@ -114,9 +114,6 @@ export function cpuSeconds(id) {
   return readdirSync(folder).reduce((sum, thread) => sum + threadSeconds(`${folder}/${thread}`), 0);
 }
 
-/** Seconds on a CPU of a process's first thread, which runs a page's JavaScript. @param {number} id */
-export const mainThreadSeconds = (id) => threadSeconds(`/proc/${id}/task/${id}`);
-
 /** @param {string} folder */
 function threadSeconds(folder) {
   try {
@@ -148,15 +145,15 @@ export async function processesOf(browser, type) {
 export const gpuProcess = async (browser) =>
   hasCpuTime() ? ((await processesOf(browser, 'GPU'))[0] ?? null) : null;
 
-/** The process that runs this page: the one that works while the page does. Null where CPU time is unknown. @param {Browser} browser @param {Page} page */
-export async function processOfPage(browser, page) {
-  if (!hasCpuTime()) return null;
-  const pages = await processesOf(browser, 'renderer');
-  const before = pages.map(mainThreadSeconds);
-  await page.evaluate(() => {
-    const end = performance.now() + 50;
-    while (performance.now() < end);
-  });
-  const used = pages.map((id, i) => mainThreadSeconds(id) - (before[i] ?? 0));
-  return pages[used.indexOf(Math.max(...used))] ?? null;
+/**
+ * Reads the CPU time of a page's main thread so far, in milliseconds, from the browser's own counters.
+ * @param {Page} page @returns {Promise<() => Promise<number>>}
+ */
+export async function mainThreadTime(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send('Performance.enable', { timeDomain: 'threadTicks' });
+  return async () => {
+    const { metrics } = await session.send('Performance.getMetrics');
+    return 1000 * (metrics.find(({ name }) => name === 'TaskDuration')?.value ?? NaN);
+  };
 }

@@ -3,14 +3,7 @@
 // of the take-over by a specialised program, and settled. Also script per frame. The longest frame and the usual frame beside it
 // are wall time; the others are GPU time, in software CPU time of the GPU process.
 
-import {
-  cpuSeconds,
-  gpuProcess,
-  isSoftware,
-  mainThreadSeconds,
-  openPage,
-  processOfPage,
-} from '../browser.mjs';
+import { cpuSeconds, gpuProcess, isSoftware, mainThreadTime, openPage } from '../browser.mjs';
 import { interleaved } from '../statistics.mjs';
 
 /** Frames before the first sample: the very first ones compile. */
@@ -86,11 +79,11 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
   const checks = [];
   for (const side of sides) {
     const { page, check } = await openSide(browser, lab, scene, side, SCRIPT_SIZE);
-    const thread = await processOfPage(browser, page);
+    const cpuTime = await mainThreadTime(page);
     samplers.push(async (frames) => {
-      const before = thread === null ? 0 : mainThreadSeconds(thread);
-      const ms = await page.evaluate((n) => window.bench.script(n), frames);
-      return thread === null ? ms : (mainThreadSeconds(thread) - before) * 1000;
+      const before = await cpuTime();
+      await page.evaluate((n) => window.bench.script(n), frames);
+      return (await cpuTime()) - before;
     });
     checks.push(check);
   }

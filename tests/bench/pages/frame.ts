@@ -22,8 +22,8 @@ export interface FrameBench {
   draw(frames: number): Promise<number>;
   /** Milliseconds by the GPU's timer. */
   time(frames: number): Promise<number>;
-  /** Milliseconds of script by the clock, without waiting for the GPU. */
-  script(frames: number): Promise<number>;
+  /** Draws frames without filling the GPU's queue, which script would have to wait for. */
+  script(frames: number): Promise<void>;
   /** Draws until no new program has been used for a while. */
   settle(): Promise<{ frames: number; longest: number; usual: number }>;
 }
@@ -38,7 +38,7 @@ declare global {
 const SETTLED = { frames: 60, quiet: 1500, atMost: 40_000 } as const;
 /** Between frames while settling: programs that are compiled in the background need time. */
 const BETWEEN_MS = 4;
-/** Frames between waits for the GPU, so that script is never timed while it waits for a full queue. */
+/** Frames between waits for the GPU. */
 const RUN = 20;
 
 const SIDES: Readonly<Record<SideName, () => Promise<OpenSide>>> = {
@@ -77,14 +77,10 @@ window.bench = {
   async script(frames) {
     const gl = onlyContext();
     finish(gl);
-    let ms = 0;
     for (let done = 0; done < frames; done += RUN) {
-      const start = performance.now();
       for (let i = done; i < Math.min(done + RUN, frames); i++) await frame();
-      ms += performance.now() - start;
       finish(gl);
     }
-    return ms;
   },
   async settle() {
     const gl = onlyContext();
