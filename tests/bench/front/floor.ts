@@ -29,7 +29,7 @@ function oneHighlight(shininess: number): Floor {
   const [a, b, c] = [mirrored(0.3, -0.2), mirrored(-0.4, 0.1), mirrored(0.1, 0.4)];
   const cone = { axis: [-c[0], -c[1], -c[2]] as const, aperture: 40, cutoff: 12 };
   return {
-    title: `three lights, shininess ${shininess.toLocaleString('en')}`,
+    title: `Three lights, shininess ${shininess.toLocaleString('en')}`,
     lights: [
       { ...colors, position: [...a, 0] as const },
       { ...colors, position: [...b, 1] as const, attenuation: [1, 0.05, 0.01] as const },

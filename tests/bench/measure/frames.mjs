@@ -88,7 +88,7 @@ export async function measureScript(lab, { scene, sides }, { rounds, add }) {
     checks.push(check);
   }
   for (const one of samplers) {
-    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) await one(20);
+    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) await one(5);
     counts.push(await framesFor(one, SCRIPT_SAMPLE));
   }
   const samples = await interleaved([...samplers.keys()], rounds, async (i) => {

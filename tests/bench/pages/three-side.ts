@@ -17,6 +17,7 @@ import {
   PointLight,
   Scene,
   SphereGeometry,
+  SRGBColorSpace,
   SpotLight,
   WebGLRenderer,
 } from 'three';
@@ -40,7 +41,8 @@ const SHAPES: Readonly<Record<string, () => BufferGeometry>> = {
 
 /** The nearest light that three.js has. Its penumbra stands for `cutoff`, its decay for `attenuation`. */
 export function threeLight({ position: [x, y, z, w], diffuse, axis, aperture = 180 }: SceneLight): Light {
-  const color = new Color(...(diffuse.map((channel) => channel / 255) as [number, number, number]));
+  const [r, g, b] = diffuse;
+  const color = new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
   if (w === 0) return placed(new DirectionalLight(color, Math.PI), [x, y, z]);
   // Brightness falls with the square of the distance: as bright at the origin as the element's light.
   const intensity = Math.PI * (x * x + y * y + z * z);
@@ -71,8 +73,8 @@ export function threeRenderer(holder: HTMLElement): { renderer: WebGLRenderer; c
 export function phongMaterial(inside: boolean): MeshPhongMaterial {
   const { kd, ks, shininess } = SURFACE;
   const material = new MeshPhongMaterial({
-    color: new Color(kd / 255, kd / 255, kd / 255),
-    specular: new Color(ks / 255, ks / 255, ks / 255),
+    color: new Color().setScalar(kd / 255).convertSRGBToLinear(),
+    specular: new Color().setScalar(ks / 255).convertSRGBToLinear(),
     shininess,
   });
   if (inside) material.side = BackSide;
@@ -123,7 +125,7 @@ const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promi
   const lights = lit ? bench.lights.map(threeLight) : [];
   for (const light of lights) scene.add(light, ...targetOf(light));
   const ambient = bench.lights.reduce((sum, light) => sum + light.ambient[0] / 255, 0);
-  if (lit && ambient > 0) scene.add(new AmbientLight(0xffffff, Math.PI * ambient));
+  if (lit && ambient > 0) scene.add(new AmbientLight(0xffffff, ambient));
 
   let extra: Light | null = null;
   const change = (i: number): void => {
