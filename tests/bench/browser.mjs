@@ -12,7 +12,7 @@ import { builtFrom } from './build.mjs';
 
 /** @typedef {import('playwright-core').Browser} Browser @typedef {import('playwright-core').Page} Page */
 
-/** No launch finds programs that an earlier one compiled; the test machine's own frame rate is no limit. */
+/** No launch finds programs that an earlier one compiled. */
 const FLAGS = ['--disable-gpu-program-cache', '--disable-gpu-shader-disk-cache'];
 
 /** @type {Record<string, string>} */
@@ -54,10 +54,10 @@ export class Lab {
     this.origin = `http://localhost:${port}`;
   }
 
-  /** A fresh browser; the one before is closed. @param {string[]} more arguments @returns {Promise<Browser>} */
-  async launch(more = []) {
+  /** A fresh browser; the one before is closed. @returns {Promise<Browser>} */
+  async launch() {
     await this.#browser?.close();
-    const args = [...(this.#options.args ?? []), ...FLAGS, ...more];
+    const args = [...(this.#options.args ?? []), ...FLAGS];
     this.#browser = await chromium.launch({ ...this.#options, args });
     return this.#browser;
   }

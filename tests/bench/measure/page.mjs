@@ -6,14 +6,12 @@ import { openPage } from '../browser.mjs';
 
 /** @typedef {Pick<import('./frames.mjs').Options, 'size' | 'rounds' | 'add'>} Options */
 
-/** No display limits the frame rate. */
-const UNLIMITED = ['--disable-frame-rate-limit', '--disable-gpu-vsync'];
 const RATE_MS = 2000;
 const LIGHTS = 5000;
 
-/** Pictures a second of twenty turning viewers and of one with as many pixels, on pages of one size. @param {import('../browser.mjs').Lab} lab @param {Options} options */
+/** Pictures a second, 60 at most, of twenty turning viewers and of one with as many pixels, on pages of one size. @param {import('../browser.mjs').Lab} lab @param {Options} options */
 export async function measureViewers(lab, { size, rounds, add }) {
-  const browser = await lab.launch(UNLIMITED);
+  const browser = await lab.launch();
   for (let round = 0; round < rounds; round++) {
     /** @type {number[]} */
     const rates = [];

@@ -95,8 +95,8 @@ async function heapOf(page) {
 }
 
 /**
- * Runs in the page before its own scripts. Notes when a picture is there: after the task that draws, the pixel at the centre of
- * the canvas is read back, and it is not transparent.
+ * Runs in the page before its own scripts. Notes when a picture is there: after the task that draws, a row of pixels near the
+ * canvas's centre is read back, and not all of it is transparent.
  */
 function watchFirstPicture() {
   const prototype = WebGL2RenderingContext.prototype;
@@ -113,18 +113,18 @@ function watchFirstPicture() {
     waiting = false;
     const target = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
-    const pixel = new Uint8Array(4);
+    const row = new Uint8Array(4 * gl.drawingBufferWidth);
     gl.readPixels(
-      gl.drawingBufferWidth >> 1,
-      gl.drawingBufferHeight >> 1,
-      1,
+      0,
+      Math.round(0.55 * gl.drawingBufferHeight),
+      gl.drawingBufferWidth,
       1,
       gl.RGBA,
       gl.UNSIGNED_BYTE,
-      pixel,
+      row,
     );
     gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target);
-    if (pixel[3] === 0) return;
+    if (row.every((channel) => channel === 0)) return;
     window.firstPicture = performance.now();
     names.forEach((name, i) => Object.assign(prototype, { [name]: originals[i] }));
   };
