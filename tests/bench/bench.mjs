@@ -20,13 +20,8 @@ const here = fileURLToPath(new URL('.', import.meta.url));
 /** Longest time of one launch of a subject, in milliseconds. */
 const PATIENCE = 240_000;
 const ROUNDS = 3;
-
-try {
-  await main(parseOptions(process.argv.slice(2)));
-} catch (error) {
-  console.error(error instanceof Error ? error.message : error);
-  process.exit(2);
-}
+/** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
+const MOST_LIGHTS_AT_SIZE = 32;
 
 /** @param {import('./options.mjs').Options} options */
 async function main(options) {
@@ -98,9 +93,6 @@ async function measureAll(lab, names, { launches, minutes }, result, begun, save
     save();
   }
 }
-
-/** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
-const MOST_LIGHTS_AT_SIZE = 32;
 
 /** @param {import('./subjects.mjs').FrameSubject} subject @param {import('./results.mjs').BenchResult} result @returns {readonly [number, number]} */
 function sizeOf({ scene }, { machine, size }) {
@@ -210,4 +202,11 @@ async function launchOptions({ browser, flags }) {
     executablePath: browser === '' ? await ensureBrowser() : browser,
     args: flags.length > 0 ? [...common, ...flags] : softwareGl,
   };
+}
+
+try {
+  await main(parseOptions(process.argv.slice(2)));
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  process.exit(2);
 }

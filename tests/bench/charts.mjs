@@ -132,8 +132,8 @@ function lines(points, aims, { title, x, ticks, rule }) {
     color: { domain: series, range: COLORS },
     marks: [
       Plot.ruleY([rule], { stroke: '#555' }),
-      Plot.line([...aims], { x: 'x', y: 'y', stroke: 'series', strokeDasharray: '5 4' }),
-      Plot.line([...points], { x: 'x', y: 'y', stroke: 'series', strokeWidth: 2 }),
+      Plot.line([...aims], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeDasharray: '5 4' }),
+      Plot.line([...points], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeWidth: 2 }),
       Plot.dot([...points], { x: 'x', y: 'y', fill: 'series', r: 4 }),
       Plot.text([...points], {
         x: 'x',

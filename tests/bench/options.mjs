@@ -39,7 +39,7 @@ export function parseOptions(args) {
   let values;
   try {
     ({ values } = parseArgs({
-      args,
+      args: joined(args),
       options: {
         quick: { type: 'boolean', default: false },
         list: { type: 'boolean', default: false },
@@ -92,4 +92,11 @@ export function parseOptions(args) {
     build: text('build'),
     built: text('built'),
   };
+}
+
+/** Flags begin with a dash, which parseArgs takes for an option unless an equals sign is before it. @param {string[]} args */
+function joined(args) {
+  const at = args.indexOf('--flags');
+  if (at < 0 || at === args.length - 1) return args;
+  return [...args.slice(0, at), `--flags=${args[at + 1]}`, ...args.slice(at + 2)];
 }

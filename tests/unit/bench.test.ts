@@ -3,6 +3,7 @@ import { describe, expect, test } from 'vitest';
 import { errorOf } from '../bench/front/errors.js';
 import { glbOf } from '../bench/glb.mjs';
 import { mixedLights, sceneOf } from '../bench/pages/scenes.js';
+import { parseOptions } from '../bench/options.mjs';
 import { Progress } from '../bench/progress.mjs';
 import { addSamples, type BenchResult, ratioOf, valueOf } from '../bench/results.mjs';
 import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
@@ -54,6 +55,21 @@ describe('a result', () => {
     addSamples(kept, 'connecting', 'time', 'ms', { element: 900 });
     expect(ratioOf(kept.measures[0]!)).toBeUndefined();
   });
+});
+
+describe('options', () => {
+  test('take flags that begin with dashes, separated by spaces', () => {
+    const { flags, launches, minutes } = parseOptions(['--flags', '--use-angle=gl --no-vsync', '--quick']);
+    expect(flags).toEqual(['--use-angle=gl', '--no-vsync']);
+    expect([launches, minutes]).toEqual([1, Infinity]);
+  });
+
+  test.each([['--fast'], ['--launches', '0'], ['--size', 'large'], ['--flags'], ['teapot']])(
+    'refuse %s %s in one line',
+    (...args) => {
+      expect(() => parseOptions(args)).toThrow(/^.+ Try --help\.$/);
+    },
+  );
 });
 
 describe('progress', () => {
