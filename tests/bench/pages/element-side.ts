@@ -35,7 +35,8 @@ export async function drawUntilReady(viewer: Viewer): Promise<void> {
 export const openElement: OpenSide = async (holder, scene) => {
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
-  Object.assign(viewer, { theta: 0, phi: 90, target: [0, 0, 0], radius: scene.radius, fov: FOV });
+  Object.assign(viewer, { theta: 0, phi: 90, fov: FOV });
+  if (scene.autoFit !== true) Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
   const lights = scene.lights.map(lightElement);
   const { ka, kd, ks, shininess } = SURFACE;
   const meshes = scene.meshes.map(({ shape, position = ORIGIN, scale = 1 }) => {

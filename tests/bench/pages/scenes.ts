@@ -36,6 +36,8 @@ export interface Scene {
   readonly motion: Motion;
   /** The eye is inside the first mesh. */
   readonly inside?: boolean;
+  /** The element finds target and radius by itself, and again after each move. */
+  readonly autoFit?: boolean;
 }
 
 export const FOV = 45;
@@ -185,6 +187,7 @@ export function sceneOf(name: string): Scene {
         meshes: [{ shape: 'box' }, { shape: 'grid.glb' }],
         radius: 4,
         motion: 'mesh',
+        autoFit: true,
       };
     default:
       throw new RangeError(`no scene is called ${name}`);
