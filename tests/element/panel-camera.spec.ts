@@ -1,4 +1,4 @@
-// The camera's folder: follows whoever moves the camera, and moves it.
+// Does the camera's folder follow every move of the camera, and move the camera itself?
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,4 @@
-// What an open panel costs while nothing happens, and while something does that it need not show.
+// What does an open panel cost while nothing happens, and while changes happen that it does not show?
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,4 @@
-// A light's folder and its element are one thing seen twice: what each row writes, and what each write shows.
+// Do a light's folder and its element agree? Each row writes the element, and each write to the element shows in the row.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,4 @@
-// How the panel's tests find folders and rows, as a reader does: by what they are called.
+// Finds the panel's folders and rows by their labels, as a user does.
 
 import type { Locator } from '@playwright/test';
 

@@ -1,4 +1,4 @@
-// The folders of shading, of the viewer's own material and of its meshes.
+// Do the folders for shading, for the viewer's own material and for its meshes work?
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,4 @@
-// The panel as a whole: fetched when wanted, styled under a strict policy, out of the picture's way, taken away again.
+// Does the panel as a whole work? Fetched on first use, styled under a strict CSP, clear of the picture, removed again.
 
 import { AxeBuilder } from '@axe-core/playwright';
 import { expect, test } from '../support/test.js';

@@ -1,5 +1,5 @@
-// Is the camera's basis orthonormal wherever the eye can be? A million random angles, and the quarter turns with the
-// doubles that lie beside them, down to the smallest. How it is defined is tested with the orbit.
+// Is the camera's basis orthonormal for every position of the eye? A million random angles, and the quarter turns with the doubles
+// next to them, down to the smallest. orbit.test.ts checks the definition itself.
 
 import { describe, expect, it } from 'vitest';
 import { type Basis, basisOf, newBasis } from '../../src/camera/orbit.js';
@@ -47,7 +47,7 @@ describe('the basis', () => {
     expect(worst.defect, `seed ${SEED}, θ = ${worst.theta}, φ = ${worst.phi}`).toBeLessThanOrEqual(1e-15);
   });
 
-  it('is so at the poles, at the quarter turns and at every double beside them that a power of ten leads to', () => {
+  it('is orthonormal at the poles, at quarter turns, and at angles off them by each power of ten', () => {
     const basis = newBasis();
     let worst = 0;
     let at = '';
@@ -62,7 +62,7 @@ describe('the basis', () => {
     expect(worst, at).toBeLessThanOrEqual(1e-15);
   });
 
-  it('moves no farther than its angles do, also onto a pole and past a quarter turn', () => {
+  it('changes no more than its angles do, also onto a pole and past a quarter turn', () => {
     const RADIANS = Math.PI / 180;
     for (const theta of [0, 30, 90, -180]) {
       for (const middle of [0, 45, 90, 135, 180]) {
@@ -79,7 +79,7 @@ describe('the basis', () => {
     }
   });
 
-  it('keeps the eye’s way off the axis at a pole, however small the polar angle is', () => {
+  it('keeps the eye off the axis near a pole, however small the polar angle is', () => {
     const RADIANS = Math.PI / 180;
     for (const phi of TINY.filter((p) => p < 1e-8)) {
       const { back } = basisOf({ theta: 90, phi });

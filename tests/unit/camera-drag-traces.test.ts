@@ -1,6 +1,6 @@
-// Does a drag that ends where it began leave a trace? A million random ones by mouse and by fingers, through the input
-// that the element uses, with the wheel, keys, resizes and properties set in their middle. Events are plain objects
-// handed to the listeners: a million drags of real ones would take minutes.
+// Does a drag that ends where it began leave a trace? A million random drags by mouse and by fingers, through the element's own
+// input code, interrupted by wheel, keys, resizes and property writes. Events are plain objects passed to the listeners: a million
+// drags with real events would take minutes.
 
 import { describe, expect, it } from 'vitest';
 import { Orbit, type Pose } from '../../src/camera/orbit.js';
@@ -90,7 +90,7 @@ function setUp(seed: number) {
   /** As the element does it: the observer tells of the size, and the drag in progress goes on from there. */
   const resize = (told: boolean): void => {
     size = { width: Math.round(from(1, 2000)), height: Math.round(from(1, 2000)) };
-    if (told) input.renote();
+    if (told) input.reanchor();
   };
   return { random, from, orbit, input, pointer, anyPlace, anyPose, wheel, key, resize };
 }
@@ -144,7 +144,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(moved).toBe(1e6);
   }, 60_000);
 
-  it('leaves none in a hundred thousand with two fingers, which shift and pinch', () => {
+  it('leaves no trace in a hundred thousand two-finger drags, which shift and pinch', () => {
     const hand = setUp(SEED);
     const { orbit, pointer, anyPlace, random } = hand;
     const finger = (pointerId: number): object => ({ pointerType: 'touch', pointerId });
@@ -160,7 +160,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(traces(hand, 1e5, drag)).toStrictEqual(NONE);
   });
 
-  it('comes back exactly to what the wheel, a key, a resize or a property left in its middle', () => {
+  it('returns exactly to the camera that a wheel turn, key, resize or property write set during it', () => {
     const hand = setUp(SEED);
     const { orbit, input, pointer, anyPlace, anyPose, random, from, wheel, key, resize } = hand;
     const KEYS = ['ArrowLeft', 'ArrowUp', 'PageUp', '-'];
@@ -170,7 +170,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
       () => resize(random() < 0.5),
       () => {
         orbit.set(anyPose());
-        if (random() < 0.5) input.renote();
+        if (random() < 0.5) input.reanchor();
       },
     ];
     const drag = (): Pose => {
@@ -188,7 +188,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(traces(hand, 2e5, drag)).toStrictEqual(NONE);
   });
 
-  it('loses only roundings of the angles where it goes on over wheel turns, back to the press itself', () => {
+  it('loses only rounding of the angles when wheel turns interrupt it and it returns to the press', () => {
     const hand = setUp(SEED);
     const { orbit, pointer, from, wheel } = hand;
     let worst = 0;

@@ -1,4 +1,4 @@
-// Turning by itself: a pure function of elapsed time, noted anew whenever someone else turns the camera.
+// Is auto-rotate a pure function of elapsed time that restarts whenever something else turns the camera?
 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
@@ -113,7 +113,7 @@ describe(`twelve hours of turning (seed ${SEED})`, () => {
     }
   });
 
-  it('turn back exactly as far, by the negative speed over the same frames', () => {
+  it('turn back exactly as far with the negative speed over the same frames', () => {
     for (const speed of SPEEDS) {
       const there = new Orbit({ theta: 0 });
       const back = new Orbit({ theta: 0 });
@@ -140,7 +140,7 @@ describe('a turntable', () => {
     expect(few.theta).toBe(50);
   });
 
-  it('goes on from where the user left the camera', () => {
+  it('continues from where the user left the camera', () => {
     const orbit = new Orbit({ theta: 0 });
     const table = new Turntable();
     table.step(orbit, 0, 10);
@@ -176,7 +176,7 @@ describe('a turntable', () => {
     expect(orbit.theta).toBe(0);
   });
 
-  it('moves nothing for times and speeds that are no numbers', () => {
+  it('moves nothing for times and speeds that are not finite', () => {
     const orbit = new Orbit();
     const table = new Turntable();
     table.step(orbit, 0, 10);
@@ -187,7 +187,7 @@ describe('a turntable', () => {
     expect(orbit.theta).toBe(30);
   });
 
-  it('keeps its angle small for ever', () => {
+  it('keeps its angle small forever', () => {
     expect(Math.abs(turnedBy(360.001, 1e12))).toBeLessThan(360);
   });
 });
