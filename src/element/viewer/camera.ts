@@ -99,7 +99,7 @@ export class ViewerCamera implements ReactiveController {
       viewport.settle();
       if (this.#source === 'panel' && values[key as 'radius' | 'target'] !== 'auto') viewport.framing = null;
     }
-    this.#input?.renote();
+    this.#input?.reanchor();
     if (orbit.version !== before) this.#told(this.#source);
   }
 
@@ -111,7 +111,7 @@ export class ViewerCamera implements ReactiveController {
     viewport.orbit.set({ theta, phi });
     viewport.framing = { radius, target };
     viewport.settle();
-    this.#input?.renote();
+    this.#input?.reanchor();
     if (viewport.orbit.version !== before) this.#told(source);
   }
 
@@ -128,7 +128,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** The picture's size changed in mid-drag: the drag goes on from here. */
   resized(): void {
-    this.#input?.renote();
+    this.#input?.reanchor();
   }
 
   /** A step of what moves by itself; true where it goes on. */

@@ -49,8 +49,8 @@ export class LazyInput {
     this.#stopKeeping();
   }
 
-  renote(): void {
-    this.#input?.renote();
+  reanchor(): void {
+    this.#input?.reanchor();
   }
 
   readonly #keep = (event: Event): void => {
