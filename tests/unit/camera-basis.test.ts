@@ -37,7 +37,7 @@ describe('the basis', () => {
     const worst = { defect: 0, theta: 0, phi: 0 };
     for (let i = 0; i < 1e6; i++) {
       const theta = 720 * (next() - 0.5);
-      // One in four within a millionth of a degree of a pole, on a scale where every power of ten is as likely.
+      // One in four lies within a millionth of a degree of a pole, on a logarithmic scale.
       const fromPole = 10 ** (-6 - 14 * next());
       const phi = i % 4 > 0 ? 180 * next() : i % 8 > 0 ? fromPole : 180 - fromPole;
       const d = defect(basisOf({ theta, phi }, basis));
@@ -71,7 +71,7 @@ describe('the basis', () => {
           const there = basisOf({ theta, phi });
           for (const axis of ['right', 'up', 'back'] as const) {
             const travel = Math.hypot(...there[axis].map((x, i) => x - here[axis][i]!));
-            // The roundings of both.
+            // Rounding of both.
             expect(travel).toBeLessThanOrEqual(RADIANS * Math.abs(phi - middle) + 4 * Number.EPSILON);
           }
         }

@@ -96,7 +96,7 @@ describe('near and far', () => {
         expect(far).toBeGreaterThanOrEqual(back);
         if (front > far / 1000) expect(near).toBeLessThanOrEqual(front);
         else expect(near).toBeLessThanOrEqual(far / 1000);
-        // The target, unless all of the sphere lies beyond it.
+        // The target, unless the whole sphere lies beyond it.
         if (front < pose.radius && back > pose.radius) expect(near).toBeLessThan(pose.radius);
       }),
       { numRuns: 3000 },

@@ -48,7 +48,7 @@ describe('turning', () => {
 });
 
 describe('shifting', () => {
-  /** Where a world point lies on the picture, CSS pixels from its middle, right and down. */
+  /** Position of a world point in the picture, CSS pixels from its middle, right and down. */
   function project(pose: Pose, point: readonly [number, number, number]): { x: number; y: number } {
     const { right, up, back } = basisOf(pose);
     const p = subtract(point, pose.target);

@@ -47,7 +47,7 @@ function setUp() {
     held: (dragging) => log.push(dragging ? 'held' : 'let go'),
   });
   input.connect();
-  /** Dispatches and tells whether the browser's own action was prevented. */
+  /** Dispatches an event and returns whether its default action was prevented. */
   const fire = (type: string, values: object = {}, on: EventTarget = surface): boolean => {
     const event = new Event(type, { cancelable: true });
     for (const [key, value] of Object.entries(values)) Object.defineProperty(event, key, { value });

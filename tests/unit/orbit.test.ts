@@ -1,4 +1,4 @@
-// The orbit's state and its basis, against the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ).
+// Do the orbit's state and its basis match the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ)?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
