@@ -1,6 +1,6 @@
 // Lambert's law.
 
-/** max(NoL, 0) for a cosine; NoL may be negative, and above 1 by rounding. To clamp on both sides costs a GPU nothing. */
+/** max(NoL, 0). NoL is a cosine: it may be negative, and above 1 by rounding. Clamping both sides is free on a GPU. */
 float diffuseLobe(float NoL) {
   return clamp(NoL, 0.0, 1.0);
 }

@@ -56,13 +56,13 @@ float averagedLobe(vec3 e, float x, float n, Footprint pixel) {
   vec2 t = pixel.pull * along;
   float nearer = 0.5 * dot(along, t);
   x = min(x + nearer, 1.0);
-#if defined(WHOLE_SHININESS)
-  float lobe = wholePower(max(x, 0.0), WHOLE_SHININESS);
-#elif defined(MILD_SHININESS)
-  float lobe = mildPower(x, n);
+#if defined(INTEGER_SHININESS)
+  float lobe = powInteger(max(x, 0.0), INTEGER_SHININESS);
+#elif defined(SHININESS_TO_64)
+  float lobe = powTo64(x, n);
 #else
   // |e|² is at least what is taken from it, but for rounding.
-  float lobe = powerNearOne(x, max(0.5 * dot(e, e) - nearer, 0.0), n);
+  float lobe = powNearOne(x, max(0.5 * dot(e, e) - nearer, 0.0), n);
 #endif
   vec2 s = vec2(pixel.turn.x * t.x - pixel.turn.y * t.y, pixel.turn.y * t.x + pixel.turn.x * t.y);
   vec2 s2 = s * s;

@@ -1,4 +1,4 @@
-// What an 8-bit picture keeps of a colour.
+// Rounding to 8 bits.
 
 /**
  * The nearest code k/255 of each channel, clamped to 0–1. Left to the hardware, an H200 gave the neighbouring code on

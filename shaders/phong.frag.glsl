@@ -1,4 +1,4 @@
-// The colour of a fragment: the sum over the lights times the material, clamped to what a screen holds.
+// The colour of a fragment: the sum over the lights times the material, as an 8-bit code.
 
 uniform float uOpacity;
 #ifdef HAS_MAP
@@ -19,15 +19,9 @@ in vec3 vBackBase;
 in vec3 vBackSpecular;
 #else
 uniform vec3 uEye;
-#ifdef CONSTANT_KA
-const vec3 uKa = CONSTANT_KA;
-const vec3 uKd = CONSTANT_KD;
-const vec3 uKs = CONSTANT_KS;
-#else
 uniform vec3 uKa;
 uniform vec3 uKd;
 uniform vec3 uKs;
-#endif
 uniform float uShininess;
 in vec3 vPosition;
 in vec3 vNormal;
@@ -35,7 +29,7 @@ in vec3 vNormal;
 
 layout(location = 0) out highp vec4 outColor;
 
-/** Colours of models are kept encoded: read as they are, or decoded where the picture is linear. */
+/** Colours of models are stored encoded: used as they are, or decoded for linear shading. */
 vec4 decodeBase(vec4 color) {
 #ifdef IS_LINEAR
   color.rgb = srgbDecode(color.rgb);
@@ -43,7 +37,7 @@ vec4 decodeBase(vec4 color) {
   return color;
 }
 
-/** What the model's own texture and vertex colours multiply Ka and Kd with, and the opacity in w. */
+/** The factor of Ka and Kd from texture and vertex colours; opacity in w. */
 vec4 baseColor() {
   vec4 color = vec4(1.0, 1.0, 1.0, uOpacity);
 #ifdef HAS_MAP
@@ -59,7 +53,7 @@ void main() {
   vec4 base = baseColor();
 #ifdef HAS_ALPHA_MASK
 #ifdef FILTER_HIGHLIGHTS
-  bool masked = base.a < uAlphaCutoff; // discarded at the end: neighbours take derivatives of it
+  bool masked = base.a < uAlphaCutoff; // discarded at the end: neighbours use this fragment's derivatives
 #else
   if (base.a < uAlphaCutoff) discard;
 #endif

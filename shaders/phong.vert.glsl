@@ -1,13 +1,19 @@
-// Places a vertex on the screen and hands its point and normal in shading space to the fragments; under Gouraud it
-// sums the lights here, for both faces, because a vertex does not know from which side it is seen.
+// Places a vertex on the screen and passes its point and normal in shading space to the fragments. Gouraud shading sums
+// the lights here, for both faces: a vertex does not know from which side it will be seen.
 
+in vec3 position;
+in vec3 normal;
+uniform mat4 modelViewMatrix;
+uniform mat4 projectionMatrix;
 uniform mat4 uModelToShading;
 uniform mat3 uNormalToShading;
 #ifdef HAS_MAP
+in vec2 uv;
 uniform mat3 uMapTransform;
 out vec2 vMapUv;
 #endif
 #ifdef HAS_VERTEX_COLOR
+in vec4 color; // an attribute of three numbers gets w = 1
 out vec4 vColor;
 #endif
 
@@ -22,7 +28,7 @@ uniform vec3 uKa;
 uniform vec3 uKd;
 uniform vec3 uKs;
 
-/** Ka and Kd share the base colour, which textures change per fragment; Ks does not. */
+/** Base and specular stay apart: a texture multiplies Ka and Kd per fragment, and not Ks. */
 void shadeFace(vec3 p, vec3 N, vec3 V, out vec3 base, out vec3 specular) {
   LightSums sums = lightSums(p, N, V, uShininess);
   base = uKa * sums.ambient + uKd * sums.diffuse;
@@ -40,11 +46,7 @@ void main() {
   vMapUv = (uMapTransform * vec3(uv, 1.0)).xy;
 #endif
 #ifdef HAS_VERTEX_COLOR
-#ifdef USE_COLOR_ALPHA
   vColor = color;
-#else
-  vColor = vec4(color, 1.0);
-#endif
 #endif
 #ifdef SHADING_GOURAUD
   vec3 V = unitOrZero(uEye - p);

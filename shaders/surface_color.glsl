@@ -1,4 +1,4 @@
-// What a point of a surface sends to the eye: the equation as a whole. Needs guard and light_loop.
+// The whole equation at one point of a surface. Needs guard and light_loop.
 
 #ifdef FILTER_HIGHLIGHTS
 const float FARTHEST = 1e18;
@@ -10,8 +10,8 @@ const float FARTHEST = 1e18;
  */
 vec3 surfaceColor(vec3 p, vec3 normal, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
 #ifdef FILTER_HIGHLIGHTS
-  // Derivatives come from neighbours too that the triangle does not reach, where interpolation may divide by zero beyond its
-  // horizon. Farther than any scene, and squares of differences are still finite.
+  // Derivatives use neighbouring fragments outside the triangle, where interpolation may divide by zero beyond the horizon.
+  // The limit is farther than any scene, and squares of differences stay finite.
   p = clamp(p, -FARTHEST, FARTHEST);
   normal = clamp(normal, -FARTHEST, FARTHEST);
 #endif

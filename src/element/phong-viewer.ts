@@ -65,7 +65,7 @@ export class PhongViewer extends LitElement {
   readonly #failure = new ViewerFailure(this, this.#notices);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
-    this.#viewport.relight();
+    this.#viewport.invalidate();
     const element = light === null ? null : this.#children.lightOf(light);
     this.#notices.tellLight(element);
     this.#panel.changed(element === null ? 'lights' : 'light');
@@ -269,11 +269,9 @@ export class PhongViewer extends LitElement {
     const viewport = this.#viewport;
     viewport.fov = values.fov;
     viewport.linear = values.colorInterpolation === 'linear';
-    viewport.errorBudget = values.errorBudget;
     if (['shading', 'reflection', 'terms', 'antialias'].some((key) => changed.has(key))) {
       const { shading, reflection, terms, antialias } = values;
       viewport.style = { shading, reflection, terms, antialias };
-      if (antialias === 'highlights') void this.#loading.averageHighlights();
     }
     if (changed.has('src')) this.#readiness.supersede();
     if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();

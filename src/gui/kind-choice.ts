@@ -1,6 +1,6 @@
 // Which values turn a light into a directional light, a point light or a spot? Choosing a former kind again restores it. Vectors in
 // the light's own space. Knows no controls.
-import { isSpot, kindOf, type LightKind } from '../light/light-kind.js';
+import { isSpot, kindOf, type LightKind } from '../light/light-features.js';
 import type { LightValues } from '../light/light-state.js';
 import type { Vec3, Vec4 } from '../math/vector.js';
 

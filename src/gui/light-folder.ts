@@ -3,7 +3,7 @@
 import type { GUI } from 'lil-gui';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { isSpot, kindOf } from '../light/light-kind.js';
+import { isSpot, kindOf } from '../light/light-features.js';
 import { LIGHT_SPACES } from '../light/light-state.js';
 import type { Vec3 } from '../math/vector.js';
 import type { ChildFolder } from './child-folders.js';

@@ -4,7 +4,7 @@ import type { GUI } from 'lil-gui';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { SurfaceValues } from '../material/material-values.js';
-import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/variant.js';
+import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/program/variant.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
 import { addButton, addChoice, addColor, addNumber, addVector, axesOf, named } from './rows.js';

@@ -1,23 +1,22 @@
-// A spot's cone against boxes and balls: whether any point of them is inside, and how near its axis any lies. In shading space and
-// float64, from the very rows that the GLSL reads, and always on the safe side. Knows nothing of what lights bring.
+// Does a spot's cone reach a box? In shading space and float64, from the packed rows that the GLSL reads. Errs on the safe side.
 import { LIMIT_OPEN, NEAREST, ROWS } from './light-layout.js';
 import type { PackedLights } from './pack-lights.js';
 
 /**
- * How far, in radians, what the GPU takes for the cone's edge may be from what it is here: 2e-6 measured on the worst
- * lawful driver (tests/stress), with a margin. As a share of the coordinates it also covers their rounding to float32.
+ * Largest angle in radians between the cone's edge on the GPU and here: 2e-6 measured on the worst lawful driver
+ * (tests/stress), with a margin. Relative to the coordinates, it covers their rounding to float32 too.
  */
 const EDGE = 1e-5;
 
-/** Halvings of a box whose sphere alone is too wide to tell: 64 parts at most. */
+/** Times a box is halved where its bounding sphere is too large to decide: 64 parts at most. */
 const HALVINGS = 6;
 
-/** One spot's cone, taken apart once. Open, and so reached by all, until it has taken one. */
+/** One spot's cone, read once and asked about many boxes. Open, so that it reaches everything, until it was read. */
 export class Cone {
   #x = 0;
   #y = 0;
   #z = 0;
-  /** The axis, as it was rounded to float32, so by up to 6e-8 too long or short: only ratios to it are taken. */
+  /** The axis as rounded to float32: up to 6e-8 too long or short, so only ratios to it are used. */
   #ax = 0;
   #ay = 0;
   #az = 0;
@@ -25,8 +24,8 @@ export class Cone {
   #cos = 1;
   #open = true;
 
-  /** Is from now on that of the spot whose first row is `row`. */
-  take({ data }: PackedLights, row: number): this {
+  /** Reads the spot whose first row is `row`. */
+  read({ data }: PackedLights, row: number): this {
     const place = (row + ROWS.spot.position) * 4;
     const axis = (row + ROWS.spot.axis) * 4;
     this.#x = data[place]!;
@@ -36,7 +35,7 @@ export class Cone {
     this.#ay = data[axis + 1]!;
     this.#az = data[axis + 2]!;
     const limit = data[(row + ROWS.spot.ambient) * 4 + 3]!;
-    const half = Math.abs(limit); // sin² of half the aperture, or of half of what it lacks to 180°
+    const half = Math.abs(limit); // sin² of half the aperture, or of half its complement to 180°
     this.#open = limit === LIMIT_OPEN;
     this.#sin = 2 * Math.sqrt(Math.max(half * (1 - half), 0));
     this.#cos = (limit < 0 ? -1 : 1) * (1 - 2 * half);
@@ -72,23 +71,12 @@ export class Cone {
     return this.reaches(x0, y0, z0, x1, y1, z, next) || this.reaches(x0, y0, z, x1, y1, z1, next);
   }
 
-  /** The largest cosine between the axis and any point of a ball around x y z; 1 where the ball holds the apex. */
-  nearestCosine(x: number, y: number, z: number, radius: number): number {
-    const d = lengthOf(x - this.#x, y - this.#y, z - this.#z);
-    const reach = radius + this.#slack(x, y, z, radius);
-    if (d <= reach) return 1;
-    const sin = reach / d;
-    const cos = Math.sqrt(1 - sin * sin);
-    const axial = this.#along(x, y, z) / d;
-    return axial >= cos ? 1 : axial * cos + (this.#across(x, y, z) / d) * sin;
-  }
-
-  /** From a point to the cone; 0 or less inside. */
+  /** Distance of a point from the cone; 0 or less inside. */
   #distance(x: number, y: number, z: number): number {
     const along = this.#along(x, y, z);
     const across = this.#across(x, y, z);
     const outside = across * this.#cos - along * this.#sin;
-    // Beyond a right angle from the cone's side its nearest point is the apex.
+    // Beyond a right angle from the cone's side the nearest point is the apex.
     return outside > 0 && along * this.#cos + across * this.#sin < 0
       ? lengthOf(x - this.#x, y - this.#y, z - this.#z)
       : outside;
@@ -107,12 +95,12 @@ export class Cone {
   #slack(x: number, y: number, z: number, radius: number): number {
     const here = Math.abs(this.#x) + Math.abs(this.#y) + Math.abs(this.#z);
     const extent = here + Math.abs(x) + Math.abs(y) + Math.abs(z) + radius;
-    return EDGE * extent + NEAREST; // so near there is no angle, and every cone is reached
+    return EDGE * extent + NEAREST; // that near the light there is no angle: every cone reaches
   }
 }
 
 /**
- * Euclidean length. Unlike Math.hypot it may lose numbers below 1e-154, which are nothing beside NEAREST, and it takes half
- * of the time: this is asked of every light in every frame that it moves in.
+ * Euclidean length in half of Math.hypot's time: it runs for every spot in every frame that moves it. It loses numbers
+ * below 1e-154, which do not matter beside NEAREST.
  */
 const lengthOf = (x: number, y: number, z: number): number => Math.sqrt(x * x + y * y + z * z);

@@ -1,16 +1,16 @@
-// Where each number of a packed light stands. This one table gives the offsets that pack-lights writes to and the
-// defines that the GLSL reads with, so the two cannot disagree. Rows are vec4. Knows nothing of three.js or storage.
+// Where is each number of a packed light? These tables give the offsets that pack-lights writes to and the defines that the
+// GLSL reads with, so the two cannot disagree. A row is a vec4. Knows nothing of three.js or storage.
 
-/** Rows before the first light: how many lights of each kind, and the ambient light that reaches everywhere. */
+/** Rows before the first light: the number of lights of each kind, and the ambient light that reaches everywhere. */
 export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
 
 /**
- * Rows before the lists of a divided box, relative to the row that the counts' w names. `low`: the box's low corner, w = the
- * first cell's row; `scale`: cells a unit, w = the first row of listed lights, four a row; `size`: cells along each axis;
- * `everywhere`: of each kind, how many lights stand in no list because they reach everywhere: the first ones.
- * A cell's row: the place of its first light among the listed, how many are points, and how many, after them, spots.
+ * Rows of a light grid, relative to the row that the counts' w names. `low`: the box's low corner, w = the first cell's row;
+ * `scale`: cells per unit, w = the first row of the list of spots, four to a row; `size`: cells along each axis, w = the
+ * number of leading spots that stand in no list because they reach most cells.
+ * A cell's row: the index of its first spot in the list, and its number of spots.
  */
-export const GRID = { low: 0, scale: 1, size: 2, everywhere: 3, rows: 4 } as const;
+export const GRID = { low: 0, scale: 1, size: 2, rows: 3 } as const;
 
 /**
  * Rows of each kind of light, relative to the light's first row. xyz (or rgb) is the vector; w holds a scalar.
@@ -25,7 +25,7 @@ export const ROWS = {
     rows: 3,
   },
   point: {
-    /** Place; w = kc. */
+    /** Position; w = kc. */
     position: 0,
     /** Id; w = kl. */
     diffuse: 1,
@@ -40,7 +40,7 @@ export const ROWS = {
     specular: 2,
     /** A, unit; w = cutoff. */
     axis: 3,
-    /** Ia; w = the cone's limit, see coneLimit in pack-lights. */
+    /** Ia; w = the cone's limit, see packedLimit in light-features. */
     ambient: 4,
     rows: 5,
   },
@@ -53,49 +53,42 @@ export const ROWS = {
 export const LIMIT_OPEN = 4;
 
 /**
- * What a light needs beyond its kind, as bits of one number that both the packing and the GLSL know: each is set where more
- * has to be done, so what lights have in common is every bit that any of them has. `power` and above hold a spot's cutoff
- * where it is whole and at most LARGEST_MILD; other cutoffs above 0 have `decay`, and also `mild` up to LARGEST_MILD.
+ * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL share. Each bit adds code,
+ * so the union of several lights' masks is right for all of them. `power` and above hold a spot's cutoff where it is an
+ * integer from 1 to LARGEST_COSINE_POWER; other cutoffs above 0 set `decay`, and `decayTo64` too up to that limit.
  */
-export const SHAPE = {
+export const LIGHT_FEATURES = {
   ambient: 1,
   diffuse: 2,
   specular: 4,
   attenuated: 8,
-  /** A cone whose limit is compared on the axis's side, by (1 - c)/2; else `wide`, on the far side. */
+  /** A cone compared on the axis's side, by (1 - c)/2; `wide` on the far side, by (1 + c)/2. */
   narrow: 16,
   wide: 32,
   decay: 64,
-  mild: 128,
-  /** The cone or the decay is too steep for a cosine. */
+  decayTo64: 128,
+  /** Cone or decay are too steep for a cosine. */
   chords: 256,
-  /** kc below 1: near the light, attenuation is cut off at 1. */
+  /** kc below 1: near the light, attenuation is clamped to 1. */
   clamped: 512,
-  /** kl above 0: attenuation needs the distance, and not its square alone. */
+  /** kl above 0: attenuation needs the distance, not its square alone. */
   linear: 1024,
-  /** Diffuse or specular light whose channels differ; grey is summed as one number. */
+  /** Channels differ; grey light is summed as one number. */
   tintedDiffuse: 2048,
   tintedSpecular: 4096,
-  /** Its rows are in the program's text: programs for exactly some lights have it, packed lights never. */
-  constant: 8192,
-  powerShift: 14,
+  powerShift: 13,
 } as const;
 
 /**
- * Largest exponent for which errors that it multiplies stay small: those of a cosine of float32 vectors, 2e-7, and log2's
- * lawful 2^-21 near 1 grow to 3e-5, or 0.008 of a code.
+ * Largest exponent of a cosine that stays precise: errors of a float32 cosine, 2e-7, and of log2 near 1, 2^-21 by
+ * specification, grow to 3e-5 at 64, or 0.008 of a code.
  */
-export const LARGEST_MILD = 64;
+export const LARGEST_COSINE_POWER = 64;
 
-/**
- * Rows in a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE).
- */
+/** Rows of a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE). */
 export const BLOCK_ROWS = 1024;
 
-/** Rows in the largest block: 64 KiB, as most GPUs have. More lights than fit go into a texture. */
-export const LARGE_BLOCK_ROWS = 4096;
-
-/** Width in texels, one a row, of the texture for more lights; a power of two, within every device's limit. */
+/** Width of the light texture in texels, one row of a light each: a power of two within every device's limit. */
 export const TEXTURE_ROWS_LOG2 = 10;
 
 /**
@@ -108,31 +101,31 @@ export const NEAREST = 1e-15;
 export const LEAST_EXPONENT = 1e-6;
 
 /**
- * Positive numbers below this count as zero. A device may flush what is below 2^-126; not that number itself, because
- * Firefox on Mesa reads literals of 1.2e-38 and less as zero.
+ * Positive numbers below this count as zero: a device may flush numbers below 2^-126. Not 2^-126 itself, because Firefox
+ * on Mesa reads literals of 1.2e-38 and less as zero.
  */
 const TINY = 2 ** -120;
 
 const snake = (name: string): string => name.replace(/[A-Z]/g, '_$&').toUpperCase();
 const float = (n: number): string => (Number.isInteger(n) ? n.toFixed(1) : n.toExponential());
 
-/** Not String(n): V8 keeps what that gives in a cache, which grows to 64 KiB for good where two such numbers collide in it, as these do. */
-const whole = (n: number): string => n.toFixed();
+/** Not String(n): V8's number-to-string cache grows to 64 KiB for good when numbers collide in it, as these do. */
+const integer = (n: number): string => n.toFixed();
 
 /** `#define` lines for the GLSL: the whole layout. */
 export function layoutDefines(): string {
   const lines = [
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
-    `#define BLOCK_ROWS ${whole(BLOCK_ROWS)}`,
-    `#define TEXTURE_ROWS_LOG2 ${whole(TEXTURE_ROWS_LOG2)}`,
+    `#define BLOCK_ROWS ${integer(BLOCK_ROWS)}`,
+    `#define TEXTURE_ROWS_LOG2 ${integer(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
     `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,
     `#define TINY ${float(TINY)}`,
   ];
-  const tables = { HEADER, GRID, SHAPE, ...ROWS };
+  const tables = { HEADER, GRID, FEATURE: LIGHT_FEATURES, ...ROWS };
   for (const [table, numbers] of Object.entries(tables)) {
     for (const [name, number] of Object.entries(numbers)) {
-      lines.push(`#define ${table.toUpperCase()}_${snake(name)} ${whole(number)}`);
+      lines.push(`#define ${table.toUpperCase()}_${snake(name)} ${integer(number)}`);
     }
   }
   return lines.join('\n');

@@ -1,15 +1,24 @@
-// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
-// lights left out. Everything that is the same for all fragments is done here, in float64: units, cosines, unit
-// vectors, the sum of ambient light, a directional light's cone. Knows neither three.js nor where rows are stored.
+// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black lights
+// left out. Everything that is the same for all fragments is computed here in float64: units, cosines, unit vectors, the sum
+// of ambient light, a directional light's cone. A pure function. Knows neither three.js nor where rows are stored.
+import { srgbDecode } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3, type Vec4 } from '../math/vector.js';
-import type { LightKind } from './light-kind.js';
+import {
+  coneLimit,
+  featuresOf,
+  isBlack,
+  isSpot,
+  kindOf,
+  KINDS,
+  type LightKind,
+  packedLimit,
+} from './light-features.js';
 import { HEADER, LEAST_EXPONENT, ROWS } from './light-layout.js';
 import type { LightValues } from './light-state.js';
-import { coneLimit, SteadyLight } from './steady-light.js';
 
 /** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
 export interface PackSpace {
-  /** Rigid 4×4 matrix, by columns, float64: world to shading space. */
+  /** Rigid 4×4 matrix by columns, float64: world to shading space. */
   readonly worldToShading: Mat4;
   /** The same from camera space (x right, y up, looking along −z), for `space: 'camera'`. */
   readonly cameraToShading: Mat4;
@@ -19,23 +28,19 @@ export interface PackSpace {
 
 type Values = Readonly<LightValues>;
 
-/** Packed lights. Kept and reused from frame to frame: `data` and `shapes` only ever grow. */
+/** Packed lights, reused from frame to frame: `data` and `features` only ever grow. */
 export interface PackedLights {
   /** Rows of four floats; those from `rows` on are stale. */
   data: Float32Array;
   rows: number;
   /** Lights that take part. */
   active: number;
-  /** Lights that the loop runs over. Others bring ambient light only, or nothing. */
+  /** Lights that the loop runs over. The others add ambient light only, or nothing. */
   sent: number;
-  /** How many of each kind are sent, in the order of their rows. */
+  /** Lights of each kind that are sent, in the order of their rows. */
   readonly counts: Record<LightKind, number>;
-  /** What each sent light needs of a program, see SHAPE; those from `sent` on are stale. */
-  shapes: Uint32Array;
-  /** What was found of the active lights, in their order, and holds while they only move. */
-  readonly steady: SteadyLight[];
-  /** Both matrices that they were packed with; NaN before. */
-  readonly packedBy: Float64Array;
+  /** The feature mask of each sent light; those from `sent` on are stale. */
+  features: Uint32Array;
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -44,40 +49,24 @@ export const emptyPack = (): PackedLights => ({
   active: 0,
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
-  shapes: new Uint32Array(8),
-  steady: [],
-  packedBy: new Float64Array(32).fill(NaN),
+  features: new Uint32Array(8),
 });
-
-/** In the order of their rows. */
-export const KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
 
 /** Packs the active lights of `lights` for one shading space, into `into`. */
 export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
-  if (isSteady(lights, space, into) && repackPlaces(space, into)) return;
   const ambient: [number, number, number] = [0, 0, 0];
   into.rows = HEADER.rows;
   into.sent = 0;
-  into.active = into.steady.length;
+  into.active = 0;
   for (const kind of KINDS) {
     const before = into.sent;
-    for (const steady of into.steady) {
-      if (steady.kind !== kind) continue;
-      const { light } = steady;
-      steady.row = -1;
-      const factor = kind === 'directional' && steady.spot ? directionalDecay(light) : 1;
+    for (const light of lights) {
+      if (!light.active || kindOf(light) !== kind) continue;
+      into.active += 1;
+      const factor = kind === 'directional' && isSpot(light) ? directionalDecay(light) : 1;
       if (factor === 0) continue;
-      if (kind !== 'spot') for (const c of CHANNELS) ambient[c] += steady.ambient[c] * factor;
-      if (!reaches(light, kind, steady)) continue;
-      reserve(into, into.rows + ROWS[kind].rows, into.sent + 1);
-      const at = into.rows * 4;
-      steady.row = into.rows;
-      if (kind === 'directional') writeDirectional(into.data, at, light, steady, factor, space);
-      else writePoint(into.data, at, light, steady, space);
-      if (kind === 'spot') writeSpot(into.data, at, light, steady, space);
-      into.shapes[into.sent] = kind === 'spot' ? steady.spotShape : steady.pointShape;
-      into.rows += ROWS[kind].rows;
-      into.sent += 1;
+      if (kind !== 'spot') addAmbient(ambient, light.ambient, factor, space.linear);
+      if (shines(light, kind)) packLight(light, kind, factor, space, into);
     }
     into.counts[kind] = into.sent - before;
   }
@@ -86,71 +75,79 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
   write(into.data, HEADER.ambient * 4, ambient[0], ambient[1], ambient[2], 0);
 }
 
-const CHANNELS = [0, 1, 2] as const;
-
-/** Brings what is found of the active lights in step; true where that, and the spaces, are as they were packed. */
-function isSteady(
-  lights: readonly Values[],
-  { worldToShading, cameraToShading, linear }: PackSpace,
-  { steady, packedBy }: PackedLights,
-): boolean {
-  let same = true;
-  for (let i = 0; i < 16; i++) {
-    same &&= packedBy[i] === worldToShading[i] && packedBy[16 + i] === cameraToShading[i];
-    packedBy[i] = worldToShading[i]!;
-    packedBy[16 + i] = cameraToShading[i]!;
-  }
-  let active = 0;
-  for (const light of lights) {
-    if (!light.active) continue;
-    if (steady[active]?.holds(light, linear) !== true) {
-      same = false;
-      steady[active] = new SteadyLight(light, linear);
-    }
-    active += 1;
-  }
-  same &&= steady.length === active;
-  steady.length = active;
-  return same;
-}
-
-/**
- * Writes places and directions alone, which is all of most frames; false where a move brings more with it. For lights of which
- * nothing but their places differs from what was packed last, for the same space.
- */
-export function repackPlaces(space: PackSpace, { steady, data }: PackedLights): boolean {
-  for (const one of steady) {
-    const { kind, light, row } = one;
-    if (kind === 'directional' && one.spot) return false; // its decay is another
-    if (row >= 0 !== reaches(light, kind, one)) return false;
-    if (row < 0) continue;
-    const matrix = matrixOf(light, space);
-    const { position } = light;
-    if (kind === 'directional') writeDirection(matrix, data, row * 4, position);
-    else writeThrough(matrix, data, row * 4, position[0], position[1], position[2], 1, data[row * 4 + 3]!);
-  }
-  return true;
-}
-
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
-function reaches({ position }: Values, kind: LightKind, { shines, ambient }: SteadyLight): boolean {
-  if (kind === 'spot') return shines || ambient[0] > 0 || ambient[1] > 0 || ambient[2] > 0;
+function shines({ position, diffuse, specular, ambient }: Values, kind: LightKind): boolean {
+  const lit = !(isBlack(diffuse) && isBlack(specular));
+  if (kind === 'spot') return lit || !isBlack(ambient);
   if (kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0) return false;
-  return shines;
+  return lit;
+}
+
+function packLight(
+  light: Values,
+  kind: LightKind,
+  factor: number,
+  space: PackSpace,
+  into: PackedLights,
+): void {
+  const { linear } = space;
+  const { rows } = ROWS[kind];
+  reserve(into, into.rows + rows, into.sent + 1);
+  const { data } = into;
+  const at = into.rows * 4;
+  const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
+  const { position, attenuation } = light;
+  if (kind === 'directional') {
+    writeDirection(matrix, data, at + ROWS.directional.direction * 4, position);
+    writeColor(data, at + ROWS.directional.diffuse * 4, light.diffuse, factor, linear, 0);
+    writeColor(data, at + ROWS.directional.specular * 4, light.specular, factor, linear, 0);
+  } else {
+    // A spot begins as a point light does.
+    writeThrough(
+      matrix,
+      data,
+      at + ROWS.point.position * 4,
+      position[0],
+      position[1],
+      position[2],
+      1,
+      attenuation[0],
+    );
+    writeColor(data, at + ROWS.point.diffuse * 4, light.diffuse, 1, linear, attenuation[1]);
+    writeColor(data, at + ROWS.point.specular * 4, light.specular, 1, linear, attenuation[2]);
+  }
+  if (kind === 'spot') {
+    const axis = normalize(light.axis);
+    writeThrough(matrix, data, at + ROWS.spot.axis * 4, axis[0], axis[1], axis[2], 0, light.cutoff);
+    writeColor(data, at + ROWS.spot.ambient * 4, light.ambient, 1, linear, packedLimit(light.aperture));
+  }
+  into.features[into.sent] = featuresOf(light, kind);
+  into.rows += rows;
+  into.sent += 1;
+}
+
+/** A channel of a light's colour as the shader takes it: 255 is 1, decoded for linear shading. */
+const channel = (c: number, linear: boolean): number => (linear ? srgbDecode(c / 255) : c / 255);
+
+function addAmbient(sum: [number, number, number], color: Vec3, factor: number, linear: boolean): void {
+  if (isBlack(color)) return;
+  sum[0] += channel(color[0], linear) * factor;
+  sum[1] += channel(color[1], linear) * factor;
+  sum[2] += channel(color[2], linear) * factor;
 }
 
 /**
- * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the cone. A zero
- * vector has no angle to the axis: inside any cone, decay 1.
+ * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the cone. A zero vector has
+ * no angle to the axis: inside any cone, decay 1.
  */
 function directionalDecay(light: Values): number {
   const L = normalize([light.position[0], light.position[1], light.position[2]]);
   if (dot(L, L) === 0) return 1;
   const A = normalize(light.axis);
-  const q = chord(L, A);
-  const p = chord(L, negate(A));
-  // A few roundings of float64, so that a direction exactly at the edge stays inside, where it belongs. Chords and not
-  // their squares: near 0 a square would make 6e-8 rad of the same roundings.
+  const q = quarterChordSquared(L, A);
+  const p = quarterChordSquared(L, negate(A));
+  // A few roundings of float64, so that a direction exactly at the edge stays inside. Compared as chords: near 0 their
+  // squares would make 6e-8 rad of the same roundings.
   const rounding = 4 * Number.EPSILON;
   const limit = coneLimit(light.aperture);
   const inside =
@@ -160,26 +157,9 @@ function directionalDecay(light: Values): number {
 }
 
 /** |a + b|²/4 of unit vectors: (1 - dot(a, -b))/2 without its cancellation near 0. */
-function chord(a: Vec3, b: Vec3): number {
+function quarterChordSquared(a: Vec3, b: Vec3): number {
   const sum = add(a, b);
   return dot(sum, sum) / 4;
-}
-
-const matrixOf = (light: Values, space: PackSpace): Mat4 =>
-  light.space === 'camera' ? space.cameraToShading : space.worldToShading;
-
-function writeDirectional(
-  data: Float32Array,
-  at: number,
-  light: Values,
-  { diffuse, specular }: SteadyLight,
-  factor: number,
-  space: PackSpace,
-): void {
-  const row = ROWS.directional;
-  writeDirection(matrixOf(light, space), data, at + row.direction * 4, light.position);
-  write(data, at + row.diffuse * 4, diffuse[0] * factor, diffuse[1] * factor, diffuse[2] * factor, 0);
-  write(data, at + row.specular * 4, specular[0] * factor, specular[1] * factor, specular[2] * factor, 0);
 }
 
 /** L, unit: scaled by its largest component first, so that a denormal vector still has its direction. */
@@ -192,35 +172,7 @@ function writeDirection(m: Mat4, data: Float32Array, at: number, position: Vec4)
   writeThrough(m, data, at, x * unit, y * unit, z * unit, 0, 0);
 }
 
-/** Also what a spot begins with. */
-function writePoint(
-  data: Float32Array,
-  at: number,
-  light: Values,
-  { diffuse, specular }: SteadyLight,
-  space: PackSpace,
-): void {
-  const { position, attenuation } = light;
-  const row = ROWS.point;
-  const [x, y, z] = position;
-  writeThrough(matrixOf(light, space), data, at + row.position * 4, x, y, z, 1, attenuation[0]);
-  write(data, at + row.diffuse * 4, diffuse[0], diffuse[1], diffuse[2], attenuation[1]);
-  write(data, at + row.specular * 4, specular[0], specular[1], specular[2], attenuation[2]);
-}
-
-function writeSpot(
-  data: Float32Array,
-  at: number,
-  light: Values,
-  { ambient, axis, limit }: SteadyLight,
-  space: PackSpace,
-): void {
-  const row = ROWS.spot;
-  writeThrough(matrixOf(light, space), data, at + row.axis * 4, ...axis, 0, light.cutoff);
-  write(data, at + row.ambient * 4, ambient[0], ambient[1], ambient[2], limit);
-}
-
-/** A place (w = 1) or a direction (w = 0) through a matrix, and a scalar beside it. */
+/** A position (w = 1) or a direction (w = 0) through a matrix, and a scalar in w. */
 function writeThrough(
   m: Mat4,
   data: Float32Array,
@@ -237,6 +189,20 @@ function writeThrough(
   data[at + 3] = scalar;
 }
 
+function writeColor(
+  data: Float32Array,
+  at: number,
+  color: Vec3,
+  factor: number,
+  linear: boolean,
+  scalar: number,
+): void {
+  data[at] = channel(color[0], linear) * factor;
+  data[at + 1] = channel(color[1], linear) * factor;
+  data[at + 2] = channel(color[2], linear) * factor;
+  data[at + 3] = scalar;
+}
+
 function write(data: Float32Array, at: number, x: number, y: number, z: number, w: number): void {
   data[at] = x;
   data[at + 1] = y;
@@ -244,12 +210,45 @@ function write(data: Float32Array, at: number, x: number, y: number, z: number, 
   data[at + 3] = w;
 }
 
-/** Room for this many rows and lights in all; what is there stays. */
+/** Calls `visit` with each sent light's index, kind and first row. */
+export function forEachLight(
+  packed: Readonly<PackedLights>,
+  visit: (light: number, kind: LightKind, row: number) => void,
+): void {
+  let row: number = HEADER.rows;
+  let light = 0;
+  for (const kind of KINDS) {
+    for (let i = 0; i < packed.counts[kind]; i++, row += ROWS[kind].rows) visit(light++, kind, row);
+  }
+}
+
+/** Copies the lights that `mask` has a 1 for, and the header, into `into`. */
+export function selectLights(packed: Readonly<PackedLights>, mask: Uint8Array, into: PackedLights): void {
+  reserve(into, packed.rows, packed.sent);
+  into.data.set(packed.data.subarray(0, HEADER.rows * 4));
+  into.active = packed.active;
+  into.sent = 0;
+  into.rows = HEADER.rows;
+  for (const kind of KINDS) into.counts[kind] = 0;
+  forEachLight(packed, (light, kind, row) => {
+    if (mask[light] !== 1) return;
+    const { rows } = ROWS[kind];
+    into.data.set(packed.data.subarray(row * 4, (row + rows) * 4), into.rows * 4);
+    into.features[into.sent] = packed.features[light]!;
+    into.rows += rows;
+    into.sent += 1;
+    into.counts[kind] += 1;
+  });
+  const { directional, point, spot } = into.counts;
+  write(into.data, HEADER.counts * 4, directional, point, spot, 0);
+}
+
+/** Makes room for this many rows and lights in all; what is there stays. */
 export function reserve(into: PackedLights, rows: number, lights: number): void {
-  if (lights > into.shapes.length) {
-    const grown = new Uint32Array(Math.max(lights, into.shapes.length * 2));
-    grown.set(into.shapes);
-    into.shapes = grown;
+  if (lights > into.features.length) {
+    const grown = new Uint32Array(Math.max(lights, into.features.length * 2));
+    grown.set(into.features);
+    into.features = grown;
   }
   if (rows * 4 <= into.data.length) return;
   const grown = new Float32Array(Math.max(rows * 4, into.data.length * 2));

@@ -1,10 +1,10 @@
-// What a surface is: its values in HTML's units (255 = 1), their domains and defaults. Knows nothing of shaders.
+// A surface's values in HTML's units (255 = 1), their domains and defaults. Knows nothing of shaders.
 import { LIMITS } from '../light/light-state.js';
 import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';
 
 export interface SurfaceValues {
-  /** Ka: what the surface gives back of ambient light, a channel each; 255 is all of it. Default 255 255 255. */
+  /** Ka: the share of ambient light that is reflected, per channel; 255 is all of it. Default 255 255 255. */
   ka: Vec3;
   /** Kd: the same of diffuse light. Default 255 255 255. */
   kd: Vec3;

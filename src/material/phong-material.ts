@@ -1,35 +1,43 @@
-// A three.js material whose program is the hand-written light loop. Keeps uniforms and variant in step with its
-// surface and its picture's lights. Knows neither elements nor the scene it is used in.
+// A three.js material that draws with the hand-written light loop. Keeps uniforms and program in step with its surface, its
+// style and its picture's lights, and decides per draw which program and which sides of a mesh it needs. Knows neither
+// elements nor the scene it is used in.
 import {
   DoubleSide,
+  FrontSide,
+  GLSL3,
+  Material,
   Matrix3,
   Matrix4,
+  type Mesh,
   NormalBlending,
-  type Object3D,
-  ShaderMaterial,
+  RawShaderMaterial,
   type Texture,
+  Vector2,
   Vector3,
 } from 'three';
-import type { Reflectance } from '../light/light-reach.js';
-import { isBlack } from '../light/light-kind.js';
-import { isMildPower, isWholePower } from '../light/steady-light.js';
+import { isBlack, isIntegerPower, isPowerTo64 } from '../light/light-features.js';
 import { srgbDecode } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
+import { cullsBackFaces, type Sides } from './back-faces.js';
+import type { LightBuffer } from './light-buffer.js';
+import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
-import type { PhongLighting } from './phong-lighting.js';
-import { hasAverages, shadersOf } from './shader-source.js';
+import { type Drawing, variantParameters } from './program/program-cache.js';
 import {
   type AlphaMode,
   type Antialias,
+  generalVariant,
   type Reflection,
+  type RowCapacity,
   type Shading,
+  specialisedVariant,
   type Term,
   TERMS,
-  variantDefines,
-} from './variant.js';
+  type Variant,
+} from './program/variant.js';
 
-/** What a file says of a surface's colour: multiplies Ka and Kd. */
+/** What a file says about a surface's colour: it multiplies Ka and Kd. */
 export interface BaseLook {
   /** Encoded sRGB, 0–1. */
   readonly baseColor: Vec3;
@@ -55,9 +63,8 @@ export interface ShadingStyle {
   readonly reflection: Reflection;
   readonly terms: readonly Term[];
   /**
-   * `highlights`: the specular lobe is averaged over each pixel, so that highlights smaller than pixels keep their
-   * brightness; not under `gouraud`, which has no pixels. Default `edges`: one sample a pixel inside faces. Edges
-   * themselves are the renderer's.
+   * `edges` (default): one sample per pixel inside faces; the renderer smooths edges. `highlights`: the specular lobe is
+   * also averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`.
    */
   readonly antialias: Antialias;
 }
@@ -74,45 +81,60 @@ const DEFAULT_SURFACE: SurfaceValues = {
   shininess: SURFACE_FIELDS.shininess.fallback,
 };
 
+const BLACK: Vec3 = [0, 0, 0];
+
+/** Parameters of three.js's hook before each draw. */
+type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
+
 /**
  * Draws opaque or blended 8-bit colour: the sum is clamped to 0–1 and rounded to the nearest code, whatever the target.
- * Update the {@link PhongLighting} it was made with before each frame.
+ * Call {@link PhongLighting.update} before each frame. A raw material, because three.js's key for its programs then leaves out
+ * `side`: culling back faces in one draw and not in the next compiles nothing.
  */
-export class PhongMaterial extends ShaderMaterial {
-  readonly #lighting: PhongLighting;
+export class PhongMaterial extends RawShaderMaterial {
+  /** Which sides can be seen: back faces that cannot are culled. Default `double`. */
+  sides: Sides = 'double';
   readonly look: BaseLook;
+  readonly #lighting: PhongLighting;
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
-  /** Terms that have ever been summed: their code stays, so that turning one off and on compiles nothing. */
+  /** Terms that were ever summed: their code stays, so that turning one off and on compiles nothing. */
   readonly #terms = new Set<Term>();
-  #programKey = '';
-  #programVersion = 0;
-  #surfaceVersion = 0;
-  #exactKey = '';
-  #reflectance: Reflectance = { ka: [], kd: [], ks: [] };
-  /** The lighting's version that the program was last chosen for; -1 after a change of its own. */
-  #chosenFor = -1;
+  /** All exponents so far were 64 at most. */
+  #shininessTo64 = true;
+  #general: Variant | null = null;
+  /** What {@link #general} was made for: lighting's version, row capacity; -1 after a change of this material. */
+  #generalFor = -1;
+  #capacity: RowCapacity = 0;
+  /** What a specialised program has in it besides its lights. */
+  #key = '';
+  /** The last key asked for, to build no text in each draw. */
+  #asked = { material: '', lights: '', key: '' };
+  #variant: Variant | null = null;
   readonly #model = new Matrix4();
-  #placed: Object3D | null = null;
+  #placed: Mesh | null = null;
+  readonly #uniforms;
 
   constructor(lighting: PhongLighting, look: BaseLook = PLAIN_LOOK) {
+    const uniforms = {
+      uModelToShading: { value: new Matrix4() },
+      uNormalToShading: { value: new Matrix3() },
+      uEye: lighting.eye,
+      uKa: { value: new Vector3() },
+      uKd: { value: new Vector3() },
+      uKs: { value: new Vector3() },
+      uShininess: { value: 0 },
+      uOpacity: { value: look.opacity },
+      uAlphaCutoff: { value: look.alphaCutoff },
+      uMap: { value: look.map },
+      uMapTransform: { value: look.map?.matrix ?? new Matrix3() },
+      uLightRows: { value: new Float32Array(4) as Float32Array },
+      uLightTexture: { value: null as Texture | null },
+      uLightTextureScale: { value: new Vector2() },
+    };
     super({
-      glslVersion: '300 es',
-      ...shadersOf({}),
-      uniforms: {
-        uModelToShading: { value: new Matrix4() },
-        uNormalToShading: { value: new Matrix3() },
-        uEye: lighting.eye,
-        uKa: { value: new Vector3() },
-        uKd: { value: new Vector3() },
-        uKs: { value: new Vector3() },
-        uShininess: { value: 0 },
-        uOpacity: { value: look.opacity },
-        uAlphaCutoff: { value: look.alphaCutoff },
-        uMap: { value: look.map },
-        uMapTransform: { value: look.map?.matrix ?? new Matrix3() },
-        uLightTexture: { value: null },
-      },
+      uniforms,
+      glslVersion: GLSL3,
       side: DoubleSide,
       vertexColors: look.vertexColors,
       premultipliedAlpha: true,
@@ -120,6 +142,7 @@ export class PhongMaterial extends ShaderMaterial {
       transparent: look.alphaMode === 'blend',
       toneMapped: false,
     });
+    this.#uniforms = uniforms;
     this.#lighting = lighting;
     this.look = look;
     this.#writeSurface();
@@ -133,32 +156,12 @@ export class PhongMaterial extends ShaderMaterial {
     return this.#style;
   }
 
-  /** Shades in linear light: as its picture does. */
+  /** Shades in linear light, as its picture does. */
   get linear(): boolean {
     return this.#lighting.linear;
   }
 
-  /** Goes up when this material needs another program than before. */
-  get programVersion(): number {
-    return this.#programVersion;
-  }
-
-  /** What of the surface a program for exactly this material has in it; see ExactMaterial. */
-  get exactKey(): string {
-    return this.#exactKey;
-  }
-
-  /** Goes up when what the surface gives back changes. */
-  get surfaceVersion(): number {
-    return this.#surfaceVersion;
-  }
-
-  /** What the surface gives back at most: Ka, Kd and Ks as the shader has them, 0 for terms that are not summed. */
-  get reflectance(): Reflectance {
-    return this.#reflectance;
-  }
-
-  /** Ka, Kd, Ks (255 = 1) and the exponent; throws for values outside their domain and then changes nothing. */
+  /** Sets Ka, Kd, Ks (255 = 1) and the exponent. Throws for values outside their domain and then changes nothing. */
   setSurface(values: Partial<SurfaceValues>): void {
     const { ka, kd, ks, shininess } = { ...this.#surface, ...values };
     this.#surface = {
@@ -167,105 +170,157 @@ export class PhongMaterial extends ShaderMaterial {
       ks: SURFACE_FIELDS.ks.check(ks),
       shininess: SURFACE_FIELDS.shininess.check(shininess),
     };
-    this.#chosenFor = -1;
+    this.#generalFor = -1;
     this.#writeSurface();
   }
 
   setStyle(style: Partial<ShadingStyle>): void {
     this.#style = { ...this.#style, ...style };
-    this.#chosenFor = -1;
+    this.#generalFor = -1;
     this.#writeSurface();
   }
 
-  /** three.js calls this before each mesh that it draws with this material. */
-  override onBeforeRender(...[renderer, , , , object]: Parameters<ShaderMaterial['onBeforeRender']>): void {
-    this.chooseProgram();
-    const { uLightTexture } = this.uniforms;
-    if (uLightTexture !== undefined)
-      uLightTexture.value = this.#lighting.lightsOf(object).rows.sendTexture(renderer);
-    this.uniformsNeedUpdate = this.place(object);
+  /** Another material with the same lighting, look, surface, style and sides. */
+  override clone(): this {
+    const other = new PhongMaterial(this.#lighting, this.look);
+    Material.prototype.copy.call(other, this);
+    other.sides = this.sides;
+    other.setStyle(this.#style);
+    other.setSurface(this.#surface);
+    return other as this;
   }
 
-  /** Brings the program's defines in step with surface, style and lights. */
-  chooseProgram(): void {
-    if (this.#chosenFor !== this.#lighting.programVersion) this.#writeVariant();
+  /** three.js calls this before each draw: chooses sides, program and lights for this mesh. */
+  override onBeforeRender(...[renderer, , camera, geometry, object]: BeforeRender): void {
+    const mesh = object as Mesh;
+    const culls = cullsBackFaces(this.sides, geometry, mesh.matrixWorld, camera);
+    this.side = culls ? FrontSide : DoubleSide;
+    const lights = this.#chooseProgram({ renderer, camera, mesh });
+    this.#lighting.countUpload(lights);
+    const uniforms = this.#uniforms;
+    if (this.#readsTexture) {
+      uniforms.uLightTexture.value = lights.sendTexture(renderer);
+      uniforms.uLightTextureScale.value.copy(lights.textureScale);
+    }
+    const sameRows = uniforms.uLightRows.value === lights.rows;
+    uniforms.uLightRows.value = lights.rows;
+    const sameMesh = this.#place(mesh);
+    // three.js sends a material's uniforms once per frame; meshes after the first need theirs sent again.
+    this.uniformsNeedUpdate = !(sameMesh && sameRows);
   }
 
-  /** Writes where `object` stands into the uniforms; true where they stood for another one. */
-  place(object: Object3D): boolean {
-    const { origin } = this.#lighting;
-    const model = this.#model.copy(object.matrixWorld);
-    const e = model.elements;
-    e[12] -= origin[0];
-    e[13] -= origin[1];
-    e[14] -= origin[2];
-    const { uModelToShading, uNormalToShading } = this.uniforms;
-    const last = uModelToShading?.value as Matrix4;
-    if (!last.equals(model)) normalMatrix(last.copy(model), uNormalToShading?.value as Matrix3);
-    // What was the same object's is right already: three.js sends all uniforms of the first mesh of a material in each frame.
-    const another = object !== this.#placed;
-    this.#placed = object;
-    return another;
+  get #readsTexture(): boolean {
+    return this.#variant?.defines['LIGHT_STORAGE'] === 'STORAGE_TEXTURE';
   }
 
-  #writeSurface(): void {
-    const { uniforms } = this;
-    const { linear } = this.#lighting;
-    const { terms } = this.#style;
-    const color = (target: string, term: Term, k: Vec3, base: Vec3): void => {
-      const channel = (i: 0 | 1 | 2): number =>
-        linear ? srgbDecode(k[i] / 255) * srgbDecode(base[i]) : (k[i] / 255) * base[i];
-      const summed = terms.includes(term);
-      (uniforms[target]?.value as Vector3).set(
-        ...(summed ? ([channel(0), channel(1), channel(2)] as const) : NONE),
-      );
-    };
-    color('uKa', 'ambient', this.#surface.ka, this.look.baseColor);
-    color('uKd', 'diffuse', this.#surface.kd, this.look.baseColor);
-    color('uKs', 'specular', this.#surface.ks, PLAIN_LOOK.baseColor);
-    const { ks, shininess } = this.#surface;
-    if (uniforms['uShininess'] !== undefined) uniforms['uShininess'].value = shininess;
-    this.#surfaceVersion += 1;
-    const power = isWholePower(shininess) ? shininess : isMildPower(shininess);
-    const k = (name: string): number[] => (uniforms[name]?.value as Vector3).toArray();
-    this.#reflectance = { ka: k('uKa'), kd: k('uKd'), ks: k('uKs') };
-    this.#exactKey = `${String(power)} ${String(isBlack(ks))} ${terms.join()}`;
-  }
-
-  #writeVariant(): void {
+  /** Chooses the variant for this draw, and returns the lights it reads. */
+  #chooseProgram(drawing: Drawing): LightBuffer {
     const lighting = this.#lighting;
-    this.#chosenFor = lighting.programVersion;
-    const look = this.look;
-    const matte = isBlack(this.#surface.ks);
-    for (const term of this.#style.terms) if (term !== 'specular' || !matte) this.#terms.add(term);
-    const defines = variantDefines(
+    const general = this.#generalVariant(lighting.capacityFor(drawing.renderer));
+    const lights = lighting.lightsOf(drawing.mesh);
+    const grid = lighting.gridOf(drawing.mesh);
+    const form = lighting.formFor(lights, grid);
+    let special: Variant | null = null;
+    if (form !== null) {
+      // Inlined numbers are those of one version; other forms depend on counts and features alone.
+      const lightKey = form === 'inlined' ? lights.contentKey : lights.featureKey;
+      special = lighting.programs.choose(this.#keyFor(`${form} ${lightKey}`), drawing, () =>
+        specialisedVariant(
+          general,
+          { terms: this.#summedTerms, integerShininess: this.#integerShininess },
+          form,
+          lights.packed,
+        ),
+      );
+    }
+    this.#use(special ?? general);
+    return special !== null && grid !== null ? grid : lights;
+  }
+
+  #keyFor(lights: string): string {
+    const { material, lights: before } = this.#asked;
+    if (material !== this.#key || before !== lights)
+      this.#asked = { material: this.#key, lights, key: `${this.#key} ${lights}` };
+    return this.#asked.key;
+  }
+
+  #use(variant: Variant): void {
+    if (variant === this.#variant) return;
+    this.#variant = variant;
+    Object.assign(this, variantParameters(variant));
+    this.needsUpdate = true;
+  }
+
+  #generalVariant(capacity: RowCapacity): Variant {
+    const lighting = this.#lighting;
+    const { featureVersion } = lighting;
+    if (this.#general !== null && this.#generalFor === featureVersion && this.#capacity === capacity)
+      return this.#general;
+    this.#generalFor = featureVersion;
+    this.#capacity = capacity;
+    for (const term of this.#summedTerms) this.#terms.add(term);
+    const { look } = this;
+    this.#general = generalVariant(
       {
         ...this.#style,
-        antialias: hasAverages() ? this.#style.antialias : 'edges',
         terms: [...this.#terms],
         linear: lighting.linear,
+        shininessTo64: this.#shininessTo64,
         map: look.map !== null,
         vertexColors: look.vertexColors,
         alphaMode: look.alphaMode,
       },
-      lighting.facts,
+      lighting.declared,
+      capacity,
     );
-    const key = Object.entries(defines).join();
-    if (key === this.#programKey) return;
-    this.#programKey = key;
-    this.#programVersion += 1;
-    this.defines = defines;
-    Object.assign(this, shadersOf(defines));
-    this.needsUpdate = true;
-    this.#writeSurface(); // linear or not may be what changed
+    const { terms } = this.#style;
+    this.#key = `${this.#general.key} ${terms.join()} ${String(this.#integerShininess)}`;
+    this.#writeSurface(); // linear or not may have changed
+    return this.#general;
+  }
+
+  /** The terms of the style that this surface gives back. */
+  get #summedTerms(): readonly Term[] {
+    const matte = isBlack(this.#surface.ks);
+    return this.#style.terms.filter((term) => term !== 'specular' || !matte);
+  }
+
+  get #integerShininess(): number | null {
+    const { shininess } = this.#surface;
+    return isIntegerPower(shininess) ? shininess : null;
+  }
+
+  /** Writes the mesh's place into the uniforms; true where they were the same mesh's. */
+  #place(mesh: Mesh): boolean {
+    const { origin } = this.#lighting;
+    const model = this.#model.copy(mesh.matrixWorld);
+    const e = model.elements;
+    e[12] -= origin[0];
+    e[13] -= origin[1];
+    e[14] -= origin[2];
+    const { uModelToShading, uNormalToShading } = this.#uniforms;
+    const last = uModelToShading.value;
+    if (!last.equals(model)) normalMatrix(last.copy(model), uNormalToShading.value);
+    const same = mesh === this.#placed;
+    this.#placed = mesh;
+    return same;
+  }
+
+  #writeSurface(): void {
+    const { uKa, uKd, uKs, uShininess } = this.#uniforms;
+    const { linear } = this.#lighting;
+    const { terms } = this.#style;
+    const { ka, kd, ks, shininess } = this.#surface;
+    const write = (into: Vector3, term: Term, k: Vec3, base: Vec3): void => {
+      const channel = (i: 0 | 1 | 2): number =>
+        linear ? srgbDecode(k[i] / 255) * srgbDecode(base[i]) : (k[i] / 255) * base[i];
+      if (terms.includes(term)) into.set(channel(0), channel(1), channel(2));
+      else into.set(...BLACK);
+    };
+    write(uKa.value, 'ambient', ka, this.look.baseColor);
+    write(uKd.value, 'diffuse', kd, this.look.baseColor);
+    write(uKs.value, 'specular', ks, PLAIN_LOOK.baseColor);
+    uShininess.value = shininess;
+    if (!isPowerTo64(shininess)) this.#shininessTo64 = false;
   }
 }
-
-/** The Phong material that `material` is or, for one that draws with an exact program, stands for; null for any other. */
-export function phongOf(material: unknown): PhongMaterial | null {
-  if (material instanceof PhongMaterial) return material;
-  const { standsFor } = (material ?? {}) as { standsFor?: unknown };
-  return standsFor instanceof PhongMaterial ? standsFor : null;
-}
-
-const NONE = [0, 0, 0] as const;

@@ -3,7 +3,7 @@
 import { PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
-import type { ShadingFrame } from '../material/phong-lighting.js';
+import type { ShadingFrame } from '../material/lighting.js';
 import { sameValue } from '../fields/field-store.js';
 import { dot } from '../math/vector.js';
 import type { Region } from './gpu/stage.js';

@@ -5,7 +5,7 @@ import { zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
-import type { PhongLighting } from '../material/phong-lighting.js';
+import type { PhongLighting } from '../material/lighting.js';
 import { DEFAULT_STYLE, type ShadingStyle } from '../material/phong-material.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { type Framed, frameLoop } from './frame-loop.js';
@@ -32,9 +32,6 @@ export class Viewport implements StageClient, Framed {
   #visible: boolean | undefined = undefined;
   #attached = false;
   #dirty = true;
-  /** What was drawn last differs from what would be drawn now by its lights alone, if at all. */
-  #relit = false;
-  #held = false;
   #fov = 45;
   #style: ShadingStyle = DEFAULT_STYLE;
   #frames = 0;
@@ -102,27 +99,9 @@ export class Viewport implements StageClient, Framed {
     for (const mesh of this.#meshes) mesh.restyle();
   }
 
-  /** Code that the style asks for is on its way: a first picture waits for it, so that no program is made in vain. */
-  hold(): void {
-    this.#held = this.#frames === 0;
-  }
-
-  /** It is there, or will not come. */
-  release(): void {
-    this.#held = false;
-    this.style = this.#style;
-    this.invalidate();
-  }
-
   set linear(linear: boolean) {
     if (linear !== this.lighting.linear) this.invalidate();
     this.lighting.linear = linear;
-  }
-
-  /** Colour, in 1/255, that may be given up per fragment for fewer lights. */
-  set errorBudget(budget: number) {
-    if (budget !== this.lighting.errorBudget) this.invalidate();
-    this.lighting.errorBudget = budget;
   }
 
   /** How target and radius are found; null leaves them where the user has put them. */
@@ -147,7 +126,6 @@ export class Viewport implements StageClient, Framed {
     this.#wanted = { width, height };
     this.#fit.resized(width, height);
     this.#dirty = true;
-    this.#relit = false;
     this.#wake();
   }
 
@@ -191,12 +169,6 @@ export class Viewport implements StageClient, Framed {
 
   /** Something changed: draw once more, as soon as that can be seen. */
   invalidate(): void {
-    this.#relit = false;
-    this.relight();
-  }
-
-  /** The same where only lights have changed. */
-  relight(): void {
     this.#dirty = true;
     if (this.drawable) frameLoop.request(this);
   }
@@ -218,7 +190,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   redraw(): void {
-    if (this.#held || !this.drawable || this.#visible === undefined) {
+    if (!this.drawable || this.#visible === undefined) {
       this.#dirty = true;
       return;
     }
@@ -228,9 +200,8 @@ export class Viewport implements StageClient, Framed {
       this.settle();
       stage.draw(this, (renderer) => {
         this.#view.aim(this.#fov, this.#fit.bounds, this.width, this.height);
-        this.#painter.paint(renderer, this.#view, this.#relit);
+        this.#painter.paint(renderer, this.#view);
       });
-      this.#relit = true;
       this.#frames += 1;
       this.#events.drawn();
     } catch (error) {
@@ -256,11 +227,10 @@ export class Viewport implements StageClient, Framed {
 
   /** The picture now, at exactly this many pixels. Throws RangeError where no canvas can hold them. */
   capture(width: number, height: number): HTMLCanvasElement {
-    this.#relit = false; // what is drawn last now has been seen another way
     this.settle();
     return stage.capture({ width, height }, (renderer, part) => {
       this.#view.aim(this.#fov, this.#fit.bounds, width, height, part);
-      this.#painter.paint(renderer, this.#view, false);
+      this.#painter.paint(renderer, this.#view);
     });
   }
 

@@ -1,7 +1,7 @@
 // Lights in cells, whose lists the shader finds by place, and lights that are known to stand nowhere near: against the sum over all of
 // them in float64. What exact programs with cells and LIGHTS_APART have.
 import { divide } from '../../src/light/light-grid.js';
-import type { Box } from '../../src/light/light-reach.js';
+import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights } from '../../src/light/pack-lights.js';
 import { ALL_TERMS, inCells } from '../../src/material/exact-lights.js';
@@ -54,7 +54,7 @@ function cells(title: string, budget: number, bound: number): Check {
     throw new Error('these lights are not divided');
   return {
     title: `${title}, ${lights.length} lights`,
-    defines: [`EXACT_LIGHTS ${inCells(into, ALL_TERMS)}`, 'HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'],
+    defines: [`LIGHT_STATEMENTS ${inCells(into, ALL_TERMS)}`, 'HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'],
     rows: ROWS_BY_TABLE,
     table: into.data.subarray(0, into.rows * 4),
     glsl: ANYWHERE,

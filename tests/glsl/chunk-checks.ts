@@ -1,6 +1,6 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
 import { BLOCK_ROWS, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { ENCODING_GLSL } from '../../src/material/shader-source.js';
+import { ENCODING_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
@@ -62,8 +62,8 @@ const power = (x: number, y: number, k: number): number => {
 
 const CHECKS: readonly Check[] = [
   {
-    title: 'powerNearOne keeps x^k to 1e-6 for x beside 1 and exponents to 1e6',
-    glsl: 'result.x = powerNearOne(a.x, a.y, a.z);',
+    title: 'powNearOne keeps x^k to 1e-6 for x beside 1 and exponents to 1e6',
+    glsl: 'result.x = powNearOne(a.x, a.y, a.z);',
     inputs(random) {
       const y = f(random.pick([random.magnitude(1e-12, 1), random.from(0, 1), 0]));
       const k = random.pick([
@@ -79,8 +79,8 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title: 'powerNearOne gives 1 for exponents below 1e-6 and 0 for a base of 0',
-    glsl: 'result.x = powerNearOne(a.x, 1.0 - a.x, a.y);',
+    title: 'powNearOne gives 1 for exponents below 1e-6 and 0 for a base of 0',
+    glsl: 'result.x = powNearOne(a.x, 1.0 - a.x, a.y);',
     inputs(random) {
       const k = random.pick([0, 1e-7, 1, 1e6]);
       return [[k < 1e-6 ? random.pick([0, f(random.from(0, 1)), 1]) : 0, k]];
@@ -110,9 +110,9 @@ const CHECKS: readonly Check[] = [
   {
     title: 'attenuation is 1/max(kc + kl·d + kq·d², 1), less what a shape has no need of',
     glsl: `
-      result.x = attenuation(a.xyz, b.x, b.x * b.x, SHAPE_LINEAR + SHAPE_CLAMPED);
-      result.y = attenuation(vec3(a.x, 0.0, a.z), b.x, b.x * b.x, SHAPE_CLAMPED);
-      result.z = attenuation(vec3(1.0 + a.x, a.yz), b.x, b.x * b.x, SHAPE_LINEAR);`,
+      result.x = attenuation(a.xyz, b.x, b.x * b.x, FEATURE_LINEAR + FEATURE_CLAMPED);
+      result.y = attenuation(vec3(a.x, 0.0, a.z), b.x, b.x * b.x, FEATURE_CLAMPED);
+      result.z = attenuation(vec3(1.0 + a.x, a.yz), b.x, b.x * b.x, FEATURE_LINEAR);`,
     inputs(random) {
       const k = (): number => f(random.pick([0, 1, random.magnitude(1e-6, 1e6)]));
       return [[k(), k(), k()], [f(random.pick([0, random.magnitude(1e-15, 1e15)]))]];
@@ -127,7 +127,7 @@ const CHECKS: readonly Check[] = [
   },
   {
     title: 'insideCone compares the nearer side of the axis, and the far side beyond 90°',
-    glsl: 'result.x = insideCone(a.x, a.y, a.z, SHAPE_NARROW + SHAPE_WIDE) ? 1.0 : 0.0;',
+    glsl: 'result.x = insideCone(a.x, a.y, a.z, FEATURE_NARROW + FEATURE_WIDE) ? 1.0 : 0.0;',
     inputs(random) {
       const q = f(random.from(0, 1));
       const limit = random.pick([q, f(random.from(0, 0.5)), -f(1 - q), f(random.from(-0.5, 0)), LIMIT_OPEN]);
@@ -140,8 +140,8 @@ const CHECKS: readonly Check[] = [
     title:
       'insideCone does the same where a shape says which side it is, and lets all through where it has no cone',
     glsl: `
-      int shape = a.z < 0.0 ? SHAPE_WIDE : SHAPE_NARROW;
-      result.xy = vec2(insideCone(a.x, a.y, a.z, shape), insideCone(a.x, a.y, a.z, SHAPE_DECAY));`,
+      int shape = a.z < 0.0 ? FEATURE_WIDE : FEATURE_NARROW;
+      result.xy = vec2(insideCone(a.x, a.y, a.z, shape), insideCone(a.x, a.y, a.z, FEATURE_DECAY));`,
     inputs(random) {
       const q = f(random.from(0, 1));
       return [
@@ -152,8 +152,8 @@ const CHECKS: readonly Check[] = [
     bound: 0,
   },
   {
-    title: 'wholePower keeps x^k to the rounding of x for every whole k to 64, and 1 at 1',
-    glsl: 'result.x = wholePower(a.x, int(a.y));',
+    title: 'powInteger keeps x^k to the rounding of x for every whole k to 64, and 1 at 1',
+    glsl: 'result.x = powInteger(a.x, int(a.y));',
     inputs: (random) => [
       [
         f(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
@@ -168,9 +168,9 @@ const CHECKS: readonly Check[] = [
   {
     title: 'spotDecay multiplies whole cutoffs out, raises others and leaves 1 without either',
     glsl: `
-      result.x = spotDecay(a.x, a.y, a.z, (int(a.z) << SHAPE_POWER_SHIFT) + SHAPE_CHORDS);
-      result.y = spotDecay(a.x, a.y, a.w, SHAPE_DECAY + SHAPE_CHORDS);
-      result.z = spotDecay(a.x, a.y, a.z, SHAPE_NARROW);`,
+      result.x = spotDecay(a.x, a.y, a.z, (int(a.z) << FEATURE_POWER_SHIFT) + FEATURE_CHORDS);
+      result.y = spotDecay(a.x, a.y, a.w, FEATURE_DECAY + FEATURE_CHORDS);
+      result.z = spotDecay(a.x, a.y, a.z, FEATURE_NARROW);`,
     inputs(random) {
       const q = f(random.pick([0, 1, random.from(0, 1), random.magnitude(1e-9, 0.1)]));
       return [[q, f(1 - q), Math.floor(random.from(1, 65)), f(random.magnitude(1e-3, 1e3))]];
@@ -183,8 +183,8 @@ const CHECKS: readonly Check[] = [
     title:
       'spotDecay takes a cosine for cutoffs from 1 to 64, also where rounding made it less than -1 or more than 1',
     glsl: `
-      result.x = spotDecay(1.0 - a.x, a.x, a.y, int(a.y) << SHAPE_POWER_SHIFT);
-      result.y = spotDecay(1.0 - a.x, a.x, a.z, SHAPE_DECAY + SHAPE_MILD);`,
+      result.x = spotDecay(1.0 - a.x, a.x, a.y, int(a.y) << FEATURE_POWER_SHIFT);
+      result.y = spotDecay(1.0 - a.x, a.x, a.z, FEATURE_DECAY + FEATURE_MILD);`,
     inputs: (random) => [
       [
         f(random.pick([0, 1, -6e-8, 1 + 1.2e-7, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
@@ -193,7 +193,7 @@ const CHECKS: readonly Check[] = [
       ],
     ],
     expected: ([p, whole, cutoff]) => [Math.max(p!, 0) ** whole!, Math.max(p!, 0) ** cutoff!],
-    bound: 3e-5, // log2's, as mildPower has it
+    bound: 3e-5, // log2's, as powTo64 has it
     floor: 1,
   },
   {

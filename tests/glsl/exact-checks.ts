@@ -61,7 +61,7 @@ const lobe = (
 });
 
 const LOBES: readonly Check[] = [
-  ...['MILD_SHININESS', 'WHOLE_SHININESS 8', 'IS_ANY_SHININESS'].map((define) => ({
+  ...['SHININESS_TO_64', 'INTEGER_SHININESS 8', 'IS_ANY_SHININESS'].map((define) => ({
     ...lobe(
       [define, 'REFLECTION_BLINN_PHONG'],
       `specularLobe makes no half vector of what rounding leaves of L + V (${define})`,
@@ -71,32 +71,32 @@ const LOBES: readonly Check[] = [
     inputs: opposed,
   })),
   lobe(
-    ['WHOLE_SHININESS 8'],
+    ['INTEGER_SHININESS 8'],
     'specularLobe multiplies a whole exponent out, and is 0 behind and without a view',
     ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
     5e-6,
   ),
   lobe(
-    ['WHOLE_SHININESS 8', 'REFLECTION_BLINN_PHONG'],
+    ['INTEGER_SHININESS 8', 'REFLECTION_BLINN_PHONG'],
     'specularLobe multiplies Blinn’s whole exponent out, and is 0 where there is no H',
     blinn,
     5e-6,
   ),
   lobe(
-    ['MILD_SHININESS', 'REFLECTION_BLINN_PHONG'],
+    ['SHININESS_TO_64', 'REFLECTION_BLINN_PHONG'],
     'specularLobe raises Blinn’s mild exponent without the series',
     blinn,
     2e-5,
   ),
   lobe(
-    ['MILD_SHININESS'],
+    ['SHININESS_TO_64'],
     'specularLobe raises a mild exponent without the series',
     ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
     2e-5,
   ),
   {
-    title: 'mildPower keeps x^k to the error of log2 for exponents to 64, 0^k = 0 and x^0 = 1',
-    glsl: 'result.x = mildPower(a.x, a.y);',
+    title: 'powTo64 keeps x^k to the error of log2 for exponents to 64, 0^k = 0 and x^0 = 1',
+    glsl: 'result.x = powTo64(a.x, a.y);',
     inputs: (random) => [
       [
         Math.fround(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
@@ -195,7 +195,7 @@ export function sumsOf(
   return {
     title: `lights ${apart === '' ? '' : 'that stand apart '}${form} add up to the reference’s sum of ${all ? 'all terms' : terms.join(' and ')}, ${chosen.length} lights`,
     defines: [
-      `EXACT_LIGHTS ${text}`,
+      `LIGHT_STATEMENTS ${text}`,
       ...(form === 'in the text' ? [`LIGHT_CONSTANTS ${constantRows(packed)}`] : []),
       ...(apart === '' ? [] : [apart]),
       ...terms

@@ -112,7 +112,7 @@ const LOBES: readonly Check[] = [
       vec3 N = vec3(0.0, 0.0, 1.0);
       vec3 W = specularView(N, b.xyz);
       Seen seen = Seen(W, dx, dy, dy, -dx, footprintOf(dx, dy, a.w));
-      result.x = specularLobe(N, a.xyz, seenNear(seen, a.xyz, 0.5, a.w), a.w);`,
+      result.x = specularLobe(N, a.xyz, pixelViewNear(seen, a.xyz, 0.5, a.w), a.w);`,
     inputs: lobeInputs,
     expected([x, y, z, n], [u, v, w, side]) {
       const V: Vec3 = [u!, v!, w!];
@@ -133,7 +133,7 @@ const LOBES: readonly Check[] = [
       vec3 N = vec3(0.0, 0.0, 1.0);
       Seen seen = Seen(b.xyz, 0.5 * dx, dy, -dy, 0.25 * dx, dy, dx);
       result.x = specularLobe(N, a.xyz, seen, a.w);
-      result.y = specularLobe(N, a.xyz, seenNear(seen, a.xyz, 0.5, a.w), a.w);`,
+      result.y = specularLobe(N, a.xyz, pixelViewNear(seen, a.xyz, 0.5, a.w), a.w);`,
     inputs(random) {
       const [a, b] = lobeInputs(random);
       // Of L = -V but for roundings a device's own decide; of nothing there is nothing to round.
@@ -219,10 +219,10 @@ export const FOOTPRINT_CHECKS: readonly Check[] = [
     anyExponent,
     1.25e-6, // measured on worst drivers: 6.1e-7 to 8.2e-7 of eleven runs on four stacks, 1.04e-6 of the twelfth
   ),
-  averaged('averagedLobe multiplies a whole exponent out', ['WHOLE_SHININESS 8'], () => 8, 1e-6),
+  averaged('averagedLobe multiplies a whole exponent out', ['INTEGER_SHININESS 8'], () => 8, 1e-6),
   averaged(
     'averagedLobe raises a mild exponent without the series',
-    ['MILD_SHININESS'],
+    ['SHININESS_TO_64'],
     (random) => random.magnitude(1, 64),
     3e-5, // 64 · 2^-21 · ln 2 of log2; measured 2.7e-5,
   ),

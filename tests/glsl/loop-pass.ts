@@ -5,7 +5,7 @@ import { type Edit, edited } from './edit.js';
 import { WHOLE_LOOP_GLSL } from './whole-loop.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
 import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
-import { ENCODING_GLSL } from '../../src/material/shader-source.js';
+import { ENCODING_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode } from '../../src/math/color.js';
 import type { Surface } from '../../src/reference/equation.js';
 import { pack, type StressCase, type Variant } from '../stress/case.js';

@@ -3,7 +3,7 @@
 import cellList from '../../shaders/cell_list.glsl?raw';
 import constantRows from '../../shaders/constant_rows.glsl?raw';
 import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
-import { lightLoop } from '../../src/material/shader-source.js';
+import { lightLoop } from '../../src/material/program/source.js';
 
 export const WHOLE_LOOP_GLSL = lightLoop(
   [AVERAGES_GLSL, cellList, '#ifdef LIGHT_CONSTANTS', constantRows, '#endif'].join('\n'),

@@ -4,7 +4,7 @@
 import { describe, expect, it } from 'vitest';
 import { LEAST_DIVIDED, divide } from '../../src/light/light-grid.js';
 import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
-import type { Box, Reflectance } from '../../src/light/light-reach.js';
+import type { Box, Reflectance } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, KINDS, type PackedLights } from '../../src/light/pack-lights.js';
 import { radians } from '../../src/math/angle.js';

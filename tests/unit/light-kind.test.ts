@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { gatherFacts, isAttenuated, isSpot, kindOf, noFacts } from '../../src/light/light-kind.js';
+import { gatherFacts, isAttenuated, isSpot, kindOf, noFacts } from '../../src/light/light-features.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { anyLight, light } from './arbitraries.js';
 

@@ -3,7 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { Cone } from '../../src/light/cone.js';
 import { HEADER } from '../../src/light/light-layout.js';
-import { mostOf } from '../../src/light/light-reach.js';
+import { mostOf } from '../../src/light/cull-lights.js';
 import { normalize, scale, subtract } from '../../src/math/vector.js';
 import { Random } from '../stress/random.js';
 import { light } from './arbitraries.js';

@@ -3,7 +3,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import type { Box, Reached, Reflectance } from '../../src/light/light-reach.js';
+import type { Box, Reached, Reflectance } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights } from '../../src/light/pack-lights.js';
 import { SRGB, srgbDecode } from '../../src/math/color.js';

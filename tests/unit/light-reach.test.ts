@@ -4,7 +4,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { HEADER, ROWS } from '../../src/light/light-layout.js';
-import { type Box, forEachLight, type Reached, reachedLights } from '../../src/light/light-reach.js';
+import { type Box, forEachLight, type Reached, reachedLights } from '../../src/light/cull-lights.js';
 import { radians } from '../../src/math/angle.js';
 import { add, scale } from '../../src/math/vector.js';
 import { Random } from '../stress/random.js';

@@ -7,7 +7,7 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { BLOCK_ROWS, LARGE_BLOCK_ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
 import { lightBlockOf } from '../../src/material/light-block.js';
-import { LightRows } from '../../src/material/light-rows.js';
+import { LightRows } from '../../src/material/light-buffer.js';
 import { FakeRenderer } from './fake-renderer.js';
 
 const WIDTH = 2 ** TEXTURE_ROWS_LOG2;

@@ -3,7 +3,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { HEADER, LARGEST_MILD, LIMIT_OPEN, ROWS, SHAPE } from '../../src/light/light-layout.js';
-import { forEachLight } from '../../src/light/light-reach.js';
+import { forEachLight } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights } from '../../src/light/pack-lights.js';
 import { srgbDecode } from '../../src/math/color.js';

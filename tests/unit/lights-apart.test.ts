@@ -2,7 +2,7 @@
 
 import { describe, expect, it } from 'vitest';
 import { areApart } from '../../src/light/light-apart.js';
-import type { Box } from '../../src/light/light-reach.js';
+import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { light } from './arbitraries.js';
 import { pack } from './packed-reader.js';

@@ -2,16 +2,16 @@
 
 import { BoxGeometry, BufferGeometry, Mesh, Object3D } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
-import * as lightReach from '../../src/light/light-reach.js';
+import * as lightReach from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { lightBlockOf } from '../../src/material/light-block.js';
 import type { LightList } from '../../src/material/light-list.js';
-import { LightRows } from '../../src/material/light-rows.js';
+import { LightRows } from '../../src/material/light-buffer.js';
 import { MeshLights, type ReachQuestion } from '../../src/material/mesh-lights.js';
 import { light } from './arbitraries.js';
 import { pack, read } from './packed-reader.js';
 
-vi.mock(import('../../src/light/light-reach.js'), async (original) => {
+vi.mock(import('../../src/light/cull-lights.js'), async (original) => {
   const module = await original();
   return { ...module, reachedLights: vi.fn(module.reachedLights) };
 });

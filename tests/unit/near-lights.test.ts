@@ -2,7 +2,7 @@
 
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import * as lightGrid from '../../src/light/light-grid.js';
-import type { Box } from '../../src/light/light-reach.js';
+import type { Box } from '../../src/light/cull-lights.js';
 import { LightList } from '../../src/material/light-list.js';
 import type { MeshChoice } from '../../src/material/mesh-lights.js';
 import { NearLights } from '../../src/material/near-lights.js';

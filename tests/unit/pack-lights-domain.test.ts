@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { kindOf } from '../../src/light/light-kind.js';
+import { kindOf } from '../../src/light/light-features.js';
 import { BLOCK_ROWS, LIMIT_OPEN, ROWS } from '../../src/light/light-layout.js';
 import type { PackSpace } from '../../src/light/pack-lights.js';
 import { coneLimit } from '../../src/light/steady-light.js';

@@ -3,7 +3,7 @@
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { KindChoice, LIGHT_KINDS } from '../../src/gui/kind-choice.js';
-import { kindOf } from '../../src/light/light-kind.js';
+import { kindOf } from '../../src/light/light-features.js';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 import type { Vec3 } from '../../src/math/vector.js';
 

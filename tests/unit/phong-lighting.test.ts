@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { expect, it } from 'vitest';
 import { LightSet } from '../../src/light/light-set.js';
 import { LightState } from '../../src/light/light-state.js';
-import { PhongLighting, type ShadingFrame } from '../../src/material/phong-lighting.js';
+import { PhongLighting, type ShadingFrame } from '../../src/material/lighting.js';
 import { anyLight } from './arbitraries.js';
 
 const SEED = 1;

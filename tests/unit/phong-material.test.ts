@@ -4,10 +4,10 @@ import { describe, expect, it } from 'vitest';
 import { LightSet } from '../../src/light/light-set.js';
 import { LightState } from '../../src/light/light-state.js';
 import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
-import { PhongLighting, type ShadingFrame } from '../../src/material/phong-lighting.js';
+import { PhongLighting, type ShadingFrame } from '../../src/material/lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
-import { bringAverages } from '../../src/material/shader-source.js';
-import { type Term, TERMS } from '../../src/material/variant.js';
+import { bringAverages } from '../../src/material/program/source.js';
+import { type Term, TERMS } from '../../src/material/program/variant.js';
 
 const FRAME: ShadingFrame = {
   ...{ origin: [0, 0, 0], eye: [0, 0, 5] },

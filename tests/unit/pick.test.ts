@@ -16,7 +16,7 @@ import {
 } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
-import { PhongLighting } from '../../src/material/phong-lighting.js';
+import { PhongLighting } from '../../src/material/lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
 import { drawnObjects, frameNow, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
 import { type Hit, pick } from '../../src/scene/snapshot/pick.js';

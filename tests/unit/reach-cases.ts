@@ -1,6 +1,6 @@
 // Boxes, and lights whose cones graze them: of all sizes, from apexes inside and far away. Places are in shading space; each
 // light is written in the world's or the camera's, as an author would. Knows geometry and lights' values, not how reach is found.
-import { type Box, type Reached, reachedLights, type Reflectance } from '../../src/light/light-reach.js';
+import { type Box, type Reached, reachedLights, type Reflectance } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights, PackSpace } from '../../src/light/pack-lights.js';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';

@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { layoutDefines, ROWS } from '../../src/light/light-layout.js';
 import { AVERAGES_GLSL } from '../../src/material/averaged-highlights.js';
 import { LIGHT_LOOP_GLSL } from '../../src/material/light-loop-glsl.js';
-import { bringAverages, lightLoop, shadersOf } from '../../src/material/shader-source.js';
+import { bringAverages, lightLoop, shadersOf } from '../../src/material/program/source.js';
 
 bringAverages(AVERAGES_GLSL);
 

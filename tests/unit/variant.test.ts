@@ -2,7 +2,7 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { gatherFacts, type LightFacts, noFacts } from '../../src/light/light-kind.js';
+import { gatherFacts, type LightFacts, noFacts } from '../../src/light/light-features.js';
 import {
   ANTIALIASES,
   REFLECTIONS,
@@ -10,7 +10,7 @@ import {
   TERMS,
   type Variant,
   variantDefines,
-} from '../../src/material/variant.js';
+} from '../../src/material/program/variant.js';
 import { anyLight, light } from './arbitraries.js';
 
 const plain: Variant = {

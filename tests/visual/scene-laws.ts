@@ -1,6 +1,6 @@
 // Changes of a scene that must not change its picture, scene to scene. World space, HTML's units.
 import { Euler, Matrix4, Vector3 } from 'three';
-import { kindOf } from '../../src/light/light-kind.js';
+import { kindOf } from '../../src/light/light-features.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { add, scale, type Vec3, type Vec4 } from '../../src/math/vector.js';

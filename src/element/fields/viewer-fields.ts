@@ -10,7 +10,7 @@ import {
   SHADINGS,
   type Term,
   TERMS,
-} from '../../material/variant.js';
+} from '../../material/program/variant.js';
 import type { Fields } from '../../fields/field-store.js';
 import {
   booleanField,

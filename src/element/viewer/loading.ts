@@ -1,16 +1,14 @@
 // What is on its way to a viewer: its own mesh, its children's, and what is said of their loads. Knows neither how
 // files are read nor how anything is drawn.
 import type { FieldStore } from '../../fields/field-store.js';
-import type { PhongLighting } from '../../material/phong-lighting.js';
+import type { PhongLighting } from '../../material/lighting.js';
 import type { ShadingStyle } from '../../material/phong-material.js';
-import { bringAverages, hasAverages } from '../../material/shader-source.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import type { CrossOrigin } from '../../scene/model/load-model.js';
 import { ModelError } from '../../scene/model/model.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { Viewport } from '../../scene/viewport.js';
-import { fetched } from './fetched.js';
 import type { EventQueue } from './event-queue.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 
@@ -55,7 +53,6 @@ export class ViewerLoading implements MeshHost {
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
   #seen = false;
-  #averages: 'unasked' | 'fetching' | 'asked' = 'unasked';
 
   constructor(host: LoadingHost) {
     this.#host = host;
@@ -115,7 +112,7 @@ export class ViewerLoading implements MeshHost {
 
   /** Something that was asked for is on its way. */
   get pending(): boolean {
-    return this.#averages === 'fetching' || this.#loads;
+    return this.#loads;
   }
 
   /** At least one model is there and none is on its way. */
@@ -132,21 +129,6 @@ export class ViewerLoading implements MeshHost {
 
   update(): void {
     for (const mesh of this.#meshes()) mesh.update();
-  }
-
-  /** The picture asks for `antialias="highlights"`; one that is shown goes on without until the code for it is there. */
-  async averageHighlights(): Promise<void> {
-    if (this.#averages !== 'unasked' || hasAverages()) return;
-    this.#averages = 'fetching';
-    this.#host.viewport.hold();
-    const code = await fetched(
-      () => import('../../material/averaged-highlights.js'),
-      'antialias="highlights"',
-    );
-    this.#averages = 'asked';
-    if (code !== null) bringAverages(code.AVERAGES_GLSL);
-    this.#host.viewport.release();
-    this.#host.ended();
   }
 
   get #loads(): boolean {

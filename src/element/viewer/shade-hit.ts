@@ -3,7 +3,7 @@
 import type { LightValues } from '../../light/light-state.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { ShadingStyle } from '../../material/phong-material.js';
-import type { Term } from '../../material/variant.js';
+import type { Term } from '../../material/program/variant.js';
 import { srgbEncode } from '../../math/color.js';
 import { add, map, scale, type Vec3 } from '../../math/vector.js';
 import type { shade as Shade, Shaded } from '../../reference/index.js';

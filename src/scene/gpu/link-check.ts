@@ -1,5 +1,6 @@
 // Tells of programs that do not link, without waiting for any that the driver still works on.
 import type { WebGLProgram as ThreeProgram, WebGLRenderer } from 'three';
+import { compilingPrograms } from '../../material/program/program-cache.js';
 
 /** three.js's types leave these out. */
 type Program = ThreeProgram & {
@@ -7,9 +8,6 @@ type Program = ThreeProgram & {
   /** Asks KHR_parallel_shader_compile; true where the browser has it not. */
   isReady(): boolean;
 };
-
-/** Programs that are made in the background and not drawn with yet: asking for them could wait. */
-export const unfinished = new WeakSet<object>();
 
 /**
  * three.js's own check asks for three logs of each program, and each answer is waited for. Whether a program that was
@@ -26,7 +24,7 @@ export class LinkCheck {
   check(renderer: WebGLRenderer): void {
     const gl = renderer.getContext();
     for (const program of (renderer.info.programs ?? []) as Program[]) {
-      if (this.#checked.has(program) || unfinished.has(program) || !program.isReady()) continue;
+      if (this.#checked.has(program) || compilingPrograms.has(program) || !program.isReady()) continue;
       this.#checked.add(program);
       if (gl.getProgramParameter(program.program, gl.LINK_STATUS) === true || gl.isContextLost()) continue;
       reportError(new Error(`<phong-viewer> a program does not link: ${logOf(gl, program.program)}`));

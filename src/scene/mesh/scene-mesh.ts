@@ -2,7 +2,7 @@
 // else can be. Knows neither elements nor frames.
 import { Group, Mesh, type Object3D } from 'three';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { PhongLighting } from '../../material/phong-lighting.js';
+import type { PhongLighting } from '../../material/lighting.js';
 import { PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
 import { type FieldStore, sameValue } from '../../fields/field-store.js';
 import { radians } from '../../math/angle.js';

@@ -8,7 +8,7 @@ import {
   Raycaster,
   type Vector3,
 } from 'three';
-import type { ShadingFrame } from '../../material/phong-lighting.js';
+import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
 import { add, dot, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';

@@ -2,7 +2,7 @@
 // that neighbouring triangles leave no gap between them (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection",
 // JCGT 2(1), 2013) and flattened, mirrored or huge matrices need no inverse. Knows neither materials nor pictures.
 import type { BufferGeometry, Matrix4 } from 'three';
-import type { ShadingFrame } from '../../material/phong-lighting.js';
+import type { ShadingFrame } from '../../material/lighting.js';
 import { dot, subtract, type Vec3 } from '../../math/vector.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */

@@ -1,13 +1,8 @@
 // What a picture shows at one moment, kept for whoever looks into it later: its code is fetched with the first look, and
 // the scene goes on meanwhile. Holds on to what is replaced when it changes and copies what is written to.
 import type { BufferGeometry, Material, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
-import type { ShadingFrame } from '../../material/phong-lighting.js';
-import {
-  type BaseLook,
-  type PhongMaterial,
-  phongOf,
-  type ShadingStyle,
-} from '../../material/phong-material.js';
+import type { ShadingFrame } from '../../material/lighting.js';
+import { type BaseLook, PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 
 /** How the Phong material shades. */
@@ -51,7 +46,7 @@ export function drawnObjects<Owner>(
   const { material, geometry, isMesh } = object as Partial<Mesh>;
   const hidden = material !== undefined && !Array.isArray(material) && !material.visible;
   if (!hidden && object.layers.test(camera.layers)) {
-    const phong = phongOf(material);
+    const phong = material instanceof PhongMaterial ? material : null;
     const owner = isMesh === true && phong !== null ? ownerOf(object) : undefined;
     into.push({
       object,

@@ -1,7 +1,7 @@
 // The ways to sum lights that are held against each other: the equation as it is written, hoisted, the shipped loop, the
 // shipped one without each thing that it skips, at lower precision, with approximate lobes. Text and data; nothing is drawn here.
 import { divide } from '../../../src/light/light-grid.js';
-import { gatherFacts, isSpot, kindOf, noFacts } from '../../../src/light/light-kind.js';
+import { gatherFacts, isSpot, kindOf, noFacts } from '../../../src/light/light-features.js';
 import { BLOCK_ROWS, SHAPE } from '../../../src/light/light-layout.js';
 import type { LightValues } from '../../../src/light/light-state.js';
 import { emptyPack, type PackedLights, packLights } from '../../../src/light/pack-lights.js';
@@ -9,8 +9,8 @@ import { isMildPower, isWholePower } from '../../../src/light/steady-light.js';
 import { constantRows, MOST_CONSTANT, MOST_PARTLY } from '../../../src/material/exact-lights.js';
 import { CHUNKS, type ExactForm, exactText, readsBlock } from '../../../src/material/exact-material.js';
 import { LIGHT_LOOP_GLSL } from '../../../src/material/light-loop-glsl.js';
-import { lightLoop } from '../../../src/material/shader-source.js';
-import { TERMS, type Variant, variantDefines } from '../../../src/material/variant.js';
+import { lightLoop } from '../../../src/material/program/source.js';
+import { TERMS, type Variant, variantDefines } from '../../../src/material/program/variant.js';
 import { radians } from '../../../src/math/angle.js';
 import { add, normalize, scale, type Vec3 } from '../../../src/math/vector.js';
 import { BEND, type FloorScene } from './floor-scenes.js';

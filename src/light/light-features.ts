@@ -1,0 +1,159 @@
+// What code does a light need? Its kind, its feature mask (LIGHT_FEATURES) and the packed limit of its cone. Also collects the
+// features of everything declared so far, which the general program is compiled for. Knows nothing of packing or GLSL.
+import { radians } from '../math/angle.js';
+import type { Vec3 } from '../math/vector.js';
+import { LARGEST_COSINE_POWER, LEAST_EXPONENT, LIGHT_FEATURES, LIMIT_OPEN } from './light-layout.js';
+import type { LightValues } from './light-state.js';
+
+export type LightKind = 'directional' | 'point' | 'spot';
+
+/** In the order of their packed rows. */
+export const KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
+
+type Values = Readonly<LightValues>;
+
+/** All three components are 0. */
+export const isBlack = (v: Vec3): boolean => v[0] === 0 && v[1] === 0 && v[2] === 0;
+
+/** Has a cone or a decay, and an axis to measure it from. */
+export const isSpot = (light: Values): boolean =>
+  !isBlack(light.axis) && (light.aperture < 180 || light.cutoff >= LEAST_EXPONENT);
+
+export function kindOf(light: Values): LightKind {
+  if (light.position[3] === 0) return 'directional'; // its cone and decay are constants: see pack-lights
+  return isSpot(light) ? 'spot' : 'point';
+}
+
+/** Attenuation that can differ from 1. */
+const isAttenuated = ({ position, attenuation }: Values): boolean =>
+  position[3] === 1 && (attenuation[0] > 1 || attenuation[1] > 0 || attenuation[2] > 0);
+
+const DECLARED = [
+  ...['directional', 'point', 'spot', 'attenuation', 'cone', 'decay'],
+  ...['ambient', 'diffuse', 'specular'],
+] as const;
+
+/** What any light declared so far needs: HAS_SPOT and so on in the GLSL. */
+export type DeclaredFeatures = Record<(typeof DECLARED)[number], boolean>;
+
+export const noFeatures = (): DeclaredFeatures =>
+  Object.fromEntries(DECLARED.map((name) => [name, false])) as DeclaredFeatures;
+
+/**
+ * Adds what this light needs, active or not, so that toggling it never needs another program. Features are never removed:
+ * a light that was declared once may come again. True where one was new.
+ */
+export function declareFeatures(light: Values, declared: DeclaredFeatures): boolean {
+  const kind = kindOf(light);
+  let added = false;
+  const declare = (name: keyof DeclaredFeatures, needed: boolean): void => {
+    if (!needed || declared[name]) return;
+    declared[name] = true;
+    added = true;
+  };
+  declare(kind, true);
+  declare('cone', kind === 'spot' && light.aperture < 180);
+  declare('decay', kind === 'spot' && light.cutoff >= LEAST_EXPONENT);
+  declare('attenuation', isAttenuated(light));
+  declare('ambient', !isBlack(light.ambient));
+  declare('diffuse', !isBlack(light.diffuse));
+  declare('specular', !isBlack(light.specular));
+  return added;
+}
+
+/** The feature mask of a light of this kind. */
+export function featuresOf(light: Values, kind: LightKind): number {
+  const terms = termFeatures(light);
+  if (kind === 'directional') return terms;
+  const positional = terms + attenuationFeatures(light);
+  if (kind === 'point') return positional;
+  return positional + (isBlack(light.ambient) ? 0 : LIGHT_FEATURES.ambient) + coneFeatures(light);
+}
+
+function termFeatures({ diffuse, specular }: Values): number {
+  let features = 0;
+  if (!isBlack(diffuse))
+    features += LIGHT_FEATURES.diffuse + (isGrey(diffuse) ? 0 : LIGHT_FEATURES.tintedDiffuse);
+  if (!isBlack(specular))
+    features += LIGHT_FEATURES.specular + (isGrey(specular) ? 0 : LIGHT_FEATURES.tintedSpecular);
+  return features;
+}
+
+const isGrey = (c: Vec3): boolean => c[0] === c[1] && c[1] === c[2];
+
+/** `clamped` also without attenuation: in a loop with attenuated lights every light takes its sum. */
+function attenuationFeatures(light: Values): number {
+  const { attenuation } = light;
+  return (
+    (isAttenuated(light) ? LIGHT_FEATURES.attenuated : 0) +
+    (attenuation[0] < 1 ? LIGHT_FEATURES.clamped : 0) +
+    (attenuation[1] > 0 ? LIGHT_FEATURES.linear : 0)
+  );
+}
+
+/**
+ * Least angle in degrees between a cone's edge and 0 or 180 for which a cosine finds the edge: float32 leaves an error of
+ * 4e-7 in the cosine on the worst lawful driver, 1.5e-6 rad at this angle.
+ */
+const LEAST_BY_COSINE = 15;
+
+/** A cone whose edge a cosine finds. */
+const isBlunt = (aperture: number): boolean =>
+  aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
+
+function coneFeatures({ aperture, cutoff }: Values): number {
+  const open = aperture >= 180;
+  // A power below 1 is steep behind the light, one above LARGEST_COSINE_POWER at the axis.
+  const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_COSINE_POWER);
+  const chords = gentle && (open || isBlunt(aperture)) ? 0 : LIGHT_FEATURES.chords;
+  const side = packedLimit(aperture) < 0 ? LIGHT_FEATURES.wide : LIGHT_FEATURES.narrow;
+  const cone = (open ? 0 : side) + chords;
+  if (cutoff < LEAST_EXPONENT) return cone;
+  if (isIntegerPower(cutoff)) return cone + (cutoff << LIGHT_FEATURES.powerShift);
+  return cone + LIGHT_FEATURES.decay + (isPowerTo64(cutoff) ? LIGHT_FEATURES.decayTo64 : 0);
+}
+
+/** An exponent that a specialised program multiplies out. */
+export const isIntegerPower = (exponent: number): boolean =>
+  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_COSINE_POWER;
+
+/** An exponent whose power needs no series near 1; 0 included. */
+export const isPowerTo64 = (exponent: number): boolean => exponent <= LARGEST_COSINE_POWER;
+
+/** The bits of a mask; above them is an integer power. */
+const BITS = (1 << LIGHT_FEATURES.powerShift) - 1;
+const DECAYS = LIGHT_FEATURES.decay | LIGHT_FEATURES.decayTo64;
+
+/** What lights of both masks need. Cutoffs that differ need a general power. */
+export function unionOf(a: number, b: number): number {
+  const power = a >> LIGHT_FEATURES.powerShift;
+  const samePower = power === b >> LIGHT_FEATURES.powerShift && (a & DECAYS) === (b & DECAYS);
+  if (samePower) return ((a | b) & BITS) | (power << LIGHT_FEATURES.powerShift);
+  const to64 = decaysTo64(a) && decaysTo64(b) ? LIGHT_FEATURES.decayTo64 : 0;
+  return ((a | b) & BITS & ~DECAYS) | LIGHT_FEATURES.decay | to64;
+}
+
+/** No decay, or one with an exponent to 64. */
+const decaysTo64 = (features: number): boolean => (features & DECAYS) !== LIGHT_FEATURES.decay;
+
+/** An aperture in degrees as the one float that the shader compares with; see LIMIT_OPEN. */
+export function coneLimit(aperture: number): number {
+  if (aperture >= 180) return LIMIT_OPEN;
+  // Beyond 90° the chord to the far side is the short one, and precise; degrees to 180 are exact.
+  return aperture <= 90 ? Math.sin(radians(aperture) / 2) ** 2 : farLimit(aperture);
+}
+
+/** The limit as it is compared on the far side of the axis. */
+const farLimit = (aperture: number): number => -(Math.sin(radians(180 - aperture) / 2) ** 2);
+
+/**
+ * The limit for float32. A fragment exactly on the axis can be 1e-6 rad off it there (inversesqrt may be 2 ULP off), so a
+ * cone of no width must be that wide to hold its axis. An edge that a cosine finds is compared on the far side.
+ */
+export function packedLimit(aperture: number): number {
+  const limit = isBlunt(aperture) ? farLimit(aperture) : coneLimit(aperture);
+  return limit < 0 ? limit : Math.max(limit, LEAST_LIMIT);
+}
+
+/** sin² of half of 1e-6 rad. */
+const LEAST_LIMIT = 2.5e-13;

@@ -1,0 +1,142 @@
+// The packed lights that some meshes are drawn with, as the GPU reads them: a uniform array while they fit, a float texture
+// beyond. Sends only what changed. Knows neither meshes nor programs.
+import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
+import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
+import { KINDS } from '../light/light-features.js';
+import { emptyPack, type PackedLights } from '../light/pack-lights.js';
+import { unions } from './program/variant.js';
+
+const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
+
+/** Buffers made so far: tells them apart. */
+let buffers = 0;
+
+export class LightBuffer {
+  readonly packed: PackedLights;
+  /** What the GPU is to hold: a copy of the packed rows, in lines of the texture. */
+  #data = new Float32Array(TEXTURE_WIDTH * 4);
+  #rows = this.#data.subarray(0, 0);
+  #version = 0;
+  #features: readonly number[] = [];
+  #featureKey = '';
+  #contentKey = '';
+  readonly #id = (buffers += 1);
+  /** three.js takes it as it is: a texture of three's own would ask for anisotropy, and wait for the answer. */
+  readonly #texture = new ExternalTexture();
+  #gl: WebGL2RenderingContext | null = null;
+  /** Rows that changed since they were sent to the texture: from, and up to but without. */
+  #stale = { from: 0, to: 0 };
+
+  /** `packed` is written to by the owner, who then calls {@link changed}. */
+  constructor(packed = emptyPack()) {
+    this.packed = packed;
+  }
+
+  /** 1 / the texture's width and height. */
+  readonly textureScale = new Vector2(1 / TEXTURE_WIDTH, 1);
+
+  /** Goes up whenever a number changes. */
+  get version(): number {
+    return this.#version;
+  }
+
+  /** The counts and features of each kind of light, as text: what a specialised program on a GPU depends on. */
+  get featureKey(): string {
+    return this.#featureKey;
+  }
+
+  /** Changes with every number, as text: what a program with inlined lights depends on. */
+  get contentKey(): string {
+    return this.#contentKey;
+  }
+
+  /** All rows, for a uniform array. */
+  get rows(): Float32Array {
+    return this.#rows;
+  }
+
+  /** The packed lights were written. Cheap where no number differs. */
+  changed(): void {
+    const { data, rows } = this.packed;
+    if (rows * 4 > this.#data.length) this.#grow(rows);
+    const end = rows * 4;
+    const kept = this.#data;
+    if (this.#rows.length !== end) this.#rows = kept.subarray(0, end);
+    let first = 0;
+    while (first < end && kept[first] === data[first]) first += 1;
+    if (first === end) return;
+    let last = end - 1;
+    while (kept[last] === data[last]) last -= 1;
+    for (let i = first; i <= last; i++) kept[i] = data[i]!;
+    this.#version += 1;
+    this.#contentKey = `${String(this.#id)}:${String(this.#version)}`;
+    this.#addStale(first >> 2, (last >> 2) + 1);
+    this.#describe();
+  }
+
+  /** Brings the texture in step and returns it. */
+  sendTexture(renderer: WebGLRenderer): ExternalTexture {
+    const { from, to } = this.#stale;
+    if (from === to && this.#texture.sourceTexture !== null) return this.#texture;
+    this.#stale = { from: 0, to: 0 };
+    const { state } = renderer;
+    const gl = renderer.getContext() as WebGL2RenderingContext;
+    const isNew = this.#texture.sourceTexture === null;
+    if (isNew) this.#texture.sourceTexture = gl.createTexture();
+    this.#gl = gl;
+    state.bindTexture(gl.TEXTURE_2D, this.#texture.sourceTexture as WebGLTexture);
+    if (isNew) {
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
+      gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
+      gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXTURE_WIDTH, this.#data.length / (TEXTURE_WIDTH * 4));
+    }
+    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+    sendRows(gl, this.#data, isNew ? 0 : from, isNew ? this.#rows.length / 4 : to);
+    return this.#texture;
+  }
+
+  /** Frees the texture, or forgets one that a lost context took along; the next draw sends it again. */
+  dispose(): void {
+    this.#gl?.deleteTexture(this.#texture.sourceTexture);
+    this.#texture.sourceTexture = null;
+    this.#gl = null;
+  }
+
+  /** Finds the feature key anew where counts or features changed. */
+  #describe(): void {
+    const { packed } = this;
+    const masks = unions(packed, ~0);
+    const features = KINDS.flatMap((kind) => [packed.counts[kind], masks[kind]]);
+    if (features.every((n, i) => n === this.#features[i])) return;
+    this.#features = features;
+    this.#featureKey = features.join();
+  }
+
+  #addStale(from: number, to: number): void {
+    const { from: first, to: last } = this.#stale;
+    this.#stale = first < last ? { from: Math.min(from, first), to: Math.max(to, last) } : { from, to };
+  }
+
+  /** Doubles, so that lights added one by one do not make a texture each. */
+  #grow(rows: number): void {
+    const height = Math.ceil(Math.max(rows * 4, this.#data.length * 2) / (TEXTURE_WIDTH * 4));
+    this.textureScale.y = 1 / height;
+    const grown = new Float32Array(height * TEXTURE_WIDTH * 4);
+    grown.set(this.#data);
+    this.#data = grown;
+    this.#rows = grown.subarray(0, 0);
+    this.dispose();
+  }
+}
+
+/** Sends rows [from, to) to the bound texture: a part of one line, or whole lines. */
+function sendRows(gl: WebGL2RenderingContext, data: Float32Array, from: number, to: number): void {
+  const line = from >> TEXTURE_ROWS_LOG2;
+  const lines = Math.ceil(to / TEXTURE_WIDTH) - line;
+  const x = lines === 1 ? from - line * TEXTURE_WIDTH : 0;
+  const width = lines === 1 ? to - from : TEXTURE_WIDTH;
+  const first = (line * TEXTURE_WIDTH + x) * 4;
+  gl.texSubImage2D(gl.TEXTURE_2D, 0, x, line, width, lines, gl.RGBA, gl.FLOAT, data, first);
+}

@@ -1,0 +1,262 @@
+// The lights of one picture on their way to its materials: packs them when lights, origin or colour space changed, collects
+// the features that programs need, and holds what all materials of the picture share. Knows neither meshes' shapes nor frames.
+import { type Camera, type Mesh, Vector3, type WebGLRenderer } from 'three';
+import { type DeclaredFeatures, declareFeatures, noFeatures } from '../light/light-features.js';
+import { LightSet } from '../light/light-set.js';
+import { packLights, type PackedLights } from '../light/pack-lights.js';
+import type { Vec3 } from '../math/vector.js';
+import type { LightBuffer } from './light-buffer.js';
+import { MeshLights } from './mesh-lights.js';
+import { ProgramCache } from './program/program-cache.js';
+import type { Form, RowCapacity } from './program/variant.js';
+
+/**
+ * From where a picture is seen. Shading space has the world's axes and its origin at `origin`. Differences to it are taken
+ * in float64, so that scenes far from the world's origin shade like scenes at it. It does not move while the camera turns
+ * about its target, and the packed lights stay as they are.
+ */
+export interface ShadingFrame {
+  /** World position of shading space's origin: the camera's target. */
+  readonly origin: Vec3;
+  /** The eye in shading space. */
+  readonly eye: Vec3;
+  /** Camera basis, orthonormal, in world axes; back points from the target to the eye. */
+  readonly right: Vec3;
+  readonly up: Vec3;
+  readonly back: Vec3;
+}
+
+/** Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two cores). */
+const MOST_INLINED = 16;
+
+/** Most lights of a counted program where linking blocks the GPU's queue: more take over 50 ms. */
+const MOST_BLOCKING = 8;
+
+/** Rows of the uniform array in general programs: what WebGL 2 promises (224), then 1,000. Other uniforms need RESERVED. */
+const CAPACITIES = [200, 1000] as const;
+const RESERVED = 24;
+
+export class PhongLighting {
+  readonly lights: LightSet;
+  /** Uniform `uEye`, shared by all materials. */
+  readonly eye = { value: new Vector3() };
+  /** What any light declared so far needs. Only ever grows. */
+  readonly declared: DeclaredFeatures = noFeatures();
+  /** Specialised programs of this picture. */
+  readonly programs = new ProgramCache();
+  readonly #meshLights = new MeshLights();
+  #linear = false;
+  #origin: Vec3 = [0, 0, 0];
+  /** Goes up when general programs may have to change. */
+  #featureVersion = 0;
+  #lightVersion = -1;
+  #kindVersion = -1;
+  /** A light turns with the eye. */
+  #followsCamera = false;
+  #capacity = 0;
+  #device: Device | null = null;
+  #uploads = 0;
+  readonly #worldToShading = identity();
+  readonly #cameraToShading = identity();
+
+  constructor(lights = new LightSet()) {
+    this.lights = lights;
+  }
+
+  /** Shade in linear light: colours are decoded first, and the sum is encoded last. Default false. */
+  get linear(): boolean {
+    return this.#linear;
+  }
+
+  set linear(linear: boolean) {
+    if (linear === this.#linear) return;
+    this.#linear = linear;
+    this.#lightVersion = -1;
+    this.#featureVersion += 1;
+  }
+
+  /** World position that fragments are shaded relative to. */
+  get origin(): Vec3 {
+    return this.#origin;
+  }
+
+  /** Goes up when materials may need other general programs. */
+  get featureVersion(): number {
+    return this.#featureVersion;
+  }
+
+  /** The lights as last packed. */
+  get packed(): Readonly<PackedLights> {
+    return this.#meshLights.all.packed;
+  }
+
+  /** How often light data that differs from the last draw's was sent. */
+  get uploads(): number {
+    return this.#uploads;
+  }
+
+  /**
+   * Call before each frame, after moving the camera: takes its world matrix and whatever changed about the lights.
+   * @param camera any three.js camera with an up-to-date `matrixWorld`
+   * @param target where the scene is, in world coordinates: shading is computed relative to it. Default: the world's origin.
+   *   For scenes far away give their centre, and keep it still while only the camera moves.
+   */
+  update(camera: Camera, target: Vec3 = [0, 0, 0]): void {
+    const e = camera.matrixWorld.elements;
+    this.updateFrame({
+      origin: target,
+      eye: [e[12] - target[0], e[13] - target[1], e[14] - target[2]],
+      right: [e[0], e[1], e[2]],
+      up: [e[4], e[5], e[6]],
+      back: [e[8], e[9], e[10]],
+    });
+  }
+
+  /** The same from a camera whose eye is known relative to the origin, more precisely than world coordinates can say. */
+  updateFrame(frame: ShadingFrame): void {
+    const { origin, eye } = frame;
+    const before = this.#origin;
+    const moved = origin[0] !== before[0] || origin[1] !== before[1] || origin[2] !== before[2];
+    this.#origin = [origin[0], origin[1], origin[2]];
+    this.eye.value.set(eye[0], eye[1], eye[2]);
+    this.#meshLights.begin(this.#origin);
+    this.programs.begin();
+    this.#declare();
+    if (this.#lightVersion === this.lights.version && !moved && !this.#followsCamera) return;
+    this.#lightVersion = this.lights.version;
+    setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
+    setColumns(this.#cameraToShading, frame.right, frame.up, frame.back, eye);
+    const space = {
+      worldToShading: this.#worldToShading,
+      cameraToShading: this.#cameraToShading,
+      linear: this.#linear,
+    };
+    packLights(this.lights.values, space, this.#meshLights.all.packed);
+    this.#meshLights.changed();
+  }
+
+  /** The lights that `mesh` is drawn with. Its world matrix must be up to date. */
+  lightsOf(mesh: Mesh): LightBuffer {
+    return this.#meshLights.of(mesh);
+  }
+
+  /** The same lights in a grid over the mesh; null where that is not worth it. */
+  gridOf(mesh: Mesh): LightBuffer | null {
+    return this.#meshLights.gridOf(mesh);
+  }
+
+  /** How many lights reach any of these meshes; all of them where there are no meshes. */
+  countReaching(meshes: Iterable<Mesh>): number {
+    const list = [...meshes];
+    const { sent } = this.packed;
+    if (list.length === 0) return sent;
+    let count = 0;
+    for (let light = 0; light < sent; light++)
+      if (list.some((mesh) => this.#meshLights.reaches(mesh, light))) count += 1;
+    return count;
+  }
+
+  /** Before drawing with `renderer`: how general programs read rows there. Another renderer is sent everything again. */
+  capacityFor(renderer: WebGLRenderer): RowCapacity {
+    if (this.#device?.renderer !== renderer) {
+      this.dispose();
+      this.#device = deviceOf(renderer);
+      this.#capacity = 0;
+    }
+    const { rows } = this.packed;
+    const { capacities } = this.#device;
+    if (this.#capacity < capacities.length && rows > (capacities[this.#capacity] ?? Infinity)) {
+      while (this.#capacity < capacities.length && rows > (capacities[this.#capacity] ?? Infinity))
+        this.#capacity += 1; // and never shrinks: lights that come and go compile once
+      this.#featureVersion += 1;
+    }
+    return capacities[this.#capacity] ?? 0;
+  }
+
+  /** In which form a specialised program is to hold these lights; null: none, the general program is best. */
+  formFor(buffer: LightBuffer, grid: LightBuffer | null): Form | null {
+    if (this.#device === null) return null;
+    if (grid !== null) return 'grid';
+    const { sent } = buffer.packed;
+    const { software, linksInBackground, capacities } = this.#device;
+    if (software) return sent <= MOST_INLINED ? 'inlined' : null;
+    if (this.#capacity >= capacities.length) return null;
+    return linksInBackground || sent <= MOST_BLOCKING ? 'counted' : null;
+  }
+
+  /** Counts a draw that sent these lights. */
+  countUpload(buffer: LightBuffer): void {
+    if (this.#uploaded.get(buffer) === buffer.version) return;
+    this.#uploaded.set(buffer, buffer.version);
+    this.#uploads += 1;
+  }
+
+  readonly #uploaded = new WeakMap<LightBuffer, number>();
+
+  /** Frees what the GPU holds; drawing again sends it again. */
+  dispose(): void {
+    this.#meshLights.dispose();
+    this.programs.dispose();
+    this.#device = null;
+  }
+
+  #declare(): void {
+    const { kindVersion, values } = this.lights;
+    if (this.#kindVersion === kindVersion) return;
+    this.#kindVersion = kindVersion;
+    this.#followsCamera = false;
+    let added = false;
+    for (const light of values) {
+      if (declareFeatures(light, this.declared)) added = true;
+      if (light.active && light.space === 'camera') this.#followsCamera = true;
+    }
+    if (added) this.#featureVersion += 1;
+  }
+}
+
+interface Device {
+  readonly renderer: WebGLRenderer;
+  /** A software renderer. An unknown name means a GPU. */
+  readonly software: boolean;
+  /** Linking does not block the GPU's queue. */
+  readonly linksInBackground: boolean;
+  /** Rows of the uniform array, in steps. */
+  readonly capacities: readonly number[];
+}
+
+const devices = new WeakMap<WebGLRenderer, Device>();
+
+function deviceOf(renderer: WebGLRenderer): Device {
+  const known = devices.get(renderer);
+  if (known !== undefined) return known;
+  const gl = renderer.getContext() as WebGL2RenderingContext;
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+  const most = Math.min(
+    gl.getParameter(gl.MAX_FRAGMENT_UNIFORM_VECTORS) as number,
+    gl.getParameter(gl.MAX_VERTEX_UNIFORM_VECTORS) as number,
+  );
+  const software = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+  const device = {
+    renderer,
+    software,
+    linksInBackground: renderer.extensions.has('KHR_parallel_shader_compile'),
+    // SwiftShader draws 1.4 times as long with a uniform array, which it reads float by float.
+    capacities: software ? [] : CAPACITIES.filter((rows) => rows <= most - RESERVED),
+  };
+  devices.set(renderer, device);
+  return device;
+}
+
+const X: Vec3 = [1, 0, 0];
+const Y: Vec3 = [0, 1, 0];
+const Z: Vec3 = [0, 0, 1];
+
+const identity = (): Float64Array => new Float64Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
+
+function setColumns(m: Float64Array, x: Vec3, y: Vec3, z: Vec3, position: Vec3): void {
+  m.set(x, 0);
+  m.set(y, 4);
+  m.set(z, 8);
+  m.set(position, 12);
+}

@@ -1,0 +1,174 @@
+// Which program draws a mesh? The general one first; a specialised one once the same lights and material were drawn for a
+// while, compiled in the background like a just-in-time compiler's code. One cache for each PhongLighting; it counts programs,
+// not meshes. Knows no clock: it works in frames that are drawn anyway.
+import { type Camera, GLSL3, Mesh, RawShaderMaterial, type WebGLRenderer } from 'three';
+import type { Variant } from './variant.js';
+
+/** Drawn frames with the same key before a specialised program is requested: a third of a second of motion. */
+const SETTLED_FRAMES = 20;
+
+/** Frames after which a program counts as linked where the browser does not tell: asking then no longer waits. */
+const UNTOLD_FRAMES = 4;
+
+/** Most entries kept. Those of lights and materials that are no longer drawn go first. */
+const MOST_ENTRIES = 32;
+
+/** What is drawn: the renderer, the camera, and a mesh of that kind, for compiling. */
+export interface Drawing {
+  readonly renderer: WebGLRenderer;
+  readonly camera: Camera;
+  readonly mesh: Mesh;
+}
+
+/**
+ * general → compiling → linked → specialised, or failed. `linked` waits for its turn: the first draw with a program may still
+ * compile, so a page takes over one program in a frame.
+ */
+type State =
+  | { readonly name: 'general'; readonly frames: number }
+  | { readonly name: 'compiling'; readonly probe: Probe; readonly frames: number }
+  | { readonly name: 'linked' | 'specialised'; readonly probe: Probe }
+  | { readonly name: 'failed' };
+
+interface Entry {
+  state: State;
+  /** The last frame that drew it. */
+  frame: number;
+}
+
+/** A material that holds a program for three.js's own cache: a PhongMaterial of the same variant then shares it. */
+interface Probe {
+  readonly material: RawShaderMaterial;
+  readonly variant: Variant;
+  readonly renderer: WebGLRenderer;
+}
+
+/** Programs compiled in the background and not drawn yet: asking whether they linked could wait. */
+export const compilingPrograms = new WeakSet<object>();
+
+/** Take-overs of the page so far: see {@link ProgramCache.begin}. */
+let takeOvers = 0;
+
+export class ProgramCache {
+  readonly #entries = new Map<string, Entry>();
+  #frame = 0;
+  /** {@link takeOvers} at the start of this frame and of the last one. */
+  #seen = { now: 0, before: 0 };
+  /** Draws that asked for a program in this frame. */
+  #request: { entry: Entry; drawing: Drawing; specialise: () => Variant } | null = null;
+  #compiling: Entry | null = null;
+
+  /** Before each frame: starts or ends the compilation of one program. */
+  begin(): void {
+    this.#frame += 1;
+    this.#seen = { now: takeOvers, before: this.#seen.now };
+    if (this.#compiling !== null) this.#poll(this.#compiling);
+    else if (this.#request !== null) this.#compile();
+    this.#request = null;
+  }
+
+  /**
+   * The variant for a draw: the specialised one where it is there, else null. `key` names everything it depends on;
+   * `specialise` makes it.
+   */
+  choose(key: string, drawing: Drawing, specialise: () => Variant): Variant | null {
+    const entry = this.#entries.get(key) ?? this.#add(key);
+    const isFirst = entry.frame !== this.#frame;
+    const isStreak = entry.frame === this.#frame - 1;
+    entry.frame = this.#frame;
+    const { state } = entry;
+    if (state.name === 'specialised') return state.probe.variant;
+    if (state.name === 'linked') return this.#takeOver(entry, state.probe);
+    if (state.name === 'general' && isFirst) {
+      const frames = isStreak ? state.frames + 1 : 1;
+      entry.state = { name: 'general', frames };
+      if (frames >= SETTLED_FRAMES) this.#request ??= { entry, drawing, specialise };
+    }
+    return null;
+  }
+
+  /** Gives all programs back. */
+  dispose(): void {
+    for (const entry of this.#entries.values()) disposeOf(entry);
+    this.#entries.clear();
+    this.#compiling = null;
+    this.#request = null;
+  }
+
+  #add(key: string): Entry {
+    if (this.#entries.size >= MOST_ENTRIES) this.#evict();
+    const entry: Entry = { state: { name: 'general', frames: 0 }, frame: -1 };
+    this.#entries.set(key, entry);
+    return entry;
+  }
+
+  /** Drops what neither this frame nor the last one has drawn. */
+  #evict(): void {
+    for (const [key, entry] of this.#entries) {
+      if (entry.frame >= this.#frame - 1) continue;
+      if (this.#compiling === entry) this.#compiling = null;
+      disposeOf(entry);
+      this.#entries.delete(key);
+    }
+  }
+
+  #compile(): void {
+    const { entry, drawing, specialise } = this.#request!;
+    const { renderer, camera, mesh } = drawing;
+    const variant = specialise();
+    const material = new RawShaderMaterial({ ...variantParameters(variant), glslVersion: GLSL3 });
+    const probe: Probe = { material, variant, renderer };
+    renderer.compile(new Mesh(mesh.geometry, material), camera);
+    const program = programOf(probe);
+    if (program !== undefined) compilingPrograms.add(program);
+    entry.state = { name: 'compiling', probe, frames: 0 };
+    this.#compiling = entry;
+  }
+
+  #poll(entry: Entry): void {
+    const { state } = entry;
+    if (state.name !== 'compiling') return;
+    const { probe, frames } = state;
+    const { renderer } = probe;
+    const program = programOf(probe);
+    const tells = renderer.extensions.has('KHR_parallel_shader_compile');
+    if (program !== undefined && !(tells ? program.isReady() : frames >= UNTOLD_FRAMES)) {
+      entry.state = { ...state, frames: frames + 1 };
+      return;
+    }
+    this.#compiling = null;
+    const gl = renderer.getContext();
+    const linked = program !== undefined && gl.getProgramParameter(program.program, gl.LINK_STATUS) === true;
+    if (program !== undefined) compilingPrograms.delete(program); // a failure is reported by the link check
+    if (!linked) disposeOf(entry);
+    entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };
+  }
+
+  /** At most one program of the page is drawn for the first time in a frame: none was since this cache's last frame. */
+  #takeOver(entry: Entry, probe: Probe): Variant | null {
+    if (takeOvers !== this.#seen.before) return null;
+    takeOvers += 1;
+    entry.state = { name: 'specialised', probe };
+    return probe.variant;
+  }
+}
+
+/** What a material needs to draw with a variant. */
+export const variantParameters = ({ defines, vertexShader, fragmentShader }: Variant) => ({
+  defines: { ...defines },
+  vertexShader,
+  fragmentShader,
+});
+
+function disposeOf({ state }: Entry): void {
+  if ('probe' in state) state.probe.material.dispose();
+}
+
+/** three.js's types leave these out. */
+interface Program {
+  readonly program: WebGLProgram;
+  isReady(): boolean;
+}
+
+const programOf = ({ renderer, material }: Probe): Program | undefined =>
+  (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;

@@ -1,0 +1,102 @@
+// The programs' text: the chunks of shaders/ joined in one explicit order, after the constants that TypeScript and GLSL share.
+// Knows neither uniforms' values nor which program draws what.
+import attenuation from '../../../shaders/attenuation.glsl?raw';
+import averagedBlinnPhong from '../../../shaders/averaged_blinn_phong.glsl?raw';
+import averagedPhong from '../../../shaders/averaged_phong.glsl?raw';
+import diffuseLobe from '../../../shaders/diffuse_lobe.glsl?raw';
+import footprint from '../../../shaders/footprint.glsl?raw';
+import guard from '../../../shaders/guard.glsl?raw';
+import lightGrid from '../../../shaders/light_grid.glsl?raw';
+import lightLoop from '../../../shaders/light_loop.glsl?raw';
+import lightRows from '../../../shaders/light_rows.glsl?raw';
+import nearestCode from '../../../shaders/nearest_code.glsl?raw';
+import phongFragment from '../../../shaders/phong.frag.glsl?raw';
+import phongVertex from '../../../shaders/phong.vert.glsl?raw';
+import power from '../../../shaders/power.glsl?raw';
+import specularBlinnPhong from '../../../shaders/specular_blinn_phong.glsl?raw';
+import specularPhong from '../../../shaders/specular_phong.glsl?raw';
+import spot from '../../../shaders/spot.glsl?raw';
+import srgb from '../../../shaders/srgb.glsl?raw';
+import surfaceColor from '../../../shaders/surface_color.glsl?raw';
+import { layoutDefines } from '../../light/light-layout.js';
+import { SRGB } from '../../math/color.js';
+
+const float = (n: number): string => n.toExponential();
+
+/** Numbers that GLSL and TypeScript share, written once in TypeScript. */
+const CONSTANTS = `${layoutDefines()}
+#define STORAGE_UNIFORMS 0
+#define STORAGE_BLOCK 1
+#define STORAGE_TEXTURE 2
+#define STORAGE_INLINED 3
+#define STORAGE_OWN 4
+#define SRGB_ENCODED_KNEE ${float(SRGB.encodedKnee)}
+#define SRGB_LINEAR_KNEE ${float(SRGB.linearKnee)}
+#define SRGB_SLOPE ${float(SRGB.slope)}
+#define SRGB_OFFSET ${float(SRGB.offset)}
+#define SRGB_EXPONENT ${float(SRGB.exponent)}
+`;
+
+/** The specular lobe averaged over the pixel. Left out of programs that do not filter: few do, and it is long. */
+const AVERAGES = [
+  '#ifdef FILTER_HIGHLIGHTS',
+  footprint,
+  '#ifdef REFLECTION_BLINN_PHONG',
+  averagedBlinnPhong,
+  '#else',
+  averagedPhong,
+  '#endif',
+  '#endif',
+].join('\n');
+
+/** The light loop with optional chunks before it. */
+const loopWith = (...chunks: readonly string[]): string =>
+  [
+    ...[CONSTANTS, guard, power, attenuation, spot, diffuseLobe],
+    ...['#ifdef REFLECTION_BLINN_PHONG', specularBlinnPhong, '#else', specularPhong, '#endif'],
+    ...[lightRows, ...chunks, lightLoop, surfaceColor],
+  ].join('\n');
+
+/**
+ * The light loop alone, for any GLSL ES 3.00 program. Put it after `#version` and `precision highp float; precision highp
+ * int;`. Define before it LIGHT_STORAGE (STORAGE_UNIFORMS with LIGHT_ROWS, the size of the uniform array; STORAGE_BLOCK;
+ * STORAGE_TEXTURE; or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and the HAS_… features. Then call
+ * `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the material, `lightSums(p, N, V, shininess)`,
+ * with everything in the space that the lights were packed for. With FILTER_HIGHLIGHTS, call either only in a fragment
+ * shader's uniform control flow, before any `discard`: they use dFdx and dFdy.
+ */
+export const LIGHT_LOOP_GLSL = loopWith(AVERAGES, lightGrid);
+
+/** The sRGB curve and the rounding to 8 bits: the last steps of a fragment. Needs the constants. */
+export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
+
+export interface Shaders {
+  readonly vertexShader: string;
+  readonly fragmentShader: string;
+}
+
+const PRECISION = 'precision highp float;\nprecision highp int;';
+
+const cache = new Map<string, Shaders>();
+
+/**
+ * The two stages of a program with these defines. Gouraud shading sums the lights at the vertices, everything else at the
+ * fragments; the other stage leaves out the loop's text, which compilers would parse in vain.
+ */
+export function shadersOf(defines: Readonly<Record<string, string>>): Shaders {
+  const gouraud = 'SHADING_GOURAUD' in defines;
+  const filtered = 'FILTER_HIGHLIGHTS' in defines;
+  const grid = 'HAS_LIGHT_GRID' in defines;
+  const key = [gouraud, filtered, grid].join();
+  let shaders = cache.get(key);
+  if (shaders === undefined) {
+    const loop = loopWith(...(filtered ? [AVERAGES] : []), ...(grid ? [lightGrid] : []));
+    const none = `${CONSTANTS}\n${guard}`;
+    shaders = {
+      vertexShader: [PRECISION, gouraud ? loop : none, phongVertex].join('\n'),
+      fragmentShader: [PRECISION, gouraud ? none : loop, ENCODING_GLSL, phongFragment].join('\n'),
+    };
+    cache.set(key, shaders);
+  }
+  return shaders;
+}
