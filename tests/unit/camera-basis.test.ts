@@ -1,5 +1,5 @@
-// Is the camera's basis orthonormal for every position of the eye? A million random angles, and the quarter turns with the doubles
-// next to them, down to the smallest. orbit.test.ts checks the definition itself.
+// Is the camera's basis orthonormal wherever the eye can be? A million random angles, and the quarter turns with the
+// doubles that lie beside them, down to the smallest. How it is defined is tested with the orbit.
 
 import { describe, expect, it } from 'vitest';
 import { type Basis, basisOf, newBasis } from '../../src/camera/orbit.js';

@@ -1,6 +1,6 @@
-// Does a drag that ends where it began leave a trace? A million random drags by mouse and by fingers, through the element's own
-// input code, interrupted by wheel, keys, resizes and property writes. Events are plain objects passed to the listeners: a million
-// drags with real events would take minutes.
+// Does a drag that ends where it began leave a trace? A million random ones by mouse and by fingers, through the input
+// that the element uses, with the wheel, keys, resizes and properties set in their middle. Events are plain objects
+// handed to the listeners: a million drags of real ones would take minutes.
 
 import { describe, expect, it } from 'vitest';
 import { Orbit, type Pose } from '../../src/camera/orbit.js';
@@ -144,7 +144,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(moved).toBe(1e6);
   }, 60_000);
 
-  it('leaves no trace in a hundred thousand two-finger drags, which shift and pinch', () => {
+  it('leaves none in a hundred thousand with two fingers, which shift and pinch', () => {
     const hand = setUp(SEED);
     const { orbit, pointer, anyPlace, random } = hand;
     const finger = (pointerId: number): object => ({ pointerType: 'touch', pointerId });
@@ -160,7 +160,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(traces(hand, 1e5, drag)).toStrictEqual(NONE);
   });
 
-  it('returns exactly to the camera that a wheel turn, key, resize or property write set during it', () => {
+  it('comes back exactly to what the wheel, a key, a resize or a property left in its middle', () => {
     const hand = setUp(SEED);
     const { orbit, input, pointer, anyPlace, anyPose, random, from, wheel, key, resize } = hand;
     const KEYS = ['ArrowLeft', 'ArrowUp', 'PageUp', '-'];
@@ -188,12 +188,12 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(traces(hand, 2e5, drag)).toStrictEqual(NONE);
   });
 
-  it('loses only rounding of the angles when wheel turns interrupt it and it returns to the press', () => {
+  it('loses only roundings of the angles where it goes on over wheel turns, back to the press itself', () => {
     const hand = setUp(SEED);
     const { orbit, pointer, from, wheel } = hand;
     let worst = 0;
     for (let drag = 0; drag < 1e5; drag++) {
-      // Not beyond a pole: there the pointer moves and the camera does not, and a new anchor forgets the difference.
+      // Within the poles' reach: beyond a pole the pointer's way is not the camera's, and a new note forgets it.
       orbit.set({ theta: from(-1000, 1000), phi: from(80, 100) });
       const { pose } = orbit;
       const start = { x: from(0, 600), y: from(0, 400) };
