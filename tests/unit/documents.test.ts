@@ -4,6 +4,9 @@ import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
+import { LIGHT_FIELDS } from '../../src/light/light-state.js';
+import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const decisions = readdirSync(join(repository, 'src/decisions')).map((name) => `src/decisions/${name}`);
@@ -41,7 +44,26 @@ function brokenLinks(path: string): readonly string[] {
     });
 }
 
+/** First cells of the rows of the README's table under a heading: the names between backticks. */
+function namesUnder(heading: string): readonly string[] {
+  const section = read('README.md').split(`\n### \`<${heading}>\`\n`)[1]?.split('\n#')[0] ?? '';
+  return Array.from(section.matchAll(/^\| (`[^|]+`) \|/gm)).flatMap(([, cell = '']) =>
+    Array.from(cell.matchAll(/`([^`]+)`/g), ([, name = '']) => name),
+  );
+}
+
+const attribute = (property: string): string =>
+  property === 'crossOrigin' ? 'crossorigin' : property.replaceAll(/[A-Z]/g, (c) => `-${c.toLowerCase()}`);
+
 describe('the documents', () => {
+  it.each([
+    ['phong-light', LIGHT_FIELDS],
+    ['phong-mesh', MESH_FIELDS],
+    ['phong-viewer', VIEWER_FIELDS],
+  ])('list every attribute of <%s> in the README, and no other', (element, fields) => {
+    expect([...namesUnder(element)].sort()).toEqual(Object.keys(fields).map(attribute).sort());
+  });
+
   it.each(documents)('%s links to files and headings that exist', (path) => {
     expect(brokenLinks(path)).toEqual([]);
   });
