@@ -1,11 +1,12 @@
 // The demo: served from source by `npm start`, built to dist-demo/ by `npm run demo:build`.
-// Every page is an entry, links are relative, and files of demo/assets keep their names (a custom element's `src`
-// is no link that Vite could follow).
+// Every page is an entry and links are relative. Files in demo/assets keep their names, because Vite does not follow the `src`
+// of a custom element.
 
 import { cpSync, existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { packageAliases } from './.ci/package-aliases.js';
@@ -35,17 +36,17 @@ function copiedAssets(): Plugin {
 export default defineConfig({
   root: demo,
   base: './',
-  // No page stands in for one that is not there.
+  // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl(), copiedAssets()],
+  plugins: [dracoDecoder(), strippedGlsl(), licences(), copiedAssets()],
   resolve: {
     alias: packageAliases,
-    // Lit's development build writes to the console of every page; the pages are to be quiet here too.
+    // Lit's development build would log a warning on every page.
     conditions: ['module', 'browser', 'production'],
   },
   optimizeDeps: {
-    // What only models and rare shapes need is found late: bundled then, it would reload the page and bring a second three.
+    // Named here because Vite would find the lazy ones late, reload the page and load a second three.
     include: [
       'three',
       'three/addons/loaders/GLTFLoader.js',
@@ -60,7 +61,7 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'es2022',
     assetsDir: 'built',
-    // A data: URL would need more than a strict CSP allows.
+    // A strict CSP does not allow data: URLs.
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 1024,

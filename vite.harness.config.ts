@@ -1,4 +1,4 @@
-// The page on which a browser tests the shipped GLSL against float64: tests/glsl/page to dist-harness/.
+// Builds the page that tests the shipped GLSL against float64 in a browser: tests/glsl/page to dist-harness/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';

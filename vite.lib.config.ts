@@ -1,31 +1,32 @@
-// The package's ES modules: dist/index.js, core.js and reference.js, with three, Lit and lil-gui left as imports for the
-// user's bundler. `npm run build` runs it first; the standalone file has a config of its own.
+// Builds the package's ES modules: dist/index.js, core.js and reference.js. three, Lit and lil-gui stay imports for the user's
+// bundler. `npm run build` runs this first; the standalone file has its own config.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
 const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, import.meta.url));
 
-// Text imported with a query is ours to inline, and no bundler would find the Draco decoder's export.
+// Text imported with a query is inlined, and so is the Draco decoder: a user's bundler would find no export in it.
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier) return false;
   return /^(three|lit|@lit\/[^/]+|lil-gui)(\/|$)/.test(specifier);
 }
 
-/** Built each for itself: who imports one fetches one file, which compresses better than several that share. */
+/** Built one by one: each is a single file, which compresses better than several files with shared parts. */
 const entries: Readonly<Record<string, string>> = {
   index: source('index.ts'),
   core: source('core.ts'),
   reference: source('reference/index.ts'),
 };
 
-/** `--mode` names the entry; `index`, built first, empties dist/. */
+/** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl()],
+  plugins: [dracoDecoder(), strippedGlsl(), licences({ listed: false })],
   build: {
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
@@ -39,8 +40,8 @@ export default defineConfig(({ mode }) => ({
     },
     rolldownOptions: {
       external: staysImport,
-      // Chunks may import from the entry itself; else what they share with it would be a further file of every page. For the
-      // same reason all that an entry begins with is one chunk.
+      // Lets chunks import from the entry. Otherwise the code that they share with it would be a second file that every page
+      // has to fetch. For the same reason all static imports of an entry are one chunk.
       preserveEntrySignatures: 'allow-extension',
       output: {
         chunkFileNames: 'shared/[name].js',

@@ -1,18 +1,18 @@
-// dist/phong-viewer.standalone.js for pages without a bundler: three and Lit inside; panel, loaders and decoders in
-// dist/chunks, fetched on first use by addresses relative to the file itself. Runs after vite.lib.config.ts, which
-// empties dist/.
+// Builds dist/phong-viewer.standalone.js for pages without a bundler. three and Lit are inside. Panel, loaders and decoders are
+// in dist/chunks, fetched on first use relative to the file itself. Runs after vite.lib.config.ts, which empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
-import { privateThree } from './.ci/private-three.js';
+import { standaloneThree } from './.ci/standalone-three/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [dracoDecoder(), privateThree(), strippedGlsl()],
+  plugins: [dracoDecoder(), standaloneThree(), strippedGlsl(), licences()],
   define: { 'process.env.NODE_ENV': '"production"' },
   build: {
     outDir: outputFolder('dist'),
@@ -25,8 +25,8 @@ export default defineConfig({
       fileName: (_format, name) => `${name}.js`,
     },
     rolldownOptions: {
-      // Chunks may import from the entry itself; else what they share with it (most of three) would move out into
-      // further files that every page has to fetch first. For the same reason all that it begins with is one chunk.
+      // Lets chunks import from the entry. Otherwise the code that they share with it (most of three) would be a second file
+      // that every page has to fetch. For the same reason all static imports are one chunk.
       preserveEntrySignatures: 'allow-extension',
       output: {
         chunkFileNames: 'chunks/[name]-[hash].js',

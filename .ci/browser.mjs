@@ -1,6 +1,6 @@
 // @ts-check
-// Which Chromium runs the browser tests. Looks first (PHONG_VIEWER_BROWSER, the usual places, Playwright's own), then
-// installs: Debian's package where root can, else Playwright's download. Says what it does, a line each.
+// Finds the Chromium that runs the browser tests: PHONG_VIEWER_BROWSER, then the usual places, then Playwright's own. If there
+// is none, it installs one: Debian's package when run by root, otherwise Playwright's download. Logs each step.
 
 import { spawnSync } from 'node:child_process';
 import { accessSync, constants, existsSync } from 'node:fs';
@@ -15,7 +15,7 @@ const places = [
   '/snap/bin/chromium',
 ];
 
-/** Chromium's arguments for WebGL in software, so that every machine draws alike. */
+/** Chromium's arguments for WebGL in software, so that every machine draws the same pixels. */
 export const softwareGl = [
   '--no-sandbox',
   '--use-angle=swiftshader',
@@ -25,7 +25,7 @@ export const softwareGl = [
 ];
 
 /**
- * The browser that is on this machine now; undefined where there is none.
+ * The path of a browser on this machine; undefined if there is none.
  * @returns {Promise<string | undefined>}
  */
 export async function findBrowser() {
@@ -44,7 +44,7 @@ export async function findBrowser() {
 }
 
 /**
- * The same, after trying to install one where there is none. Throws with advice where nothing works.
+ * The same, but installs a browser if there is none. Throws with advice if that fails.
  * @returns {Promise<string>}
  */
 export async function ensureBrowser() {
@@ -67,7 +67,7 @@ export async function ensureBrowser() {
   );
 }
 
-/** What the browser calls itself, such as "Chromium 140.0.7339.80". @param {string} path */
+/** The browser's name and version, such as "Chromium 140.0.7339.80". @param {string} path */
 export function browserVersion(path) {
   // On Windows `chrome --version` opens a window instead.
   if (process.platform === 'win32') return 'version unknown';

@@ -1,19 +1,20 @@
-// How three's copy of the Draco decoder becomes a module. The file is a CommonJS script inside a package marked as
-// ES modules, so no bundler finds an export in it. Written as `import('…/draco_decoder.js')`, its default export is
-// the factory, in the dev server, in Node tests and in dist/ alike.
+// How does three's copy of the Draco decoder become a module? The file is a CommonJS script in a package of ES modules, so
+// bundlers find no export in it. This plugin adds one: the default export of `import('…/draco_decoder.js')` is the
+// factory, in the dev server, in Node tests and in dist/.
 
 import type { Plugin } from 'vite';
 
 /** The specifier of the plain JavaScript decoder: no WebAssembly, so it runs under a strict CSP. */
 export const dracoDecoderSpecifier = 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
 
-// The script's Node branch runs only where `process` exists; named here, its `require` is no bundler's business.
+// What a CommonJS script expects around it. Its `require` is called only where `process` exists; defining it here keeps
+// bundlers from resolving the calls.
 const prologue = `
+const module = { exports: {} };
+const exports = module.exports;
 const __dirname = '';
 const require = (name) => globalThis.process.getBuiltinModule(name);
 `;
-
-const commonJsTail = "if (typeof exports === 'object' && typeof module === 'object')";
 
 export function dracoDecoder(): Plugin {
   return {
@@ -22,11 +23,9 @@ export function dracoDecoder(): Plugin {
     config: () => ({ optimizeDeps: { exclude: [dracoDecoderSpecifier] } }),
     transform(code, id) {
       if (!id.includes('/libs/draco/gltf/draco_decoder.js')) return null;
-      const end = code.lastIndexOf(commonJsTail);
-      if (end < 0) throw new Error(`The Draco decoder of this three.js release has another ending: ${id}`);
       // No source map: the file is a compiler's output, and its map would be three times its size.
       return {
-        code: `${prologue}${code.slice(0, end)}\nexport default DracoDecoderModule;\n`,
+        code: `${prologue}${code}\nexport default module.exports;\n`,
         map: { mappings: '' },
       };
     },

@@ -1,6 +1,6 @@
 // @ts-check
-// Firefox with Mesa's software GL on a screen that nobody sees: Debian's firefox-esr under Xvfb, driven by puppeteer
-// (Playwright's own Firefox is a build of its own). Installs them where root can.
+// Starts Firefox with Mesa's software GL on a virtual screen: Debian's firefox-esr under Xvfb, driven by puppeteer, because
+// Playwright's Firefox is a modified build. Installs both when run by root.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -17,7 +17,7 @@ export async function startFirefox() {
     execFileSync('apt-get', ['update', '-qq']);
     execFileSync('apt-get', ['install', '-y', '-qq', '--no-install-recommends', ...needed]);
   }
-  // A display of this run's own: another run may have the next one.
+  // Derived from the process id, so that two runs do not share a display.
   const display = 100 + (process.pid % 800);
   const screen = spawn('Xvfb', [`:${display}`, '-screen', '0', '1000x700x24'], { stdio: 'ignore' });
   for (let tries = 0; !existsSync(`/tmp/.X11-unix/X${display}`); tries++) {

@@ -1,6 +1,6 @@
 // @ts-check
-// Installs the packages of package-lock.json where node_modules lacks them or holds others. Knows no package itself:
-// it runs before there are any.
+// Installs the packages of package-lock.json if node_modules does not hold exactly those. Imports no package: it runs before
+// there are any.
 
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
@@ -15,7 +15,7 @@ function packagesOf(path) {
   return JSON.parse(readFileSync(repository + path, 'utf8')).packages;
 }
 
-/** npm leaves its own lock in node_modules, with what it really put there; optional packages may be absent. */
+/** Compares with the lock file that npm writes into node_modules. Optional packages may be absent. */
 function isCurrent() {
   try {
     const installed = packagesOf('node_modules/.package-lock.json');
@@ -30,7 +30,7 @@ function isCurrent() {
 
 if (!isCurrent()) {
   console.log('Installing packages by package-lock.json');
-  // A command line, since on Windows npm is a script that only a shell finds.
+  // Through a shell, because npm is a script on Windows.
   const { status } = spawnSync('npm ci --no-audit --no-fund', {
     cwd: repository,
     stdio: 'inherit',

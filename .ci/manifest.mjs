@@ -1,5 +1,5 @@
 // @ts-check
-// Writes what editors and documentation tools read about the elements into dist/; a step of `npm run build`.
+// Writes the descriptions of the elements that editors and documentation tools read into dist/. A step of `npm run build`.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,7 +1,6 @@
 // @ts-check
-// What the elements offer, read from their source: values with words, types and defaults, events, methods, slots and
-// parts. Words and types come from the TypeScript compiler, domains and defaults from the tables of fields. Knows no
-// file format.
+// Describes the elements from their source: attributes with types and defaults, events, methods, slots and parts. Docstrings
+// and types come from the TypeScript compiler, domains and defaults from the tables of fields. Knows no file format.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -12,10 +11,10 @@ import ts from 'typescript';
  * @typedef {{ name: string, description: string }} Named
  * @typedef {Named & { type: string }} Typed
  * @typedef {Typed & { optional: boolean }} Parameter
- * @typedef {Typed & { parameters: Parameter[] }} Method  `type` is what it returns
+ * @typedef {Typed & { parameters: Parameter[] }} Method  `type` is the type of the result
  * @typedef {Typed & { attribute: string, field: Field, fallback: string | undefined, choices: string[] }} Value
- *   an attribute and its property, which `name` and `type` are of; `fallback` is the default as the attribute's text,
- *   and `choices` are the words that it may be made of
+ *   an attribute and its property. `name` and `type` are the property's. `fallback` is the default as the attribute's
+ *   text; `choices` are the words that its value may contain.
  * @typedef {object} Element
  * @property {string} tag
  * @property {string} className
@@ -138,12 +137,12 @@ class SourceReader {
   /** @param {ts.Node | undefined} name @returns {ts.Symbol} */
   #symbol(name) {
     const symbol = name && this.#checker.getSymbolAtLocation(name);
-    if (!symbol) throw new Error(`nothing is known of ${name?.getText()}`);
+    if (!symbol) throw new Error(`no symbol for ${name?.getText()}`);
     return symbol;
   }
 
   /**
-   * Docstrings, one line a paragraph, links as plain names. A getter without one has its type's.
+   * The docstring, one line per paragraph, links as plain names. A getter without one gets that of its type.
    * @param {ts.Symbol} symbol @returns {string}
    */
   #words(symbol) {
@@ -172,7 +171,7 @@ class SourceReader {
     return this.#checker.typeToString(type, undefined, flags);
   }
 
-  /** An event's detail, written out: its properties are what a listener reads. @param {ts.Type} type */
+  /** The type of an event's detail with its properties written out. @param {ts.Type} type */
   #detail(type) {
     const properties = this.#checker.getPropertiesOfType(type);
     if (properties.length === 0) return this.#text(type);
@@ -180,7 +179,7 @@ class SourceReader {
     return `{ ${texts.join('; ')} }`;
   }
 
-  /** The union that a list is made of. @param {ts.Type} type */
+  /** The union that a list contains; undefined for other types. @param {ts.Type} type */
   #listed(type) {
     if (!this.#checker.isArrayType(type)) return undefined;
     const [item] = this.#checker.getTypeArguments(/** @type {ts.TypeReference} */ (type));
@@ -194,7 +193,7 @@ class SourceReader {
   }
 }
 
-/** Members for users: public, and neither the platform's nor Lit's to call. @param {ts.ClassElement} member */
+/** Whether a member is for users: public, and not a callback of the platform or of Lit. @param {ts.ClassElement} member */
 function isOffered(member) {
   if (!member.name || !ts.isIdentifier(member.name) || /Callback$/.test(member.name.text)) return false;
   const flags = ts.getCombinedModifierFlags(member);

@@ -1,5 +1,5 @@
 // @ts-check
-// What the elements offer, in the three formats that editors and documentation tools read: Custom Elements Manifest,
+// Writes the elements' descriptions in three formats that editors and documentation tools read: Custom Elements Manifest,
 // JetBrains' web-types, VS Code's HTML data.
 
 /**
@@ -8,7 +8,7 @@
  * @typedef {{ name: string, version: string }} Package
  */
 
-/** Where the classes are, from the package's root. */
+/** The file that exports the classes, relative to the package's root. */
 const module = 'dist/index.js';
 
 /** @param {Element[]} elements @returns {import('custom-elements-manifest').Package} */
@@ -144,19 +144,19 @@ export function vsCodeHtmlData(elements) {
 /** @param {string} value */
 const markdown = (value) => ({ kind: 'markdown', value });
 
-/** The set `v` is VS Code's own for attributes that stand without a value. @param {Value} value */
+/** `v` is VS Code's built-in set for attributes without a value. @param {Value} value */
 function suggestions({ field, choices }) {
   if (field.kind === 'presence') return { valueSet: 'v' };
   const words = field.kind === 'boolean' ? ['true', 'false'] : choices;
   return words.length > 0 ? { values: words.map((name) => ({ name })) } : {};
 }
 
-/** What it means and, where the words alone do not tell, what may be written. @param {Value} value */
+/** The docstring and the accepted values. @param {Value} value */
 function described({ description, field }) {
   return field.kind === 'text' ? description : `${description}\n\nTakes ${field.expected}.`;
 }
 
-/** Of the attribute's text, where it is more than any string. @param {Value} value */
+/** The type of the attribute's text. @param {Value} value */
 function attributeType({ field, choices }) {
   if (field.kind === 'boolean' || field.kind === 'presence') return 'boolean';
   const words = choices.map((word) => `'${word}'`);

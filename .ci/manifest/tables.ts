@@ -1,5 +1,5 @@
-// The tables of fields by tag, and how a field's value is written as an attribute: what the manifests take from the
-// source as it runs.
+// The parts of the source that the manifests import and run: the tables of fields by tag, and the functions that write a
+// field's value as an attribute.
 
 import type { Field } from '../../src/fields/field.js';
 import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';

@@ -160,8 +160,8 @@ export class PhongViewer extends LitElement {
   }
 
   /**
-   * The three.js scene, for objects of your own; call {@link requestRender} after changing it. The standalone file
-   * carries no shaders of three.js's own materials, so that objects need a ShaderMaterial there, and nothing that writes JSON.
+   * The three.js scene, for objects of your own; call {@link requestRender} after changing it. The standalone file does
+   * not contain the shaders of three.js's own materials: objects need a ShaderMaterial or a RawShaderMaterial there.
    */
   get scene(): Viewport['scene'] {
     return this.#viewport.scene;

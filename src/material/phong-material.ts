@@ -15,7 +15,6 @@ import {
   Vector2,
   Vector3,
 } from 'three';
-import { isBlack, isIntegerPower, isPowerTo64 } from '../light/light-features.js';
 import { srgbDecode } from '../math/color.js';
 import type { Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
@@ -23,15 +22,13 @@ import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
-import { type Drawing, variantParameters } from './program/program-cache.js';
+import { variantParameters } from './program/program-cache.js';
+import { ProgramChoice } from './program/program-choice.js';
 import {
   type AlphaMode,
   type Antialias,
-  generalVariant,
   type Reflection,
-  type RowCapacity,
   type Shading,
-  specialisedVariant,
   type Term,
   TERMS,
   type Variant,
@@ -83,6 +80,12 @@ const DEFAULT_SURFACE: SurfaceValues = {
 
 const BLACK: Vec3 = [0, 0, 0];
 
+/**
+ * The rows that each program's uniform array holds, by the keys of variant and content. Sending 1,000 rows with every mesh is
+ * what many meshes would spend their frame on. Forgotten with every disposed material: a program made again starts empty.
+ */
+let programRows = new WeakMap<object, Map<string, string>>();
+
 /** Parameters of three.js's hook before each draw. */
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
@@ -98,18 +101,8 @@ export class PhongMaterial extends RawShaderMaterial {
   readonly #lighting: PhongLighting;
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
-  /** Terms that were ever summed: their code stays, so that turning one off and on compiles nothing. */
-  readonly #terms = new Set<Term>();
-  /** All exponents so far were 64 at most. */
-  #shininessTo64 = true;
-  #general: Variant | null = null;
-  /** What {@link #general} was made for: lighting's version, row capacity; -1 after a change of this material. */
-  #generalFor = -1;
-  #capacity: RowCapacity = 0;
-  /** What a specialised program has in it besides its lights. */
-  #key = '';
-  /** The last key asked for, to build no text in each draw. */
-  #asked = { material: '', lights: '', key: '' };
+  readonly #programs: ProgramChoice;
+  #linear = false;
   #variant: Variant | null = null;
   readonly #model = new Matrix4();
   #placed: Mesh | null = null;
@@ -128,7 +121,8 @@ export class PhongMaterial extends RawShaderMaterial {
       uAlphaCutoff: { value: look.alphaCutoff },
       uMap: { value: look.map },
       uMapTransform: { value: look.map?.matrix ?? new Matrix3() },
-      uLightRows: { value: new Float32Array(4) as Float32Array },
+      // three.js sends a uniform array whether it changed or not, unless needsUpdate is false.
+      uLightRows: { value: new Float32Array(4) as Float32Array, needsUpdate: true },
       uLightTexture: { value: null as Texture | null },
       uLightTextureScale: { value: new Vector2() },
     };
@@ -145,6 +139,7 @@ export class PhongMaterial extends RawShaderMaterial {
     this.#uniforms = uniforms;
     this.#lighting = lighting;
     this.look = look;
+    this.#programs = new ProgramChoice(lighting, look);
     this.#writeSurface();
   }
 
@@ -170,13 +165,11 @@ export class PhongMaterial extends RawShaderMaterial {
       ks: SURFACE_FIELDS.ks.check(ks),
       shininess: SURFACE_FIELDS.shininess.check(shininess),
     };
-    this.#generalFor = -1;
     this.#writeSurface();
   }
 
   setStyle(style: Partial<ShadingStyle>): void {
     this.#style = { ...this.#style, ...style };
-    this.#generalFor = -1;
     this.#writeSurface();
   }
 
@@ -195,99 +188,44 @@ export class PhongMaterial extends RawShaderMaterial {
     const mesh = object as Mesh;
     const culls = cullsBackFaces(this.sides, geometry, mesh.matrixWorld, camera);
     this.side = culls ? FrontSide : DoubleSide;
-    const lights = this.#chooseProgram({ renderer, camera, mesh });
+    if (this.#linear !== this.linear) this.#writeSurface();
+    const { variant, lights } = this.#programs.choose({ renderer, camera, mesh });
+    this.#use(variant);
     this.#lighting.countUpload(lights);
-    const uniforms = this.#uniforms;
-    if (this.#readsTexture) {
-      uniforms.uLightTexture.value = lights.sendTexture(renderer);
-      uniforms.uLightTextureScale.value.copy(lights.textureScale);
+    const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
+    const storage = this.#variant?.defines['LIGHT_STORAGE'];
+    uLightRows.needsUpdate = storage === 'STORAGE_UNIFORMS' && !this.#holdsRows(renderer, lights);
+    if (uLightRows.needsUpdate) uLightRows.value = lights.rows;
+    if (storage === 'STORAGE_TEXTURE') {
+      uLightTexture.value = lights.sendTexture(renderer);
+      uLightTextureScale.value.copy(lights.textureScale);
     }
-    const sameRows = uniforms.uLightRows.value === lights.rows;
-    uniforms.uLightRows.value = lights.rows;
     const sameMesh = this.#place(mesh);
     // three.js sends a material's uniforms once per frame; meshes after the first need theirs sent again.
-    this.uniformsNeedUpdate = !(sameMesh && sameRows);
+    this.uniformsNeedUpdate = !sameMesh || uLightRows.needsUpdate;
   }
 
-  get #readsTexture(): boolean {
-    return this.#variant?.defines['LIGHT_STORAGE'] === 'STORAGE_TEXTURE';
+  /** Frees the material's programs; drawing makes them again. */
+  override dispose(): void {
+    super.dispose();
+    programRows = new WeakMap();
   }
 
-  /** Chooses the variant for this draw, and returns the lights it reads. */
-  #chooseProgram(drawing: Drawing): LightBuffer {
-    const lighting = this.#lighting;
-    const general = this.#generalVariant(lighting.capacityFor(drawing.renderer));
-    const lights = lighting.lightsOf(drawing.mesh);
-    const grid = lighting.gridOf(drawing.mesh);
-    const form = lighting.formFor(lights, grid);
-    let special: Variant | null = null;
-    if (form !== null) {
-      // Inlined numbers are those of one version; other forms depend on counts and features alone.
-      const lightKey = form === 'inlined' ? lights.contentKey : lights.featureKey;
-      special = lighting.programs.choose(this.#keyFor(`${form} ${lightKey}`), drawing, () =>
-        specialisedVariant(
-          general,
-          { terms: this.#summedTerms, integerShininess: this.#integerShininess },
-          form,
-          lights.packed,
-        ),
-      );
-    }
-    this.#use(special ?? general);
-    return special !== null && grid !== null ? grid : lights;
-  }
-
-  #keyFor(lights: string): string {
-    const { material, lights: before } = this.#asked;
-    if (material !== this.#key || before !== lights)
-      this.#asked = { material: this.#key, lights, key: `${this.#key} ${lights}` };
-    return this.#asked.key;
+  /** Whether the program of this draw holds these rows already; from now on it does. */
+  #holdsRows(renderer: BeforeRender[0], { contentKey }: LightBuffer): boolean {
+    let held = programRows.get(renderer);
+    if (held === undefined) programRows.set(renderer, (held = new Map<string, string>()));
+    const program = this.#variant?.key ?? '';
+    if (held.get(program) === contentKey) return true;
+    held.set(program, contentKey);
+    return false;
   }
 
   #use(variant: Variant): void {
-    if (variant === this.#variant) return;
+    if (variant.key === this.#variant?.key) return;
     this.#variant = variant;
     Object.assign(this, variantParameters(variant));
     this.needsUpdate = true;
-  }
-
-  #generalVariant(capacity: RowCapacity): Variant {
-    const lighting = this.#lighting;
-    const { featureVersion } = lighting;
-    if (this.#general !== null && this.#generalFor === featureVersion && this.#capacity === capacity)
-      return this.#general;
-    this.#generalFor = featureVersion;
-    this.#capacity = capacity;
-    for (const term of this.#summedTerms) this.#terms.add(term);
-    const { look } = this;
-    this.#general = generalVariant(
-      {
-        ...this.#style,
-        terms: [...this.#terms],
-        linear: lighting.linear,
-        shininessTo64: this.#shininessTo64,
-        map: look.map !== null,
-        vertexColors: look.vertexColors,
-        alphaMode: look.alphaMode,
-      },
-      lighting.declared,
-      capacity,
-    );
-    const { terms } = this.#style;
-    this.#key = `${this.#general.key} ${terms.join()} ${String(this.#integerShininess)}`;
-    this.#writeSurface(); // linear or not may have changed
-    return this.#general;
-  }
-
-  /** The terms of the style that this surface gives back. */
-  get #summedTerms(): readonly Term[] {
-    const matte = isBlack(this.#surface.ks);
-    return this.#style.terms.filter((term) => term !== 'specular' || !matte);
-  }
-
-  get #integerShininess(): number | null {
-    const { shininess } = this.#surface;
-    return isIntegerPower(shininess) ? shininess : null;
   }
 
   /** Writes the mesh's place into the uniforms; true where they were the same mesh's. */
@@ -308,7 +246,7 @@ export class PhongMaterial extends RawShaderMaterial {
 
   #writeSurface(): void {
     const { uKa, uKd, uKs, uShininess } = this.#uniforms;
-    const { linear } = this.#lighting;
+    const linear = (this.#linear = this.linear);
     const { terms } = this.#style;
     const { ka, kd, ks, shininess } = this.#surface;
     const write = (into: Vector3, term: Term, k: Vec3, base: Vec3): void => {
@@ -321,6 +259,6 @@ export class PhongMaterial extends RawShaderMaterial {
     write(uKd.value, 'diffuse', kd, this.look.baseColor);
     write(uKs.value, 'specular', ks, PLAIN_LOOK.baseColor);
     uShininess.value = shininess;
-    if (!isPowerTo64(shininess)) this.#shininessTo64 = false;
+    this.#programs.describe(this.#style, this.#surface);
   }
 }

@@ -1,4 +1,4 @@
-// What is in the package, and what its entries do in Node: against dist/ as the build step left it.
+// Which files are in the package, and what happens when Node imports its entries? Tests dist/ as `npm run build` left it.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, statSync } from 'node:fs';
@@ -16,7 +16,7 @@ interface PackedFile {
 }
 
 function packedFiles(): readonly PackedFile[] {
-  // As one command line: npm is a script that only a shell finds on Windows.
+  // Through a shell, because npm is a script on Windows.
   const json = execFileSync('npm pack --dry-run --json --ignore-scripts', {
     cwd: repository,
     encoding: 'utf8',
@@ -36,14 +36,15 @@ test.describe('the packed package', () => {
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
     /^dist\/[\w.-]+\.json$/,
+    /^dist\/THIRD-PARTY-LICENSES\.txt$/,
   ];
 
-  test('holds the files that are meant for users and no others', () => {
+  test('contains the files for users and no others', () => {
     const strays = packedFiles().filter(({ path }) => !intended.some((pattern) => pattern.test(path)));
     expect(strays.map(({ path }) => path)).toEqual([]);
   });
 
-  test('holds every file that its exports name', () => {
+  test('contains every file that its exports name', () => {
     const manifest = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
       exports: Record<string, string | Record<string, string>>;
     };
@@ -54,7 +55,21 @@ test.describe('the packed package', () => {
     expect(named.filter((path) => !present.has(path))).toEqual([]);
   });
 
-  test('carries no source map above half a megabyte', () => {
+  test('names one repository as its source, its home and its issue tracker', () => {
+    const {
+      homepage,
+      repository: source,
+      bugs,
+    } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+      homepage: string;
+      repository: { url: string };
+      bugs: string;
+    };
+    const address = source.url.replace(/^git\+|\.git$/g, '');
+    expect([homepage, bugs]).toEqual([`${address}#readme`, `${address}/issues`]);
+  });
+
+  test('contains no source map above half a megabyte', () => {
     const large = packedFiles().filter(({ path, size }) => path.endsWith('.map') && size > 512 * 1024);
     expect(large).toEqual([]);
   });
@@ -62,9 +77,9 @@ test.describe('the packed package', () => {
 
 test.describe('the entries in Node', () => {
   for (const entry of ['index', 'core', 'reference']) {
-    test(`importing ${entry}.js says nothing, fails nothing and lets Node end`, () => {
+    test(`importing ${entry}.js in Node prints nothing, adds no global and lets Node exit`, () => {
       const address = JSON.stringify(pathToFileURL(join(dist, `${entry}.js`)).href);
-      // Lit itself leaves a registry and its versions behind in Node.
+      // Lit itself leaves a registry and its versions on globalThis.
       const code = `
         const names = () => Object.keys(globalThis).filter((name) => !/^(lit|reactiveElement|customElements)/.test(name));
         const before = names().length;
@@ -87,7 +102,7 @@ test.describe('dist/', () => {
       .filter((path) => path.endsWith('.js'))
       .map((path) => ({ path, text: readFileSync(join(dist, path), 'utf8') }));
 
-  test('names no path of the machine that built it', () => {
+  test('contains no path of the machine that built it', () => {
     const strays = scripts().filter(({ text }) => text.includes(repository));
     expect(strays.map(({ path }) => path)).toEqual([]);
   });
@@ -102,7 +117,7 @@ test.describe('dist/', () => {
     }
   });
 
-  test('puts every lazy part of the standalone file beside it, none into it', () => {
+  test('keeps the lazy parts out of the standalone file', () => {
     const size = (path: string): number => statSync(join(dist, path)).size;
     expect(size('phong-viewer.standalone.js')).toBeLessThan(900 * 1024);
   });

@@ -1,5 +1,4 @@
-// Nothing is fetched that was not asked for: every part that a page may never need is a chunk of its own, fetched with
-// its first use and only then, from the standalone file and from the ES modules alike.
+// When is each lazy part fetched? With its first use and not before, from the standalone file and from the ES modules.
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongViewer } from '../../src/index.js';
@@ -10,7 +9,7 @@ import { chunkName, Requests, usages } from './requests.js';
 interface Use {
   readonly what: string;
   readonly use: (viewer: Locator, page: Page) => Promise<unknown>;
-  /** What it fetches, in any order. */
+  /** The chunks that it fetches, in any order. */
   readonly chunks: readonly string[];
 }
 
@@ -26,10 +25,10 @@ const explain = (x: number, y: number) => (viewer: Locator) =>
     y,
   ] as const);
 
-/** In this order on one page: later ones find there what earlier ones have fetched. */
+/** Run in this order on one page: a chunk that an earlier use fetched is not fetched again. */
 const uses: readonly Use[] = [
   {
-    what: 'a picture that keeps being drawn',
+    what: 'a picture drawn again and again',
     use: (viewer) => drawOften(viewer),
     chunks: ['exact-programs'],
   },
@@ -54,13 +53,13 @@ const uses: readonly Use[] = [
   { what: 'a pyramid', use: set({ geometry: 'pyramid' }), chunks: [] },
   { what: 'a teapot', use: set({ geometry: 'teapot' }), chunks: ['teapot'] },
   {
-    what: 'a picture as a file',
+    what: 'toBlob',
     use: (viewer) => viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size),
     chunks: ['picture-blob'],
   },
-  { what: 'a look at nothing', use: explain(1, 1), chunks: ['shade-at'] },
-  { what: 'an explanation', use: explain(300, 200), chunks: ['reference'] },
-  { what: 'another explanation', use: explain(301, 200), chunks: [] },
+  { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['shade-at'] },
+  { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
+  { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
   { what: 'a pointer', use: (viewer) => viewer.hover(), chunks: ['orbit-input'] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
   { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: ['turntable'] },
@@ -100,7 +99,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     expect(requests.take()).toHaveLength(1);
     for (const { what, use, chunks } of uses) {
       await use(viewer, page);
-      // What is fetched may come after the call has returned; nothing else does within two frames of it.
+      // A request may start after the call has returned. Two frames later no other one may have started.
       const late = new Set<string>();
       const came = (): string[] => {
         for (const path of requests.take()) late.add(chunkName(path));

@@ -1,5 +1,5 @@
-// A fresh project somewhere else, with the packed tarball installed as a user would: from dist/ as the build step left
-// it, other packages from the registry at the versions that this repository develops with.
+// Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/ as
+// `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
 
 import { execSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
@@ -13,14 +13,14 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 export interface FreshProject {
   readonly folder: string;
   write(path: string, text: string): void;
-  /** Gives what the command printed; throws with all of it where the command fails. */
+  /** Returns the command's output. Throws with all of it if the command fails. */
   run(command: string): string;
-  /** Makes dist/ from index.html with this body and the scripts that it names; gives the folder. */
+  /** Builds a page with this body by Vite. Returns the output folder. */
   build(body: string): string;
   remove(): void;
 }
 
-/** @param packages names as this repository has them, or `name@range`. */
+/** @param packages names of this repository's devDependencies, or `name@range`. */
 export function freshProject(packages: readonly string[]): FreshProject {
   const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-fresh-'));
   const project: FreshProject = {
@@ -47,7 +47,7 @@ export function freshProject(packages: readonly string[]): FreshProject {
   return project;
 }
 
-/** Options of a strict project that checks libraries too. */
+/** Compiler options of a strict project that also checks the types of libraries. */
 export const strictOptions = {
   strict: true,
   noEmit: true,
@@ -70,7 +70,7 @@ export function readmeSample(heading: string): string {
   throw new Error(`No page has code under "${heading}"`);
 }
 
-/** Packs in a folder of its own: dist/ may be elsewhere than beside package.json. */
+/** Packs a copy, because PHONG_VIEWER_OUT may put dist/ elsewhere than beside package.json. */
 function pack(folder: string): string {
   const staged = join(folder, 'packed');
   mkdirSync(staged);
@@ -91,7 +91,7 @@ function versioned(name: string): string {
     devDependencies: Readonly<Record<string, string>>;
   };
   const range = devDependencies[name];
-  if (range === undefined) throw new Error(`${name} is no devDependency: give a range`);
+  if (range === undefined) throw new Error(`${name} is not a devDependency: add a range`);
   return `${name}@${range}`;
 }
 

@@ -1,5 +1,5 @@
-// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript: typed props and events, a list of
-// lights by state? Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript? Tests typed props and events, and a list
+// of lights that follows state. Installs from the registry, so it is slow: @release.
 
 import { startSite } from '../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
@@ -37,7 +37,6 @@ function App() {
         geometry="sphere"
         theta={0}
         phi="90"
-        error-budget={0}
         oncamera-change={(event) => setSource(event.detail.source)}
       >
         {lamps.map(({ number, ...props }) => (
@@ -54,11 +53,11 @@ createRoot(document.getElementById('root')!).render(<StrictMode><App /></StrictM
 const refusals = `
 import 'phong-viewer';
 export const unknown = [
-  // @ts-expect-error an angle is no flag
+  // @ts-expect-error an angle is not a boolean
   <phong-viewer theta={true} />,
   // @ts-expect-error there is no such geometry
   <phong-mesh geometry="cube" />,
-  // @ts-expect-error one number is no position
+  // @ts-expect-error one number is not a position
   <phong-mesh position={2} />,
   // @ts-expect-error React's own onLoad never fires here
   <phong-viewer onLoad={() => undefined} />,
@@ -94,11 +93,11 @@ test.describe('the packed tarball in a fresh React project @release', () => {
 
   test.afterAll(() => project.remove());
 
-  test('types what JSX writes on the elements, and refuses what they would not take', () => {
+  test('accepts valid JSX props and rejects invalid ones', () => {
     project.run('npx tsc -p .');
   });
 
-  test('draws, follows state, and tells events', async ({ page }) => {
+  test('draws, follows state and dispatches events', async ({ page }) => {
     const site = await startSite({
       '/': project.build('<div id="root"></div><script type="module" src="./app.tsx"></script>'),
     });

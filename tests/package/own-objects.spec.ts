@@ -1,12 +1,34 @@
-// What three.js users may put into `viewer.scene` of the standalone file, whose copy of three.js carries only what a
-// ShaderMaterial needs: objects of another copy with shaders of their own; three.js's own materials are refused in words.
+// Can a page use the standalone file together with a three.js of its own? Both are quiet. Objects of the page's copy may be put
+// into `viewer.scene` if they bring their shaders; three's own materials are refused with a clear message.
 
 import type * as Three from 'three';
 import type { PhongViewer } from '../../src/index.js';
-import { compare, expect, pixels, test } from '../support/test.js';
+import { allReady, compare, expect, pixels, test } from '../support/test.js';
 
 const box = '<phong-viewer geometry="box" radius="4"></phong-viewer>';
 const three = '/node_modules/three/build/three.module.js';
+
+for (const order of ['before', 'after'] as const) {
+  test(`a page that loads three.js of its own ${order} the standalone file has an empty console`, async ({
+    page,
+    site,
+  }) => {
+    const scripts = [three, '/dist/phong-viewer.standalone.js'];
+    if (order === 'after') scripts.reverse();
+    const head = scripts.map((address) => `<script type="module" src="${address}"></script>`).join('');
+    await page.goto(site.page(box, { head }));
+    await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+    await allReady(page);
+    // three.js leaves its version there, and warns where it finds one.
+    const stamp = await page.evaluate(() => (window as { __THREE__?: string }).__THREE__);
+    expect(stamp).toMatch(/^\d+/);
+  });
+}
+
+test('the standalone file leaves no version of three.js on the page', async ({ mount }) => {
+  const viewer = await mount(box);
+  expect(await viewer.evaluate(() => '__THREE__' in window)).toBe(false);
+});
 
 test('an object of another three.js with a ShaderMaterial is drawn', async ({ mount }) => {
   const viewer = await mount(box);
@@ -31,7 +53,7 @@ test('an object of another three.js with a ShaderMaterial is drawn', async ({ mo
   ).toBeGreaterThan(100);
 });
 
-test('its ShaderMaterial may be drawn in instances, with colours of vertices', async ({ mount }) => {
+test('an InstancedMesh with vertex colours and a ShaderMaterial is drawn', async ({ mount }) => {
   const viewer = await mount('<phong-viewer radius="4"></phong-viewer>');
   await viewer.evaluate(async (element: PhongViewer, address) => {
     const { BufferAttribute, InstancedMesh, Matrix4, PlaneGeometry, ShaderMaterial } = (await import(
@@ -66,12 +88,12 @@ test('its ShaderMaterial may be drawn in instances, with colours of vertices', a
   expect(runs).toHaveLength(2);
 });
 
-test('an object with a material that the file has no shaders for is refused in words', async ({
+test("an object with one of three.js's own materials gives an error that names the cure", async ({
   mount,
   consoleGuard,
 }) => {
   const said = consoleGuard.allow(
-    /carries no shaders of three\.js's own materials \(basic\): use the ES modules/,
+    /does not contain the shaders of three\.js's own materials \(basic\): .* use the ES modules/,
   );
   const viewer = await mount(box);
   const before = await pixels(viewer);

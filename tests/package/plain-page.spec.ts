@@ -1,5 +1,5 @@
-// Does a copy of the packed dist/ work in a folder of a plain page, without a bundler, under the strict policy, with all
-// that is fetched on demand? Installs from the registry, so it is slow: @release.
+// Does a copy of the packed dist/ work on a page without a bundler, under the strict policy, with its lazy parts? Installs from
+// the registry, so it is slow: @release.
 
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';
@@ -20,7 +20,7 @@ test.describe('a copy of dist/ @release', () => {
 
   test.afterAll(() => project.remove());
 
-  test('shows the bunny and the panel, and asks nothing of other hosts', async ({ page }) => {
+  test('shows the bunny and the panel, and fetches nothing from other hosts', async ({ page }) => {
     const site = await startSite({ '/some/where/': join(project.folder, 'site') });
     const asked: string[] = [];
     page.on('request', (request) => asked.push(request.url()));

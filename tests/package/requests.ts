@@ -1,9 +1,9 @@
-// What a page fetches of dist/, with its size as a server sends it. Two ways of using the package: the standalone file, and
-// the ES modules as a page without a bundler names them in an import map.
+// Records which files of dist/ a page fetches, and how large they are as sent. The package is used in two ways: as the standalone
+// file, and as ES modules through an import map.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { gzipSync } from 'node:zlib';
+import { brotliCompressSync } from 'node:zlib';
 import type { Page } from '@playwright/test';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import type { PageOptions } from '../support/site.js';
@@ -27,7 +27,7 @@ const imports = {
 const css = 'phong-viewer { display: block; width: 600px; height: 400px }';
 const importMap = `<script type="importmap">${JSON.stringify({ imports })}</script>`;
 
-/** The two ways, as pages. An import map is an inline script, which the strict policy does not let through. */
+/** Options of a page for each way. An import map is an inline script, which the strict policy forbids. */
 export const usages: Readonly<Record<'standalone' | 'modules', PageOptions>> = {
   standalone: {
     css,
@@ -47,7 +47,7 @@ export class Requests {
     page.on('request', (request) => this.#paths.push(new URL(request.url()).pathname));
   }
 
-  /** Files of dist/, relative to it, that were asked for since the last call. */
+  /** Paths below dist/ that were requested since the last call. */
   take(): string[] {
     return this.#paths.splice(0).flatMap((path) => (path.startsWith('/dist/') ? [path.slice(6)] : []));
   }
@@ -57,9 +57,9 @@ export class Requests {
 export const chunkName = (path: string): string =>
   path.replace(/^shared\/(.*)\.js$/, '$1').replace(/^chunks\/(.*)-[\w-]{8}\.js$/, '$1');
 
-/** Bytes of these files of dist/, each compressed as a server would. */
-export const gzippedSize = (paths: readonly string[]): number =>
-  paths.reduce(
-    (sum, path) => sum + gzipSync(readFileSync(join(outputFolder('dist'), path)), { level: 9 }).length,
-    0,
-  );
+/** Bytes of this text as a server sends it, compressed by Brotli at its highest level. */
+export const brotliSize = (text: string | Buffer): number => brotliCompressSync(text).length;
+
+/** Bytes of these files of dist/, each compressed for itself. */
+export const sentSize = (paths: readonly string[]): number =>
+  paths.reduce((sum, path) => sum + brotliSize(readFileSync(join(outputFolder('dist'), path))), 0);

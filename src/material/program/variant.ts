@@ -16,14 +16,18 @@ export const REFLECTIONS = ['phong', 'blinn-phong'] as const satisfies readonly 
 export const ANTIALIASES = ['edges', 'highlights'] as const satisfies readonly Antialias[];
 export const TERMS = ['ambient', 'diffuse', 'specular'] as const satisfies readonly Term[];
 
-export interface MaterialFeatures {
+/** How a material shades, besides its colours. */
+export interface MaterialStyle {
   readonly shading: Shading;
   readonly reflection: Reflection;
-  /** The terms whose code is needed. */
   readonly terms: readonly Term[];
+  readonly antialias: Antialias;
+}
+
+/** What a general variant depends on; `terms` are those whose code is needed. */
+export interface MaterialFeatures extends MaterialStyle {
   /** Shading happens in linear light: `color-interpolation="linear"`. */
   readonly linear: boolean;
-  readonly antialias: Antialias;
   /** All exponents so far were 64 at most. */
   readonly shininessTo64: boolean;
   readonly map: boolean;

@@ -1,3 +1,0 @@
-// A table for three.js's physical materials.
-
-export const getDFGLUT = () => null;

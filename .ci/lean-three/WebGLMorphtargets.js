@@ -1,5 +1,0 @@
-// Morph targets, which the Phong material does not read.
-
-export const WebGLMorphtargets = function () {
-  return { update() {} };
-};

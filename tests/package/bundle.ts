@@ -1,0 +1,29 @@
+// Bundles a script as a user's bundler does. The script may import packages of this repository or files of dist/.
+
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const entry = 'script-of-a-user';
+
+/** The minified code that a page fetches at start. Imports are resolved from the repository's root. */
+export async function bundleOf(script: string): Promise<string> {
+  const built = await build({
+    root: repository,
+    configFile: false,
+    logLevel: 'silent',
+    build: { write: false, rolldownOptions: { input: entry } },
+    plugins: [
+      {
+        name: entry,
+        resolveId: (id) => (id === entry ? `${repository}${entry}.js` : undefined),
+        load: (id) => (id === `${repository}${entry}.js` ? script : undefined),
+      },
+    ],
+  });
+  if (!('output' in built)) throw new Error('more than one bundle');
+  const chunks = built.output.filter((part) => part.type === 'chunk');
+  const main = chunks.find(({ isEntry }) => isEntry);
+  const atStart = chunks.filter(({ fileName, isEntry }) => isEntry || main?.imports.includes(fileName));
+  return atStart.map(({ code }) => code).join('\n');
+}

@@ -1,0 +1,60 @@
+// Does the package carry the licences of the code that it contains? Against dist/ as the build step left it, since
+// minification is what drops notices.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, test } from '@playwright/test';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const dist = outputFolder('dist');
+
+/** The first comment of a file below dist/; empty where it begins with code. */
+const notice = (path: string): string =>
+  /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
+
+function version(name: string): string {
+  const text = readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8');
+  return (JSON.parse(text) as { version: string }).version;
+}
+
+const licences = (): string => readFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
+
+for (const name of ['three', 'lit', 'lit-html', 'lit-element', '@lit/reactive-element', 'lil-gui']) {
+  test(`THIRD-PARTY-LICENSES.txt holds the licence of ${name} with its version`, () => {
+    const folder = join(repository, 'node_modules', name);
+    const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry))!;
+    expect(licences()).toContain(`\n${name} ${version(name)}\n`);
+    expect(licences()).toContain(readFileSync(join(folder, file), 'utf8').trim());
+  });
+}
+
+test('THIRD-PARTY-LICENSES.txt holds the licence of the Draco decoder', () => {
+  expect(licences()).toContain(`\nDraco decoder (in three ${version('three')})\n`);
+  expect(licences()).toContain('Copyright The Draco Authors');
+  expect(licences()).toContain('Apache License');
+});
+
+test('every bundle that contains code of others begins with a notice that names it', () => {
+  const chunk = (folder: string, name: string): string =>
+    `${folder}/${readdirSync(join(dist, folder)).find((file) => file.startsWith(name) && file.endsWith('.js'))}`;
+  const expected: readonly (readonly [path: string, holders: readonly RegExp[]])[] = [
+    ['phong-viewer.standalone.js', [/three\.js authors/, /Google LLC/]],
+    [chunk('chunks', 'panel'), [/George Michael Brower/]],
+    [chunk('chunks', 'read-gltf'), [/three\.js authors/]],
+    [chunk('chunks', 'teapot'), [/three\.js authors/]],
+    [chunk('chunks', 'draco'), [/Draco Authors/]],
+    [chunk('shared', 'draco'), [/Draco Authors/]],
+  ];
+  for (const [path, holders] of expected) {
+    for (const holder of holders) expect(notice(path), path).toMatch(holder);
+    expect(notice(path), path).toContain('THIRD-PARTY-LICENSES.txt');
+  }
+});
+
+test("every entry begins with the package's own name, version and licence", () => {
+  const own = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as { version: string };
+  for (const entry of ['index', 'core', 'reference', 'phong-viewer.standalone'])
+    expect(notice(`${entry}.js`), entry).toContain(`phong-viewer ${own.version}, MIT`);
+});
