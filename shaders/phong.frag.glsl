@@ -66,7 +66,12 @@ void main() {
   vec3 color = base.rgb * (gl_FrontFacing ? vFrontBase : vBackBase) + (gl_FrontFacing ? vFrontSpecular : vBackSpecular);
 #else
   vec3 normal = gl_FrontFacing ? vNormal : -vNormal;
+#ifdef FILTER_HIGHLIGHTS
   vec3 color = surfaceColor(vPosition, normal, uEye, base.rgb * uKa, base.rgb * uKd, uKs, uShininess);
+#else
+  // Interpolated between unit vectors: shorter, and zero where they cancel.
+  vec3 color = unitSurfaceColor(vPosition, unitInRange(normal), uEye, base.rgb * uKa, base.rgb * uKd, uKs, uShininess);
+#endif
 #endif
 #ifdef IS_LINEAR
   color = srgbEncode(color);

@@ -6,8 +6,14 @@ const float FARTHEST = 1e18;
 
 /**
  * The colour at point p before clamping: Ka·ΣIa·decay + Kd·ΣId·att·NoL·decay + Ks·ΣIs·att·spec·decay. Everything in
- * shading space. The normal may have any length; zero leaves ambient light only. n >= 0.
+ * shading space. N is unit, or zero: then only ambient light is left. n >= 0.
  */
+vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
+  LightSums sums = lightSums(p, N, unitInRange(eye - p), n);
+  return ka * sums.ambient + kd * sums.diffuse + ks * sums.specular;
+}
+
+/** The same for a normal of any length; zero leaves ambient light only. */
 vec3 surfaceColor(vec3 p, vec3 normal, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
 #ifdef FILTER_HIGHLIGHTS
   // Derivatives use neighbouring fragments outside the triangle, where interpolation may divide by zero beyond the horizon.
@@ -15,6 +21,5 @@ vec3 surfaceColor(vec3 p, vec3 normal, vec3 eye, vec3 ka, vec3 kd, vec3 ks, floa
   p = clamp(p, -FARTHEST, FARTHEST);
   normal = clamp(normal, -FARTHEST, FARTHEST);
 #endif
-  LightSums sums = lightSums(p, unitOrZero(normal), unitOrZero(eye - p), n);
-  return ka * sums.ambient + kd * sums.diffuse + ks * sums.specular;
+  return unitSurfaceColor(p, unitOrZero(normal), eye, ka, kd, ks, n);
 }

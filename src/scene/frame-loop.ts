@@ -1,20 +1,29 @@
-// When does a picture draw? One animation frame at most is pending for the whole page, and none while nothing has
-// asked for one. Knows nothing of what is drawn.
+// When does a picture draw? At most one animation frame is pending for the whole page, and none while nothing changes.
+// A frame has three phases, and every picture finishes one before any picture starts the next. Knows nothing of what is
+// drawn.
 
 export interface Framed {
-  /** Reads what it needs of the page's layout. All pictures read before the first one draws and so writes to it. */
+  /** Phase 1: reads the page's layout. Nothing writes to the page before all pictures have read. */
   prepare(): void;
-  /** Draws if there is something to draw; true asks for another frame. `now` in milliseconds, as animation frames. */
-  frame(now: number): boolean;
+  /**
+   * Phase 2: moves what moves by itself, such as a turning camera; true requests another frame. `now` is the animation
+   * frame's time in milliseconds. Pictures that move must all be out of date before the first one draws: only those
+   * share an atlas.
+   */
+  advance(now: number): boolean;
+  /** Phase 3: draws if the picture is out of date. */
+  draw(): void;
 }
 
 class FrameLoop {
-  readonly #waiting = new Set<Framed>();
+  #waiting = new Set<Framed>();
+  /** The pictures of the running frame; empty between frames. */
+  #running = new Set<Framed>();
   #pending = 0;
-  /** Asked last, and is still to be drawn: lights that move ask one by one. */
+  /** The latest request, still to be served. Moving lights request one by one, for the same picture. */
   #last: Framed | null = null;
 
-  /** Asks for a frame for `picture`: any number of requests in one task make one frame. */
+  /** Requests a frame for `picture`. Any number of requests in one task make one frame. */
   request(picture: Framed): void {
     if (picture === this.#last) return;
     this.#last = picture;
@@ -22,7 +31,7 @@ class FrameLoop {
     if (this.#pending === 0) this.#pending = requestAnimationFrame(this.#run);
   }
 
-  /** Takes a request back; with the last one goes the animation frame. */
+  /** Withdraws a request. Without any request left the animation frame is cancelled too. */
   cancel(picture: Framed): void {
     this.#waiting.delete(picture);
     if (picture === this.#last) this.#last = null;
@@ -34,27 +43,28 @@ class FrameLoop {
   readonly #run = (now: number): void => {
     this.#pending = 0;
     this.#last = null;
-    const pictures = [...this.#waiting];
-    this.#waiting.clear();
-    for (const picture of pictures) {
-      guarded(() => {
-        picture.prepare();
-      });
-    }
-    for (const picture of pictures) {
-      guarded(() => {
-        if (picture.frame(now)) this.request(picture);
-      });
-    }
+    [this.#waiting, this.#running] = [this.#running, this.#waiting];
+    this.#each((picture) => {
+      picture.prepare();
+    });
+    this.#each((picture) => {
+      if (picture.advance(now)) this.request(picture);
+    });
+    this.#each((picture) => {
+      picture.draw();
+    });
+    this.#running.clear();
   };
-}
 
-/** One broken picture must not stop the others of the page. */
-function guarded(action: () => void): void {
-  try {
-    action();
-  } catch (error) {
-    reportError(error);
+  /** One broken picture must not stop the others of the page. */
+  #each(action: (picture: Framed) => void): void {
+    for (const picture of this.#running) {
+      try {
+        action(picture);
+      } catch (error) {
+        reportError(error);
+      }
+    }
   }
 }
 

@@ -182,11 +182,12 @@ export class Viewport implements StageClient, Framed {
     if (this.#visible === undefined) this.#events.locate();
   }
 
-  frame(now: number): boolean {
-    if (!this.drawable) return false;
-    const again = this.#events.beforeFrame(now);
-    if (this.#dirty) this.redraw();
-    return again && this.drawable;
+  advance(now: number): boolean {
+    return this.drawable && this.#events.beforeFrame(now);
+  }
+
+  draw(): void {
+    if (this.#dirty && this.drawable) this.redraw();
   }
 
   redraw(): void {

@@ -16,7 +16,7 @@ export const reddening = (count: number): string =>
       `<phong-viewer geometry="box" terms="diffuse" kd="${(255 * i) / count} 0 0">${light}</phong-viewer>`,
   ).join('');
 
-/** The red code that each viewer's own canvas shows in its middle. AtlasCopies each once. */
+/** The red code (0 to 255) in the middle of each viewer's own canvas; -1 without a canvas. Copies each canvas once. */
 export const redsShown = (page: Page): Promise<number[]> =>
   page.evaluate(() => {
     const pixel = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;

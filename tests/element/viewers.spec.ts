@@ -53,6 +53,38 @@ for (const count of [2, 64]) {
   });
 }
 
+test('viewers that turn by themselves are all drawn before the first one is copied', async ({
+  page,
+  mount,
+}) => {
+  // A copy between two drawings makes the browser resolve and copy the whole canvas again.
+  await page.addInitScript(() => {
+    const log: string[] = [];
+    Object.assign(window, { drawnOrCopied: log });
+    const record = (prototype: object, method: string, letter: string): void => {
+      const real = Reflect.get(prototype, method) as (...args: unknown[]) => unknown;
+      Reflect.set(prototype, method, function (this: unknown, ...args: unknown[]) {
+        log.push(letter);
+        return Reflect.apply(real, this, args);
+      });
+    };
+    record(WebGL2RenderingContext.prototype, 'drawElements', 'd');
+    record(CanvasRenderingContext2D.prototype, 'drawImage', 'c');
+  });
+  const viewer = await mount(
+    reddening(6).replaceAll('<phong-viewer', '<phong-viewer auto-rotate="90"'),
+    small,
+  );
+  await expect.poll(() => viewer.evaluate(({ stats }: PhongViewer) => stats.frames)).toBeGreaterThan(3);
+  const frame = await page.evaluate(async () => {
+    await new Promise(requestAnimationFrame);
+    window.drawnOrCopied.length = 0;
+    await new Promise(requestAnimationFrame);
+    return window.drawnOrCopied.join('');
+  });
+  expect(frame).toMatch(/^d{6,}c{6}$/);
+});
+
 test('the context is opened by the first picture that is seen, and at its size', async ({ page, mount }) => {
   // A canvas that has a context and takes another size makes all buffers anew, for each side once.
   await page.addInitScript(() => {
@@ -206,6 +238,7 @@ test('no shader log is waited for, and a program that does not link is told of',
 
 declare global {
   interface Window {
+    drawnOrCopied: string[];
     resized: number;
   }
 }

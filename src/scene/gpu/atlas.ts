@@ -1,34 +1,46 @@
-// Where do the pictures of one frame lie on the canvas that they are drawn on together? Whole pixels from the canvas's
-// bottom left corner, as WebGL counts. Knows nothing of what is drawn.
+// Where do the pictures of one frame lie on the canvas that they share? Whole pixels from the canvas's bottom left corner,
+// as WebGL counts. Knows nothing of what is drawn.
 
 export interface Size {
   readonly width: number;
   readonly height: number;
 }
 
-/** A part of the sheet: pixels from its bottom left corner. */
+/** A part of the atlas, in pixels from its bottom left corner. */
 export interface Place extends Size {
   readonly x: number;
   readonly y: number;
 }
 
 export interface AtlasLayout extends Size {
-  /** Of the first pictures, as many as the sheet holds: at least one. */
+  /** Places of the first pictures: as many as fit, at least one. */
   readonly places: readonly Place[];
 }
 
 export interface AtlasLimit {
-  /** Of width and height. */
+  /** Largest width and largest height. */
   readonly side: number;
-  /** Of their product; one picture alone may be larger. */
+  /** Largest product of the two. A single picture may exceed it. */
   readonly area: number;
 }
 
-/** In rows, in the given order, on a sheet about as wide as high. Sizes are at least 1 and within `limit.side`. */
+/**
+ * Places the pictures in rows, in the given order, on an atlas about as wide as high. Sizes are at least 1 and at most
+ * `limit.side`.
+ */
 export function layOutAtlas(sizes: readonly Size[], limit: AtlasLimit): AtlasLayout {
-  const wanted = sizes.reduce((sum, { width, height }) => sum + width * height, 0);
+  const total = sizes.reduce((sum, { width, height }) => sum + width * height, 0);
   const widest = sizes.reduce((most, { width }) => Math.max(most, width), 0);
-  const rowWidth = Math.max(widest, Math.ceil(Math.sqrt(Math.min(wanted, limit.area, limit.side ** 2))));
+  const square = Math.max(widest, Math.ceil(Math.sqrt(Math.min(total, limit.area, limit.side ** 2))));
+  const narrow = layOutRows(sizes, square, limit);
+  // Rows that hold one more picture may leave no gap: 20 of 256 × 180 fill 4 × 5 places, but 3 × 7 leave one empty.
+  const wide = layOutRows(sizes, Math.min(square + widest, limit.side), limit);
+  const gained = wide.places.length - narrow.places.length;
+  const smaller = wide.width * wide.height < narrow.width * narrow.height;
+  return gained > 0 || (gained === 0 && smaller) ? wide : narrow;
+}
+
+function layOutRows(sizes: readonly Size[], rowWidth: number, limit: AtlasLimit): AtlasLayout {
   const places: Place[] = [];
   let x = 0;
   let y = 0;
@@ -39,13 +51,13 @@ export function layOutAtlas(sizes: readonly Size[], limit: AtlasLimit): AtlasLay
       x = 0;
       y = top;
     }
-    const sheetWidth = Math.max(right, x + width);
-    const sheetHeight = Math.max(top, y + height);
-    if (places.length > 0 && (sheetHeight > limit.side || sheetWidth * sheetHeight > limit.area)) break;
+    const atlasWidth = Math.max(right, x + width);
+    const atlasHeight = Math.max(top, y + height);
+    if (places.length > 0 && (atlasHeight > limit.side || atlasWidth * atlasHeight > limit.area)) break;
     places.push({ x, y, width, height });
     x += width;
-    right = sheetWidth;
-    top = sheetHeight;
+    right = atlasWidth;
+    top = atlasHeight;
   }
   return { width: right, height: top, places };
 }

@@ -16,8 +16,8 @@ const CONTEXT: WebGLContextAttributes = {
 };
 
 /**
- * On a canvas of this size: each other size later makes all buffers anew, twice, and the page waits for both. Throws
- * {@link NoWebGL2Error}.
+ * Opens the context on a canvas of the size of the first drawing. A later change of size allocates all buffers again, once
+ * for each side, and blocks the page. Throws {@link NoWebGL2Error}.
  */
 export function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
@@ -31,23 +31,23 @@ export function openContext({ width, height }: Size): WebGL2RenderingContext {
 export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const canvas = context.canvas as HTMLCanvasElement;
   const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
-  renderer.setClearColor(0x000000, 0);
+  renderer.autoClear = false; // the stage clears once for all pictures of a frame
   renderer.setOpaqueSort(byScene);
   renderer.setTransparentSort(fromBehind);
   return renderer;
 }
 
 /**
- * In the order of the scene, which sorting leaves as it is: of surfaces in one place the last one shows. three.js's own order
- * is that in which materials were made, of which the markup says nothing and which exact programs change.
+ * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup shows. three.js would
+ * sort by material, in the order in which materials were created.
  */
 const byScene = (a: Ordered, b: Ordered): number =>
   a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
 
-/** Farther ones first; three.js's own order goes on by which object was made first. */
+/** Farther objects first. At equal depth this keeps the scene's order; three.js would sort by creation. */
 const fromBehind = (a: Ordered, b: Ordered): number => byScene(a, b) || b.z - a.z;
 
-/** Of what three.js sorts. */
+/** The part of three.js's render item that sorting reads. */
 interface Ordered {
   readonly groupOrder: number;
   readonly renderOrder: number;
@@ -55,13 +55,13 @@ interface Ordered {
   readonly z: number;
 }
 
-/** The largest side of one drawing, in pixels. */
+/** Largest side of one drawing, in pixels. */
 export function maxSizeOf(gl: WebGL2RenderingContext): number {
   const viewport = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
   return Math.min(viewport[0] ?? 0, viewport[1] ?? 0, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
 }
 
-/** Browsers keep few contexts: gives one back now rather than at some garbage collection. */
+/** Releases the context now. Browsers allow few, and garbage collection would release it late. */
 export function closeContext(renderer: WebGLRenderer): void {
   renderer.dispose();
   renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext();

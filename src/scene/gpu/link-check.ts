@@ -1,17 +1,17 @@
-// Tells of programs that do not link, without waiting for any that the driver still works on.
+// Reports programs that do not link, without waiting for programs that the driver is still compiling.
 import type { WebGLProgram as ThreeProgram, WebGLRenderer } from 'three';
 import { compilingPrograms } from '../../material/program/program-cache.js';
 
-/** three.js's types leave these out. */
+/** What three.js's types leave out. */
 type Program = ThreeProgram & {
   readonly program: WebGLProgram;
-  /** Asks KHR_parallel_shader_compile; true where the browser has it not. */
+  /** According to KHR_parallel_shader_compile; always true without that extension. */
   isReady(): boolean;
 };
 
 /**
- * three.js's own check asks for three logs of each program, and each answer is waited for. Whether a program that was
- * drawn with has linked is known to the browser by then; the logs are wanted only where it has not.
+ * Replaces three.js's own check, which reads three logs of each program and blocks for each. After a program has drawn,
+ * the browser knows its link status without blocking. The logs are read only after a failure.
  */
 export class LinkCheck {
   readonly #checked = new WeakSet<Program>();
@@ -20,7 +20,7 @@ export class LinkCheck {
     renderer.debug.checkShaderErrors = false;
   }
 
-  /** After drawing: each program that has failed is reported, once. */
+  /** Call after drawing. Reports each failed program once. */
   check(renderer: WebGLRenderer): void {
     const gl = renderer.getContext();
     for (const program of (renderer.info.programs ?? []) as Program[]) {

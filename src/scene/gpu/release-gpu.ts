@@ -1,4 +1,4 @@
-// Gives back what the GPU holds of a scene: buffers, programs, textures. Nothing is lost: drawing sends it again.
+// Releases a scene's buffers, programs and textures on the GPU. Nothing is lost: the next drawing uploads them again.
 import { type Mesh, type Object3D, type ShaderMaterial, Texture } from 'three';
 
 export function releaseGpu(root: Object3D): void {

@@ -1,28 +1,28 @@
-// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself; where
-// there are several, those of one frame are drawn beside each other and each is copied into a canvas of its own. Knows
-// nothing of scenes, lights or elements.
+// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself. Several
+// pictures are drawn next to each other into an atlas on that canvas, and each is then copied into a canvas of its own.
+// Knows nothing of scenes, lights or elements. Reasons and figures: src/decisions/one-context.md.
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
 import { closeContext, maxSizeOf, openContext, rendererOf } from './context.js';
 import { LinkCheck } from './link-check.js';
-import { layOutAtlas, type Place, type AtlasLayout, type Size } from './atlas.js';
+import { type AtlasLayout, layOutAtlas, type Place, type Size } from './atlas.js';
 
 export { NoWebGL2Error } from './context.js';
 
 /** A picture that draws with the shared context. Sizes are in device pixels. */
 export interface StageClient extends CopyClient {
-  /** It shows what it would draw now. */
+  /** Drawing now would change nothing. */
   readonly upToDate: boolean;
   /** Draw again now, before the browser shows the page. */
   redraw(): void;
-  /** Let go of everything that the GPU held. */
+  /** The GPU has lost everything: release it. */
   contextLost(): void;
-  /** The context is back; everything has to be sent again. */
+  /** The context is back: everything has to be uploaded again. */
   contextRestored(): void;
 }
 
-/** How many frames in a row may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
-const SPARING_FRAMES = 30;
+/** Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
+const FRAMES_BEFORE_SHRINKING = 30;
 
 class Stage {
   readonly #clients = new Set<StageClient>();
@@ -30,19 +30,19 @@ class Stage {
   #renderer: WebGLRenderer | null = null;
   #linkCheck: LinkCheck | null = null;
   #maxSize = Infinity;
-  /** Where the pictures that are still to come in this frame will be. */
+  /** Places reserved for pictures that have not been drawn yet in this frame. */
   readonly #places = new Map<StageClient, Place>();
-  /** What lies on the canvas and is not shown yet. */
+  /** Pictures in the atlas that have not been copied yet. */
   readonly #drawn = new Map<StageClient, Place>();
-  #lostContext = false;
-  #sparing = 0;
+  #contextLost = false;
+  #wastefulFrames = 0;
   #inFrame = false;
   #viewersDrawn = 0;
 
   add(client: StageClient): void {
     if (this.#clients.has(client)) return;
     this.#clients.add(client);
-    // The one that was alone shows the shared canvas, which others are about to draw on.
+    // The first picture shows the shared canvas itself, and the others are about to draw on it.
     if (this.#clients.size === 2) this.#invalidateAll();
   }
 
@@ -52,41 +52,45 @@ class Stage {
     this.#copies.drop(client);
     client.holder.replaceChildren();
     if (this.#clients.size === 1) this.#invalidateAll();
-    // It may have been the one that the canvas is so large for; the next frame finds the size anew.
+    // The canvas may have been large only for this picture. The next frame finds the size again.
     else if (this.#clients.size > 1 && this.#renderer !== null) resize(this.#renderer, 1, 1);
-    // An element that only moves is back before the microtask.
+    // An element that only moves within the page is back before the microtask.
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
   }
 
-  /** By what the events have told: asking the context is a call to it, and this is asked with every change. */
+  /** According to events: `isContextLost()` is a call into WebGL, and every change of a scene reads this. */
   get lost(): boolean {
-    return this.#lostContext;
+    return this.#contextLost;
   }
 
-  /** Facts for `stats`. */
+  /** Programs on the GPU, for `stats`. */
   get programs(): number {
     return this.#renderer?.info.programs?.length ?? 0;
   }
 
-  /** How many pictures the page's last frame has drawn, or the present one so far. */
+  /** Pictures drawn in the page's last frame, or so far in the present one. */
   get viewersDrawn(): number {
     return this.#viewersDrawn;
   }
 
-  /** What a picture's sides are multiplied by, that one drawing can hold it: 1 until something has been drawn. */
+  /** Scale, at most 1, that makes a picture fit the GPU's largest drawing. 1 until the context is open. */
   shareOf({ width, height }: Size): number {
     return Math.min(1, this.#maxSize / Math.max(width, height, 1));
   }
 
-  /** Draws one client's picture by `render` and shows it by the end of the task. The first opens the context: throws NoWebGL2Error. */
+  /**
+   * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page. The
+   * first call opens the context. Throws NoWebGL2Error.
+   */
   draw(client: StageClient, render: (renderer: WebGLRenderer) => void): void {
     const alone = this.#clients.size === 1;
-    const renderer = this.#renderer ?? this.#open(alone ? client : this.#layOutAtlas(client).sheet);
+    const renderer = this.#renderer ?? this.#open(alone ? client : this.#layOut(client).atlas);
     this.#count();
     if (alone) {
       this.#showDrawn();
       const { width, height } = client;
       resize(renderer, width, height);
+      clear(renderer);
       drawInto(renderer, { x: 0, y: 0, width, height }, render);
       this.#copies.drop(client);
       const { domElement } = renderer;
@@ -100,26 +104,26 @@ class Stage {
   }
 
   /**
-   * Draws a picture that is not shown, piece by piece where it is larger than the context can hold, into a canvas of
-   * exactly `width` × `height` pixels. `render` is told which part it draws.
+   * Draws a picture that is not shown into a 2D canvas of exactly `width` × `height` pixels, in tiles where it is larger
+   * than the context can hold. `render` draws the given part and must not clear. Throws RangeError where no canvas can
+   * hold the picture.
    */
   capture(
-    size: { readonly width: number; readonly height: number },
+    { width, height }: Size,
     render: (renderer: WebGLRenderer, part: Region) => void,
   ): HTMLCanvasElement {
     if (this.lost) throw new Error('the graphics context is lost: there is no picture until it comes back');
-    const { width, height } = size;
     const picture = document.createElement('canvas');
     picture.width = width;
     picture.height = height;
     const context = picture.getContext('2d');
-    if (context === null || !holds(context, width, height)) {
+    if (context === null || !hasMemory(context, width, height)) {
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
-    const borrowed = this.#renderer === null;
-    const most = { width: Math.min(width, LARGEST_PART), height: Math.min(height, LARGEST_PART) };
-    const renderer = this.#renderer ?? this.#open(most);
-    this.#showDrawn(); // what follows goes over it
+    const opened = this.#renderer === null;
+    const firstTile = { width: Math.min(width, LARGEST_PART), height: Math.min(height, LARGEST_PART) };
+    const renderer = this.#renderer ?? this.#open(firstTile);
+    this.#showDrawn(); // the capture overwrites it
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
     const step = Math.min(this.#maxSize, LARGEST_PART);
@@ -127,6 +131,7 @@ class Stage {
       for (let x = 0; x < width; x += step) {
         const part = { x, y, width: Math.min(step, width - x), height: Math.min(step, height - y) };
         resize(renderer, Math.max(canvas.width, part.width), Math.max(canvas.height, part.height));
+        clear(renderer);
         drawInto(renderer, { x: 0, y: 0, width: part.width, height: part.height }, (r) => {
           render(r, part);
         });
@@ -135,10 +140,10 @@ class Stage {
       }
     }
     this.#linkCheck?.check(renderer);
-    // The drawing went over what the one picture of the page was showing.
+    // The capture has overwritten the canvas that a lone picture shows.
     if (this.#clients.size === 1) for (const client of this.#clients) client.redraw();
-    else resize(renderer, before.width, before.height); // a large one would stay large
-    if (borrowed) queueMicrotask(this.#closeIfEmpty);
+    else resize(renderer, before.width, before.height); // else it would stay large
+    if (opened) queueMicrotask(this.#closeIfEmpty);
     return picture;
   }
 
@@ -146,42 +151,44 @@ class Stage {
     for (const client of this.#clients) client.invalidate();
   }
 
-  /** Where on the canvas `client` draws; with the first of a frame all that wait for it get their places. */
+  /** Where `client` draws. The first picture of a frame starts an atlas and reserves places for all that are out of date. */
   #placeOf(client: StageClient, renderer: WebGLRenderer): Place {
-    const kept = this.#places.get(client);
-    this.#places.delete(client); // one drawing each
-    if (kept?.width === client.width && kept.height === client.height) return kept;
+    const reserved = this.#places.get(client);
+    this.#places.delete(client); // a second drawing needs a cleared place
+    if (reserved?.width === client.width && reserved.height === client.height) return reserved;
     this.#showDrawn();
-    const { waiting, sheet } = this.#layOutAtlas(client);
-    this.#makeRoom(renderer, sheet);
-    sheet.places.forEach((place, i) => {
-      const one = waiting[i];
-      if (one !== undefined && one !== client) this.#places.set(one, place);
+    const { pictures, atlas } = this.#layOut(client);
+    this.#makeRoom(renderer, atlas);
+    // Once for all places: 20 clears of 256 × 180 cost as much as drawing a box in each (25 ms of CPU in software).
+    clear(renderer);
+    atlas.places.forEach((place, i) => {
+      const picture = pictures[i];
+      if (picture !== undefined && picture !== client) this.#places.set(picture, place);
     });
-    return { x: 0, y: 0, width: client.width, height: client.height }; // the first place of all
+    return { x: 0, y: 0, width: client.width, height: client.height }; // the first place
   }
 
-  /** All that wait for this frame beside each other, `client` first. */
-  #layOutAtlas(client: StageClient): { waiting: readonly StageClient[]; sheet: AtlasLayout } {
-    const waiting = [client];
-    for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) waiting.push(one);
-    return { waiting, sheet: layOutAtlas(waiting, { side: this.#maxSize, area: screenPixels() }) };
+  /** The pictures that are out of date and their places, `client` first. */
+  #layOut(client: StageClient): { pictures: readonly StageClient[]; atlas: AtlasLayout } {
+    const pictures = [client];
+    for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) pictures.push(one);
+    return { pictures, atlas: layOutAtlas(pictures, { side: this.#maxSize, area: screenPixels() }) };
   }
 
-  /** At least this many pixels; another size costs new buffers, so what fits stays for a while. */
+  /** Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a while. */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): void {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
-    const sparing = fits && 4 * width * height < canvas.width * canvas.height;
-    this.#sparing = sparing ? this.#sparing + 1 : 0;
-    if (fits && this.#sparing < SPARING_FRAMES) return;
-    this.#sparing = 0;
+    const wasteful = fits && 4 * width * height < canvas.width * canvas.height;
+    this.#wastefulFrames = wasteful ? this.#wastefulFrames + 1 : 0;
+    if (fits && this.#wastefulFrames < FRAMES_BEFORE_SHRINKING) return;
+    this.#wastefulFrames = 0;
     const both = { width: Math.max(width, canvas.width), height: Math.max(height, canvas.height) };
     if (!fits && both.width * both.height <= screenPixels()) resize(renderer, both.width, both.height);
     else resize(renderer, width, height);
   }
 
-  /** AtlasCopies what has been drawn to where it is seen. */
+  /** Copies what has been drawn into the pictures' own canvases. */
   #showDrawn(): void {
     this.#places.clear();
     if (this.#drawn.size === 0) return;
@@ -206,39 +213,39 @@ class Stage {
     this.#copies.trim();
   };
 
-  /** `size` is what is about to be drawn. */
+  /** `size` is that of the first drawing. */
   #open(size: Size): WebGLRenderer {
     const context = openContext(size);
     const canvas = context.canvas as HTMLCanvasElement;
     canvas.addEventListener('webglcontextlost', this.#lost);
     canvas.addEventListener('webglcontextrestored', this.#restored);
     this.#maxSize = maxSizeOf(context);
-    return this.#draws(rendererOf(context));
+    return this.#use(rendererOf(context));
   }
 
-  #draws(renderer: WebGLRenderer): WebGLRenderer {
+  #use(renderer: WebGLRenderer): WebGLRenderer {
     this.#renderer = renderer;
     this.#linkCheck = new LinkCheck(renderer);
     return renderer;
   }
 
-  // three.js would write both to the console. It need not know: a restored context gets a new renderer.
+  // three.js must not see either event: it would write to the console, and a restored context gets a new renderer anyway.
   readonly #lost = (event: Event): void => {
     event.stopImmediatePropagation();
-    event.preventDefault(); // else it is never restored
-    this.#lostContext = true;
+    event.preventDefault(); // otherwise the context is never restored
+    this.#contextLost = true;
     this.#drawn.clear();
     this.#places.clear();
     for (const client of this.#clients) client.contextLost();
-    // While the context is lost: what is deleted after it has come back is not its own, and that is an error.
+    // Now, while the context is lost: deleting these objects on the restored context would be an error.
     this.#renderer?.dispose();
   };
 
   readonly #restored = (event: Event): void => {
     event.stopImmediatePropagation();
     if (this.#renderer === null) return;
-    this.#lostContext = false;
-    this.#draws(rendererOf(this.#renderer.getContext() as WebGL2RenderingContext));
+    this.#contextLost = false;
+    this.#use(rendererOf(this.#renderer.getContext() as WebGL2RenderingContext));
     for (const client of this.#clients) client.contextRestored();
   };
 
@@ -247,7 +254,7 @@ class Stage {
     if (renderer === null || this.#clients.size > 0) return;
     this.#renderer = null;
     this.#linkCheck = null;
-    this.#lostContext = false;
+    this.#contextLost = false;
     renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
     renderer.domElement.removeEventListener('webglcontextrestored', this.#restored);
     closeContext(renderer);
@@ -259,7 +266,17 @@ function resize(renderer: WebGLRenderer, width: number, height: number): void {
   if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
 }
 
-/** Draws onto one part of the canvas and leaves the others alone. */
+/**
+ * Clears the whole canvas to transparent. Unscissored, which the GPU does without drawing. A scene with a background colour
+ * leaves three.js's clear colour changed.
+ */
+function clear(renderer: WebGLRenderer): void {
+  renderer.setScissorTest(false);
+  renderer.setClearColor(0x000000, 0);
+  renderer.clear(true, true, false);
+}
+
+/** Draws one part of the canvas and leaves the others alone. */
 function drawInto(
   renderer: WebGLRenderer,
   { x, y, width, height }: Place,
@@ -280,11 +297,11 @@ export interface Region {
   readonly height: number;
 }
 
-/** Larger pictures are drawn in parts: four times the memory of this many pixels squared is lent by every GPU. */
+/** Largest side of one tile in pixels. Every GPU has memory for this size with 4 samples per pixel. */
 const LARGEST_PART = 4096;
 
-/** Browsers hand out canvases that they have no memory for: only what was drawn on one tells. */
-function holds(context: CanvasRenderingContext2D, width: number, height: number): boolean {
+/** Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn pixel shows it. */
+function hasMemory(context: CanvasRenderingContext2D, width: number, height: number): boolean {
   if (context.canvas.width !== width || context.canvas.height !== height) return false;
   const corner = [width - 1, height - 1, 1, 1] as const;
   try {

@@ -10,7 +10,7 @@ const sizes = fc.array(fc.record({ width: side, height: side }), { minLength: 1,
 const apart = (a: Place, b: Place): boolean =>
   a.x + a.width <= b.x || b.x + b.width <= a.x || a.y + a.height <= b.y || b.y + b.height <= a.y;
 
-describe('a sheet of pictures', () => {
+describe('an atlas of pictures', () => {
   test('holds the first pictures at their sizes, apart from each other, and nothing outside of it', () => {
     fc.assert(
       fc.property(sizes, (wanted) => {
@@ -35,6 +35,11 @@ describe('a sheet of pictures', () => {
         if (places.length > 1) expect(width * height).toBeLessThanOrEqual(limit.area);
       }),
     );
+  });
+
+  test('holds twenty equal pictures that fill the area exactly', () => {
+    const sizes = Array.from({ length: 20 }, () => ({ width: 256, height: 180 }));
+    expect(layOutAtlas(sizes, { side: 4096, area: 1280 * 720 }).places).toHaveLength(20);
   });
 
   test('begins in the corner: the first picture lies where it would alone', () => {

@@ -1,0 +1,88 @@
+// Does one animation frame serve all pictures of the page, phase by phase?
+import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { type Framed, frameLoop } from '../../src/scene/frame-loop.js';
+
+let callbacks: Map<number, FrameRequestCallback>;
+let requests: number;
+
+beforeEach(() => {
+  callbacks = new Map();
+  requests = 0;
+  vi.stubGlobal('requestAnimationFrame', (callback: FrameRequestCallback) => {
+    callbacks.set(++requests, callback);
+    return requests;
+  });
+  vi.stubGlobal('cancelAnimationFrame', (id: number) => callbacks.delete(id));
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+function runFrame(now = 0): void {
+  const due = [...callbacks.values()];
+  callbacks.clear();
+  for (const callback of due) callback(now);
+}
+
+/** Logs its phases; asks for another frame while `moving`. */
+function picture(name: string, log: string[], moving = false): Framed {
+  return {
+    prepare: () => log.push(`prepare ${name}`),
+    advance: (now) => {
+      log.push(`advance ${name} ${String(now)}`);
+      return moving;
+    },
+    draw: () => log.push(`draw ${name}`),
+  };
+}
+
+describe('the frame loop', () => {
+  test('finishes each phase for all pictures before the next phase starts', () => {
+    const log: string[] = [];
+    for (const name of ['a', 'b']) frameLoop.request(picture(name, log));
+    runFrame(7);
+    expect(log).toEqual(['prepare a', 'prepare b', 'advance a 7', 'advance b 7', 'draw a', 'draw b']);
+  });
+
+  test('makes one frame of any number of requests, and none after it', () => {
+    const a = picture('a', []);
+    const b = picture('b', []);
+    for (const one of [a, b, a, a, b]) frameLoop.request(one);
+    expect(requests).toBe(1);
+    runFrame();
+    expect(callbacks.size).toBe(0);
+  });
+
+  test('goes on for a picture that moves until its request is withdrawn', () => {
+    const moving = picture('a', [], true);
+    frameLoop.request(moving);
+    runFrame();
+    expect(callbacks.size).toBe(1);
+    frameLoop.cancel(moving);
+    expect(callbacks.size).toBe(0);
+  });
+
+  test('serves a request that comes while it draws in the frame after', () => {
+    const log: string[] = [];
+    const late = picture('late', log);
+    const first = picture('first', []);
+    frameLoop.request({ ...first, draw: () => frameLoop.request(late) });
+    runFrame();
+    expect(log).toEqual([]);
+    runFrame();
+    expect(log).toContain('draw late');
+  });
+
+  test('reports a broken picture and goes on with the others', () => {
+    const report = vi.fn();
+    vi.stubGlobal('reportError', report);
+    const log: string[] = [];
+    const failure = new Error('broken');
+    const broken = { ...picture('broken', []), prepare: (): never => { throw failure; } }; // prettier-ignore
+    for (const one of [broken, picture('b', log)]) frameLoop.request(one);
+    runFrame();
+    expect(report).toHaveBeenCalledExactlyOnceWith(failure);
+    expect(log).toContain('draw b');
+  });
+});
