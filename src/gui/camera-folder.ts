@@ -1,6 +1,7 @@
 // Where is the camera now, and how does the user move it? The camera's folder of the panel. Moves go through the viewer's public
 // properties with the source `panel`. Reset returns to what was declared before the panel moved anything. Degrees, scene units.
 import type { GUI } from 'lil-gui';
+import { fieldsOf, moveCameraFrom } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { CameraState } from '../element/viewer/camera.js';
 import { sameValue } from '../fields/field-store.js';
@@ -125,7 +126,7 @@ export class CameraFolder {
     const declared = this.#declaration;
     const unchanged = this.#before !== null && sameDeclaration(this.#before.written, declared);
     try {
-      this.#viewer.moveFrom('panel', write);
+      moveCameraFrom(this.#viewer, 'panel', write);
     } finally {
       this.#before = { declared: unchanged ? this.#before!.declared : declared, written: this.#declaration };
       this.#now = this.#viewer.camera;
@@ -138,14 +139,14 @@ export class CameraFolder {
     const declared = unchanged ? before.declared : this.#declaration;
     this.#before = null;
     // Assigning a camera property moves the camera, even if the value is the same.
-    this.#viewer.moveFrom('panel', () => {
-      MOVED.forEach((key, i) => this.#viewer.declared.set(key, declared[i]));
+    moveCameraFrom(this.#viewer, 'panel', () => {
+      MOVED.forEach((key, i) => fieldsOf(this.#viewer).set(key, declared[i]));
     });
   }
 
   get #declaration(): Declaration {
-    const { state } = this.#viewer;
-    return MOVED.map((key) => (state.given(key) ? state.values[key] : null));
+    const { store } = fieldsOf(this.#viewer);
+    return MOVED.map((key) => (store.given(key) ? store.values[key] : null));
   }
 }
 

@@ -1,6 +1,7 @@
 // How does the user edit a light? One row per attribute of <phong-light>, written through the element's public properties. Units as
 // in HTML. Knows neither the other lights nor the panel around it.
 import type { GUI } from 'lil-gui';
+import { fieldsOf } from '../element/internals.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { isSpot, kindOf } from '../light/light-features.js';
@@ -48,7 +49,7 @@ export class LightFolder implements ChildFolder {
   }
 
   update(index: number): void {
-    const { name, active } = this.#light.state.values;
+    const { name, active } = fieldsOf(this.#light).store.values;
     if (index !== this.#index || name !== this.#name) this.#setTitle(index, name);
     this.#switch.checked = active;
     this.folder.gui.domElement.classList.toggle('off', !active);
@@ -77,7 +78,8 @@ export class LightFolder implements ChildFolder {
 
   #build(gui: GUI): () => void {
     const light = this.#light;
-    const { values } = light.state;
+    const { store } = fieldsOf(light);
+    const { values } = store;
     const name = addText(
       gui,
       'name',
@@ -96,7 +98,7 @@ export class LightFolder implements ChildFolder {
       named(LIGHT_KINDS),
       () => kindOf(values),
       (choice) => {
-        Object.assign(light, this.#kind.writesFor(values, choice, light.state.given('axis'), this.#target));
+        Object.assign(light, this.#kind.writesFor(values, choice, store.given('axis'), this.#target));
       },
     );
     kind.domElement.title = KIND_RULE;
@@ -148,7 +150,7 @@ export class LightFolder implements ChildFolder {
 
   #addSpot(gui: GUI) {
     const light = this.#light;
-    const { values } = light.state;
+    const { values } = fieldsOf(light).store;
     return [
       ...addVector(
         gui,

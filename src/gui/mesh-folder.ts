@@ -1,6 +1,7 @@
 // How does the user edit a surface? A folder for the viewer's own mesh and one for each mesh child, with its transform. Colours
 // 255 = 1, degrees, scene units. Knows neither lights nor camera.
 import type { GUI } from 'lil-gui';
+import { fieldsOf } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { SurfaceValues } from '../material/material-values.js';
@@ -20,7 +21,7 @@ export function ownSurfaceFolder(
 ): { update(): void; readonly folder: Folder } {
   const folder = new Folder(root, 'Material', (gui) => {
     addSurface(gui, viewer, (key) => {
-      viewer.declared.set(key, null);
+      fieldsOf(viewer).set(key, null);
     });
     return undefined;
   });
@@ -42,7 +43,7 @@ export class MeshFolder implements ChildFolder {
     this.#mesh = mesh;
     this.folder = new Folder(group, '', (gui) => {
       addSurface(gui, mesh, (key) => {
-        mesh.declared.set(key, null);
+        fieldsOf(mesh).set(key, null);
       });
       addStyle(gui, mesh);
       return addTransform(gui, mesh, range);

@@ -3,8 +3,7 @@ import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/program/variant.js';
 import { Folder } from './folder.js';
-import { addChoice, addFlag, addNumber, named } from './rows.js';
-import { linear } from './travel.js';
+import { addChoice, addFlag, named } from './rows.js';
 
 export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
   return new Folder(root, 'Shading', (gui) => {
@@ -45,13 +44,6 @@ export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
       named(ANTIALIASES),
       () => viewer.antialias,
       (antialias) => (viewer.antialias = antialias),
-    );
-    addNumber(
-      gui,
-      'error budget',
-      linear(0, 4, 0.05),
-      () => viewer.errorBudget,
-      (budget) => (viewer.errorBudget = budget),
     );
     return undefined;
   });

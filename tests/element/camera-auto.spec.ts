@@ -2,7 +2,7 @@
 // here in float64. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, handsReady, nextFrame, type PhongViewer } from './support.js';
+import { assign, cameraOf, drag, nextFrame, type PhongViewer } from './support.js';
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
@@ -108,7 +108,6 @@ test.describe('auto-rotate', () => {
       expect(turned).toBeCloseTo((0.09 * (time - first.time)) % 360, 6);
     }
     await page.mouse.move(300, 200);
-    await handsReady(page);
     await page.mouse.down();
     const { theta } = await cameraOf(viewer);
     await nextFrame(page);

@@ -2,7 +2,7 @@
 // are Chromium's own touch input.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, Fingers, handsReady } from './support.js';
+import { assign, cameraOf, drag, Fingers } from './support.js';
 
 const odd = { theta: 12.345678901234567, phi: 71.30000000000001, radius: 3.3333333333333335 };
 const oddBox = `<phong-viewer geometry="box" theta="${odd.theta}" phi="${odd.phi}" radius="${odd.radius}"></phong-viewer>`;
@@ -45,7 +45,6 @@ test.describe('shifting the target', () => {
   }) => {
     await mount(side);
     await page.mouse.move(300, 200);
-    await handsReady(page); // its listener comes before the test's
     await page.evaluate(() => {
       const menus: boolean[] = [];
       Object.assign(window, { menus });

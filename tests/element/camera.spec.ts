@@ -2,7 +2,7 @@
 // formulas computed here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, handsReady, type PhongViewer, record, settled } from './support.js';
+import { assign, cameraOf, drag, type PhongViewer, record, settled } from './support.js';
 
 const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
@@ -30,12 +30,10 @@ test.describe('the wheel', () => {
   });
 
   test('counts a line as 16 pixels and a page as the height, and stays within 1e-3 to 1e3 of the scene', async ({
-    page,
     mount,
   }) => {
     const viewer = await mount(near);
     await viewer.focus();
-    await handsReady(page);
     const turn = (deltaY: number, deltaMode: number): Promise<number> =>
       viewer.evaluate(
         (element: PhongViewer, wheel) => {
@@ -58,7 +56,6 @@ test.describe('keys', () => {
   test('turn by 5°, with Shift by 1°, the way a drag would', async ({ page, mount }) => {
     const viewer = await mount(near);
     await page.keyboard.press('Tab');
-    await handsReady(page);
     for (const [key, theta, phi] of [
       ['ArrowRight', 25, 70],
       ['ArrowLeft', 30, 70],
@@ -77,7 +74,6 @@ test.describe('keys', () => {
   test('zoom by 1.1, and Home goes back to the declared camera', async ({ page, mount }) => {
     const viewer = await mount(near);
     await page.keyboard.press('Tab');
-    await handsReady(page);
     for (const [key, radius] of [
       ['+', 5 / 1.1],
       ['PageDown', 5],
@@ -99,7 +95,6 @@ test.describe('keys', () => {
     const start = await cameraOf(viewer);
     await page.keyboard.press('ArrowRight');
     await viewer.focus();
-    await handsReady(page);
     await page.keyboard.press('Control+ArrowRight');
     await assign(viewer, { orbit: false, zoom: false });
     for (const key of ['ArrowRight', 'ArrowUp', '+', 'PageDown']) await page.keyboard.press(key);
@@ -109,7 +104,6 @@ test.describe('keys', () => {
   test('stop at the poles, and still turn the azimuth there', async ({ page, mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" theta="0" phi="4" radius="5"></phong-viewer>');
     await viewer.focus();
-    await handsReady(page);
     await page.keyboard.press('ArrowDown');
     expect(await cameraOf(viewer)).toMatchObject({ phi: 0, eye: [0, 5, 0], up: [0, 0, -1] });
     for (let i = 0; i < 18; i++) await page.keyboard.press('ArrowLeft');
@@ -197,7 +191,6 @@ test.describe('camera-change', () => {
     await assign(viewer, { theta: 1 });
     expect(await sources()).toEqual([]);
     await viewer.focus();
-    await handsReady(page);
     await page.keyboard.press('ArrowLeft');
     expect(await sources()).toEqual(['key']);
     await page.keyboard.press('Home');

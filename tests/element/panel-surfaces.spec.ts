@@ -27,9 +27,7 @@ const meshes = `<phong-viewer gui>
 const valuesOf = (viewer: Locator, ...keys: (keyof PhongViewer)[]): Promise<unknown[]> =>
   viewer.evaluate((element: PhongViewer, names) => names.map((name) => element[name]), keys);
 
-test('writes and follows shading, reflection, terms, colour space, antialiasing and error budget', async ({
-  mount,
-}) => {
+test('writes and follows shading, reflection, terms, colour space and antialiasing', async ({ mount }) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Shading');
   await choice(folder, 'shading').selectOption('gouraud');
@@ -37,15 +35,13 @@ test('writes and follows shading, reflection, terms, colour space, antialiasing 
   await flag(folder, 'diffuse term').click();
   await choice(folder, 'colour space').selectOption('linear');
   await choice(folder, 'antialias').selectOption('highlights');
-  await field(folder, 'error budget').fill('0.5');
-  const keys = ['shading', 'reflection', 'terms', 'colorInterpolation', 'antialias', 'errorBudget'] as const;
+  const keys = ['shading', 'reflection', 'terms', 'colorInterpolation', 'antialias'] as const;
   expect(await valuesOf(viewer, ...keys)).toEqual([
     'gouraud',
     'blinn-phong',
     ['ambient', 'specular'],
     'linear',
     'highlights',
-    0.5,
   ]);
   await viewer.evaluate((element) => {
     element.setAttribute('shading', 'flat');

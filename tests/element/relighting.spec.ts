@@ -73,7 +73,6 @@ const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
   'the terms': (element) => (element.terms = ['diffuse', 'specular']),
   'the shading': (element) => (element.shading = 'flat'),
   'the colour space': (element) => (element.colorInterpolation = 'linear'),
-  'the budget': (element) => (element.errorBudget = 2),
   'one light less': (element) => (element.lights[1]!.active = false),
   'one light fewer': (element) => element.lights[0]!.remove(),
   'one light more': (element) => element.append(element.lights[0]!.cloneNode()),

@@ -59,7 +59,7 @@ test.describe('says', () => {
       N: [0, 1, 0].map(close),
       V: [0, 1, 0].map(close),
       mesh: 'floor',
-      object: 'plane',
+      object: 'floor',
       triangle: expect.any(Number) as unknown,
       ka: [1, 0.8, 0],
       kd: [0.2, 0.2, 0.2].map(close),
@@ -199,9 +199,9 @@ test.describe('says', () => {
       ),
       FLOOR,
     );
-    expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({ mesh: 'stone', object: 'sphere' });
+    expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({ mesh: 'stone', object: 'stone' });
     expect(await explained(viewer, 40, 40)).toMatchObject({ mesh: 'viewer', object: 'box' });
-    expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'plane' });
+    expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'floor' });
     const found = await viewer.evaluate(async (element: PhongViewer) => {
       const { object } = (await element.shadeAt(50, 50))!;
       return element.scene.getObjectById(object.id) === object;

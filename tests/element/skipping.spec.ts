@@ -10,7 +10,7 @@ import { sceneMarkup } from '../visual/random-scene.js';
 import type { CastMesh, CastScene } from '../visual/ray-cast.js';
 import { moveFor } from './driving.js';
 import { drawnWith, glSpent, isExact, logGl, type GlSpent } from './gl-log.js';
-import { assign, nextFrame, type PhongViewer } from './support.js';
+import { nextFrame, type PhongViewer } from './support.js';
 
 const size = { width: 60, height: 42 };
 
@@ -105,26 +105,6 @@ test.describe('a light', () => {
     const after = compareWithReference(await pixels(viewer, size), turned);
     expect(after.max, after.at).toBeLessThanOrEqual(1);
     expect(after.compared).toBeGreaterThan(2000);
-  });
-
-  test('that brings less than the error budget is not sent, and is missed by less', async ({ mount }) => {
-    const viewer = await mount('<phong-viewer></phong-viewer>', size);
-    // At distance 9 or more, 210/255 in all at most: a third of a code at most, two of them.
-    const far: LightValues = { ...LAMP, position: [0, 10, 0, 1], attenuation: [1, 0, 8] };
-    const scene = sceneOf([SUN, far, far]);
-    await show(viewer, scene);
-    const sentAt = async (errorBudget: number): Promise<number> => {
-      await assign(viewer, { errorBudget });
-      await viewer.evaluate((element: PhongViewer) => element.ready);
-      return (await statsOf(viewer)).lightsSent;
-    };
-    const most = ((150 * 220) / 255 + (60 * 90) / 255) / (1 + 8 * 8.9 * 8.9); // of one; kd and ks as the floor's
-    expect(await sentAt(0)).toBe(3);
-    expect(await sentAt(most)).toBe(2);
-    expect(await sentAt(0.5)).toBe(1);
-    const errors = compareWithReference(await pixels(viewer, size), scene);
-    expect(errors.max, errors.at).toBeLessThanOrEqual(1); // half a code given up, half rounded
-    expect(await sentAt(0.01)).toBe(3);
   });
 });
 

@@ -70,6 +70,13 @@ export function readmeSample(heading: string): string {
   throw new Error(`No page has code under "${heading}"`);
 }
 
+/** The README's scripts that import the elements, in its order. */
+export function readmeScripts(): string[] {
+  const text = readFileSync(join(repository, 'README.md'), 'utf8');
+  const blocks = [...text.matchAll(/```(?:ts|js)\n([^]*?)```/g)].map(([, code = '']) => code);
+  return blocks.filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
+}
+
 /** Packs a copy, because PHONG_VIEWER_OUT may put dist/ elsewhere than beside package.json. */
 function pack(folder: string): string {
   const staged = join(folder, 'packed');

@@ -6,13 +6,91 @@ import { join } from 'node:path';
 import { PNG } from 'pngjs';
 import { startSite } from '../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
-import { freshProject, readmeSample, strictOptions, type FreshProject } from './fresh-project.js';
+import {
+  freshProject,
+  readmeSample,
+  readmeScripts,
+  strictOptions,
+  type FreshProject,
+} from './fresh-project.js';
 
 const scripts = (folder: string): string =>
   readdirSync(join(folder, 'assets'))
     .filter((name) => name.endsWith('.js'))
     .map((name) => readFileSync(join(folder, 'assets', name), 'utf8'))
     .join('\n');
+
+const PROPERTIES = `
+import type { PhongLight, PhongMesh, PhongViewer, Vec3, Vec4 } from 'phong-viewer';
+
+export function accepted(light: PhongLight, mesh: PhongMesh, viewer: PhongViewer): void {
+  light.diffuse = '#fc8';
+  light.diffuse = 200;
+  light.diffuse = [255, 204, 136];
+  light.diffuse = new Float32Array([255, 204, 136]);
+  light.diffuse = null;
+  light.name = undefined;
+  light.position = [1, 2, 3];
+  light.position = [1, 2, 3, 0];
+  light.position = '1 2 3';
+  const place: number[] = [1, 2, 3];
+  light.position = place;
+  light.aperture = '20';
+  light.active = 'false';
+  light.space = null;
+  mesh.scale = 2;
+  mesh.geometry = 'torus-knot';
+  mesh.shading = null;
+  viewer.radius = 'auto';
+  viewer.target = place;
+  viewer.terms = ['ambient', 'diffuse'];
+  viewer.terms = 'ambient diffuse';
+  viewer.gui = true;
+  viewer.crossOrigin = 'anonymous';
+  viewer.requestRender();
+  viewer.refit();
+}
+
+export function returned(light: PhongLight, mesh: PhongMesh, viewer: PhongViewer): readonly unknown[] {
+  light.diffuse = '#fc8';
+  const diffuse: Vec3 = light.diffuse;
+  light.position = [1, 2, 3];
+  const position: Vec4 = light.position;
+  light.active = 'false';
+  const active: boolean = light.active;
+  light.aperture = null;
+  const aperture: number = light.aperture;
+  mesh.scale = 2;
+  const scale: Vec3 = mesh.scale;
+  const radius: number | 'auto' = viewer.radius;
+  const terms: readonly ('ambient' | 'diffuse' | 'specular')[] = viewer.terms;
+  const name: string = light.name;
+  return [diffuse, position, active, aperture, scale, radius, terms, name];
+}
+
+export function refused(light: PhongLight, mesh: PhongMesh, viewer: PhongViewer): void {
+  // @ts-expect-error one number is no position
+  light.position = 1;
+  // @ts-expect-error an angle is no flag
+  light.aperture = true;
+  // @ts-expect-error there is no such space
+  light.space = 'screen';
+  // @ts-expect-error there is no such geometry
+  mesh.geometry = 'cube';
+  // @ts-expect-error there is no such term
+  viewer.terms = ['emissive'];
+  // @ts-expect-error lists that are returned are frozen
+  light.diffuse[0] = 1;
+  // @ts-expect-error the camera is read-only
+  viewer.camera.theta = 1;
+  // @ts-expect-error what only the package needs is not in the types
+  void viewer.state;
+  // @ts-expect-error nor is this
+  void light.declared;
+  // @ts-expect-error nor this
+  viewer.moveFrom('panel', () => undefined);
+}
+`;
 
 test.describe('the packed tarball in a fresh TypeScript project @release', () => {
   test.describe.configure({ mode: 'serial', timeout: 300_000 });
@@ -24,6 +102,18 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
   });
 
   test.afterAll(() => project.remove());
+
+  /** Type-checks these files as a bundler and as Node resolve them. */
+  function compile(...files: readonly string[]): void {
+    for (const [moduleResolution, module] of [
+      ['bundler', 'ESNext'],
+      ['node16', 'node16'],
+    ]) {
+      const compilerOptions = { ...strictOptions, moduleResolution, module };
+      project.write('tsconfig.json', JSON.stringify({ compilerOptions, files }));
+      project.run('npx tsc -p .');
+    }
+  }
 
   test('has types that a strict project accepts, with bundler and Node resolution', () => {
     project.write(
@@ -57,14 +147,22 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
       export const elements: HTMLElement[] = [viewer, document.createElement('phong-light')];
       `,
     );
-    for (const [moduleResolution, module] of [
-      ['bundler', 'ESNext'],
-      ['node16', 'node16'],
-    ]) {
-      const compilerOptions = { ...strictOptions, moduleResolution, module };
-      project.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['entries.ts', 'typed.ts'] }));
-      project.run('npx tsc -p .');
-    }
+    compile('entries.ts', 'typed.ts');
+  });
+
+  test('types properties by what they accept and by what they return', () => {
+    project.write('properties.ts', PROPERTIES);
+    compile('properties.ts');
+  });
+
+  test('accepts the scripts of the README that import the elements', () => {
+    const scripts = readmeScripts();
+    expect(scripts.length).toBeGreaterThan(0);
+    const files = scripts.map((code, i) => {
+      project.write(`readme-${i}.ts`, `${code}\nexport {};\n`);
+      return `readme-${i}.ts`;
+    });
+    compile(...files);
   });
 
   test('draws in a page that Vite built', async ({ page }) => {

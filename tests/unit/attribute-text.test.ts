@@ -207,7 +207,6 @@ it.each([
   ['ka', 'ka'],
   ['autoRotate', 'auto-rotate'],
   ['colorInterpolation', 'color-interpolation'],
-  ['errorBudget', 'error-budget'],
   ['crossOrigin', 'crossorigin'],
 ])('property %s is attribute %s', (key, attribute) => {
   expect(attributeOf(key)).toBe(attribute);

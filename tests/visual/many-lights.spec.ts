@@ -11,7 +11,6 @@ import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import { caster, type CastScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
-import { compareBudgets } from './program-scenes.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 
 const SIZE = { width: 60, height: 42 };
@@ -248,30 +247,3 @@ for (const [name, shading, attribute] of [
     sum.expectPromise();
   });
 }
-
-test('an error budget is kept at every pixel, also where lights are looked up by place', async ({
-  page,
-  mount,
-}) => {
-  test.setTimeout(120_000);
-  await logGl(page);
-  const scene = overFloor(spots(500, 5));
-  const viewer = await mount(sceneMarkup(scene), SIZE);
-  for (const errorBudget of [0, 1]) {
-    await assign(viewer, { errorBudget });
-    await drawUntilExact(page);
-    expect(await looksUp(page)).toBe(true);
-    const { max, compared } = sampled((await picturesBy(page, [viewer], 'exact', SIZE))[0]!, scene);
-    expect(max, `budget ${errorBudget}`).toBeLessThan(errorBudget + 0.5);
-    expect(compared).toBeGreaterThan(60);
-  }
-});
-
-test('random scenes under many fading lights lose no more than their error budget, and lights', async ({
-  page,
-  mount,
-}) => {
-  await logGl(page);
-  await mount('<phong-viewer></phong-viewer>', SIZE);
-  await compareBudgets(page, Number(process.env['PHONG_VIEWER_SEED'] ?? 1), 8);
-});

@@ -1,8 +1,7 @@
 // Scenes that are drawn by two programs each: every look that has code of its own, and random ones.
 
 import type { Page } from '@playwright/test';
-import { assign, type PhongViewer } from '../element/support.js';
-import { expect, pixels, type Picture } from '../support/test.js';
+import { expect } from '../support/test.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { compareWithReference } from './against-reference.js';
 import { compareWithTriangles } from './against-triangles.js';
@@ -177,56 +176,3 @@ export async function compareRandomScenes(page: Page, first: number, count: numb
   sum.expectPromise();
   expect(errors.exact / errors.compared).toBeGreaterThan(0.98);
 }
-
-/** A box under many lights that fade with distance, each of which brings a few codes where it is near. */
-export function fadingScene(seed: number): CastScene {
-  const dice = new Dice(seed);
-  const scene = randomScene(seed, dice.pick(['plane', 'box'] as const));
-  const lights = Array.from({ length: dice.pick([20, 60, 200]) }, (): LightValues => {
-    const spot = dice.chance(0.5);
-    const place = dice.vector(-6, 6);
-    return {
-      name: '',
-      active: true,
-      ambient: spot ? dice.color(2) : [0, 0, 0],
-      diffuse: dice.color(60),
-      specular: dice.color(40),
-      position: [...place, 1],
-      axis: spot ? dice.vector(-1, 1) : [0, 0, -1],
-      aperture: spot ? dice.pick([15, 40, 100, 180]) : 180,
-      cutoff: spot ? dice.pick([0, 3, 12, 50]) : 0,
-      attenuation: [1, dice.from(0, 1), dice.from(0.1, 3)],
-      space: 'world',
-    };
-  });
-  return { ...scene, lights };
-}
-
-/** Draws so many fading scenes from this seed on with no budget and with some, and holds them against each other. */
-export async function compareBudgets(page: Page, first: number, count: number): Promise<void> {
-  const viewer = page.locator('phong-viewer');
-  const sent: Record<number, number> = {};
-  const largest: Record<number, number> = {};
-  for (let seed = first; seed < first + count; seed++) {
-    const markup = sceneMarkup(fadingScene(seed));
-    await viewer.evaluate((element, html) => (element.outerHTML = html), markup);
-    await viewer.evaluate((element: PhongViewer) => element.ready);
-    let whole: Picture | null = null;
-    for (const errorBudget of [0, ...BUDGETS]) {
-      await assign(viewer, { errorBudget });
-      const picture = await pixels(viewer, SIZE);
-      const { lightsSent } = await viewer.evaluate((element: PhongViewer) => element.stats);
-      sent[errorBudget] = (sent[errorBudget] ?? 0) + lightsSent;
-      whole ??= picture;
-      const { max } = betweenPrograms(whole, picture);
-      largest[errorBudget] = Math.max(largest[errorBudget] ?? 0, max);
-      expect.soft(max, `seed ${seed}, budget ${errorBudget}`).toBeLessThanOrEqual(errorBudget + 1);
-    }
-  }
-  console.log(`Seeds ${first} to ${first + count - 1}, by error budget: lights sent ${JSON.stringify(sent)}, codes off at most ${JSON.stringify(largest)}`); // prettier-ignore
-  const counts = [0, ...BUDGETS].map((budget) => sent[budget]!);
-  expect(counts).toEqual([...counts].sort((a, b) => b - a));
-  expect(new Set(counts).size).toBe(counts.length); // each budget spares some
-}
-
-const BUDGETS = [0.5, 1, 4] as const;

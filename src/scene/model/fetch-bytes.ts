@@ -17,6 +17,20 @@ export interface Transfer {
 
 export type FetchBytes = (url: URL, redirect: RequestRedirect) => Promise<Uint8Array<ArrayBuffer>>;
 
+/** A model's file being downloaded, and the download function for the files that it refers to. */
+export interface ModelRequest {
+  readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
+  readonly fetchBytes: FetchBytes;
+}
+
+/** Requests a model's file at once, in parallel with the code that reads it. */
+export function requestModel(url: URL, transfer: Transfer): ModelRequest {
+  const fetchBytes = byteFetcher(transfer);
+  const bytes = fetchBytes(url, 'follow');
+  bytes.catch(() => undefined); // the code that awaits it reports the error
+  return { bytes, fetchBytes };
+}
+
 /** A download function for the files of one model, which share size limit and progress. */
 export function byteFetcher(transfer: Transfer): FetchBytes {
   let loaded = 0;

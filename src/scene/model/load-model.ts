@@ -1,6 +1,6 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
 // Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
-import { byteFetcher, type CrossOrigin } from './fetch-bytes.js';
+import { type CrossOrigin, requestModel } from './fetch-bytes.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
 import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
@@ -21,10 +21,14 @@ export interface LoadOptions {
  * Loads the model at `url` and the files it refers to. `data:` addresses are decoded, not fetched.
  * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
  */
-export async function loadModel(url: URL, options: LoadOptions): Promise<Model> {
+export async function loadModel(
+  url: URL,
+  options: LoadOptions,
+  request = requestModel(url, options),
+): Promise<Model> {
   const { signal, crossOrigin } = options;
-  const fetchBytes = byteFetcher(options);
-  const bytes = await fetchBytes(url, 'follow');
+  const { fetchBytes } = request;
+  const bytes = await request.bytes;
   const format = formatOf(url, bytes);
   const source: ModelSource = {
     url,

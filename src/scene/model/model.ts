@@ -36,6 +36,8 @@ export interface ModelLook {
    * file's filters and wrapping. The first row is the top of the image, as in glTF.
    */
   readonly map: Texture | null;
+  /** Whether both sides of its faces can be seen. False only if a glTF file says so. */
+  readonly doubleSided: boolean;
   /** The file has no normals: `geometry` has one per triangle. */
   readonly flat: boolean;
   /** Phong coefficients, from formats that have them. Encoded sRGB, 0 to 1. */

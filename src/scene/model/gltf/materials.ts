@@ -1,4 +1,4 @@
-// Which parts of a glTF material does the equation use? Base colour, its texture, alpha. Indices are checked. Knows the JSON only.
+// Which parts of a glTF material does the equation use? Base colour, its texture, alpha, sides. Indices are checked. Knows the JSON only.
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
 export interface GltfTexture {
@@ -39,6 +39,7 @@ export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]
     return {
       name: textAt(material['name']),
       alphaMode: textAt(material['alphaMode']) || 'OPAQUE',
+      doubleSided: material['doubleSided'] === true,
       alphaCutoff: numberAt(material['alphaCutoff'], `${what}.alphaCutoff`, 0.5),
       pbrMetallicRoughness: {
         baseColorFactor: numbersAt(metallic['baseColorFactor'] ?? glossy['diffuseFactor'], 4, what),

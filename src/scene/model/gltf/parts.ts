@@ -3,6 +3,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  DoubleSide,
   Mesh,
   NoColorSpace,
   SkinnedMesh,
@@ -66,6 +67,7 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
     alphaMode,
     alphaCutoff: alphaTest,
     map,
+    doubleSided: material.side === DoubleSide,
     flat,
   };
 }

@@ -1,4 +1,4 @@
-// A record of declared values: defaults, checks on the way in, and one listener told of changes.
+// The declared values of one element: defaults, checks, and one listener that is notified of changes.
 
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore, sameValue } from '../../src/fields/field-store.js';
@@ -40,8 +40,8 @@ const defaults: Lamp = {
   radius: 'auto',
 };
 
-describe('a record of declared values', () => {
-  it('begins with every default and nothing given', () => {
+describe('a store of declared values', () => {
+  it('starts with every default and nothing given', () => {
     const one = lamp();
     expect({ ...one.values }).toStrictEqual(defaults);
     for (const key of Object.keys(defaults) as (keyof Lamp)[]) expect(one.given(key)).toBe(false);
@@ -56,7 +56,7 @@ describe('a record of declared values', () => {
     expect(one.given('tint')).toBe(true);
   });
 
-  it.each([null, undefined])('takes %s as a wish for the default', (nothing) => {
+  it.each([null, undefined])('takes %s as the default', (nothing) => {
     const one = lamp();
     for (const [key, value] of Object.entries({ power: 5, segments: 8, radius: 2 })) {
       one.set(key as keyof Lamp, value);
@@ -66,7 +66,7 @@ describe('a record of declared values', () => {
     expect({ ...one.values }).toStrictEqual(defaults);
   });
 
-  it('shares nothing with another record', () => {
+  it('shares nothing with another store', () => {
     const one = lamp();
     one.set('power', 5);
     expect(lamp().values.power).toBe(60);
@@ -81,14 +81,14 @@ describe('a record of declared values', () => {
   ] as const)('throws for %s = %o and changes nothing', (key, value, error) => {
     const one = lamp();
     one.set(key, 5);
-    const told = vi.fn();
-    one.listen(told);
+    const listener = vi.fn();
+    one.listen(listener);
     expect(() => {
       one.set(key, value);
     }).toThrow(error);
     expect(one.values[key]).toBe(5);
     expect(one.given(key)).toBe(true);
-    expect(told).not.toHaveBeenCalled();
+    expect(listener).not.toHaveBeenCalled();
   });
 });
 
@@ -99,7 +99,7 @@ describe('assigning several values', () => {
     expect({ ...one.values }).toStrictEqual({ ...defaults, power: 5, on: false });
   });
 
-  it('writes none where one is wrong', () => {
+  it('writes none if one is wrong', () => {
     const one = lamp();
     expect(() => {
       one.assign({ power: 5, tint: [0, 0, -1] });
@@ -107,7 +107,7 @@ describe('assigning several values', () => {
     expect({ ...one.values }).toStrictEqual(defaults);
   });
 
-  it('takes null for the default, where null is the default too', () => {
+  it('takes null as the default, also if the default is null', () => {
     const one = lamp();
     one.assign({ segments: 8, radius: 2 });
     one.assign({ segments: null, radius: 'auto' });
@@ -115,7 +115,7 @@ describe('assigning several values', () => {
     expect(one.given('segments')).toBe(false);
   });
 
-  it('says which value is none of its own', () => {
+  it('names a value that it does not have', () => {
     expect(() => {
       lamp().assign({ colour: 5 } as unknown as Partial<Lamp>);
     }).toThrow(/colour/);
@@ -123,7 +123,7 @@ describe('assigning several values', () => {
 });
 
 describe('the listener', () => {
-  it('hears once of each change, after it', () => {
+  it('is called once after each change', () => {
     const one = lamp();
     const heard: unknown[] = [];
     one.listen((key) => heard.push([key, one.values[key]]));
@@ -138,24 +138,24 @@ describe('the listener', () => {
     ]);
   });
 
-  it('hears nothing of a value that is there already', () => {
+  it('is not called for a value that is already there', () => {
     const one = lamp();
     one.assign({ power: 5, tint: [1, 2, 3], radius: 'auto' });
-    const told = vi.fn();
-    one.listen(told);
+    const listener = vi.fn();
+    one.listen(listener);
     one.assign({ power: 5, tint: [1, 2, 3], radius: 'auto' });
     one.set('tint', new Float32Array([1, 2, 3]));
     one.set('label', null);
-    expect(told).not.toHaveBeenCalled();
+    expect(listener).not.toHaveBeenCalled();
   });
 
   it('hears that a default is given or taken back, which may matter though the value stays', () => {
     const one = lamp();
-    const told = vi.fn();
-    one.listen(told);
+    const listener = vi.fn();
+    one.listen(listener);
     one.set('power', 60);
     one.set('power', null);
-    expect(told).toHaveBeenCalledTimes(2);
+    expect(listener).toHaveBeenCalledTimes(2);
   });
 
   it('makes room for the next one, and for none', () => {
