@@ -1,5 +1,5 @@
-// The folders of surfaces: the viewer's own mesh, and a mesh child with its place. Colours 255 = 1, degrees, scene units.
-// Knows neither lights nor camera.
+// How does the user edit a surface? A folder for the viewer's own mesh and one for each mesh child, with its transform. Colours
+// 255 = 1, degrees, scene units. Knows neither lights nor camera.
 import type { GUI } from 'lil-gui';
 import { fieldsOf } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
@@ -14,7 +14,7 @@ import { linear, logarithmic } from './travel.js';
 
 const AS_VIEWER = 'as viewer';
 
-/** The surface of the viewer's own `src` or `geometry`; away where it has neither. */
+/** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
 export function ownSurfaceFolder(
   root: GUI,
   viewer: PhongViewer,
@@ -46,7 +46,7 @@ export class MeshFolder implements ChildFolder {
         fieldsOf(mesh).set(key, null);
       });
       addStyle(gui, mesh);
-      return addPlace(gui, mesh, range);
+      return addTransform(gui, mesh, range);
     });
   }
 
@@ -58,10 +58,10 @@ export class MeshFolder implements ChildFolder {
   }
 }
 
-/** `teapot.glb` of `models/teapot.glb?v=2`. */
+/** `teapot.glb` from `models/teapot.glb?v=2`. */
 const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
-/** `restore` takes a value back to its default: for a model, its file's own. */
+/** `restore` returns a value to its default; for a model, to the one in its file. */
 function addSurface(gui: GUI, surface: SurfaceValues, restore: (key: keyof SurfaceValues) => void): void {
   for (const key of ['ka', 'kd', 'ks'] as const) {
     addColor(
@@ -101,7 +101,7 @@ function addStyle(gui: GUI, mesh: PhongMesh): void {
   );
 }
 
-function addPlace(gui: GUI, mesh: PhongMesh, range: SceneRange): () => void {
+function addTransform(gui: GUI, mesh: PhongMesh, range: SceneRange): () => void {
   const position = addVector(
     gui,
     axesOf('position'),

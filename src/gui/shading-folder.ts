@@ -1,4 +1,4 @@
-// The folder of what holds for the whole picture: shading, lobe, terms, colour arithmetic, antialiasing. Knows no light or mesh.
+// Which rows set what applies to the whole picture? Shading, reflection, terms, colour space, antialiasing. Knows no light or mesh.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/program/variant.js';

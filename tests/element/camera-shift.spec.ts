@@ -39,7 +39,7 @@ test.describe('shifting the target', () => {
     expect(await cameraOf(viewer)).toEqual(start);
   });
 
-  test('keeps the menu away after a secondary drag, and leaves it to a secondary click', async ({
+  test('suppresses the context menu after a secondary drag, but not after a secondary click', async ({
     page,
     mount,
   }) => {
@@ -99,7 +99,7 @@ test.describe('fingers', () => {
     expect(target[2]).toBeCloseTo(50 * perPixel, 12);
   });
 
-  test('the finger that is left goes on turning from where it is', async ({ page, mount }) => {
+  test('the finger that stays continues to turn from where it is', async ({ page, mount }) => {
     const viewer = await mount(near);
     const fingers = await Fingers.on(page);
     await fingers.down([250, 200], [350, 200]);
@@ -112,7 +112,7 @@ test.describe('fingers', () => {
     expect((await cameraOf(viewer)).radius).toBe(radius);
   });
 
-  test('pinching does nothing where zoom is false', async ({ page, mount }) => {
+  test('pinching does nothing if zoom is false', async ({ page, mount }) => {
     const viewer = await mount(near);
     await assign(viewer, { zoom: false });
     const fingers = await Fingers.on(page);

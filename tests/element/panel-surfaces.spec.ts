@@ -1,4 +1,4 @@
-// The folders of shading, of the viewer's own material and of its meshes.
+// Do the folders for shading, for the viewer's own material and for its meshes work?
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -52,7 +52,7 @@ test('writes and follows shading, reflection, terms, colour space and antialiasi
   await expect(flag(folder, 'ambient term')).not.toBeChecked();
 });
 
-test("writes and follows the viewer's own material", async ({ mount }) => {
+test("edits and shows the viewer's own material", async ({ mount }) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Material');
   await expect(code(folder, 'kd')).toHaveValue('ff0000');
@@ -67,7 +67,7 @@ test("writes and follows the viewer's own material", async ({ mount }) => {
   await expect(field(folder, 'shininess')).toHaveValue('32');
 });
 
-test('gives shininess a slider that is fine where exponents are small', async ({ mount }) => {
+test('gives shininess a slider with fine steps for small exponents', async ({ mount }) => {
   const viewer = await mount(own);
   const folder = await opened(viewer, 'Material');
   const place = Number(await slider(folder, 'shininess').inputValue());
@@ -89,7 +89,7 @@ test('has a folder for each mesh, called by its name, its shape or its number', 
   await expect.poll(() => titlesIn(folderOf(viewer, 'Meshes'))).toEqual(['sphere', 'floor', 'textured.glb']);
 });
 
-test("writes and follows a mesh's surface, style and place", async ({ mount }) => {
+test("edits and shows a mesh's surface, style and transform", async ({ mount }) => {
   const viewer = await mount(meshes);
   const mesh = viewer.locator('phong-mesh').first();
   await opened(viewer, 'Meshes');
@@ -119,7 +119,7 @@ test("writes and follows a mesh's surface, style and place", async ({ mount }) =
   await expect(field(folder, 'rotation z °')).toHaveValue('30');
 });
 
-test('keeps mesh folders as they are while meshes come, go and move', async ({ mount }) => {
+test('keeps mesh folders as they are while meshes are added, removed and reordered', async ({ mount }) => {
   const viewer = await mount(meshes);
   await opened(viewer, 'Meshes');
   await opened(viewer, 'floor');

@@ -316,7 +316,7 @@ test('works before the first frame and off screen, and is null without a place o
 
 test('prints for README’s example what README says', async ({ page, mount }) => {
   const readme = readFileSync(new URL('../../README.md', import.meta.url), 'utf8');
-  const section = /### A fragment explained\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
+  const section = /### Ask why a pixel has its colour\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
   const [markup, script, output] = Array.from(section.matchAll(/```\w*\n([^]*?)```/g), (block) => block[1]!);
   // Its style attribute is refused by the strict policy.
   await mount(markup!, { csp: '', width: 400, height: 300 });

@@ -59,13 +59,15 @@ export const strictOptions = {
   types: [],
 };
 
-/** The first block of code under a heading of the README. */
+/** The first block of code under a heading of the README, or of the page about core and the reference. */
 export function readmeSample(heading: string): string {
-  const text = readFileSync(join(repository, 'README.md'), 'utf8');
-  const [, section = ''] = text.split(`\n### ${heading}\n`);
-  const sample = /```(?:js|jsx)\n([^]*?)```/.exec(section)?.[1];
-  if (sample === undefined) throw new Error(`README.md has no code under "${heading}"`);
-  return sample;
+  for (const page of ['README.md', 'src/CORE.md']) {
+    const text = readFileSync(join(repository, page), 'utf8');
+    const [, section = ''] = text.split(new RegExp(`\n##+ ${heading}\n`));
+    const sample = /```(?:js|jsx)\n([^]*?)```/.exec(section)?.[1];
+    if (sample !== undefined) return sample;
+  }
+  throw new Error(`No page has code under "${heading}"`);
 }
 
 /** The README's scripts that import the elements, in its order. */

@@ -13,7 +13,7 @@ const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 type Listener = (event: object) => void;
 
-/** What OrbitInput wants of an element, and nothing else; always focused, so that the wheel zooms. */
+/** The parts of an element that OrbitInput uses. Always focused, so that the wheel zooms. */
 class Surface {
   readonly #listeners = new Map<string, Listener>();
   readonly ownerDocument = { defaultView: null };
@@ -24,13 +24,13 @@ class Surface {
     this.#listeners.get(type)?.({ type, ...event });
   }
   focus(): void {
-    // It has it.
+    // It always has the focus.
   }
   matches(): boolean {
     return true;
   }
   setPointerCapture(): void {
-    // Nothing else wants the pointer.
+    // Nothing else captures the pointer.
   }
   hasPointerCapture(): boolean {
     return false;
@@ -44,10 +44,10 @@ interface Place {
 
 const preventDefault = (): void => undefined;
 
-/** A hand on a picture, whose places are any doubles: browsers give fractions of pixels. */
+/** Input on a picture, at any coordinates: browsers give fractions of pixels. */
 function setUp(seed: number) {
   const coarse = seeded(seed);
-  // All the bits of a double: the 32 that the generator gives would let every product below be exact.
+  // All bits of a double: with the generator's 32 bits every product below would be exact.
   const random = (): number => coarse() + coarse() * 2 ** -32;
   const from = (low: number, high: number): number => low + (high - low) * random();
   const surface = new Surface();
@@ -88,10 +88,10 @@ function setUp(seed: number) {
   const key = (name: string): void => {
     surface.fire('keydown', { key: name, shiftKey: false, preventDefault });
   };
-  /** As the element does it: the observer tells of the size, and the drag in progress goes on from there. */
+  /** As the element does it: the observer reports the size, and a drag in progress continues from there. */
   const resize = (told: boolean): void => {
     size = { width: Math.round(from(1, 2000)), height: Math.round(from(1, 2000)) };
-    if (told) input.renote();
+    if (told) input.reanchor();
   };
   return { random, from, orbit, input, pointer, anyPlace, anyPose, wheel, key, resize };
 }
@@ -105,12 +105,12 @@ function same(a: Pose, b: Pose): boolean {
   );
 }
 
-/** Up to four moves; any of them may be a return. */
+/** Up to four moves; any of them can be a return to the start. */
 function wander({ random, pointer, anyPlace }: Hand, more?: object): void {
   for (let moves = Math.ceil(4 * random()); moves > 0; moves--) pointer('pointermove', anyPlace(), more);
 }
 
-/** Does `drag` so often, each from the pose that the last one left, and counts those that left a trace. */
+/** Repeats `drag`, each time from the pose that the last one left, and counts those that changed it. */
 function traces(hand: Hand, drags: number, drag: () => Pose): { count: number; first: string } {
   const found = { count: 0, first: '' };
   for (let i = 0; i < drags; i++) {
@@ -172,7 +172,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
       () => resize(random() < 0.5),
       () => {
         orbit.set(anyPose());
-        if (random() < 0.5) input.renote();
+        if (random() < 0.5) input.reanchor();
       },
     ];
     const drag = (): Pose => {

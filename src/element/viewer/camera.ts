@@ -98,7 +98,7 @@ export class ViewerCamera implements ReactiveController {
       viewport.settle();
       if (byPanel && values[key as 'radius' | 'target'] !== 'auto') viewport.framing = null;
     }
-    this.#input?.renote();
+    this.#input?.reanchor();
     if (orbit.version !== before) this.#moved(this.#source);
   }
 
@@ -110,7 +110,7 @@ export class ViewerCamera implements ReactiveController {
     viewport.orbit.set({ theta, phi });
     viewport.framing = { radius, target };
     viewport.settle();
-    this.#input?.renote();
+    this.#input?.reanchor();
     if (viewport.orbit.version !== before) this.#moved(source);
   }
 
@@ -127,7 +127,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** The picture has another size. A drag in progress continues from here. */
   resized(): void {
-    this.#input?.renote();
+    this.#input?.reanchor();
   }
 
   /** Turns the scene to where it is at `now`. True while it keeps turning. */
