@@ -4,6 +4,9 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { outputFolder } from './.ci/output-folder.mjs';
 
+const page = (name: string): string =>
+  fileURLToPath(new URL(`tests/glsl/page/${name}.html`, import.meta.url));
+
 export default defineConfig({
   root: fileURLToPath(new URL('tests/glsl/page', import.meta.url)),
   base: './',
@@ -14,5 +17,6 @@ export default defineConfig({
     target: 'es2022',
     modulePreload: { polyfill: false },
     assetsInlineLimit: 0,
+    rolldownOptions: { input: [page('index'), page('core')] },
   },
 });

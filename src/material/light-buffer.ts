@@ -25,7 +25,8 @@ export class LightBuffer {
   readonly #id = (buffers += 1);
   /** three.js takes it as it is: a texture of three's own would ask for anisotropy, and wait for the answer. */
   readonly #texture = new ExternalTexture();
-  #gl: WebGL2RenderingContext | null = null;
+  /** Whose texture it is. three.js replaces a renderer's properties when a lost context is restored. */
+  #owner: { readonly renderer: WebGLRenderer; readonly properties: object } | null = null;
   /** Rows that changed since they were sent to the texture: from, and up to but without. */
   #stale = { from: 0, to: 0 };
 
@@ -80,13 +81,16 @@ export class LightBuffer {
   /** Brings the texture in step and returns it. */
   sendTexture(renderer: WebGLRenderer): ExternalTexture {
     const { from, to } = this.#stale;
-    if (from === to && this.#texture.sourceTexture !== null) return this.#texture;
+    const { state, properties } = renderer;
+    const isNew = this.#owner?.properties !== properties;
+    if (from === to && !isNew) return this.#texture;
     this.#stale = { from: 0, to: 0 };
-    const { state } = renderer;
     const gl = renderer.getContext() as WebGL2RenderingContext;
-    const isNew = this.#texture.sourceTexture === null;
-    if (isNew) this.#texture.sourceTexture = gl.createTexture();
-    this.#gl = gl;
+    if (isNew) {
+      this.dispose();
+      this.#texture.sourceTexture = gl.createTexture();
+      this.#owner = { renderer, properties };
+    }
     state.bindTexture(gl.TEXTURE_2D, this.#texture.sourceTexture as WebGLTexture);
     if (isNew) {
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
@@ -102,9 +106,11 @@ export class LightBuffer {
 
   /** Frees the texture, or forgets one that a lost context took along; the next draw sends it again. */
   dispose(): void {
-    this.#gl?.deleteTexture(this.#texture.sourceTexture);
+    const owner = this.#owner;
+    const isThere = owner !== null && owner.properties === owner.renderer.properties;
+    if (isThere) owner.renderer.getContext().deleteTexture(this.#texture.sourceTexture);
     this.#texture.sourceTexture = null;
-    this.#gl = null;
+    this.#owner = null;
   }
 
   /** Finds the feature key anew where counts or features changed. */

@@ -212,9 +212,10 @@ export class PhongMaterial extends RawShaderMaterial {
   }
 
   /** Whether the program of this draw holds these rows already; from now on it does. */
-  #holdsRows(renderer: BeforeRender[0], { contentKey }: LightBuffer): boolean {
-    let held = programRows.get(renderer);
-    if (held === undefined) programRows.set(renderer, (held = new Map<string, string>()));
+  #holdsRows({ properties }: BeforeRender[0], { contentKey }: LightBuffer): boolean {
+    // three.js replaces a renderer's properties when a lost context is restored.
+    let held = programRows.get(properties);
+    if (held === undefined) programRows.set(properties, (held = new Map<string, string>()));
     const program = this.#variant?.key ?? '';
     if (held.get(program) === contentKey) return true;
     held.set(program, contentKey);

@@ -95,23 +95,39 @@ function frontsChart({ fronts }) {
     variants.map((variant, i) => ({
       front: title.replace(/ of mixed kinds/, ''),
       variant,
-      x: median(pairedRatios(ms[i] ?? [], ms[base] ?? [])),
-      y: Math.max(errors[i]?.max ?? NaN, 1e-5),
+      time: median(pairedRatios(ms[i] ?? [], ms[base] ?? [])),
+      error: Math.max(errors[i]?.max ?? NaN, 1e-5),
     })),
   );
   const variants = [...new Set(points.map(({ variant }) => variant))];
   return svgOf({
-    ...frame('Light loops: time (as specified = 1) against largest error in 1/255'),
+    ...frame('Light loops: largest error in 1/255, and time (as specified = 1)'),
+    marginLeft: 140,
     marginRight: 230,
     facet: { data: points, y: 'front' },
-    height: 200 * fronts.length + 60,
+    height: 130 * fronts.length + 80,
     fy: { label: null, domain: [...new Set(points.map(({ front }) => front))] },
-    x: { label: 'time', grid: true, inset: 30 },
-    y: { type: 'log', label: null, grid: true, inset: 20, ticks: 4, tickFormat: String },
+    x: {
+      type: 'log',
+      label: 'largest error',
+      grid: true,
+      insetLeft: 12,
+      insetRight: 70,
+      ticks: 4,
+      tickFormat: String,
+    },
+    y: { label: null, domain: variants },
     color: { domain: variants, range: COLORS },
     marks: [
-      Plot.dot(points, { x: 'x', y: 'y', fill: 'variant', r: 5 }),
-      Plot.text(points, { x: 'x', y: 'y', text: 'variant', fill: 'variant', dy: -11, ...HALO }),
+      Plot.dot(points, { x: 'error', y: 'variant', fill: 'variant', r: 5 }),
+      Plot.text(points, {
+        x: 'error',
+        y: 'variant',
+        text: ({ time }) => `time ${time.toFixed(2)}`,
+        fill: 'variant',
+        textAnchor: 'start',
+        dx: 10,
+      }),
     ],
   });
 }

@@ -14,20 +14,6 @@ import { SUBJECTS } from './subjects.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const results = readResults(join(here, 'results'));
-  if (results.length === 0) {
-    console.error('tests/bench/results has no results. Run npm run bench first.');
-    process.exit(2);
-  }
-  const { report, charts } = reportOf(results);
-  rmSync(join(here, 'charts'), { recursive: true, force: true });
-  mkdirSync(join(here, 'charts'));
-  for (const [file, svg] of charts) writeFileSync(join(here, 'charts', file), `${svg}\n`);
-  writeFileSync(join(here, 'REPORT.md'), report);
-  console.log(`tests/bench/REPORT.md and ${charts.size} charts from ${results.length} results`);
-}
-
 /** @param {readonly BenchResult[]} results @returns {{ report: string, charts: Map<string, string> }} */
 export function reportOf(results) {
   /** @type {Map<string, string>} */
@@ -198,3 +184,20 @@ const table = (head, rows) =>
 
 /** @param {string} text */
 const escaped = (text) => text.replaceAll('|', '\\|').replaceAll('<', '&lt;');
+
+/** Of the results in a folder, into that folder. @param {string} folder */
+function writeReport(folder) {
+  const results = readResults(join(folder, 'results'));
+  if (results.length === 0) {
+    console.error('There are no results. Run npm run bench first.');
+    process.exit(2);
+  }
+  const { report, charts } = reportOf(results);
+  rmSync(join(folder, 'charts'), { recursive: true, force: true });
+  mkdirSync(join(folder, 'charts'));
+  for (const [file, svg] of charts) writeFileSync(join(folder, 'charts', file), `${svg}\n`);
+  writeFileSync(join(folder, 'REPORT.md'), report);
+  console.log(`REPORT.md and ${charts.size} charts from ${results.length} results`);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) writeReport(process.argv[2] ?? here);

@@ -1,4 +1,9 @@
 // The bench's report: it judges every aim, keeps its tables regular, and draws readable charts. On made-up results.
+import { execFileSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
 import { AIMS, judge } from '../bench/aims.mjs';
 import { reportOf } from '../bench/report.mjs';
@@ -107,6 +112,20 @@ describe('the report', () => {
     expect(three.report.split('\n').length).toBeLessThan(300);
     expect(three.charts.size).toBeLessThanOrEqual(12);
   });
+});
+
+test('npm run bench:report writes the report and its charts into the folder of the results', () => {
+  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+  try {
+    mkdirSync(join(folder, 'results'));
+    writeFileSync(join(folder, 'results/software.json'), JSON.stringify(resultOf('software')));
+    execFileSync(process.execPath, [fileURLToPath(new URL('../bench/report.mjs', import.meta.url)), folder]);
+    const alone = reportOf([resultOf('software')]);
+    expect(readFileSync(join(folder, 'REPORT.md'), 'utf8')).toBe(alone.report);
+    expect(readdirSync(join(folder, 'charts')).sort()).toEqual([...alone.charts.keys()].sort());
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 });
 
 test('every chart is an SVG with a title, its series named in it, and is shown in the report', () => {

@@ -3,7 +3,7 @@
 import { Mesh, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
-import { PhongLighting } from '../../src/material/phong-lighting.js';
+import { PhongLighting } from '../../src/material/lighting.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';

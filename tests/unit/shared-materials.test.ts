@@ -2,7 +2,7 @@
 
 import { Texture } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { PhongLighting } from '../../src/material/phong-lighting.js';
+import { PhongLighting } from '../../src/material/lighting.js';
 import { DEFAULT_STYLE, PLAIN_LOOK } from '../../src/material/phong-material.js';
 import { type Appearance, SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
 

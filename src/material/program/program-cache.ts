@@ -138,11 +138,15 @@ export class ProgramCache {
     }
     this.#compiling = null;
     const gl = renderer.getContext();
-    const linked = program !== undefined && gl.getProgramParameter(program.program, gl.LINK_STATUS) === true;
-    if (program !== undefined) compilingPrograms.delete(program);
+    if (program === undefined || gl.isContextLost()) {
+      entry.state = { name: 'general', frames: 0 }; // the context was lost with the program
+      return;
+    }
+    const linked = gl.getProgramParameter(program.program, gl.LINK_STATUS) === true;
+    compilingPrograms.delete(program);
     if (!linked) {
       // Disposing takes it out of three.js's list: nobody else can report it.
-      if (program !== undefined && !gl.isContextLost()) reportLinkFailure(gl, program.program);
+      reportLinkFailure(gl, program.program);
       disposeOf(entry);
     }
     entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };

@@ -1,5 +1,5 @@
 // `phong-viewer/core`'s material and lights in a plain three.js page.
-import { LinearSRGBColorSpace, MathUtils, type PerspectiveCamera, Scene } from 'three';
+import { LinearSRGBColorSpace, MathUtils, Scene } from 'three';
 import { LightState, PhongLighting, PhongMaterial } from 'phong-viewer/core';
 import { SURFACE, thetaAt } from './scenes.js';
 import type { OpenSide } from './side.js';
@@ -20,7 +20,8 @@ export const openCore: OpenSide = async (holder, bench) => {
     camera.position.set(bench.radius * Math.sin(theta), 0, bench.radius * Math.cos(theta));
     camera.lookAt(0, 0, 0);
     camera.updateMatrixWorld();
-    updateLighting(lighting, camera);
+    camera.updateMatrixWorld();
+    lighting.update(camera);
     renderer.render(scene, camera);
   };
   draw(0);
@@ -31,15 +32,3 @@ export const openCore: OpenSide = async (holder, bench) => {
     },
   };
 };
-
-/** Shading is relative to the target, which is the origin. */
-function updateLighting(lighting: PhongLighting, { position, matrixWorld }: PerspectiveCamera): void {
-  const e = matrixWorld.elements;
-  lighting.update({
-    origin: [0, 0, 0],
-    eye: [position.x, position.y, position.z],
-    right: [e[0], e[1], e[2]],
-    up: [e[4], e[5], e[6]],
-    back: [e[8], e[9], e[10]],
-  });
-}

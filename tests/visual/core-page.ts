@@ -1,0 +1,71 @@
+// Pictures by `phong-viewer/core`, on the driver at hand or with the programs that a GPU gets.
+
+import type { Page } from '@playwright/test';
+import type { Drawn, Step } from '../glsl/page/core.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import { expect } from '../support/test.js';
+import { Dice, randomLight } from './random-scene.js';
+
+export const SIZE = { width: 120, height: 90 };
+
+/** Frames after which every program that will take over has done so. */
+export const SETTLED = 40;
+
+/** `gpu`: software that bears the name of no software renderer, so it gets uniform arrays and counted loops. */
+export type Device = 'software' | 'gpu';
+
+export async function openCore(page: Page, device: Device = 'software'): Promise<void> {
+  if (device === 'gpu')
+    await page.addInitScript(() => {
+      const gl = WebGL2RenderingContext.prototype;
+      const real = Object.getOwnPropertyDescriptor(gl, 'getParameter')?.value as typeof gl.getParameter;
+      const names = [0x9246, gl.RENDERER]; // UNMASKED_RENDERER_WEBGL
+      gl.getParameter = function (this: WebGL2RenderingContext, what: number): unknown {
+        return names.includes(what) ? 'A GPU' : (Reflect.apply(real, this, [what]) as unknown);
+      };
+    });
+  await page.goto('/harness/core.html');
+  await page.waitForFunction(() => 'drawCore' in window);
+}
+
+export const drawCore = (page: Page, ...steps: readonly Step[]): Promise<Drawn[]> =>
+  page.evaluate(([size, list]) => window.drawCore(size, list), [SIZE, steps] as const);
+
+/** Holds two pictures against the promise: one code at most, on 0.02 % of the channels at most. */
+export function expectSame(a: Drawn, b: Drawn, message: string): void {
+  let max = 0;
+  let differing = 0;
+  a.codes.forEach((code, i) => {
+    const off = Math.abs(code - b.codes[i]!);
+    max = Math.max(max, off);
+    if (off > 0) differing += 1;
+  });
+  expect.soft(max, message).toBeLessThanOrEqual(1);
+  expect.soft(differing / a.codes.length, message).toBeLessThanOrEqual(2e-4);
+}
+
+/** Channels that are neither dark nor full: only these tell pictures apart. */
+export const tellingChannels = ({ codes }: Drawn): number =>
+  codes.filter((code, i) => i % 4 < 3 && code > 0 && code < 255).length;
+
+/** Lights of every kind in turn, whose sum stays within range. */
+export function mixedLights(count: number, seed = 1): Partial<LightValues>[] {
+  const dice = new Dice(seed);
+  return Array.from({ length: count }, (_, i) => {
+    const light = randomLight(dice);
+    const dim = (c: readonly number[]) =>
+      c.map((x) => x * Math.min(1, 6 / count)) as unknown as LightValues['diffuse'];
+    const [x, y, z] = light.position;
+    return {
+      ...light,
+      active: true,
+      position: [x, y, z, i % 3 === 0 ? 0 : 1],
+      ...(i % 3 === 2
+        ? { aperture: [45, 80, 120][(i % 9) % 3]!, cutoff: [0, 1, 4][i % 3]! }
+        : { aperture: 180, cutoff: 0 }),
+      ambient: dim(light.ambient),
+      diffuse: dim(light.diffuse),
+      specular: dim(light.specular),
+    };
+  });
+}
