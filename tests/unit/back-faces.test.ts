@@ -84,7 +84,7 @@ describe('back faces of a closed shape', () => {
     camera.position.z = 5;
     camera.updateMatrixWorld();
     expect(culls('closed', place(), camera as never)).toBe(true);
-    camera.position.z = 1;
+    camera.position.z = 0.55;
     camera.updateMatrixWorld();
     expect(culls('closed', place(), camera as never)).toBe(false);
   });
