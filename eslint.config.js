@@ -26,6 +26,7 @@ export default defineConfig(
       'dist/',
       'dist-demo/',
       'dist-harness/',
+      'dist-bench/',
       'test-results/',
       'playwright-report/',
       'tests/fixtures/',

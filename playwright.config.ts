@@ -1,5 +1,5 @@
 // How the browser tests run: which folders, in which browser, with software WebGL so that every machine draws alike.
-// Tests of the packed package and other slow ones are tagged @release and run with PHONG_VIEWER_RELEASE set.
+// Slow tests are in tests/release, tagged @release, and run with PHONG_VIEWER_RELEASE set.
 
 import { defineConfig } from '@playwright/test';
 import { findBrowser, softwareGl } from './.ci/browser.mjs';

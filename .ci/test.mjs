@@ -1,34 +1,47 @@
 // @ts-check
-// `npm test`: every check as a named step, all of them run even where one fails, and a count as the last line. Steps of one
-// thread run in two rows beside each other, and say what they have to say when they end; the others have all cores.
-// Arguments choose steps or test folders: `npm test -- unit element`; `--release` adds the slow tests.
+// `npm test`: every check as a named step. All steps run even where one fails; the last line is a count. Steps of one thread
+// run in two rows beside each other and print their output when they end; the others have all cores. How long each step
+// took last time is kept in node_modules/.cache, to say how much time is left.
 
 import { spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { readCommandLine, timeText } from '../tests/support/command-line.mjs';
 
 const nodeFolders = ['unit', 'stress'];
 const browserFolders = ['element', 'visual', 'a11y', 'glsl', 'package'];
-const checks = ['format', 'lint', 'types', 'build', 'browser', 'release'];
+const checks = ['format', 'lint', 'types', 'build', 'browser', 'release', 'guards', 'mutation'];
+
+const USAGE = `
+npm test -- [steps] [--release]: all checks, or only the named ones
+  steps       ${[...checks, ...nodeFolders, ...browserFolders].join(', ')}
+  --release   adds the slow tests, the guards and a sample of mutants (npm run test:release)
+  --help
+Which step answers which question: tests/README.md`;
 
 process.chdir(fileURLToPath(new URL('..', import.meta.url)));
-const chosen = process.argv.slice(2).filter((argument) => argument !== '--release');
-const unknown = chosen.filter((name) => ![...nodeFolders, ...browserFolders, ...checks].includes(name));
-if (unknown.length > 0) {
-  console.error(
-    `Unknown: ${unknown.join(', ')}. Steps: ${[...checks, ...nodeFolders, ...browserFolders].join(', ')}`,
-  );
-  process.exit(1);
-}
-if (process.argv.includes('--release') || chosen.includes('release'))
-  process.env['PHONG_VIEWER_RELEASE'] = '1';
+const { values, positionals: chosen } = readCommandLine(
+  USAGE,
+  { release: { type: 'boolean', default: false } },
+  [...checks, ...nodeFolders, ...browserFolders],
+);
+if (values.release || chosen.includes('release')) process.env['PHONG_VIEWER_RELEASE'] = '1';
 
 /** @typedef {{ passed: number, failed: number, skipped: number }} Count */
 /** @type {{ name: string, count: Count, seconds: number }[]} */
 const results = [];
 const reports = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+const secondsFile = 'node_modules/.cache/phong-viewer/step-seconds.json';
 
 await import('./install.mjs');
 
@@ -42,40 +55,64 @@ if (chosen.includes('release')) {
 const allBrowser = all || chosen.includes('browser');
 const anyBrowser = allBrowser || wantedBrowser.length > 0;
 
+/** @typedef {[wanted: boolean, name: string, args: string[]]} Step */
+
 const vite = ['node_modules/vite/bin/vite.js', 'build', '--logLevel', 'warn'];
 const building = anyBrowser || chosen.includes('build');
-await Promise.all([
-  row([[all || chosen.includes('lint'), 'lint', ['node_modules/eslint/bin/eslint.js', '.']]]),
-  row([
+const slow = values.release && all;
+/** Rows run beside each other, the steps of a row one after the other. @type {Step[][]} */
+const rows = [
+  [[all || chosen.includes('lint'), 'lint', ['node_modules/eslint/bin/eslint.js', '.']]],
+  [
     [all || chosen.includes('types'), 'types', ['node_modules/typescript/bin/tsc', '--noEmit']],
     [building, 'build', ['.ci/build.mjs']],
     [building, 'demo build', vite],
     [building, 'harness', [...vite, '--config', 'vite.harness.config.ts']],
     [all || chosen.includes('format'), 'format', ['node_modules/prettier/bin/prettier.cjs', '--check', '.']],
-  ]),
-]);
-if (all || wantedNode.length > 0) await unit();
-if (anyBrowser) await browser();
+  ],
+];
+/** Twenty minutes at most on four cores. @type {Step[]} */
+const last = [
+  [slow || chosen.includes('guards'), 'guards', ['tests/mutation/guards.mjs']],
+  [slow || chosen.includes('mutation'), 'mutation', ['tests/mutation/run.mjs', '--sample', '400']],
+];
+/** @type {[wanted: boolean, name: string, run: () => Promise<void>][]} */
+const alone = [
+  [all || wantedNode.length > 0, 'unit', unit],
+  [anyBrowser, 'browser', browser],
+];
+
+/** Seconds that each step took last time. @type {Record<string, number>} */
+const lastSeconds = existsSync(secondsFile) ? JSON.parse(readFileSync(secondsFile, 'utf8')) : {};
+/** When each running step began, in ms. @type {Map<string, number>} */
+const running = new Map();
+
+await Promise.all(rows.map(row));
+for (const [wanted, , run] of alone) if (wanted) await run();
+for (const [wanted, name, args] of last) {
+  if (!wanted) continue;
+  await step(name, async () => {
+    const { status } = await node(args);
+    return { passed: status === 0 ? 1 : 0, failed: status === 0 ? 0 : 1, skipped: 0 };
+  });
+}
 
 rmSync(reports, { recursive: true, force: true });
 summarize();
 
 /**
  * Steps that only say yes or no, one after the other; each counts as one.
- * @param {[wanted: boolean, name: string, args: string[]][]} steps
+ * @param {Step[]} steps
  */
 async function row(steps) {
   for (const [wanted, name, args] of steps) {
     if (!wanted) continue;
     const start = performance.now();
+    running.set(name, start);
     const { status, said } = await node(args, 'kept');
-    console.log(`${heading(name, start)}\n${said.trim()}`);
     const ok = status === 0;
-    results.push({
-      name,
-      count: { passed: ok ? 1 : 0, failed: ok ? 0 : 1, skipped: 0 },
-      seconds: since(start),
-    });
+    finish(name, start, { passed: ok ? 1 : 0, failed: ok ? 0 : 1, skipped: 0 });
+    console.log(`${heading(name)}\n${said.trim()}`);
   }
 }
 
@@ -108,7 +145,8 @@ async function browser() {
     console.log(`${browserVersion(path)} at ${path}`);
     process.env['PLAYWRIGHT_JSON_OUTPUT_FILE'] = report;
     const folders = allBrowser ? [] : wantedBrowser.map((name) => `tests/${name}/`);
-    const args = ['test', '--reporter=list,json', '--pass-with-no-tests', ...folders];
+    const reporters = '--reporter=list,json,./tests/support/time-left.mjs';
+    const args = ['test', reporters, '--pass-with-no-tests', ...folders];
     const { status } = await node(['node_modules/@playwright/test/cli.js', ...args]);
     return counted(report, status, ({ stats, errors }) => ({
       passed: stats.expected + stats.flaky,
@@ -128,19 +166,50 @@ function counted(report, status, read) {
 /** @param {string} name @param {() => Promise<Count>} run */
 async function step(name, run) {
   const start = performance.now();
-  console.log(heading(name, start));
-  const count = await run();
-  results.push({ name, count, seconds: since(start) });
+  running.set(name, start);
+  console.log(heading(name));
+  finish(name, start, await run());
 }
 
-/** Seconds. @param {number} start as performance.now() gave it */
-function since(start) {
-  return (performance.now() - start) / 1000;
+/** @param {string} name @param {number} start when it began, in ms @param {Count} count */
+function finish(name, start, count) {
+  const seconds = (performance.now() - start) / 1000;
+  running.delete(name);
+  results.push({ name, count, seconds });
+  // A part of a step's tests says nothing about all of them.
+  if (all || !alone.some(([, other]) => other === name)) lastSeconds[name] = Math.round(seconds);
+  mkdirSync(dirname(secondsFile), { recursive: true });
+  writeFileSync(secondsFile, JSON.stringify(lastSeconds));
 }
 
-/** @param {string} name @param {number} start milliseconds since this command's own */
-function heading(name, start) {
-  return `\n== ${name} (after ${(start / 1000).toFixed(0)} s)`;
+/** @param {string} name */
+function heading(name) {
+  return `\n== ${name} (after ${timeText(performance.now() / 1000)}, about ${timeText(secondsLeft())} left)`;
+}
+
+/** Of all steps that are still to run, rows beside each other. */
+function secondsLeft() {
+  const left = (/** @type {readonly (readonly [boolean, string, unknown])[]} */ steps) =>
+    steps.reduce((sum, [wanted, name]) => {
+      if (!wanted || results.some((result) => result.name === name)) return sum;
+      const start = running.get(name);
+      const elapsed = start === undefined ? 0 : (performance.now() - start) / 1000;
+      return sum + Math.max(0, (lastSeconds[name] ?? guessedSeconds(name)) - elapsed);
+    }, 0);
+  return Math.max(...rows.map(left)) + left(alone) + left(last);
+}
+
+/** For the first run on a machine: from the number of test files. @param {string} name */
+function guessedSeconds(name) {
+  if (name === 'unit') return 0.5 * filesIn(nodeFolders, '.test.ts');
+  if (name === 'browser') return 8 * filesIn(browserFolders, '.spec.ts');
+  return name === 'mutation' ? 900 : 20;
+}
+
+/** @param {readonly string[]} folders @param {string} end */
+function filesIn(folders, end) {
+  return folders.flatMap((folder) => readdirSync(`tests/${folder}`)).filter((file) => file.endsWith(end))
+    .length;
 }
 
 /**

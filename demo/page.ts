@@ -1,4 +1,4 @@
-// What every demo page loads: the elements, and three small things built around them. Knows no page in particular.
+// What does every demo page load? The elements, and the three features around them. Knows no particular page.
 import 'phong-viewer';
 import { connectDials } from './parts/dials.js';
 import { linkViewers } from './parts/linked.js';

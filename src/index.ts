@@ -1,14 +1,15 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>` and `<phong-mesh>`. Importing it where there is no DOM does
- * nothing; a second copy on a page leaves the first one's elements alone.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>` and `<phong-mesh>`. Importing it without a DOM does nothing.
+ * A second copy on a page leaves the first copy's elements alone.
  */
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
+import { providePanel } from './element/viewer/panel.js';
 
-PhongViewer.loadPanel = () => import('./gui/panel.js');
+providePanel(() => import('./gui/panel.js'));
 
-// Children first: they are upgraded when the viewer looks for them.
+// Children first: the viewer then finds all of them at once when it is upgraded.
 if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
   for (const [name, element] of [
     ['phong-light', PhongLight],
@@ -21,6 +22,7 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 
 export { PhongLight, PhongMesh, PhongViewer };
 export type { PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
+export type { NumberList } from './element/fields/properties.js';
 export type { PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
 export type { PictureOptions } from './element/viewer/picture-blob.js';
 export type { FragmentExplanation, LightExplanation } from './element/viewer/shade-at.js';

@@ -1,12 +1,12 @@
-// The vectors of a fragment as drawings: N and L at its place in the picture, and for each light N, L, R and V in the
-// plane of N and L. SVG attributes only, which no content security policy minds. Knows no tables and no events.
+// How are a fragment's vectors drawn? N and L at its place in the picture, and for each light N, L, R and V in the plane of N and L.
+// Only SVG attributes are set, which a strict CSP allows. Knows no tables and no events.
 import type { FragmentExplanation, LightExplanation, PhongViewer, Vec3 } from 'phong-viewer';
 
-/** How long a unit vector is drawn in the picture, as a share of the camera's distance. */
+/** Length of a unit vector in the picture, as a share of the camera's distance. */
 const ARROW = 0.14;
 /** Radius of the mark, CSS pixels. */
 const MARK = 7;
-/** Vectors that are shorter on the screen than the mark are not drawn: they point at the reader, or away. */
+/** Vectors shorter on screen than the mark are not drawn: they point toward the user, or away. */
 const SHORT = MARK;
 
 export interface Place {
@@ -25,7 +25,7 @@ const cross = (a: Vec3, b: Vec3): Vec3 => [
 ];
 export const distance = (a: Vec3, b: Vec3): number => Math.hypot(...along(a, -1, b));
 
-/** Where the camera shows `point`; null where that lies beside or behind the eye. */
+/** Where `point` is in the picture; null if it is beside or behind the eye. */
 export function project(viewer: PhongViewer, point: Vec3): Place | null {
   const { eye, target, up, radius } = viewer.camera;
   const back = along([0, 0, 0], 1 / radius, along(eye, -1, target));
@@ -37,7 +37,7 @@ export function project(viewer: PhongViewer, point: Vec3): Place | null {
   return { x: width / 2 + scale * dot(from, cross(up, back)), y: height / 2 - scale * dot(from, up) };
 }
 
-/** The mark at `at` if it is seen, with N and the L of every light that reaches the front of the surface; V always points at the reader. */
+/** Draws the mark, N, and L of every light that reaches the front of the surface. V is left out: it points at the user. */
 export function drawInPicture(
   svg: Element,
   viewer: PhongViewer,
@@ -59,8 +59,8 @@ export function drawInPicture(
 }
 
 /**
- * N upright, L left of it, R its mirror image, V as it lies in the plane of the others: shorter, the farther it leans out
- * of that plane. N·L and R·V come out as they are: N, L and R lie in the plane.
+ * N upright, L to its left, R its mirror image, and V projected onto their plane: the farther it leans out of the plane, the shorter
+ * it is. N·L and R·V are to scale, because N, L and R lie in the plane.
  */
 export function planeOf(fragment: FragmentExplanation, { L, NoL, RoV }: LightExplanation): Element {
   const sideways = along(L, -NoL, fragment.N);
@@ -86,7 +86,7 @@ export function planeOf(fragment: FragmentExplanation, { L, NoL, RoV }: LightExp
 const degrees = (cosine: number): string =>
   `${((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI).toFixed(0)} degrees`;
 
-/** A line with a head of `head` units at its end, and its name so far beyond it. */
+/** A line with an arrow head of `head` units, and its name `beyond` units past the tip. */
 function arrow(from: Place, to: Place, head: number, name: string, beyond = head): Element[] {
   const length = Math.hypot(to.x - from.x, to.y - from.y);
   if (length === 0) return [];

@@ -1,17 +1,17 @@
-// The page of one fragment: which point is looked at, when it is explained anew, and what its pixel shows. One
-// explanation is under way at most, and none while nothing changes. Places are CSS pixels in the picture.
+// Which point does the fragment page explain, when, and what does its pixel show? At most one explanation runs at a time, and none
+// while nothing changes. Places are CSS pixels in the picture.
 import '../page.js';
 import type { FragmentExplanation, Vec3 } from 'phong-viewer';
 import { distance, drawInPicture, type Place, project } from './drawing.js';
 import { codes, pixelRow, stepRows, sumRows, vectorRows } from './tables.js';
 
-/** A press that travels farther than this is no click: it turns the camera. CSS pixels. */
-const STEADY = 4;
-/** How long everything rests before the picture is read and the result is told. Milliseconds. */
-const REST = 400;
+/** A press that moves farther than this turns the camera and is not a click. CSS pixels. */
+const CLICK_SLOP = 4;
+/** Milliseconds without a change before the picture is read and the result is announced. */
+const SETTLE_MS = 400;
 /**
- * A surface nearer to the eye than the marked point, by more than this share, hides it. Nearer by less, it is the same
- * surface at the centre of the pixel: half a pixel aside, about a tenth of this, it may lean by more than 80 degrees.
+ * A surface hides the marked point if it is nearer to the eye by more than this share. Nearer by less, it is the same surface at
+ * the centre of the pixel: half a pixel away (about a tenth of this) a surface can still lean by more than 80 degrees.
  */
 const IN_FRONT = 0.005;
 
@@ -20,7 +20,7 @@ const part = (id: string): HTMLElement => document.getElementById(id)!;
 const across = part('across') as HTMLInputElement;
 const down = part('down') as HTMLInputElement;
 
-/** Where the reader has put the mark; `p` is the surface's point there, which it then stays on. */
+/** Where the user put the mark. `p` is the point of the surface there; the mark stays on it. */
 interface Mark {
   /** Shares of the picture's width and height. */
   readonly x: number;
@@ -29,11 +29,11 @@ interface Mark {
 }
 
 let mark: Mark = { x: across.valueAsNumber / 100, y: down.valueAsNumber / 100, p: null };
-/** Under a mouse that only looks; wins over the mark where it is on the shape. */
+/** Where the mouse hovers. Used instead of the mark while it is on the shape. */
 let hover: Place | null = null;
-/** The picture as it is now, once it was read. */
+/** The pixels of the present picture; null until they are read. */
 let picture: ImageData | null = null;
-/** What the page says now; null for a place or a fragment that cannot be seen. */
+/** What the page shows now; null for a place or a fragment that is not visible. */
 interface Shown {
   readonly at: Place | null;
   readonly fragment: FragmentExplanation | null;
@@ -43,11 +43,11 @@ let shown: Shown = { at: null, fragment: null };
 let busy = false;
 let again = false;
 let reading = false;
-/** Counts what has changed the picture. */
+/** Counts the changes of the picture. */
 let changes = 0;
 let rest: ReturnType<typeof setTimeout> | undefined;
 
-/** Explains what is looked at; asked for while it does so, it starts once more at the end. */
+/** Explains the present point. A call while it runs makes it run once more at the end. */
 async function explain(): Promise<void> {
   again = true;
   if (busy) return;
@@ -99,10 +99,10 @@ function show(now: Shown): void {
     part('of-lights').replaceChildren(...stepRows(fragment));
   }
   clearTimeout(rest);
-  rest = setTimeout(() => void settle(), REST);
+  rest = setTimeout(() => void settle(), SETTLE_MS);
 }
 
-/** Nothing has moved for a while: the picture is read where it has changed, and the result told in a line. */
+/** After a pause: reads the picture if it has changed, and announces the result in one line. */
 async function settle(): Promise<void> {
   if (reading) return;
   reading = true;
@@ -117,12 +117,12 @@ async function settle(): Promise<void> {
   if (fragment !== null) part('sum').lastElementChild?.replaceWith(pixelRow(fragment.color, pixel));
   const line =
     fragment === null
-      ? 'No surface is seen there: it is the background, the far side of the shape, or out of the picture.'
+      ? 'No surface is visible there: it is the background, the far side of the shape, or outside the picture.'
       : `The equation gives ${codes(fragment.color)}${pixel === null ? '.' : `; the pixel is ${pixel.join(' ')}.`}`;
   if (part('result').textContent !== line) part('result').textContent = line;
 }
 
-/** Null where the graphics context is lost just now. */
+/** Null while the WebGL context is lost. */
 async function readPicture(): Promise<ImageData | null> {
   const blob = await viewer.toBlob().catch(() => null);
   if (blob === null) return null;
@@ -133,7 +133,7 @@ async function readPicture(): Promise<ImageData | null> {
   return context?.getImageData(0, 0, width, height) ?? null;
 }
 
-/** The code of the device pixel that lies at a CSS pixel, by the rule of shadeAt. */
+/** The 8-bit colour of the device pixel at a CSS pixel, chosen as shadeAt does. */
 function pixelAt(at: Place | null): Vec3 | null {
   if (picture === null || at === null) return null;
   const box = viewer.getBoundingClientRect();
@@ -164,7 +164,7 @@ function look(at: Place | null): void {
 let pressed: Place = { x: 0, y: 0 };
 let steady = false;
 viewer.addEventListener('pointermove', ({ offsetX: x, offsetY: y, buttons, pointerType }) => {
-  if (buttons !== 0) steady &&= Math.hypot(x - pressed.x, y - pressed.y) <= STEADY;
+  if (buttons !== 0) steady &&= Math.hypot(x - pressed.x, y - pressed.y) <= CLICK_SLOP;
   else if (pointerType !== 'touch') look({ x, y });
 });
 viewer.addEventListener('pointerleave', () => look(null));

@@ -1,11 +1,11 @@
-// The numbers of a fragment as table rows: its vectors, the colours that add up to its own, and the steps of the equation
-// with a column for each light. Knows neither viewers nor when anything changes.
+// How do a fragment's numbers become table rows? Its vectors, the colours that add up to its own, and the steps of the equation with
+// one column per light. Knows neither viewers nor when anything changes.
 import type { FragmentExplanation, LightExplanation, Vec3 } from 'phong-viewer';
 import { planeOf } from './drawing.js';
 
 const TERMS = ['ambient', 'diffuse', 'specular'] as const;
 
-/** With a real minus, and no minus before a zero. */
+/** With a typographic minus, and none before a zero. */
 export const number = (x: number, digits: number): string =>
   x === Infinity
     ? '∞'
@@ -14,16 +14,16 @@ export const number = (x: number, digits: number): string =>
         .replace(/^-(?!0\.?0*$)/, '−')
         .replace('-', '');
 
-/** In 255ths, as the tables have them. */
+/** In 255ths, as in the tables. */
 export const codes = (color: Vec3): string => color.map((x) => number(255 * x, 2)).join(' ');
 
-/** p, N and V, a row each. */
+/** One row each for p, N and V. */
 export const vectorRows = ({ p, N, V }: FragmentExplanation): HTMLElement[] =>
   Object.entries({ p, N, V }).map(([name, vector]) =>
     row([head('row', name), ...vector.map((x) => cell(number(x, 3)))]),
   );
 
-/** All terms of all lights, then what they come to. 0–255 with two decimals, so that a reader can add them up. */
+/** All terms of all lights, then their sum. 0–255 with two decimals, so that a reader can add them up. */
 export function sumRows({ shares, sum, color }: FragmentExplanation): HTMLElement[] {
   const rows = shares.flatMap((share) =>
     TERMS.map((term, i) => {
@@ -39,7 +39,7 @@ export function sumRows({ shares, sum, color }: FragmentExplanation): HTMLElemen
   return [...rows.filter((each) => each !== null), ...totals];
 }
 
-/** The pixel's codes next to the clamped colour: equal but for a rounding, except at an edge. */
+/** The pixel's 8-bit colour next to the clamped colour: equal up to rounding, except at an edge. */
 export function pixelRow(color: Vec3, pixel: Vec3 | null): HTMLElement {
   const same = pixel?.every((code, i) => Math.abs(code - 255 * color[i]!) < 1) === true;
   const name = wide(head('row', pixel === null || same ? 'the pixel' : 'the pixel, at an edge'));
@@ -60,15 +60,15 @@ const STEPS: readonly Step[] = [
     of: (share, fragment) => planeOf(fragment, share),
   },
   { name: 'L', formula: 'toward the light', of: ({ L }) => components(L) },
-  { name: 'd', formula: 'how far it is', of: ({ d }) => number(d, 3) },
+  { name: 'd', formula: 'distance', of: ({ d }) => number(d, 3) },
   { name: 'att', formula: '1 / max(kc + kl d + kq d², 1)', of: ({ att }) => number(att, 3) },
   { name: 'c', formula: 'L · (−axis / |axis|)', of: cone },
   { name: 'decay', formula: '((c + 1) / 2)^cutoff', of: ({ decay }) => number(decay, 3) },
-  { name: 'N·L', formula: 'below 0: the light is behind', of: ({ NoL }) => number(NoL, 3) },
+  { name: 'N·L', formula: 'below 0: the light is behind the surface', of: ({ NoL }) => number(NoL, 3) },
   { name: 'R·V', formula: 'R = 2 (N·L) N − L', of: ({ RoV }) => number(RoV, 3) },
 ];
 
-/** The steps of the equation in its order, a column a light; a light that is off has none. */
+/** The steps of the equation in order, one column per light; empty for a light that is off. */
 export const stepRows = (fragment: FragmentExplanation): HTMLElement[] =>
   STEPS.map(({ name, formula, of }) => {
     const title = head('row', name);
@@ -78,19 +78,19 @@ export const stepRows = (fragment: FragmentExplanation): HTMLElement[] =>
     return row([title, ...fragment.shares.map((share) => cell(share === null ? '' : of(share, fragment)))]);
   });
 
-/** A light without cone and decay has no axis that counts. */
+/** The axis of a light without cone and decay has no effect. */
 function cone({ light, c, insideCone }: LightExplanation): string {
   if (light === null || (light.aperture === 180 && light.cutoff === 0)) return '–';
   return `${number(c, 3)}, ${insideCone ? 'inside' : 'outside'} the cone`;
 }
 
-/** `full` is what stands for 255. */
+/** `full`: the scale of the numbers, 255 or 1. */
 function colorCells(color: Vec3, full = 255): HTMLElement[] {
   const [r, g, b] = color.map((x) => x * full);
   const swatch = cell('');
   const chip = document.createElement('span');
   chip.className = 'chip';
-  // Through the object model: a style attribute would need more than a strict policy allows.
+  // Set from script: a strict CSP refuses style attributes.
   chip.style.backgroundColor = `rgb(${r} ${g} ${b})`;
   swatch.append(chip);
   return [swatch, ...[r!, g!, b!].map((x) => cell(full === 1 ? String(x) : number(x, 2)))];

@@ -1,8 +1,8 @@
-// The switchboard of the lights page: the buttons, the slider and a switch for each light, kept in step with whatever
-// comes and goes in the viewer.
+// How does the switchboard of the lights page work? Buttons, a slider, and one switch per light, updated when lights are added or
+// removed in the viewer.
 import { add, remove, toggle } from './spiral.js';
 
-/** As many as the slider goes to. */
+/** The slider's maximum. */
 const MOST = 64;
 
 export function connectBoard(viewer: HTMLElementTagNameMap['phong-viewer']): void {
@@ -42,7 +42,7 @@ function switchFor(light: HTMLElementTagNameMap['phong-light']): HTMLElement {
   box.type = 'checkbox';
   box.checked = light.active;
   box.setAttribute('aria-label', light.name);
-  // Through the object model: a style attribute would need more than a strict policy allows.
+  // Set from script: a strict CSP refuses style attributes.
   box.style.accentColor = light.getAttribute('axis') === null ? '' : (light.getAttribute('diffuse') ?? '');
   box.addEventListener('change', () => {
     light.setAttribute('active', String(box.checked));

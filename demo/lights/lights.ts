@@ -1,4 +1,4 @@
-// The lights page: what its buttons do is in spiral.ts, which the page shows as it is.
+// The lights page. Its buttons call spiral.ts, which the page also shows as text.
 import '../page.js';
 import { listing } from '../parts/listings.js';
 import { connectBoard } from './board.js';
@@ -9,7 +9,7 @@ if (viewer !== null) connectBoard(viewer);
 
 const place = document.getElementById('script');
 if (place !== null) {
-  // `export` is for this page's own sake.
+  // Only this page needs the `export`s.
   const text = source.trim().replaceAll(/^export /gm, '');
   listing(place, place.dataset['title'] ?? '').textContent = text;
 }

@@ -1,7 +1,7 @@
 const viewer = document.querySelector('phong-viewer')!;
 const lights = viewer.getElementsByTagName('phong-light');
 
-/** One more spot on a spiral: the golden angle, about 137.5°, keeps any two from standing in line. */
+/** Adds a spot on a spiral. The golden angle, about 137.5°, spreads the spots evenly. */
 export function add() {
   const turn = lights.length * 2.39996;
   const r = 0.27 * Math.sqrt(lights.length);

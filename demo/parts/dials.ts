@@ -1,6 +1,6 @@
-// Dials: a range that writes one attribute of one element, as a reader would by hand.
-// `<input type="range" data-for="id" data-set="attribute">`, with `data-values="1 2 4"` for steps that are no even
-// scale, and `data-format="1 0 {}"` where the attribute holds more than the number. An `<output>` shows the number.
+// What is a dial? A slider that writes one attribute of one element: `<input type="range" data-for="id" data-set="attribute">`.
+// `data-values="1 2 4"` lists uneven steps; `data-format="1 0 {}"` is for attributes that hold more than the number. An `<output>`
+// next to it shows the number.
 
 export function connectDials(root: ParentNode): void {
   for (const input of root.querySelectorAll<HTMLInputElement>('input[data-for]')) {

@@ -1,5 +1,5 @@
-// Viewers that turn together: those inside one `data-linked` element take the angles of the one that hands turn, so
-// that a comparison stays one.
+// Which viewers turn together? Those inside one `data-linked` element follow the one that the user turns, so that they can be
+// compared.
 
 export function linkViewers(root: ParentNode): void {
   for (const group of root.querySelectorAll('[data-linked]')) {

@@ -1,7 +1,6 @@
-// Listings: the markup of viewers on this page, read from the live elements, so that it is always what is shown.
-// `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then whichever of
-// them was last taken hold of; `data-source` marks listings whose text the page fills in itself. Figures get a
-// listing of their own, folded.
+// Which markup do the listings show? That of viewers on this page, read from the live elements, so it always matches the picture.
+// `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the one that the user touched
+// last. Figures get a collapsed listing of their own.
 import { markupOf } from './markup.js';
 
 export function showListings(root: ParentNode): void {
@@ -15,7 +14,7 @@ export function showListings(root: ParentNode): void {
   }
 }
 
-/** Fills `place` with a caption, a button that copies, and a `<pre>`, which is handed back. */
+/** Fills `place` with a caption, a copy button and a `<pre>`, which is returned. */
 export function listing(place: HTMLElement, title: string): HTMLPreElement {
   const text = document.createElement('pre');
   text.translate = false;
@@ -46,11 +45,11 @@ function folded(viewers: readonly Element[]): HTMLElement {
   return details;
 }
 
-/** Keeps `text` the markup of one of the viewers, through every change of it. */
+/** Keeps `text` equal to the markup of one of the viewers. */
 function follow(viewers: readonly Element[], text: HTMLElement): void {
   let [shown] = viewers;
   const write = (): void => {
-    if (shown !== undefined) text.replaceChildren(...markupOf(shown).map(span));
+    if (shown !== undefined) text.replaceChildren(...markupOf(shown, lineLength()).map(span));
   };
   const observer = new MutationObserver(write);
   for (const viewer of viewers) {
@@ -62,6 +61,9 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   }
   write();
 }
+
+/** Characters of a listing that fit into the page: 76, or fewer on a phone. */
+const lineLength = (): number => Math.min(76, Math.floor(document.documentElement.clientWidth / 8.5));
 
 function span({ kind, text }: { readonly kind: string; readonly text: string }): Node {
   if (kind === 'plain') return document.createTextNode(text);
@@ -85,7 +87,7 @@ function copyButton(text: HTMLElement, title: string): HTMLButtonElement {
   return button;
 }
 
-/** Where the clipboard is out of reach (a page without HTTPS), the text is selected instead. */
+/** If there is no clipboard (a page without HTTPS), the text is selected instead. */
 async function copy(text: HTMLElement): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text.textContent);

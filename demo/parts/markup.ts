@@ -1,25 +1,23 @@
-// An element's markup as its author would write it: one child a line, long tags folded. Attributes that belong to
-// the page and not to the scene (id, class, data-…) are left out. Text and pieces of text; builds no elements.
+// What is an element's markup as its author would write it? One child per line, long tags folded. Attributes that belong to the page
+// and not to the scene (id, class, data-…) are left out. Returns pieces of text; builds no elements.
 
 export interface Piece {
   readonly kind: 'plain' | 'tag' | 'value';
   readonly text: string;
 }
 
-/** Characters in a line before a tag is folded. */
-const LINE = 76;
-
-export function markupOf(element: Element): readonly Piece[] {
+/** @param lineLength characters per line; longer tags are folded. */
+export function markupOf(element: Element, lineLength: number): readonly Piece[] {
   const children = [...element.children].flatMap((child) => [
     plain('\n'),
-    ...startTag(child, '  '),
+    ...startTag(child, '  ', lineLength),
     ...endTag(child),
   ]);
   const end = children.length === 0 ? endTag(element) : [plain('\n'), ...endTag(element)];
-  return [...startTag(element, ''), ...children, ...end];
+  return [...startTag(element, '', lineLength), ...children, ...end];
 }
 
-function startTag(element: Element, indent: string): Piece[] {
+function startTag(element: Element, indent: string, lineLength: number): Piece[] {
   const name = element.localName;
   const pieces: Piece[] = [plain(`${indent}<`), { kind: 'tag', text: name }];
   let column = indent.length + 1 + name.length;
@@ -27,7 +25,7 @@ function startTag(element: Element, indent: string): Piece[] {
     if (/^(id|class|data-.*)$/.test(attribute)) continue;
     const quoted = value === '' ? '' : `"${value.replaceAll('&', '&amp;').replaceAll('"', '&quot;')}"`;
     const length = attribute.length + (quoted === '' ? 0 : quoted.length + 1);
-    const folds = column + 1 + length > LINE;
+    const folds = column + 1 + length > lineLength;
     const before = folds ? `\n${indent}    ` : ' ';
     column = (folds ? indent.length + 4 : column + 1) + length;
     pieces.push(plain(before + attribute + (quoted === '' ? '' : '=')));

@@ -1,70 +1,70 @@
-// Where does the camera go when pointers have travelled so far? Pure laws from the noted pose and the total travel to a new
-// pose: nothing accumulates, and no travel gives the noted pose itself. Travel in CSS pixels, right and down positive;
-// angles in degrees, lengths in scene units. Whatever the numbers, the result is finite: where it would not be, nothing moves.
+// How does a drag move the camera? Pure functions from the pose at the start of the drag and the total travel since then to a
+// new pose. Nothing accumulates: zero travel returns the start pose itself. Travel in CSS pixels, right and down positive; angles
+// in degrees, lengths in scene units. A travel that would give a pose that is not finite moves nothing.
 
 import { cosDegrees, sinDegrees, wrapDegrees } from '../math/angle.js';
 import { basisOf, clampLength } from './orbit.js';
 import type { Pose } from './orbit.js';
 
-/** The picture that is dragged on. */
+/** The picture under the pointer. */
 export interface View {
-  /** CSS pixels. 0 where nothing is shown: no travel moves the camera then. */
+  /** CSS pixels. 0 while the element is not displayed; a drag then moves nothing. */
   readonly width: number;
   readonly height: number;
   /** Vertical field of view, degrees, 1 to 170. */
   readonly fov: number;
 }
 
-/** How near and how far zooming may go, scene units, both above 0. */
+/** Limits of the zoom, scene units, both above 0. */
 export interface RadiusLimits {
   readonly min: number;
   readonly max: number;
 }
 
-/** One width is 360° of azimuth, one height 180° of polar angle; the shape follows the pointer. φ stops at the poles. */
-export function turn(noted: Pose, dx: number, dy: number, { width, height }: View): Pose {
-  if (!(width > 0 && height > 0)) return noted;
-  return turnBy(noted, -(360 * dx) / width, -(180 * dy) / height);
+/** One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles. */
+export function turn(start: Pose, dx: number, dy: number, { width, height }: View): Pose {
+  if (!(width > 0 && height > 0)) return start;
+  return turnBy(start, -(360 * dx) / width, -(180 * dy) / height);
 }
 
-/** Angles added to the noted ones, in degrees; φ stops at the poles. */
-export function turnBy(noted: Pose, dTheta: number, dPhi: number): Pose {
-  if ((dTheta === 0 && dPhi === 0) || !Number.isFinite(dTheta) || !Number.isFinite(dPhi)) return noted;
+/** Adds angles in degrees to those of the start pose. φ stops at the poles. */
+export function turnBy(start: Pose, dTheta: number, dPhi: number): Pose {
+  if ((dTheta === 0 && dPhi === 0) || !Number.isFinite(dTheta) || !Number.isFinite(dPhi)) return start;
   return {
-    ...noted,
-    // Wrapped first: a turn added to 1e20 degrees would be lost in rounding.
-    theta: dTheta === 0 ? noted.theta : wrapDegrees(noted.theta) + dTheta,
-    phi: clamp(noted.phi + dPhi, 0, 180),
+    ...start,
+    // Wrap first: adding a small turn to 1e20 degrees would lose it to rounding.
+    theta: dTheta === 0 ? start.theta : wrapDegrees(start.theta) + dTheta,
+    phi: clamp(start.phi + dPhi, 0, 180),
   };
 }
 
-/** The target moves in the picture's plane so that the point of its plane that was under the pointer stays there. */
-export function shift(noted: Pose, dx: number, dy: number, view: View): Pose {
-  if (dx === 0 && dy === 0) return noted;
-  const step = worldPerPixel(noted.radius, view);
-  const { right, up } = basisOf(noted);
-  const along = (i: 0 | 1 | 2): number => clampLength(noted.target[i] + step * (up[i] * dy - right[i] * dx));
+/** Moves the target parallel to the picture plane, so that the point under the pointer stays under it. */
+export function shift(start: Pose, dx: number, dy: number, view: View): Pose {
+  if (dx === 0 && dy === 0) return start;
+  const step = worldPerPixel(start.radius, view);
+  const { right, up } = basisOf(start);
+  const along = (i: 0 | 1 | 2): number => clampLength(start.target[i] + step * (up[i] * dy - right[i] * dx));
   const target = [along(0), along(1), along(2)] as const;
-  return target.every(Number.isFinite) ? { ...noted, target } : noted;
+  return target.every(Number.isFinite) ? { ...start, target } : start;
 }
 
-/** Scene units that one CSS pixel spans in the plane through the target; not finite where no picture is shown. */
+/** Scene units per CSS pixel in the plane through the target; NaN if the picture has no height. */
 export function worldPerPixel(radius: number, { height, fov }: View): number {
   return height > 0 ? (2 * radius * sinDegrees(fov / 2)) / (cosDegrees(fov / 2) * height) : NaN;
 }
 
-/** Two fingers: their distance at the start over the present one, so that what they hold grows and shrinks with them. */
-export function pinch(noted: Pose, startGap: number, gap: number, limits: RadiusLimits): Pose {
-  // Fingers that started on one spot have no ratio.
-  return startGap > 0 && startGap !== gap ? zoomBy(noted, startGap / gap, limits) : noted;
+/** Multiplies the radius by the fingers' distance at the start over their distance now. */
+export function pinch(start: Pose, startGap: number, gap: number, limits: RadiusLimits): Pose {
+  // Fingers that started on the same pixel have no ratio.
+  return startGap > 0 && startGap !== gap ? zoomBy(start, startGap / gap, limits) : start;
 }
 
-/** The radius times a factor, kept within the limits; a radius already beyond them may come back, and go no further. */
-export function zoomBy(noted: Pose, factor: number, limits: RadiusLimits): Pose {
-  const nearest = Math.min(limits.min, noted.radius);
-  const farthest = Math.max(limits.max, noted.radius);
-  const radius = clamp(noted.radius * factor, nearest, farthest);
-  return radius > 0 && Number.isFinite(radius) ? { ...noted, radius } : noted;
+/** Multiplies the radius within the limits. A radius already outside them can come back but not move farther out. */
+export function zoomBy(start: Pose, factor: number, limits: RadiusLimits): Pose {
+  const nearest = Math.min(limits.min, start.radius);
+  const farthest = Math.max(limits.max, start.radius);
+  const radius = clamp(start.radius * factor, nearest, farthest);
+  return radius > 0 && Number.isFinite(radius) ? { ...start, radius } : start;
 }
 
 const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);

@@ -1,5 +1,5 @@
-// From how far is all of the scene seen, how far may one zoom, and where do near and far lie? Everything from one bounding
-// sphere. Lengths in scene units, world space; angles in degrees. Every result is finite and above 0, whatever goes in.
+// Which radius shows the whole scene, how far can the user zoom, and where are the near and far planes? All three follow from one
+// bounding sphere. Lengths in scene units, world space; angles in degrees. Every result is finite and above 0, for any input.
 
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
@@ -7,7 +7,7 @@ import type { RadiusLimits } from './drag.js';
 import { basisOf, LARGEST_LENGTH, newBasis } from './orbit.js';
 import type { Pose } from './orbit.js';
 
-/** A sphere that holds every vertex of the scene. `null` in its place means an empty scene. */
+/** A sphere that contains every vertex of the scene. `null` stands for an empty scene. */
 export interface Bounds {
   readonly centre: Vec3;
   /** Reaches the farthest vertex; 0 for a single point. */
@@ -19,12 +19,12 @@ export interface DepthRange {
   far: number;
 }
 
-/** What is left free around the scene: the sphere fills 1/1.05 of the sine of the smaller half field. */
+/** Free space around the scene: the sphere fills 1/1.05 of the sine of half the smaller field of view. */
 const MARGIN = 1.05;
 const EMPTY_RADIUS = 4;
 const ZOOM_REACH = 1e3;
 
-/** The target and radius that `auto` stands for. An empty scene is seen from 4 at the origin, a single point from 4 too. */
+/** The target and radius that `auto` stands for. An empty scene gives the origin and 4, a single point its place and 4. */
 export function fitPose(bounds: Bounds | null, fov: number, aspect: number): Pick<Pose, 'target' | 'radius'> {
   if (bounds === null || !bounds.centre.every(Number.isFinite)) {
     return { target: [0, 0, 0], radius: EMPTY_RADIUS };
@@ -34,7 +34,7 @@ export function fitPose(bounds: Bounds | null, fov: number, aspect: number): Pic
 
 /**
  * 1.05 R / sin(half the smaller of the vertical and horizontal fields), at most {@link LARGEST_LENGTH}. `fov` is vertical,
- * in degrees; `aspect` is width over height, taken as 1 where the picture has no size.
+ * in degrees; `aspect` is width over height, and counts as 1 if the picture has no size.
  */
 export function fitRadius(sphereRadius: number, fov: number, aspect: number): number {
   const sinVertical = sinDegrees(fov / 2);
@@ -44,7 +44,7 @@ export function fitRadius(sphereRadius: number, fov: number, aspect: number): nu
   return radius > 0 ? Math.min(radius, LARGEST_LENGTH) : EMPTY_RADIUS;
 }
 
-/** How near and far zooming goes: 1e-3 to 1e3 of the scene's radius; of 1 where the scene has none. */
+/** Zoom limits: 1e-3 to 1e3 times the scene's radius, which counts as 1 if it is 0. */
 export function zoomLimits(bounds: Bounds | null): RadiusLimits {
   const radius = bounds !== null && bounds.radius > 0 ? bounds.radius : 1;
   return {
@@ -54,9 +54,9 @@ export function zoomLimits(bounds: Bounds | null): RadiusLimits {
 }
 
 /**
- * Near and far, as distances along the view. They hold all of a sphere that lies wholly before the eye, as long as far/near
- * stays under 1000; else (the eye inside it, or just outside) near is far/1000, or a tenth of the orbit's radius where that
- * is less, so that the target is never cut off however near one zooms. Written into `out`.
+ * Near and far as distances along the view, written to `out`. They enclose a sphere that lies wholly in front of the eye while
+ * far/near stays below 1000. Otherwise (the eye inside the sphere, or just outside) near is far/1000, or a tenth of the orbit's
+ * radius if that is less, so the target is never clipped however close the user zooms.
  */
 export function depthRange(
   pose: Pose,
@@ -72,14 +72,14 @@ export function depthRange(
     centre = radius;
     reach = 0;
   }
-  // One part in 100 covers roundings to float32, and keeps near and far apart for a single point. A sphere behind the eye
-  // leaves nothing to hold, only the need of a range.
+  // 1 % covers rounding to float32 and keeps near and far apart for a single point. For a sphere behind the eye the
+  // result only has to be a valid range.
   out.far = 1.01 * Math.max(centre + reach, radius / 1000);
   out.near = Math.max(0.99 * (centre - reach), Math.min(out.far / 1000, radius / 10));
   return out;
 }
 
-// Within them, with room to spare, near and far are normal numbers of float32.
+// Between these limits near and far are normal float32 numbers, with room to spare.
 const SMALLEST_DEPTH = 1e-30;
 const LARGEST_DEPTH = 1e30;
 const scratch = newBasis();

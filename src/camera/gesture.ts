@@ -1,51 +1,53 @@
-// What do the pointers that hold the picture do to the camera? The noted pose, where each finger started, where it is now.
-// Everything follows from those, so that back at the start is exactly the start. Client coordinates in CSS pixels. Knows no
-// events; the caller says which pointers press, move and lift.
+// How do the pointers that are down move the camera? From the pose at the anchor and from where each finger was then and is now.
+// Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS pixels. Knows no DOM
+// events: the caller reports which pointers press, move and lift.
 
 import { pinch, shift, turn } from './drag.js';
 import type { RadiusLimits, View } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
-/** What the grip asks its surroundings, live at every move. */
-export interface GripHost {
+/** What a gesture reads from its surroundings, at every move. */
+export interface GestureHost {
   readonly orbit: Orbit;
   /** Size of the picture, CSS pixels. */
   size(): { readonly width: number; readonly height: number };
   /** Vertical field of view, degrees. */
   fov(): number;
   radiusLimits(): RadiusLimits;
-  /** `orbit` lets one pointer turn and shift, and two fingers shift; `zoom` lets two fingers pinch. */
+  /** `orbit`: one pointer can turn and shift, two fingers can shift. `zoom`: two fingers can pinch. */
   allows(): { readonly orbit: boolean; readonly zoom: boolean };
 }
 
-/** What one pointer does while it travels; two fingers always shift and pinch. */
-export type Hold = 'turn' | 'shift';
+/** What a single pointer does while it moves. Two fingers always shift and pinch. */
+export type DragKind = 'turn' | 'shift';
 
 interface Finger {
   readonly id: number;
-  startX: number;
-  startY: number;
+  /** Where it was at the anchor. */
+  anchorX: number;
+  anchorY: number;
   x: number;
   y: number;
 }
 
-interface Note {
+/** The state that travel is measured from. */
+interface Anchor {
   readonly pose: Pose;
   readonly view: View;
   readonly orbit: boolean;
   readonly zoom: boolean;
-  /** The orbit's version that this grip knows of; another one means that someone else moved the camera. */
+  /** The orbit's version after the last move of this gesture; a different one means that something else moved the camera. */
   version: number;
 }
 
 export class PointerGesture {
-  readonly #host: GripHost;
+  readonly #host: GestureHost;
   #fingers: readonly Finger[] = [];
-  #hold: Hold = 'turn';
-  #note: Note | undefined;
+  #kind: DragKind = 'turn';
+  #anchor: Anchor | undefined;
   #dragged = false;
 
-  constructor(host: GripHost) {
+  constructor(host: GestureHost) {
     this.#host = host;
   }
 
@@ -53,7 +55,8 @@ export class PointerGesture {
     return this.#fingers.map((finger) => finger.id);
   }
 
-  get held(): boolean {
+  /** Whether any pointer is down. */
+  get active(): boolean {
     return this.#fingers.length > 0;
   }
 
@@ -62,66 +65,58 @@ export class PointerGesture {
     return this.#dragged;
   }
 
-  holds(id: number): boolean {
+  has(id: number): boolean {
     return this.#fingers.some((finger) => finger.id === id);
   }
 
-  /** A pointer presses. Gives false, and takes no note of it, beyond two or where it has no place. */
-  press(id: number, x: number, y: number, hold: Hold): boolean {
-    if (this.#fingers.length >= 2 || this.holds(id) || !Number.isFinite(x + y)) return false;
-    if (!this.held) this.#dragged = false;
-    this.#hold = this.held ? 'turn' : hold; // whichever finger is lifted first, the other turns
-    this.#fingers = [...this.#fingers, { id, startX: x, startY: y, x, y }];
-    this.renote();
+  /** A pointer presses. Returns false and ignores it if two are down already or a coordinate is not finite. */
+  press(id: number, x: number, y: number, kind: DragKind): boolean {
+    if (this.#fingers.length >= 2 || this.has(id) || !Number.isFinite(x + y)) return false;
+    if (!this.active) this.#dragged = false;
+    this.#kind = this.active ? 'turn' : kind; // whichever finger lifts first, the other one turns
+    this.#fingers = [...this.#fingers, { id, anchorX: x, anchorY: y, x, y }];
+    this.reanchor();
     return true;
   }
 
-  /** A pointer is now there. Gives true where that moved the camera. */
+  /** A pointer has moved. Returns whether that moved the camera. */
   move(id: number, x: number, y: number): boolean {
     const finger = this.#fingers.find((f) => f.id === id);
     if (finger === undefined || !Number.isFinite(x + y)) return false;
-    let note = this.#note;
-    if (note === undefined || this.#outdated(note)) note = this.#noteAnew();
+    let anchor = this.#anchor;
+    if (anchor === undefined || this.#outdated(anchor)) anchor = this.reanchor();
     finger.x = x;
     finger.y = y;
     const { orbit } = this.#host;
-    orbit.set(this.#pose(note));
-    const moved = orbit.version !== note.version;
-    note.version = orbit.version;
+    orbit.set(this.#pose(anchor));
+    const moved = orbit.version !== anchor.version;
+    anchor.version = orbit.version;
     this.#dragged ||= moved;
     return moved;
   }
 
-  /** A pointer lets go; one that is left goes on from here. */
+  /** A pointer lifts. A finger that stays down continues from here. */
   lift(id: number): void {
-    if (!this.holds(id)) return;
+    if (!this.has(id)) return;
     this.#fingers = this.#fingers.filter((finger) => finger.id !== id);
-    if (this.held) this.renote();
+    if (this.active) this.reanchor();
   }
 
-  drop(): void {
-    this.#fingers = [];
-  }
-
-  /** Notes the camera and the places of all fingers anew: the drag goes on from what is shown now. */
-  renote(): void {
-    this.#noteAnew();
-  }
-
-  #noteAnew(): Note {
+  /** Records the camera and the fingers as they are now: the drag continues from what is shown. */
+  reanchor(): Anchor {
     for (const finger of this.#fingers) {
-      finger.startX = finger.x;
-      finger.startY = finger.y;
+      finger.anchorX = finger.x;
+      finger.anchorY = finger.y;
     }
     const { orbit } = this.#host;
     const { width, height } = this.#host.size();
     const view = { width, height, fov: this.#host.fov() };
-    this.#note = { pose: orbit.pose, view, ...this.#host.allows(), version: orbit.version };
-    return this.#note;
+    this.#anchor = { pose: orbit.pose, view, ...this.#host.allows(), version: orbit.version };
+    return this.#anchor;
   }
 
-  /** The same travel would mean something else than when it was noted. */
-  #outdated({ view, orbit, zoom, version }: Note): boolean {
+  /** Whether the same travel would now mean something else than at the anchor. */
+  #outdated({ view, orbit, zoom, version }: Anchor): boolean {
     const { width, height } = this.#host.size();
     const allows = this.#host.allows();
     const sameView = view.width === width && view.height === height && view.fov === this.#host.fov();
@@ -130,20 +125,20 @@ export class PointerGesture {
     );
   }
 
-  #pose({ pose, view, orbit, zoom }: Note): Pose {
+  #pose({ pose, view, orbit, zoom }: Anchor): Pose {
     const [first, second] = this.#fingers;
     if (first === undefined) return pose;
-    const dx = first.x - first.startX;
-    const dy = first.y - first.startY;
+    const dx = first.x - first.anchorX;
+    const dy = first.y - first.anchorY;
     if (second === undefined) {
       if (!orbit) return pose;
-      return this.#hold === 'turn' ? turn(pose, dx, dy, view) : shift(pose, dx, dy, view);
+      return this.#kind === 'turn' ? turn(pose, dx, dy, view) : shift(pose, dx, dy, view);
     }
-    const startGap = Math.hypot(second.startX - first.startX, second.startY - first.startY);
+    const startGap = Math.hypot(second.anchorX - first.anchorX, second.anchorY - first.anchorY);
     const gap = Math.hypot(second.x - first.x, second.y - first.y);
     const pinched = zoom ? pinch(pose, startGap, gap, this.#host.radiusLimits()) : pose;
     if (!orbit) return pinched;
-    // At the pinched radius: what was the target goes as far over the picture as the fingers' middle.
-    return shift(pinched, (dx + second.x - second.startX) / 2, (dy + second.y - second.startY) / 2, view);
+    // Shift at the pinched radius: the target follows the midpoint of the fingers.
+    return shift(pinched, (dx + second.x - second.anchorX) / 2, (dy + second.y - second.anchorY) / 2, view);
   }
 }

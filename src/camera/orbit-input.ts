@@ -1,59 +1,59 @@
-// What do pointers, wheel and keys on a picture do to its camera? The only file of this folder that knows the DOM: it turns
-// events into the numbers of the laws, and tells the host what moved. Each event is worked off at once, by arithmetic alone; it
-// asks for no frame and draws nothing. CSS pixels. Must not know what the picture shows.
+// What do pointers, wheel and keys on a picture do to its camera? The only file in this folder that knows the DOM: it turns events
+// into numbers for the pure functions and notifies the host. Each event is handled synchronously; no frame is requested and
+// nothing is drawn. CSS pixels. Must not know what the picture shows.
 
 import { PointerGesture } from './gesture.js';
-import type { GripHost } from './gesture.js';
+import type { GestureHost } from './gesture.js';
 import type { Pose } from './orbit.js';
 import { keyPose, keyStep, wheelZoom } from './step.js';
 
-export interface OrbitInputHost extends GripHost {
-  /** The camera was moved by a hand; called at each event that changed it, before the event returns. */
+export interface OrbitInputHost extends GestureHost {
+  /** The user moved the camera. Called synchronously for each event that changed it. */
   moved(source: 'pointer' | 'wheel' | 'key'): void;
-  /** Home was pressed: back to the declared camera. What that reports is the host's. */
+  /** Home was pressed: the host returns to the declared camera and reports that itself. */
   reset(): void;
-  /** A drag began or ended: the moment for a turntable to rest or to go on. */
+  /** A drag began or ended. A turntable pauses meanwhile. */
   held?(dragging: boolean): void;
 }
 
 const PRIMARY = 0;
 const SECONDARY = 2;
 
-/** How long after a secondary drag the menu of its release may still come, ms: Windows opens it at the release. */
+/** Milliseconds after a secondary drag in which its context menu is suppressed: Windows opens it at the release. */
 const MENU_DELAY = 300;
 
 /**
- * How far a finger may go mainly up or down before it turns anything, CSS pixels. The browser takes such a stroke for scrolling
- * within its own slop (15 in Chromium) and cancels the pointer: scrolling past must not tilt the picture.
+ * CSS pixels that a finger can move mainly up or down before the camera turns. The browser treats such a stroke as scrolling
+ * within its own slop (15 px in Chromium) and cancels the pointer. Without this limit, scrolling past would tilt the picture.
  */
 const SCROLL_SLOP = 32;
 
 /**
- * Connects a surface to an orbit. The surface holds the picture and nothing that wants pointers of its own (a panel lies
- * beside it); it is focusable, its CSS says `touch-action: pan-y` and `user-select: none`.
+ * Connects a surface to an orbit. The surface holds the picture and nothing else that needs pointers (the panel is its sibling).
+ * It must be focusable, with `touch-action: pan-y` and `user-select: none` in its CSS.
  */
 export class OrbitInput {
   readonly #surface: HTMLElement;
   readonly #host: OrbitInputHost;
-  readonly #grip: PointerGesture;
+  readonly #gesture: PointerGesture;
   #listeners: AbortController | undefined;
   #button = PRIMARY;
   #touching = false;
-  /** Where a finger pressed that may yet scroll the page. */
+  /** Where a finger pressed, until it is clear whether it scrolls the page or drags. */
   #undecided: { readonly x: number; readonly y: number } | undefined;
   #menuUntil = -1;
 
   constructor(surface: HTMLElement, host: OrbitInputHost) {
     this.#surface = surface;
     this.#host = host;
-    this.#grip = new PointerGesture(host);
+    this.#gesture = new PointerGesture(host);
   }
 
   get dragging(): boolean {
-    return this.#grip.held;
+    return this.#gesture.active;
   }
 
-  /** Starts listening. Nothing happens where it listens already. */
+  /** Starts listening. A second call does nothing. */
   connect(): void {
     if (this.#listeners !== undefined) return;
     this.#listeners = new AbortController();
@@ -61,7 +61,7 @@ export class OrbitInput {
     const surface = this.#surface;
     const active = { signal, passive: false };
     for (const type of Object.keys(this.#handlers)) {
-      // What a script has dealt with does nothing here; moves and lifts say where a pointer is all the same.
+      // Respect preventDefault() of the page's scripts, but always track where the pointers are.
       const claimable = /down|wheel/.test(type);
       surface.addEventListener(
         type,
@@ -71,33 +71,33 @@ export class OrbitInput {
         active,
       );
     }
-    // A drag must neither select the page's text nor carry a selection away: the latter would cancel the pointer.
+    // A drag must not select text, nor drag an existing selection: that would cancel the pointer.
     for (const type of ['selectstart', 'dragstart'] as const) {
-      surface.addEventListener(type, (event) => this.#keepWhileHeld(event), { signal });
+      surface.addEventListener(type, (event) => this.#preventWhileDragging(event), { signal });
     }
     surface.addEventListener('touchstart', (event) => this.#onTouch(event), active);
     surface.addEventListener('touchmove', (event) => this.#onTouch(event), active);
     const view = surface.ownerDocument.defaultView;
     view?.addEventListener('blur', () => this.#end(), { signal });
-    // On the window, because a drag may be let go outside the surface.
+    // On the window, because a drag can end outside the surface.
     view?.addEventListener('contextmenu', (event) => this.#onMenu(event), { signal });
   }
 
-  /** Works off a pointer event, a turn of the wheel or a key that came before {@link connect} did. */
+  /** Handles a pointer, wheel or keyboard event that arrived before {@link connect} was called. */
   take(event: Event): void {
     this.#handlers[event.type]?.(event);
   }
 
-  /** Gives everything back: listeners, captured pointers, a drag in progress. `connect` may follow. */
+  /** Releases listeners and captured pointers and ends a drag. `connect` can follow. */
   disconnect(): void {
     this.#listeners?.abort();
     this.#listeners = undefined;
     this.#end();
   }
 
-  /** The camera or the picture was changed by something else: a drag in progress goes on from what is shown now. */
-  renote(): void {
-    if (this.#grip.held) this.#grip.renote();
+  /** To be called when something else changed the camera or the picture: a drag in progress continues from what is shown now. */
+  reanchor(): void {
+    if (this.#gesture.active) this.#gesture.reanchor();
   }
 
   readonly #lifted = (event: Event): void => {
@@ -129,13 +129,13 @@ export class OrbitInput {
     if (event.button !== PRIMARY && event.button !== SECONDARY) return;
     this.#surface.focus({ preventScroll: true });
     this.#menuUntil = -1;
-    // A pointer that presses again was let go unseen.
-    if (this.#grip.holds(event.pointerId)) this.#lift(event.pointerId);
-    // Only fingers join: a mouse beside a pen would be a second hand on the same drag. Without `orbit` they wait for a pinch.
-    if (touch ? this.#grip.held && !this.#touching : this.#grip.held || !orbit) return;
-    const begins = !this.#grip.held;
-    const hold = event.button === SECONDARY || event.shiftKey ? 'shift' : 'turn';
-    if (!this.#grip.press(event.pointerId, event.clientX, event.clientY, hold)) return;
+    // A pointer that presses again was released without an event.
+    if (this.#gesture.has(event.pointerId)) this.#lift(event.pointerId);
+    // Only a second finger joins a drag; a mouse does not join a pen. With `orbit` off, one finger waits for a pinch.
+    if (touch ? this.#gesture.active && !this.#touching : this.#gesture.active || !orbit) return;
+    const begins = !this.#gesture.active;
+    const kind = event.button === SECONDARY || event.shiftKey ? 'shift' : 'turn';
+    if (!this.#gesture.press(event.pointerId, event.clientX, event.clientY, kind)) return;
     this.#button = event.button;
     this.#touching = touch;
     this.#undecided = touch && begins ? { x: event.clientX, y: event.clientY } : undefined;
@@ -144,12 +144,12 @@ export class OrbitInput {
   }
 
   #onMove(event: PointerEvent): void {
-    if (!this.#grip.holds(event.pointerId)) return;
-    // Its button was let go where no event told of it (over another window, under a menu, beside another button).
+    if (!this.#gesture.has(event.pointerId)) return;
+    // The button was released without an event (over another window, under a menu, while another button is down).
     const mask = this.#button === SECONDARY ? 2 : 1;
     if ((event.buttons & mask) === 0) this.#lift(event.pointerId);
     else if (this.#mayScroll(event)) return;
-    else if (this.#grip.move(event.pointerId, event.clientX, event.clientY)) this.#host.moved('pointer');
+    else if (this.#gesture.move(event.pointerId, event.clientX, event.clientY)) this.#host.moved('pointer');
   }
 
   #mayScroll(event: PointerEvent): boolean {
@@ -162,34 +162,35 @@ export class OrbitInput {
   }
 
   #onLift(event: PointerEvent): void {
-    if (!this.#grip.holds(event.pointerId)) return;
+    if (!this.#gesture.has(event.pointerId)) return;
     this.#lift(event.pointerId);
-    if (this.#button === SECONDARY && this.#grip.dragged) this.#menuUntil = event.timeStamp + MENU_DELAY;
+    if (this.#button === SECONDARY && this.#gesture.dragged) this.#menuUntil = event.timeStamp + MENU_DELAY;
   }
 
   /**
-   * The menu stays away while the secondary button drags, and once after it has dragged. Where the system opens it at the
-   * press already, as on Linux and macOS, nobody knows yet whether a drag follows: it stays away there too.
+   * Suppresses the context menu while the secondary button drags and once after a drag. Linux and macOS open it at the press,
+   * when it is not yet known whether a drag follows; it is suppressed there too.
    */
   #onMenu(event: MouseEvent): void {
-    const wanted = !(this.#grip.held && this.#button === SECONDARY) && !(event.timeStamp <= this.#menuUntil);
+    const wanted =
+      !(this.#gesture.active && this.#button === SECONDARY) && !(event.timeStamp <= this.#menuUntil);
     this.#menuUntil = -1;
     if (!wanted) event.preventDefault();
-    // A menu that opens takes the pointer. Not a finger: a long press tells of a menu where none may open.
+    // An open menu captures the mouse. Touch is different: a long press fires `contextmenu` even if no menu opens.
     else if (!this.#touching) this.#end();
   }
 
-  /** Two fingers are the camera's: `touch-action: pan-y` alone would let them scroll the page. */
+  /** Two fingers move the camera: `touch-action: pan-y` alone would let them scroll the page. */
   #onTouch(event: TouchEvent): void {
-    if (event.cancelable && event.targetTouches.length > 1 && this.#grip.held) event.preventDefault();
+    if (event.cancelable && event.targetTouches.length > 1 && this.#gesture.active) event.preventDefault();
   }
 
-  #keepWhileHeld(event: Event): void {
-    if (this.#grip.held) event.preventDefault();
+  #preventWhileDragging(event: Event): void {
+    if (this.#gesture.active) event.preventDefault();
   }
 
   #onWheel(event: WheelEvent): void {
-    // A trackpad's pinch arrives as a wheel with Ctrl: it zooms as well. A sideways turn stays the page's.
+    // A trackpad's pinch arrives as a wheel event with Ctrl and zooms too. Horizontal scrolling is left to the page.
     if (event.deltaY === 0) return;
     if (!this.#host.allows().zoom || !this.#focused()) return;
     event.preventDefault();
@@ -206,7 +207,7 @@ export class OrbitInput {
     event.preventDefault();
     if (step.kind === 'reset') {
       this.#host.reset();
-      this.renote();
+      this.reanchor();
     } else {
       this.#moveTo(keyPose(this.#host.orbit.pose, step, this.#host.radiusLimits()), 'key');
     }
@@ -217,7 +218,7 @@ export class OrbitInput {
     const before = orbit.version;
     orbit.set(pose);
     if (orbit.version === before) return;
-    this.renote();
+    this.reanchor();
     this.#host.moved(source);
   }
 
@@ -232,17 +233,17 @@ export class OrbitInput {
     try {
       this.#surface.setPointerCapture(pointerId);
     } catch {
-      // A pointer that is gone already, or one made by a script: it drags without capture.
+      // The pointer is gone already or was made by a script: drag without capture.
     }
   }
 
   #lift(pointerId: number): void {
-    this.#grip.lift(pointerId);
+    this.#gesture.lift(pointerId);
     if (this.#surface.hasPointerCapture(pointerId)) this.#surface.releasePointerCapture(pointerId);
-    if (!this.#grip.held) this.#host.held?.(false);
+    if (!this.#gesture.active) this.#host.held?.(false);
   }
 
   #end(): void {
-    for (const id of this.#grip.pointers) this.#lift(id);
+    for (const id of this.#gesture.pointers) this.#lift(id);
   }
 }

@@ -1,32 +1,32 @@
-// Where is the eye? A point on a sphere about the target, by azimuth and polar angle, all in float64. Angles in degrees,
-// lengths in scene units, axes are the world's. The basis comes from the angles, never from an up vector, so it is
-// orthonormal at the poles too. Knows neither pointers nor pictures.
+// Where is the eye? On a sphere around the target, given by azimuth and polar angle, in float64. Angles in degrees, lengths in
+// scene units, world axes. The basis comes from the angles, never from an up vector, so it is orthonormal at the poles too.
+// Knows neither pointers nor pictures.
 
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
 
-/** A place of the camera. Angles in degrees, lengths in scene units. */
+/** Position and direction of the camera. Angles in degrees, lengths in scene units. */
 export interface Pose {
-  /** Azimuth about +y, any finite number; 0 looks from +z, 90 from +x. Kept as given: `wrapDegrees` for showing. */
+  /** Azimuth about +y, any finite number; 0 looks from +z, 90 from +x. Not wrapped: use `wrapDegrees` for display. */
   readonly theta: number;
   /** Polar angle from +y, 0 to 180. */
   readonly phi: number;
   /** Distance of the eye from the target, above 0, up to {@link LARGEST_LENGTH}. */
   readonly radius: number;
-  /** What the eye looks at; each coordinate within ±{@link LARGEST_LENGTH}. */
+  /** The point that the eye looks at; each coordinate within ±{@link LARGEST_LENGTH}. */
   readonly target: Vec3;
 }
 
 export type MutableVec3 = [number, number, number];
 
-/** Unit vectors of the camera's axes in world space: x, y and z of its picture, `back` pointing from target to eye. */
+/** The camera's axes as unit vectors in world space. `back` points from the target to the eye. */
 export interface Basis {
   readonly right: MutableVec3;
   readonly up: MutableVec3;
   readonly back: MutableVec3;
 }
 
-/** Beyond it products of coordinates would leave float32's range on the GPU. */
+/** Larger coordinates would make products overflow float32 on the GPU. */
 export const LARGEST_LENGTH = 1e15;
 
 export const DEFAULT_POSE: Pose = Object.freeze({
@@ -49,7 +49,7 @@ export class Orbit {
     this.#version = 0;
   }
 
-  /** Grows by one with every change of a value; a `set` to the values already held leaves it alone. */
+  /** Incremented by every change of a value. Setting the present values does not count. */
   get version(): number {
     return this.#version;
   }
@@ -71,7 +71,7 @@ export class Orbit {
     return this.#target;
   }
 
-  /** The camera as it is now: a frozen value that later changes do not touch. */
+  /** The camera as it is now: a frozen value, not affected by later changes. */
   get pose(): Pose {
     this.#pose ??= Object.freeze({
       theta: this.#theta,
@@ -83,8 +83,8 @@ export class Orbit {
   }
 
   /**
-   * Moves the camera; what is left out stays. `phi`, large radii and coordinates are clamped to their ranges. Throws
-   * `RangeError`, and changes nothing, for a number that is not finite or a radius that is not above 0.
+   * Moves the camera; omitted values stay. `phi`, large radii and large coordinates are clamped to their ranges. Throws
+   * `RangeError` and changes nothing if a number is not finite or the radius is not above 0.
    */
   set(change: Partial<Pose>): void {
     const { theta = this.#theta, phi = this.#phi, radius = this.#radius, target = this.#target } = change;
@@ -106,7 +106,7 @@ export class Orbit {
     this.#version += 1;
   }
 
-  /** Eye minus target, in world axes: the eye itself in shading space, whose origin is the target. */
+  /** Eye minus target, in world axes. */
   offset(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
     backOf(this, out);
     for (let i = 0; i < 3; i++) out[i]! *= this.#radius;
@@ -120,7 +120,7 @@ export class Orbit {
     return out;
   }
 
-  /** The camera's axes, orthonormal to 1e-15 at every angle; only 0 and ±1 at multiples of 90°. */
+  /** The camera's axes, orthonormal to 1e-15 at every angle. Exactly 0 and ±1 at multiples of 90°. */
   basis(out: Basis = newBasis()): Basis {
     return basisOf(this, out);
   }
@@ -128,13 +128,13 @@ export class Orbit {
 
 export const newBasis = (): Basis => ({ right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] });
 
-/** The axes of a camera at these angles, written into `out`. */
+/** The axes of a camera at these angles, written to `out`. */
 export function basisOf(angles: Pick<Pose, 'theta' | 'phi'>, out: Basis = newBasis()): Basis {
   const { right, up } = out;
   const sinTheta = sinDegrees(angles.theta);
   const cosTheta = cosDegrees(angles.theta);
   const cosPhi = cosDegrees(angles.phi);
-  // Subtracting from 0 gives 0, where a sign alone would give -0.
+  // `0 - x` instead of `-x`: it never gives -0.
   right[0] = cosTheta;
   right[1] = 0;
   right[2] = 0 - sinTheta;
@@ -152,7 +152,7 @@ function backOf({ theta, phi }: Pick<Pose, 'theta' | 'phi'>, out: MutableVec3): 
   out[2] = sinPhi * cosDegrees(theta) + 0;
 }
 
-/** A frozen copy within the domain; the present target itself where the values are the same. */
+/** A frozen copy clamped to the domain, or the present target itself if the values are equal. */
 function reachableTarget(target: Vec3, present: Vec3): Vec3 {
   if (!target.every(Number.isFinite)) throw new RangeError('a camera needs a finite target');
   const next = [clampLength(target[0]), clampLength(target[1]), clampLength(target[2])] as const;

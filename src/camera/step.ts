@@ -1,17 +1,17 @@
-// What does one turn of the wheel, or one key, do to the camera? Pure laws: degrees and zoom factors out, no events kept.
+// What does one wheel event or one key do to the camera? Pure functions to degrees and zoom factors; no event is kept.
 
 import type { Pose } from './orbit.js';
 import { turnBy, zoomBy } from './drag.js';
 import type { RadiusLimits } from './drag.js';
 
-/** What of a wheel event counts. */
+/** The fields of a wheel event that are used. */
 export interface WheelTurn {
   readonly deltaY: number;
   /** 0 pixels, 1 lines, 2 pages, as in the DOM. */
   readonly deltaMode: number;
 }
 
-/** CSS pixels of a wheel's line: what three.js's OrbitControls takes, and the browsers' default font size. */
+/** CSS pixels per line of a wheel event: the browsers' default font size, also used by three.js's OrbitControls. */
 const LINE_PIXELS = 16;
 
 const WHEEL_RATE = 0.001;
@@ -19,23 +19,23 @@ const KEY_ZOOM = 1.1;
 const KEY_DEGREES = 5;
 const KEY_DEGREES_FINE = 1;
 
-/** The radius times exp(0.001 · pixels): turns add up, and turns back take away. `height` is a page, in CSS pixels. */
-export function wheelZoom(noted: Pose, wheel: WheelTurn, height: number, limits: RadiusLimits): Pose {
+/** Multiplies the radius by exp(0.001 · pixels), so turning back undoes turning forth. `height`: one page, CSS pixels. */
+export function wheelZoom(start: Pose, wheel: WheelTurn, height: number, limits: RadiusLimits): Pose {
   const unit = wheel.deltaMode === 1 ? LINE_PIXELS : wheel.deltaMode === 2 ? height : 1;
-  return zoomBy(noted, Math.exp(WHEEL_RATE * wheel.deltaY * unit), limits);
+  return zoomBy(start, Math.exp(WHEEL_RATE * wheel.deltaY * unit), limits);
 }
 
-/** What a key means to the camera; degrees are added to θ and φ, a factor multiplies the radius. */
+/** What a key does: degrees are added to θ and φ, a factor multiplies the radius. */
 export type KeyStep =
   | { readonly kind: 'turn'; readonly theta: number; readonly phi: number }
   | { readonly kind: 'zoom'; readonly factor: number }
   | { readonly kind: 'reset' };
 
-/** The meaning of `KeyboardEvent.key`, `undefined` for a key that is none of the camera's. */
+/** The step for a `KeyboardEvent.key`; `undefined` if the camera does not use the key. */
 export function keyStep(key: string, shiftKey: boolean): KeyStep | undefined {
   const degrees = shiftKey ? KEY_DEGREES_FINE : KEY_DEGREES;
   switch (key) {
-    // As a drag that way: to the right lowers θ, down lowers φ.
+    // As a drag in that direction: right lowers θ, down lowers φ.
     case 'ArrowRight':
       return { kind: 'turn', theta: -degrees, phi: 0 };
     case 'ArrowLeft':
@@ -44,7 +44,7 @@ export function keyStep(key: string, shiftKey: boolean): KeyStep | undefined {
       return { kind: 'turn', theta: 0, phi: -degrees };
     case 'ArrowUp':
       return { kind: 'turn', theta: 0, phi: degrees };
-    // '=' and '_' are the same two keys with Shift the other way round on most layouts.
+    // '=' and '_' share the keys of '+' and '-' on most layouts.
     case '+':
     case '=':
     case 'PageUp':
@@ -61,6 +61,6 @@ export function keyStep(key: string, shiftKey: boolean): KeyStep | undefined {
 }
 
 /** The pose after a turning or zooming key. */
-export function keyPose(noted: Pose, step: Exclude<KeyStep, { kind: 'reset' }>, limits: RadiusLimits): Pose {
-  return step.kind === 'turn' ? turnBy(noted, step.theta, step.phi) : zoomBy(noted, step.factor, limits);
+export function keyPose(start: Pose, step: Exclude<KeyStep, { kind: 'reset' }>, limits: RadiusLimits): Pose {
+  return step.kind === 'turn' ? turnBy(start, step.theta, step.phi) : zoomBy(start, step.factor, limits);
 }

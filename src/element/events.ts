@@ -1,5 +1,5 @@
-// What the elements tell by events: names, details and when. The one list from which `addEventListener`, JSX and the
-// editors' data take their types and words. Types only.
+// The elements' events: names, details and when they are dispatched. `addEventListener`, JSX and the editors' data take
+// their types and descriptions from this list. Types only.
 import type { PhongLight } from './phong-light.js';
 import type { CameraSource } from './viewer/camera.js';
 import type { ViewerErrorDetail } from './viewer/loading.js';
@@ -12,26 +12,26 @@ export interface PhongMeshEventMap {
   error: CustomEvent<ViewerErrorDetail>;
 }
 
-/** Events of `<phong-viewer>`. None bubbles; several of one kind in a task become one. */
+/** Events of `<phong-viewer>`. None bubbles; several of one type in a task become one. */
 export interface PhongViewerEventMap {
   /** A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from. */
   load: CustomEvent<{ readonly url: string }>;
-  /** Bytes of models have come; `detail.totalProgress` from 0 to 1. */
+  /** Bytes of models have arrived; `detail.totalProgress` is from 0 to 1. */
   progress: CustomEvent<{ readonly totalProgress: number }>;
-  /** Something failed; `detail.code` and `detail.message` say what, `detail.url` where it is about a load. */
+  /** Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if any. */
   error: CustomEvent<ViewerErrorDetail>;
-  /** The camera moved; `detail.source` says by what. */
+  /** The camera moved; `detail.source` says what moved it. */
   'camera-change': CustomEvent<{ readonly source: CameraSource }>;
-  /** Lights were written to (`detail.lights`, in the order of the writing), or came, went or changed places (then it may be empty). */
+  /** Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it may be empty). */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
   /** A frame was drawn. */
   render: CustomEvent<null>;
 }
 
-/** All events by name, the ones every element has too. */
+/** All events by name, including those of every element. */
 export type HeardEvents<Own> = Omit<HTMLElementEventMap, keyof Own> & Own;
 
-/** `addEventListener` and `removeEventListener` of an element with events of its own. */
+/** `addEventListener` and `removeEventListener` of an element with its own events. */
 export interface Listen<E, Own> {
   <K extends keyof HeardEvents<Own>>(
     type: K,

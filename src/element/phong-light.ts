@@ -1,52 +1,44 @@
 // <phong-light>: a light as markup. It renders nothing; its attributes and properties write into one LightState, which
-// the viewer around it picks up. Knows no lighting.
+// the viewer around it shades with. Knows no lighting.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state.js';
-import { attributesOf, FieldBinding, defineProperties } from './fields/field-binding.js';
+import { ChildElement } from './child-element.js';
+import { registryAround } from './child-registry.js';
+import { attributesOf, defineProperties } from './fields/field-binding.js';
+import type { LightProperties } from './fields/properties.js';
+import { fieldsOf } from './internals.js';
 
-/** Importing this file where there is no DOM does nothing. */
-const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElement) : HTMLElement;
-
-export interface PhongLight extends Omit<LightValues, 'name'> {
+export interface PhongLight extends LightProperties {
   readonly localName: 'phong-light';
 }
 
 /**
- * A light of the `<phong-viewer>` around it. Properties are those of {@link LightValues}, under the attributes' names;
- * bad attribute values give way to defaults with a warning, bad property values throw.
+ * A light of the `<phong-viewer>` around it. Its properties have the attributes' names. A bad attribute value warns and
+ * gives the default; a bad property value throws.
  */
-export class PhongLight extends Base {
+export class PhongLight extends ChildElement<LightValues> {
   static readonly observedAttributes: readonly string[] = attributesOf(LIGHT_FIELDS);
 
-  /** The light itself. Written through the element's properties; here for who shades with it. */
-  readonly state = new LightState();
-  readonly declared = new FieldBinding<LightValues>(this, this.state);
+  constructor() {
+    super(new LightState());
+  }
 
   /** Text shown in the panel and in explanations. Default: `light N`, N counting the viewer's lights from 1. */
-  get name(): string {
-    return this.state.values.name === '' ? this.#numbered() : this.state.values.name;
+  get name(): LightProperties['name'] {
+    const { name } = fieldsOf(this).store.values;
+    if (name !== '') return name;
+    const lights = registryAround(this)?.inOrder.filter((child) => child instanceof PhongLight) ?? [];
+    return numberedName(Math.max(lights.indexOf(this), 0));
   }
 
-  set name(name: string) {
-    this.declared.set('name', name);
-  }
-
-  connectedCallback(): void {
-    this.declared.upgrade();
-  }
-
-  attributeChangedCallback(attribute: string, _old: string | null, text: string | null): void {
-    this.declared.attributeChanged(attribute, text);
-  }
-
-  #numbered(): string {
-    const siblings = [...(this.parentElement?.children ?? [this])].filter(
-      (child) => child instanceof PhongLight,
-    );
-    return `light ${String(siblings.indexOf(this) + 1)}`;
+  set name(name: string | null | undefined) {
+    fieldsOf(this).set('name', name);
   }
 }
 
-defineProperties(PhongLight.prototype, LIGHT_FIELDS, (light) => light.declared);
+/** The name of a light without one; `index` counts the viewer's lights from 0. */
+export const numberedName = (index: number): string => `light ${String(index + 1)}`;
+
+defineProperties(PhongLight.prototype, LIGHT_FIELDS);
 
 declare global {
   interface HTMLElementTagNameMap {

@@ -1,6 +1,6 @@
-// The viewer's own style sheet. Constructed, so a strict CSP has nothing to say about it.
+// The viewer's style sheet. Constructed, so that a strict CSP allows it.
 import { unsafeCSS } from 'lit';
 import sheet from './phong-viewer.css?inline';
 
-/** Not Lit's `css`: its text would reach dist/ with all white space and comments. */
+/** Imported, not written with Lit's `css`: the bundle would keep its white space and comments. */
 export const styles = unsafeCSS(sheet);

@@ -1,42 +1,44 @@
-// <phong-viewer>: the element. It translates: attributes and children into state for the picture, hands into camera
-// moves, what happens into events. It computes no light and draws nothing itself.
+// <phong-viewer>: the element. It translates attributes and children into state for the picture, input into camera moves,
+// and what happens into events. It computes no light and draws nothing itself.
 import { LitElement, type PropertyValues } from 'lit';
-import { LightSet } from '../light/light-set.js';
+import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
+import { LightSet } from '../light/light-set.js';
 import { Viewport } from '../scene/viewport.js';
-import { attributesOf, FieldBinding, defineProperties } from './fields/field-binding.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import { viewerSnapshot, pictureOf } from './viewer/viewer-snapshot.js';
-import { EventQueue } from './viewer/event-queue.js';
-import type { PanelLoader } from './viewer/panel-api.js';
+import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
+import type { ViewerProperties } from './fields/properties.js';
+import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
+import { viewerCameras } from './internals.js';
+import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import { styles } from './phong-viewer.styles.js';
-import type { PictureOptions } from './viewer/picture-blob.js';
-import { Readiness } from './viewer/readiness.js';
-import type { FragmentExplanation } from './viewer/shade-at.js';
-import { sceneMarkup } from './viewer/to-html.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
-import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
+import { EventQueue } from './viewer/event-queue.js';
 import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/panel.js';
+import type { PictureOptions } from './viewer/picture-blob.js';
+import { Readiness } from './viewer/readiness.js';
+import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { viewerTemplate } from './viewer/template.js';
-import { Visibility } from './page/visibility.js';
+import { sceneMarkup } from './viewer/to-html.js';
+import { pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
-export interface PhongViewer extends ViewerValues {
+export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
   addEventListener: Listen<this, PhongViewerEventMap>;
   removeEventListener: Listen<this, PhongViewerEventMap>;
 }
 
 /**
- * Shows a Phong-lit 3D scene. Lights and meshes are its children; properties are those of {@link ViewerValues}, under
- * the attributes' names in camel case; events are those of {@link PhongViewerEventMap}.
+ * Shows a Phong-lit 3D scene. Lights and meshes are elements inside it, at any depth. Properties have the attributes'
+ * names in camel case. A bad attribute value warns and gives the default; a bad property value throws.
  *
- * @slot - `<phong-light>` and `<phong-mesh>` elements; nothing of them is shown as such
+ * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is displayed
  * @slot error - shown instead of the element's own message when something fails
  * @csspart surface - the picture, without the panel
  * @csspart poster - the image shown before the first picture
@@ -50,38 +52,36 @@ export class PhongViewer extends LitElement {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), 'aria-label'];
   }
 
-  /** Fetches the control panel's code; handed in by the package's entry. */
-  static loadPanel: PanelLoader | null = null;
-
-  readonly state = new FieldStore<ViewerValues>(VIEWER_FIELDS);
-  readonly declared = new FieldBinding<ViewerValues>(this, this.state, (key) => {
+  readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
+  readonly #binding = new FieldBinding<ViewerValues>(this, this.#store, (key) => {
     this.#camera.assigned(key);
-    if (key === 'src') this.requestUpdate('src'); // the same address again tries again what has failed
+    if (key === 'src') this.requestUpdate('src'); // the same address again retries what failed
   });
 
   readonly #holder = document.createElement('div');
-  readonly #notices = new EventQueue(this);
+  readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
-  readonly #failure = new ViewerFailure(this, this.#notices);
+  readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
     this.#viewport.invalidate();
     const element = light === null ? null : this.#children.lightOf(light);
-    this.#notices.tellLight(element);
+    this.#events.enqueueLight(element);
     this.#panel.changed(element === null ? 'lights' : 'light');
   });
   readonly #viewport = new Viewport(this.#holder, this.#lightSet, {
-    locate: () => this.#visibility.look(),
-    beforeFrame: (now) => this.#camera.frame(now),
+    needsLayout: () => this.#visibility.look(),
+    beforeFrame: (now) => {
+      this.#children.sort();
+      return this.#camera.frame(now);
+    },
     drawn: () => {
       this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));
     },
-    tried: () => this.#readiness.check(),
+    afterFrame: () => this.#readiness.check(),
     fitted: () => this.#cameraMoved('auto'),
-    contextMissing: (error) => {
-      this.#failure.contextMissing(error);
-    },
+    contextMissing: (error) => this.#failure.contextMissing(error),
     contextLost: () => {
       this.#failure.contextLost();
       this.#readiness.check();
@@ -89,81 +89,82 @@ export class PhongViewer extends LitElement {
     contextRestored: () => this.#failure.contextRestored(),
   });
   readonly #loading = new ViewerLoading({
-    state: this.state,
+    store: this.#store,
     viewport: this.#viewport,
-    notices: this.#notices,
+    events: this.#events,
     elementOf: (mesh) => this.#children.elementOf(mesh),
     childMeshes: () => this.#children.sceneMeshes,
-    fail: (mesh, detail) => this.#failure.tell(mesh, detail),
-    mended: (mesh) => {
-      this.#failure.mended(mesh);
-      queueMicrotask(() => {
-        this.#readiness.check();
-      });
+    failed: (mesh, detail) => this.#failure.report(mesh, detail),
+    cleared: (mesh) => {
+      this.#failure.cleared(mesh);
+      queueMicrotask(() => this.#readiness.check());
     },
     ended: () => this.#readiness.check(),
   });
-  readonly #children: ViewerChildren = new ViewerChildren(
-    {
-      viewport: this.#viewport,
-      meshHost: this.#loading,
-      slot: () => this.#part<HTMLSlotElement>('slot:not([name])'),
-      meshesChanged: () => this.#panel.changed('meshes'),
-    },
-    this.#lightSet,
-  );
+  readonly #children: ViewerChildren = new ViewerChildren(this, {
+    viewport: this.#viewport,
+    lightSet: this.#lightSet,
+    meshHost: this.#loading,
+    meshesChanged: () => this.#panel.changed('meshes'),
+  });
   readonly #camera: ViewerCamera = new ViewerCamera({
-    values: this.state.values,
+    values: this.#store.values,
     viewport: this.#viewport,
     size: () => this.#holder.getBoundingClientRect(),
     moved: (source) => this.#cameraMoved(source),
   });
-  readonly #visibility = new Visibility(this.#holder, (sight) => {
-    if (sight.visible) this.#loading.seen();
+  readonly #visibility = new Visibility(this.#holder, ({ visible, printing, pixelWidth, pixelHeight }) => {
+    if (visible) this.#loading.seen();
     else this.#camera.rest();
-    this.#viewport.resize(sight.pixelWidth, sight.pixelHeight);
-    this.#viewport.visible = sight.visible;
-    if (sight.printing) this.#viewport.redraw();
+    this.#viewport.resize(pixelWidth, pixelHeight);
+    this.#viewport.visible = visible;
+    if (printing) {
+      this.#children.sort();
+      this.#viewport.redraw();
+    }
     this.#camera.resized();
-    if (sight.visible && this.#camera.turning) this.#viewport.animate();
+    if (visible && this.#camera.turning) this.#viewport.animate();
     this.#readiness.check();
   });
+  /** The poster has been replaced by a picture. */
   #revealed = false;
 
   constructor() {
     super();
     this.#holder.className = 'holder';
-    this.state.listen((key) => this.requestUpdate(key));
+    this.#store.listen((key) => this.requestUpdate(key));
     this.addController(this.#camera);
     this.addController(this.#visibility);
+    viewerCameras.set(this, this.#camera);
   }
 
-  /** The `<phong-light>` children, in order. Frozen; a new list when they change. */
+  /** The `<phong-light>` elements that belong to this viewer, in document order. Frozen; a new list when they change. */
   get lights(): readonly PhongLight[] {
     return this.#children.lights;
   }
 
-  /** The `<phong-mesh>` children, in order. Frozen; a new list when they change. */
+  /** The `<phong-mesh>` elements that belong to this viewer, in document order. Frozen; a new list when they change. */
   get meshes(): readonly PhongMesh[] {
     return this.#children.meshes;
   }
 
-  /** The camera as it is now, wherever hands, time or `auto` have brought it. */
+  /** The camera as it is now, wherever the user, `auto-rotate` or `auto` has moved it. */
   get camera(): CameraState {
-    this.#bringInStep();
+    this.#update();
     return this.#camera.state;
   }
 
-  /** All models asked for are there. */
+  /** All requested models are there. */
   get loaded(): boolean {
     return this.#loading.loaded;
   }
 
   /**
-   * The three.js scene, for objects of your own; call {@link requestRender} after changing it. The standalone file does
-   * not contain the shaders of three.js's own materials: objects need a ShaderMaterial or a RawShaderMaterial there.
+   * The three.js scene, for objects of your own. After changing it call {@link requestRender}, or {@link refit} if it has
+   * new vertices. The standalone file does not contain the shaders of three.js's own materials: objects need a
+   * ShaderMaterial or a RawShaderMaterial there.
    */
-  get scene(): Viewport['scene'] {
+  get scene(): Scene {
     return this.#viewport.scene;
   }
 
@@ -172,41 +173,53 @@ export class PhongViewer extends LitElement {
   }
 
   /**
-   * Resolves, and never rejects, once all that was asked for is drawn, or loaded and drawable but not visible. Asked
-   * for again after a change it is a new promise.
+   * Resolves once everything requested has been drawn, or could be drawn if it were visible. Never rejects. After a
+   * change it is a new promise.
    */
   get ready(): Promise<void> {
     return this.#readiness.promise;
   }
 
-  /** Draws a frame, soon: for changes to {@link scene} that the element cannot see. */
+  /**
+   * Draws one frame, for changes to {@link scene} that the element cannot see. Keeps target and radius and measures
+   * nothing: geometries are taken to have the bounds they had.
+   */
   requestRender(): void {
-    this.#viewport.reshaped();
+    this.#viewport.invalidate();
   }
 
-  /** The picture now, at exactly `width` × `height` pixels. Bad sizes reject with `RangeError`. */
+  /**
+   * Measures the scene again and draws one frame: for new vertices in a geometry of {@link scene}, and for a new framing
+   * where `target` or `radius` is `auto` and the user has not moved the camera.
+   */
+  refit(): void {
+    this.#viewport.refit();
+  }
+
+  /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
-    this.#bringInStep();
+    this.#update();
     const picture = pictureOf(this.#viewport, options);
     return (await import('./viewer/picture-blob.js')).pictureBlob(picture, options);
   }
 
   /**
-   * Explains the fragment that the picture shows at `x`, `y`: CSS pixels from the picture's top left corner, inside any
-   * border, as `offsetX` and `offsetY` of a pointer event on the viewer. It is the one at the centre of the device pixel
-   * there, as the scene is at the call, in float64, with highlights as they are there: unfiltered, whatever `antialias` says.
-   * Blended surfaces are explained without what lies behind them, and textures are sampled without mipmaps. Null where
-   * nothing is hit, where an object of your own in {@link scene} is nearest (its lines and points are looked through), and
-   * while the viewer has no place on the page. Rejects with `TypeError` or `RangeError` where x or y is no finite number.
+   * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS pixels from the picture's top
+   * left corner, inside any border, like `offsetX` and `offsetY` of a pointer event on the viewer. The fragment is the one
+   * at the centre of the device pixel there, in the scene as it is at the call. Highlights are those of the equation, not
+   * averaged, whatever `antialias` says. Blended surfaces are explained without what lies behind them. Textures are
+   * sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene} is nearest (its lines
+   * and points are ignored), and while the viewer has no box on the page. Rejects with `TypeError` or `RangeError` unless
+   * x and y are finite numbers.
    */
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
-    this.#bringInStep();
-    const moment = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
+    this.#update();
+    const snapshot = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
     const { shadeAt } = await import('./viewer/shade-at.js');
-    return shadeAt(moment, x, y);
+    return shadeAt(snapshot, x, y);
   }
 
-  /** The scene as markup, with the camera as it is now: it gives the same picture back. */
+  /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
   toHTML(): string {
     return sceneMarkup(this);
   }
@@ -216,17 +229,12 @@ export class PhongViewer extends LitElement {
     this.#camera.reset();
   }
 
-  /** Camera properties assigned inside `write` count as moved by `source`: for control panels. */
-  moveFrom(source: CameraSource, write: () => void): void {
-    this.#camera.from(source, write);
-  }
-
   override connectedCallback(): void {
     super.connectedCallback();
-    this.declared.upgrade();
-    // At once rather than at the task's end: children and camera can be asked for right after.
+    this.#binding.upgrade();
+    // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
-    this.#children.collect();
+    this.#children.refresh();
     this.#failure.contextRestored(); // or missing once more
     this.#viewport.attach();
   }
@@ -237,25 +245,29 @@ export class PhongViewer extends LitElement {
     this.#readiness.check();
   }
 
+  /** After `moveBefore` everything is as it was: the browser would disconnect and connect the element without this. */
+  connectedMoveCallback(): void {
+    this.#visibility.look();
+  }
+
   override attributeChangedCallback(name: string, old: string | null, text: string | null): void {
     super.attributeChangedCallback(name, old, text);
-    if (!this.declared.attributeChanged(name, text)) this.requestUpdate();
+    if (!this.#binding.attributeChanged(name, text)) this.requestUpdate();
   }
 
   protected override render(): unknown {
-    const { alt, poster, orbit } = this.state.values;
+    const { alt, poster, orbit } = this.#store.values;
     return viewerTemplate({
       label: this.getAttribute('aria-label') ?? alt,
       poster: this.#revealed ? '' : poster,
       fixed: !orbit,
       notice: this.#failure.message,
       holder: this.#holder,
-      slotchange: () => this.#children.collect(),
     });
   }
 
   protected override firstUpdated(): void {
-    const surface = this.#part<HTMLElement>('.surface');
+    const surface = this.#part('.surface');
     if (surface !== null) this.#camera.listenTo(surface);
   }
 
@@ -263,9 +275,9 @@ export class PhongViewer extends LitElement {
     if (changed.size > 0) this.#apply(changed as ReadonlyMap<string, unknown>);
   }
 
-  /** Values that were written are acted on. */
+  /** Passes changed values on. */
   #apply(changed: { has(key: string): boolean }): void {
-    const { values } = this.state;
+    const { values } = this.#store;
     const viewport = this.#viewport;
     viewport.fov = values.fov;
     viewport.linear = values.colorInterpolation === 'linear';
@@ -276,46 +288,46 @@ export class PhongViewer extends LitElement {
     if (changed.has('src')) this.#readiness.supersede();
     if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
-    if (changed.has('gui')) void this.#panel.toggle(values.gui, PhongViewer.loadPanel, this.#part('.panel'));
+    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#part('.panel'));
     this.#panel.changed('viewer');
   }
 
-  /** Writes of this task that wait for its end are acted on now. */
-  #bringInStep(): void {
+  /** Applies now what was written in this task and would otherwise wait for its end. */
+  #update(): void {
     if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
-    else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to bring in step
+    else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
     if (this.isConnected && !this.#visibility.looked) this.#visibility.look();
+    this.#children.sort();
     this.#children.flush();
-    this.#children.collect();
   }
 
   get #settled(): boolean {
-    this.#bringInStep();
+    this.#update();
     if (!this.isConnected) return true;
     if (this.#loading.pending || !this.#visibility.known) return false;
     return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
   }
 
-  /** The first picture of all that was asked for is drawn: the poster has done its work. */
+  /** Removes the poster once everything requested has been drawn for the first time. */
   #reveal(): void {
     if (this.#revealed || this.#loading.pending || this.#failure.message !== null) return;
     this.#revealed = true;
-    if (this.state.values.poster !== '') this.requestUpdate();
+    if (this.#store.values.poster !== '') this.requestUpdate();
   }
 
-  /** By looking, not by Lit's refs: those are empty while the element is out of the document. */
-  #part<E extends HTMLElement>(selector: string): E | null {
-    return this.shadowRoot?.querySelector<E>(selector) ?? null;
+  /** Not by Lit's refs: those are empty while the element is out of the document. */
+  #part(selector: string): HTMLElement | null {
+    return this.shadowRoot?.querySelector<HTMLElement>(selector) ?? null;
   }
 
   #cameraMoved(source: CameraSource): void {
-    // Where a camera begins is not a move.
-    if (this.hasUpdated) this.#notices.tell('camera-change', { source });
+    // The first framing is not a move.
+    if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
     this.#panel.changed('camera');
   }
 }
 
-defineProperties(PhongViewer.prototype, VIEWER_FIELDS, (viewer) => viewer.declared);
+defineProperties(PhongViewer.prototype, VIEWER_FIELDS);
 
 declare global {
   interface HTMLElementTagNameMap {

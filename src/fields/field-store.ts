@@ -1,5 +1,5 @@
-// A record of declared values: each has a default until it is given, is checked on the way in, and tells one listener
-// when it changes. Lights, meshes and viewers keep their state in one; there is no second copy. Knows no DOM.
+// The declared values of one light, mesh or viewer: each has its default until it is set, is checked when it is set, and
+// notifies one listener when it changes. There is no second copy of them. Knows no DOM.
 import type { Field } from './field.js';
 
 export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
@@ -17,19 +17,19 @@ export class FieldStore<V extends object> {
     this.#values = defaults as V;
   }
 
-  /** All values as they are now, defaults included; live, and never to be written to, nor are lists in it. */
+  /** All values as they are now, defaults included. Live: do not write to it, nor to its lists. */
   get values(): Readonly<V> {
     return this.#values;
   }
 
-  /** Whether a value was given, rather than being the default. */
+  /** Whether a value was set, rather than being the default. */
   given(key: keyof V): boolean {
     return this.#given.has(key);
   }
 
   /**
-   * Gives a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError` where the value is
-   * outside the field's domain, and then changes nothing.
+   * Sets a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError` for a value outside the
+   * field's domain and then changes nothing.
    */
   set<K extends keyof V>(key: K, value: unknown): void {
     const given = value !== undefined && value !== null;
@@ -42,7 +42,7 @@ export class FieldStore<V extends object> {
     this.#listener?.(key);
   }
 
-  /** Gives several values, as {@link set} does each. All are checked before the first is written. */
+  /** Sets several values as {@link set} does. All are checked before the first is written. */
   assign(values: Partial<V>): void {
     for (const key in values) {
       if (!Object.hasOwn(this.fields, key)) throw new TypeError(`there is no value named ${key}`);
@@ -52,18 +52,18 @@ export class FieldStore<V extends object> {
     for (const key in values) this.set(key, values[key]);
   }
 
-  /** There is one listener at a time; null ends it. */
+  /** Replaces the listener; null removes it. */
   listen(listener: ((key: keyof V) => void) | null): void {
     this.#listener = listener;
   }
 
-  /** Ends this listener; one that has taken its place since stays. */
+  /** Removes this listener. A listener that has replaced it stays. */
   unlisten(listener: (key: keyof V) => void): void {
     if (this.#listener === listener) this.#listener = null;
   }
 }
 
-/** Equal numbers, strings and flags, and lists of such. */
+/** Compares numbers, strings and booleans, and lists of these. */
 export function sameValue(a: unknown, b: unknown): boolean {
   if (!Array.isArray(a) || !Array.isArray(b)) return a === b;
   if (a.length !== b.length) return false;

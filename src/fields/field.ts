@@ -1,25 +1,25 @@
-// What a declared value may be: its default, its domain in words, and the one check that everything passes:
-// attributes after parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units
-// (degrees, 255 = full colour). Knows neither the DOM nor what a value is for.
+// A declared value's default, its domain in words, and the one check for everything that sets it: attributes after
+// parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full
+// colour). Knows neither the DOM nor the purpose of a value.
 import type { Vec3, Vec4 } from '../math/vector.js';
 
-/** How a value is written as text; the element's parsers and formatters go by it. */
+/** How a value is written as text; selects the element's parser and formatter. */
 export type FieldKind = 'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words';
 
 /** A declared value's default and domain. */
 export interface Field<T> {
   readonly kind: FieldKind;
-  /** A word that may stand instead of the value: `auto`. */
+  /** A word allowed in place of the value: `auto`. */
   readonly word?: string;
-  /** What an attribute without a value means, where that is a value: `crossorigin` alone is `anonymous`. */
+  /** The meaning of the empty attribute, if it has one: `crossorigin` alone means `anonymous`. */
   readonly empty?: T;
-  /** What stands where nothing, or nothing valid, is given. Frozen. */
+  /** The default: used if nothing, or nothing valid, is given. Frozen. */
   readonly fallback: T;
   /** The domain as a noun phrase, for warnings and errors: "a number from 0 to 180". */
   readonly expected: string;
   /**
-   * Gives the value as it is kept (arrays are copies). Throws `TypeError` for the wrong kind of value and
-   * `RangeError` for one outside the domain; NaN and ±Infinity are never inside.
+   * Returns the value to store (arrays are copied). Throws `TypeError` for the wrong kind of value and `RangeError` for
+   * a value outside the domain. NaN and ±Infinity are always outside.
    */
   check(value: unknown): T;
 }
@@ -27,7 +27,7 @@ export interface Field<T> {
 export interface Range {
   readonly min?: number;
   readonly max?: number;
-  /** The lower end itself is outside. */
+  /** Exclusive lower bound. */
   readonly above?: number;
   readonly integer?: boolean;
 }
@@ -51,7 +51,7 @@ function show(value: unknown): string {
 const wrong = (expected: string, value: unknown): TypeError =>
   new TypeError(`expected ${expected}, got ${show(value)}`);
 
-/** The check of a number that is `whole`, or one of its numbers. */
+/** Checks a single number, or one of the numbers of `whole`, which the error shows. */
 function numberCheck(
   { min = -Infinity, max = Infinity, above = -Infinity, integer = false }: Range,
   expected: string,
@@ -72,7 +72,7 @@ export function numberField(fallback: number, range: Range): Field<number> {
   return { kind: 'number', fallback, expected, check: (value) => check(value, value) };
 }
 
-/** A tuple of numbers, each in the same range. `finish` makes a whole tuple of a shorter list, and writes to none. */
+/** A tuple of numbers, each in the same range. `finish` completes a shorter list without writing to it. */
 function tupleField<T extends Vec3 | Vec4>(
   fallback: T,
   range: Range,
@@ -90,7 +90,7 @@ function tupleField<T extends Vec3 | Vec4>(
       if (!isList(value)) throw wrong(expected, value);
       const n = finish === undefined ? value : finish(value);
       if (n.length !== size) throw wrong(expected, value);
-      // Moving lights do this in every frame: one pass into a literal.
+      // Moving lights do this every frame: one pass into a literal.
       const [x, y, z] = [at(n[0], value), at(n[1], value), at(n[2], value)];
       return (size === 3 ? [x, y, z] : [x, y, z, at(n[3], value)]) as unknown as T;
     },
@@ -102,7 +102,7 @@ const isList = (value: unknown): value is readonly unknown[] =>
 
 export const vectorField = (fallback: Vec3, range: Range): Field<Vec3> => tupleField(fallback, range);
 
-/** x y z w with w 0 (a direction) or 1 (a place); three numbers mean w = 1. */
+/** x y z w, w being 0 (a direction) or 1 (a position); three numbers mean w = 1. */
 export function homogeneousField(fallback: Vec4, range: Range): Field<Vec4> {
   const expected = `3 or 4 numbers x y z w, each a ${rangeWords(range)}, w 0 or 1`;
   const tuple = tupleField(fallback, range, expected, (n) => (n.length === 3 ? [...n, 1] : n));
@@ -137,7 +137,7 @@ function orSingle(tuple: Field<Vec3>): Field<Vec3> {
 
 export const booleanField = (fallback: boolean): Field<boolean> => flagField('boolean', fallback);
 
-/** True by being there, as HTML's own boolean attributes; `false` as text is off all the same. */
+/** True if present, like HTML's own boolean attributes, except for the text `false`. */
 export const presenceField = (): Field<boolean> => flagField('presence', false);
 
 function flagField(kind: 'boolean' | 'presence', fallback: boolean): Field<boolean> {
@@ -188,7 +188,7 @@ export function subsetField<T extends string>(choices: readonly T[]): Field<read
     fallback: Object.freeze([...choices]),
     expected,
     check(value) {
-      // Spread first: holes count as what they are, no words.
+      // Spread first: holes become undefined, which is no word.
       const words: readonly unknown[] | null = Array.isArray(value) ? [...(value as unknown[])] : null;
       if (words?.every((word) => typeof word === 'string') !== true) throw wrong(expected, value);
       const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
@@ -198,12 +198,12 @@ export function subsetField<T extends string>(choices: readonly T[]): Field<read
   };
 }
 
-/** A value that may be left out: null where nothing is given. */
+/** A value that may be absent: null if nothing is given. */
 export function optional<T>(field: Field<T>): Field<T | null> {
   return { ...field, fallback: null, check: (value) => field.check(value) };
 }
 
-/** Another field's value, or a word that stands for it: `auto`. The word is the default. */
+/** Another field's value, or a word in its place: `auto`. The word is the default. */
 export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T | W> {
   const expected = `${word} or ${field.expected}`;
   return {
@@ -216,7 +216,7 @@ export function orWord<T, W extends string>(word: W, field: Field<T>): Field<T |
       try {
         return field.check(value);
       } catch (error) {
-        // The field alone does not know of the word.
+        // The field's own message does not mention the word.
         if (error instanceof RangeError) throw new RangeError(`expected ${expected}, got ${show(value)}`);
         throw wrong(expected, value);
       }

@@ -1,4 +1,4 @@
-// A value as lil-gui wants it, an object with a property, made of a getter and a setter.
+// How does a getter and a setter become the object with a property that lil-gui binds to?
 
 export interface Bound<T> {
   value: T;

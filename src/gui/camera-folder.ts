@@ -1,6 +1,7 @@
-// The camera's folder: where the camera is now, live, and how to move it. Moves go through the viewer's own properties and
-// count as the panel's; reset goes back to what was declared before the panel moved anything. Degrees, scene units.
+// Where is the camera now, and how does the user move it? The camera's folder of the panel. Moves go through the viewer's public
+// properties with the source `panel`. Reset returns to what was declared before the panel moved anything. Degrees, scene units.
 import type { GUI } from 'lil-gui';
+import { fieldsOf, moveCameraFrom } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { CameraState } from '../element/viewer/camera.js';
 import { sameValue } from '../fields/field-store.js';
@@ -13,7 +14,7 @@ import { linear, logarithmic, numberText } from './travel.js';
 
 const MOVED = ['theta', 'phi', 'radius', 'target'] as const;
 
-/** FieldStore values, null where none is given. */
+/** Declared values; null for those that are not given. */
 type Declaration = readonly unknown[];
 
 export class CameraFolder {
@@ -21,7 +22,7 @@ export class CameraFolder {
   readonly #viewer: PhongViewer;
   readonly #range: SceneRange;
   #now: CameraState;
-  /** What others have declared, and what the panel has made of it; null before its first move. */
+  /** The declaration before the panel's first move, and what the panel wrote since. Null before its first move. */
   #before: { readonly declared: Declaration; readonly written: Declaration } | null = null;
 
   constructor(root: GUI, viewer: PhongViewer, range: SceneRange) {
@@ -71,7 +72,7 @@ export class CameraFolder {
       (axis) => this.#range.place(axis),
       () => this.#now.target,
       (place) => {
-        this.#aim(place);
+        this.#setTarget(place);
       },
     );
     addNumber(
@@ -88,7 +89,7 @@ export class CameraFolder {
       () => viewer.autoRotate,
       (speed) => (viewer.autoRotate = speed),
     );
-    turning.domElement.title = 'Degrees a second about y';
+    turning.domElement.title = 'Degrees per second about y';
     addButton(gui, 'reset camera', () => {
       this.#reset();
     });
@@ -105,15 +106,15 @@ export class CameraFolder {
     return logarithmic(this.#range.reach / 100, this.#range.reach * 10);
   }
 
-  /** To a thousandth of the distance, which leaves no noise of sines. */
+  /** Rounded to a thousandth of the distance, which removes rounding noise. */
   get #eyeText(): string {
     const { eye, radius } = this.#now;
     const unit = 10 ** (Math.floor(Math.log10(radius)) - 3);
     return eye.map((n) => numberText(Math.round(n / unit) * unit, unit)).join(', ');
   }
 
-  /** Shifts the target alone: a radius that is fitted to the scene would follow. */
-  #aim(place: Vec3): void {
+  /** Moves only the target. A radius of `auto` would be refitted, so the present radius is written first. */
+  #setTarget(place: Vec3): void {
     const viewer = this.#viewer;
     this.#move(() => {
       if (viewer.radius === 'auto') viewer.radius = this.#now.radius;
@@ -123,29 +124,29 @@ export class CameraFolder {
 
   #move(write: () => void): void {
     const declared = this.#declaration;
-    const ours = this.#before !== null && sameDeclaration(this.#before.written, declared);
+    const unchanged = this.#before !== null && sameDeclaration(this.#before.written, declared);
     try {
-      this.#viewer.moveFrom('panel', write);
+      moveCameraFrom(this.#viewer, 'panel', write);
     } finally {
-      this.#before = { declared: ours ? this.#before!.declared : declared, written: this.#declaration };
+      this.#before = { declared: unchanged ? this.#before!.declared : declared, written: this.#declaration };
       this.#now = this.#viewer.camera;
     }
   }
 
   #reset(): void {
     const before = this.#before;
-    const ours = before !== null && sameDeclaration(before.written, this.#declaration);
-    const declared = ours ? before.declared : this.#declaration;
+    const unchanged = before !== null && sameDeclaration(before.written, this.#declaration);
+    const declared = unchanged ? before.declared : this.#declaration;
     this.#before = null;
-    // Assigning a camera property moves the camera there, whatever its value was.
-    this.#viewer.moveFrom('panel', () => {
-      MOVED.forEach((key, i) => this.#viewer.declared.set(key, declared[i]));
+    // Assigning a camera property moves the camera, even if the value is the same.
+    moveCameraFrom(this.#viewer, 'panel', () => {
+      MOVED.forEach((key, i) => fieldsOf(this.#viewer).set(key, declared[i]));
     });
   }
 
   get #declaration(): Declaration {
-    const { state } = this.#viewer;
-    return MOVED.map((key) => (state.given(key) ? state.values[key] : null));
+    const { store } = fieldsOf(this.#viewer);
+    return MOVED.map((key) => (store.given(key) ? store.values[key] : null));
   }
 }
 

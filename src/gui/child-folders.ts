@@ -1,11 +1,11 @@
-// One folder per child element, in the children's order, kept as they are while children come, go and move. Knows
-// nothing of what the children are.
+// Which folders do the child elements have? One per child, in document order. A folder keeps its state while children are added,
+// removed and reordered. Knows nothing about what the children are.
 import type { GUI } from 'lil-gui';
 import type { Folder } from './folder.js';
 
 export interface ChildFolder {
   readonly folder: Folder;
-  /** Brings title and rows in step; `index` counts the children from 0. */
+  /** Refreshes title and rows. `index`: position among the children, from 0. */
   update(index: number): void;
 }
 
@@ -23,7 +23,7 @@ export class ChildFolders<E extends HTMLElement> {
     return this.#folders.get(element)?.folder;
   }
 
-  /** Makes these the children and brings every folder in step. */
+  /** Adds, removes and reorders folders to match these children, and refreshes all of them. */
   update(elements: readonly E[]): void {
     const present = new Set(elements);
     for (const [element, { folder }] of this.#folders) {
@@ -44,8 +44,8 @@ export class ChildFolders<E extends HTMLElement> {
     });
   }
 
-  settle(): void {
-    for (const { folder } of this.#folders.values()) folder.settle();
+  refreshVisible(): void {
+    for (const { folder } of this.#folders.values()) folder.refreshVisible();
   }
 
   #add(element: E): ChildFolder {

@@ -1,13 +1,13 @@
-// A bright colour as a colour to pick and an intensity to turn, and back. 255 = full; an intensity of 1 is the picked
-// colour itself. Numbers only: knows neither controls nor whose colour it is.
+// How does a light colour split into a colour to pick and an intensity, and back? 255 = full; intensity 1 is the picked colour
+// itself. Numbers only: knows no controls and no elements.
 import { LIMITS } from '../light/light-state.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';
 
 export interface Tint {
-  /** 0–255 a channel, unrounded. */
+  /** 0–255 per channel, not rounded. */
   readonly color: Vec3;
-  /** >= 0; colour times intensity is the value. */
+  /** >= 0. Colour times intensity is the value. */
   readonly intensity: number;
 }
 
@@ -15,14 +15,14 @@ const BLACK: Vec3 = [0, 0, 0];
 const WHITE: Vec3 = [255, 255, 255];
 
 /**
- * Splits a value as it was put together here, if it was; else so that the largest channel is full. A value that turns
- * black keeps the last colour, with intensity 0.
+ * Splits a value the way it was composed here, or so that the largest channel is full if it came from elsewhere. A value that
+ * becomes black keeps the last colour, with intensity 0.
  */
 export class ColorMix {
   #last: Tint | null = null;
 
   split(value: Vec3): Tint {
-    if (this.#last !== null && sameValue(joined(this.#last), value)) return this.#last;
+    if (this.#last !== null && sameValue(composed(this.#last), value)) return this.#last;
     const largest = Math.max(...value);
     if (largest === 0) return { color: this.#last?.color ?? BLACK, intensity: 0 };
     const full = (channel: number): number => (channel * 255) / largest;
@@ -34,35 +34,35 @@ export class ColorMix {
     return tint;
   }
 
-  /** The value with another colour and the same intensity; 1 where it was black and no colour known. */
+  /** The value with a new colour and the same intensity; intensity 1 if the value has always been black. */
   recolor(value: Vec3, color: Vec3): Vec3 {
     const { intensity } = this.split(value);
-    return this.#join({ color, intensity: this.#knowsNone(value) ? 1 : intensity });
+    return this.#compose({ color, intensity: this.#alwaysBlack(value) ? 1 : intensity });
   }
 
-  /** The value with another intensity and the same colour; white where it was black and no colour known. */
+  /** The value with a new intensity and the same colour; white if the value has always been black. */
   intensify(value: Vec3, intensity: number): Vec3 {
     const { color } = this.split(value);
-    return this.#join({ color: this.#knowsNone(value) ? WHITE : color, intensity });
+    return this.#compose({ color: this.#alwaysBlack(value) ? WHITE : color, intensity });
   }
 
-  #knowsNone(value: Vec3): boolean {
+  #alwaysBlack(value: Vec3): boolean {
     return this.#last === null && sameValue(value, BLACK);
   }
 
-  #join(tint: Tint): Vec3 {
+  #compose(tint: Tint): Vec3 {
     this.#last = tint;
-    return joined(tint);
+    return composed(tint);
   }
 }
 
-/** Six digits: finer than any screen, and short in markup. */
-function joined({ color, intensity }: Tint): Vec3 {
+/** Rounded to six digits: finer than any screen, and short in markup. */
+function composed({ color, intensity }: Tint): Vec3 {
   const channel = (c: number): number => Math.min(Number((c * intensity).toPrecision(6)), LIMITS.color);
   return [channel(color[0]), channel(color[1]), channel(color[2])];
 }
 
-/** `#rrggbb`, channels rounded. */
+/** `#rrggbb`, channels rounded and clamped. */
 export const hexOf = (color: Vec3): string =>
   `#${color
     .map((c) =>

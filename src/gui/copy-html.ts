@@ -1,12 +1,12 @@
-// The button that copies the scene's markup. Where the clipboard is refused, the markup itself, selected, to be copied by
-// hand. Knows nothing of what the markup says.
+// How does the user copy the scene's markup? A button that writes it to the clipboard, or shows it selected if the clipboard is
+// not available. Knows nothing about the markup.
 import type { GUI } from 'lil-gui';
 import { addButton } from './rows.js';
 
 const LABEL = 'copy HTML';
 
-/** How long the button says what happened, ms. */
-const SAID_FOR = 2000;
+/** How long the button shows the result, ms. */
+const RESULT_MS = 2000;
 
 export class CopyButton {
   readonly #button;
@@ -22,7 +22,7 @@ export class CopyButton {
     this.#text.className = 'markup';
     this.#text.rows = 6;
     this.#text.setAttribute('aria-label', "The scene's HTML");
-    // As for lil-gui's own fields: keys typed here are nobody else's.
+    // As in lil-gui's own fields: keys typed here must not reach the camera.
     this.#text.addEventListener('keydown', (event) => {
       event.stopPropagation();
     });
@@ -36,20 +36,20 @@ export class CopyButton {
     try {
       await navigator.clipboard.writeText(markup);
       this.#text.remove();
-      this.#say('copied ✓');
+      this.#showResult('copied ✓');
     } catch {
-      // Refused, or not there at all: pages without TLS have no clipboard.
+      // Refused, or missing: pages without TLS have no clipboard.
       this.#text.value = markup;
       this.#button.domElement.after(this.#text);
       this.#text.select();
       this.#text.scrollIntoView({ block: 'nearest' });
-      this.#say('select and copy below');
+      this.#showResult('select and copy below');
     }
   }
 
-  #say(what: string): void {
+  #showResult(what: string): void {
     clearTimeout(this.#timer);
     this.#button.name(what);
-    this.#timer = window.setTimeout(() => this.#button.name(LABEL), SAID_FOR);
+    this.#timer = window.setTimeout(() => this.#button.name(LABEL), RESULT_MS);
   }
 }

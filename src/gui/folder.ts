@@ -1,9 +1,9 @@
-// A folder that builds its rows when it is first opened and brings them in step only while they can be seen. Opens at once:
-// nothing moves, and no frame is asked for. Knows nothing of what its rows are about.
+// When are a folder's rows built and refreshed? Built when the folder is first opened, refreshed only while they are visible.
+// Opens without animation, so no frame is requested. Knows nothing about what its rows show.
 import type { GUI } from 'lil-gui';
 import { refresh } from './rows.js';
 
-/** Builds the rows; gives what has to be done before they are brought in step, if anything. */
+/** Builds the rows. Returns a function to call before each refresh, if one is needed. */
 export type BuildRows = (gui: GUI) => (() => void) | undefined;
 
 export class Folder {
@@ -13,21 +13,21 @@ export class Folder {
   #built = false;
   #stale = true;
 
-  /** Closed at first. */
+  /** Starts closed. */
   constructor(parent: GUI, title: string, build: BuildRows) {
     this.gui = addGroup(parent, title).close();
     this.#build = build;
   }
 
-  /** Something has changed that rows may show. */
+  /** Marks the rows as outdated and refreshes them if they are visible. */
   update(): void {
     this.#stale = true;
-    this.settle();
+    this.refreshVisible();
   }
 
-  /** Does what has to be done now that it can be seen: to be called whenever any folder around it opens. */
-  settle(): void {
-    if (!this.#stale || !isShown(this.gui)) return;
+  /** Refreshes outdated rows if they are visible. To be called whenever a folder around it opens. */
+  refreshVisible(): void {
+    if (!this.#stale || !isVisible(this.gui)) return;
     this.#stale = false;
     if (!this.#built) {
       this.#built = true;
@@ -38,14 +38,14 @@ export class Folder {
   }
 }
 
-/** A folder of folders. Open at first. */
-export const addGroup = (parent: GUI, title: string): GUI => atOnce(parent.addFolder(title));
+/** A folder of folders. Starts open. */
+export const addGroup = (parent: GUI, title: string): GUI => withoutAnimation(parent.addFolder(title));
 
 /** Makes a GUI open and close without animation. */
-export function atOnce(gui: GUI): GUI {
+export function withoutAnimation(gui: GUI): GUI {
   gui.openAnimated = (open = true) => gui.open(open);
   return gui;
 }
 
-const isShown = (gui: GUI | undefined): boolean =>
-  gui === undefined || (!gui._closed && !gui._hidden && isShown(gui.parent));
+const isVisible = (gui: GUI | undefined): boolean =>
+  gui === undefined || (!gui._closed && !gui._hidden && isVisible(gui.parent));

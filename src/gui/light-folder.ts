@@ -1,6 +1,7 @@
-// A light's folder: every attribute of <phong-light>, written through the element's own properties. Units as in HTML.
-// Knows neither the other lights nor the panel around it.
+// How does the user edit a light? One row per attribute of <phong-light>, written through the element's public properties. Units as
+// in HTML. Knows neither the other lights nor the panel around it.
 import type { GUI } from 'lil-gui';
+import { fieldsOf } from '../element/internals.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { isSpot, kindOf } from '../light/light-features.js';
@@ -23,7 +24,7 @@ import {
 import type { SceneRange } from './scene-range.js';
 import { linear, logarithmic } from './travel.js';
 
-/** Where the intensity's slider ends at first. */
+/** Initial end of the intensity slider. */
 const USUAL_INTENSITY = 4;
 
 export class LightFolder implements ChildFolder {
@@ -35,7 +36,7 @@ export class LightFolder implements ChildFolder {
   readonly #kind = new KindChoice();
   readonly #switch = document.createElement('input');
   #index = -1;
-  #named = '';
+  #name = '';
   #title = '';
 
   constructor(group: GUI, light: PhongLight, viewer: PhongViewer, range: SceneRange, remove: () => void) {
@@ -48,24 +49,24 @@ export class LightFolder implements ChildFolder {
   }
 
   update(index: number): void {
-    const { name, active } = this.#light.state.values;
-    if (index !== this.#index || name !== this.#named) this.#entitle(index, name);
+    const { name, active } = fieldsOf(this.#light).store.values;
+    if (index !== this.#index || name !== this.#name) this.#setTitle(index, name);
     this.#switch.checked = active;
     this.folder.gui.domElement.classList.toggle('off', !active);
     this.folder.update();
   }
 
-  #entitle(index: number, name: string): void {
+  #setTitle(index: number, name: string): void {
     this.#index = index;
-    this.#named = name;
-    // The element's own words for it, without its look at all siblings: with hundreds of lights that is a long one.
+    this.#name = name;
+    // The same default as the element's `name`, without its search through all siblings, which is slow with hundreds of lights.
     const title = name === '' ? `light ${String(index + 1)}` : name;
     this.#title = title;
     this.folder.gui.title(title);
     this.#switch.setAttribute('aria-label', `${title} active`);
   }
 
-  /** On and off without opening the folder. */
+  /** Turns the light on and off without opening the folder. */
   #addSwitch(): void {
     this.#switch.type = 'checkbox';
     this.#switch.className = 'switch';
@@ -77,7 +78,8 @@ export class LightFolder implements ChildFolder {
 
   #build(gui: GUI): () => void {
     const light = this.#light;
-    const { values } = light.state;
+    const { store } = fieldsOf(light);
+    const { values } = store;
     const name = addText(
       gui,
       'name',
@@ -96,7 +98,7 @@ export class LightFolder implements ChildFolder {
       named(LIGHT_KINDS),
       () => kindOf(values),
       (choice) => {
-        Object.assign(light, this.#kind.writesFor(values, choice, light.state.given('axis'), this.#target));
+        Object.assign(light, this.#kind.writesFor(values, choice, store.given('axis'), this.#target));
       },
     );
     kind.domElement.title = KIND_RULE;
@@ -136,7 +138,7 @@ export class LightFolder implements ChildFolder {
       name.$input.placeholder = this.#title;
       const placed = values.position[3] === 1;
       for (const row of attenuation) row.show(placed);
-      // A row must not go while it is being used to open the cone.
+      // Keep a row visible while it is being edited.
       const cone = isSpot(values) || spot.some((row) => row.domElement.matches(':focus-within'));
       for (const row of spot) row.show(cone);
       const inWorld = placed && values.space === 'world';
@@ -148,7 +150,7 @@ export class LightFolder implements ChildFolder {
 
   #addSpot(gui: GUI) {
     const light = this.#light;
-    const { values } = light.state;
+    const { values } = fieldsOf(light).store;
     return [
       ...addVector(
         gui,
@@ -174,7 +176,7 @@ export class LightFolder implements ChildFolder {
     ];
   }
 
-  /** What a new spot is aimed at, in the light's own space. */
+  /** The point that a new spot is aimed at, in the light's own space. */
   get #target(): Vec3 {
     const { target, radius } = this.#viewer.camera;
     return this.#light.space === 'camera' ? [0, 0, -radius] : target;

@@ -1,6 +1,7 @@
-// The folders of surfaces: the viewer's own mesh, and a mesh child with its place. Colours 255 = 1, degrees, scene units.
-// Knows neither lights nor camera.
+// How does the user edit a surface? A folder for the viewer's own mesh and one for each mesh child, with its transform. Colours
+// 255 = 1, degrees, scene units. Knows neither lights nor camera.
 import type { GUI } from 'lil-gui';
+import { fieldsOf } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { SurfaceValues } from '../material/material-values.js';
@@ -13,14 +14,14 @@ import { linear, logarithmic } from './travel.js';
 
 const AS_VIEWER = 'as viewer';
 
-/** The surface of the viewer's own `src` or `geometry`; away where it has neither. */
+/** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
 export function ownSurfaceFolder(
   root: GUI,
   viewer: PhongViewer,
 ): { update(): void; readonly folder: Folder } {
   const folder = new Folder(root, 'Material', (gui) => {
     addSurface(gui, viewer, (key) => {
-      viewer.declared.set(key, null);
+      fieldsOf(viewer).set(key, null);
     });
     return undefined;
   });
@@ -42,10 +43,10 @@ export class MeshFolder implements ChildFolder {
     this.#mesh = mesh;
     this.folder = new Folder(group, '', (gui) => {
       addSurface(gui, mesh, (key) => {
-        mesh.declared.set(key, null);
+        fieldsOf(mesh).set(key, null);
       });
       addStyle(gui, mesh);
-      return addPlace(gui, mesh, range);
+      return addTransform(gui, mesh, range);
     });
   }
 
@@ -57,10 +58,10 @@ export class MeshFolder implements ChildFolder {
   }
 }
 
-/** `teapot.glb` of `models/teapot.glb?v=2`. */
+/** `teapot.glb` from `models/teapot.glb?v=2`. */
 const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
-/** `restore` takes a value back to its default: for a model, its file's own. */
+/** `restore` returns a value to its default; for a model, to the one in its file. */
 function addSurface(gui: GUI, surface: SurfaceValues, restore: (key: keyof SurfaceValues) => void): void {
   for (const key of ['ka', 'kd', 'ks'] as const) {
     addColor(
@@ -100,7 +101,7 @@ function addStyle(gui: GUI, mesh: PhongMesh): void {
   );
 }
 
-function addPlace(gui: GUI, mesh: PhongMesh, range: SceneRange): () => void {
+function addTransform(gui: GUI, mesh: PhongMesh, range: SceneRange): () => void {
   const position = addVector(
     gui,
     axesOf('position'),

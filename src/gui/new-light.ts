@@ -1,15 +1,15 @@
-// What does a light look like that somebody adds by a button? A point light beside the scene, each one somewhere else.
-// World space, scene units. Numbers only.
+// What are the values of a light added by the panel's button? A point light beside the scene, each at a different place. World
+// space, scene units. Numbers only.
 import type { LightValues } from '../light/light-state.js';
 import type { Vec3 } from '../math/vector.js';
 
-/** Turned on by this, points about a circle never come close to one another. */
+/** Points placed around a circle in steps of this angle never come close to one another. */
 const GOLDEN_ANGLE = Math.PI * (3 - Math.sqrt(5));
 
-/** Dimmer than the default: a scene that is lit already shall not go white. */
+/** Dimmer than the default, so that a scene that is lit already does not become white. */
 const GREY: Vec3 = [140, 140, 140];
 
-/** `count`: the lights that are there already; `reach`: how far sliders go about `center`. */
+/** `count`: number of lights so far. `reach`: half the range of the sliders around `center`. */
 export function newLight(count: number, center: Vec3, reach: number): Partial<LightValues> {
   const angle = GOLDEN_ANGLE * (count + 1);
   const distance = reach / 2;

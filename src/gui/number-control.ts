@@ -1,5 +1,5 @@
-// A number as a slider and a field. The slider reaches what is usual and grows to hold what is not; the field takes
-// whatever the element takes. Nothing outside the control is listened to. Knows no light, mesh or camera.
+// How does the user edit a number? With a slider over the usual range, which grows to include other values, and a field that accepts
+// every value that the element accepts. Listens to nothing outside the control. Knows no light, mesh or camera.
 import { Controller, type GUI } from 'lil-gui';
 import type { Bound } from './bound.js';
 import { numberText, tidy, type Travel } from './travel.js';
@@ -9,7 +9,7 @@ export class NumberControl extends Controller {
   readonly #field = document.createElement('input');
   #usual: Travel;
   #travel: Travel;
-  #held = false;
+  #dragging = false;
 
   constructor(folder: GUI, bound: Bound<number>, label: string, travel: Travel) {
     super(folder, bound, 'value', 'lil-number');
@@ -23,14 +23,14 @@ export class NumberControl extends Controller {
     this.updateDisplay();
   }
 
-  /** Where the slider reaches as long as the value lies there. */
+  /** The slider's scale, while the value lies within it. */
   set travel(travel: Travel) {
     this.#usual = travel;
   }
 
   override updateDisplay(): this {
     const value = this.#value;
-    if (!this.#held) this.#place(value);
+    if (!this.#dragging) this.#place(value);
     if (!this.#field.matches(':focus')) this.#write(value);
     return this;
   }
@@ -42,15 +42,15 @@ export class NumberControl extends Controller {
   #addSlider(): void {
     const slider = this.#slider;
     slider.type = 'range';
-    // The field does all that the slider does by keys: one stop a row.
+    // The field does everything by keyboard that the slider does, so one tab stop per row is enough.
     slider.tabIndex = -1;
     slider.setAttribute('aria-labelledby', this.$name.id);
     slider.addEventListener('pointerdown', () => {
-      this.#held = true;
+      this.#dragging = true;
     });
     for (const type of ['pointerup', 'pointercancel', 'lostpointercapture', 'change', 'blur'] as const) {
       slider.addEventListener(type, () => {
-        this.#held = false;
+        this.#dragging = false;
         this.updateDisplay();
       });
     }
@@ -63,7 +63,7 @@ export class NumberControl extends Controller {
 
   #addField(): void {
     const field = this.#field;
-    // A phone's decimal keys have no minus; those of a number field do.
+    // `inputmode=decimal` has no minus key on phones; a number field has one.
     field.type = matchMedia('(pointer: coarse)').matches ? 'number' : 'text';
     field.setAttribute('aria-labelledby', this.$name.id);
     field.setAttribute('step', 'any');
@@ -90,7 +90,7 @@ export class NumberControl extends Controller {
     this.$widget.append(field);
   }
 
-  /** False where the element refuses the value. */
+  /** Returns false if the element refuses the value. */
   #try(value: number): boolean {
     if (!Number.isFinite(value)) return false;
     try {

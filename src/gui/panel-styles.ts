@@ -1,17 +1,17 @@
-// The panel's style sheet inside a viewer's shadow root: constructed, so that a strict CSP has nothing to say about it, and
-// shared by all panels of the page.
+// How does the panel's style sheet get into a viewer's shadow root? As a constructed style sheet, which a strict CSP allows, shared by
+// all panels of the page.
 import controls from './controls.css?inline';
 import panel from './panel.css?inline';
 
 let sheet: CSSStyleSheet | undefined;
 
-/** Puts the sheet beside those that are there; the function it gives takes it away again. */
+/** Adds the sheet to the root. The returned function removes it. */
 export function adoptStyles(root: ShadowRoot): () => void {
   sheet ??= parsed();
-  const ours = sheet;
-  root.adoptedStyleSheets = [...root.adoptedStyleSheets, ours];
+  const own = sheet;
+  root.adoptedStyleSheets = [...root.adoptedStyleSheets, own];
   return () => {
-    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== ours);
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== own);
   };
 }
 

@@ -1,5 +1,5 @@
-// The control panel: which folders there are, and what brings which of them in step. It writes through the elements' own
-// properties only, and asks for no frame. Fetched on demand; must not know how anything is drawn.
+// Which folders does the control panel have, and which change refreshes which? It writes through the elements' public properties only
+// and requests no frames. Loaded on demand. Must not know how anything is drawn.
 import { GUI } from 'lil-gui';
 import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
 import type { PhongLight } from '../element/phong-light.js';
@@ -8,7 +8,7 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import { CameraFolder } from './camera-folder.js';
 import { ChildFolders } from './child-folders.js';
 import { CopyButton } from './copy-html.js';
-import { addGroup, atOnce, type Folder } from './folder.js';
+import { addGroup, withoutAnimation, type Folder } from './folder.js';
 import { LightFolder } from './light-folder.js';
 import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
 import { newLight } from './new-light.js';
@@ -17,7 +17,7 @@ import { addButton } from './rows.js';
 import { SceneRange } from './scene-range.js';
 import { shadingFolder } from './shading-folder.js';
 
-/** Viewers narrower than this, in CSS pixels, begin with the panel closed: it would hide the picture. */
+/** In viewers narrower than this, CSS pixels, the panel starts closed, because it would hide the picture. */
 const WIDE = 480;
 
 export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
@@ -59,7 +59,7 @@ class ControlPanel implements Panel {
     this.#copy = new CopyButton(gui, () => viewer.toHTML());
     for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.update(change);
     gui.onOpenClose(() => {
-      this.#settle();
+      this.#refreshVisible();
     });
     viewer.addEventListener('load', this.#loaded);
     if (isNarrow(viewer)) gui.close();
@@ -81,11 +81,11 @@ class ControlPanel implements Panel {
     this.#dropStyles();
   }
 
-  /** Something was opened: what could not be seen until now is brought in step. */
-  #settle(): void {
-    this.#lights.settle();
-    this.#meshes.settle();
-    for (const folder of [this.#camera.folder, this.#shading, this.#surface.folder]) folder.settle();
+  /** A folder was opened: refreshes rows that have become visible. */
+  #refreshVisible(): void {
+    this.#lights.refreshVisible();
+    this.#meshes.refreshVisible();
+    for (const folder of [this.#camera.folder, this.#shading, this.#surface.folder]) folder.refreshVisible();
   }
 
   #updateMeshes(): void {
@@ -109,7 +109,7 @@ class ControlPanel implements Panel {
     });
   }
 
-  /** Appends a light and shows its folder, open. */
+  /** Appends a light, opens its folder and scrolls to it. */
   #addLight(): void {
     const light = document.createElement('phong-light');
     Object.assign(light, newLight(this.#viewer.lights.length, this.#range.center, this.#range.reach));
@@ -123,7 +123,7 @@ class ControlPanel implements Panel {
     list.scrollTop += folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;
   }
 
-  /** The keyboard goes on from the next light's title, or the last one's. */
+  /** Removes a light and moves the focus to the next light's title, or to the last one's. */
   #removeLight(light: PhongLight): void {
     const at = this.#viewer.lights.indexOf(light);
     light.remove();
@@ -136,13 +136,13 @@ class ControlPanel implements Panel {
 }
 
 function newRoot(place: HTMLElement): GUI {
-  const gui = atOnce(new GUI({ container: place, injectStyles: false, title: 'Controls' }));
-  // A press beside the controls is the panel's: without this the picture would take the focus, and with it the keys.
+  const gui = withoutAnimation(new GUI({ container: place, injectStyles: false, title: 'Controls' }));
+  // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
   gui.domElement.tabIndex = -1;
   gui.domElement.setAttribute('role', 'group');
   gui.domElement.setAttribute('aria-label', 'Controls');
   return gui;
 }
 
-/** A viewer without a width yet is judged by its window. */
+/** Uses the window's width if the viewer has no width yet. */
 const isNarrow = (viewer: HTMLElement): boolean => (viewer.clientWidth || window.innerWidth) < WIDE;

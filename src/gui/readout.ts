@@ -1,4 +1,4 @@
-// A line that is only read. Knows nothing of what it says.
+// How does a row show text that the user cannot edit? Knows nothing about the text.
 import { Controller, type GUI } from 'lil-gui';
 import { bound } from './bound.js';
 

@@ -1,5 +1,4 @@
-// The rows that folders are made of: one function a kind of value, each bound to a getter and a setter. Knows no light,
-// mesh or camera.
+// How is a row made for each kind of value? One function per kind, bound to a getter and a setter. Knows no light, mesh or camera.
 import {
   ColorController,
   type Controller,
@@ -24,7 +23,7 @@ export function addNumber(
   return new NumberControl(gui, bound(get, set), label, travel);
 }
 
-/** A row an axis; `labels` says how x, y and z are called. */
+/** One row per axis. `labels`: those of x, y and z. */
 export function addVector(
   gui: GUI,
   labels: readonly [string, string, string],
@@ -48,7 +47,7 @@ export function addVector(
 
 export const axesOf = (name: string): [string, string, string] => [`${name} x`, `${name} y`, `${name} z`];
 
-/** A picker with the intensity below it, `usual` being where its slider ends. */
+/** A colour picker with an intensity row below it. `usual`: the end of the intensity slider. */
 export function addColor(
   gui: GUI,
   label: string,
@@ -64,7 +63,7 @@ export function addColor(
     },
   );
   const picker = new ColorController(gui, hex, 'value', 1).name(label);
-  // The picker itself is within reach of the keyboard too, not only its code.
+  // Make the picker itself reachable by keyboard, not only its text field.
   picker.$input.tabIndex = 0;
   const intensity = addNumber(
     gui,
@@ -98,7 +97,7 @@ export function addText(
   return new StringController(gui, bound(get, set), 'value').name(label);
 }
 
-/** `choices`: names as shown to values. */
+/** `choices`: from the names shown to their values. */
 export function addChoice<T extends string | null>(
   gui: GUI,
   label: string,
@@ -113,14 +112,14 @@ export function addButton(gui: GUI, label: string, press: () => void): FunctionC
   return new FunctionController(gui, { value: press }, 'value').name(label);
 }
 
-/** Names that are their own values. */
+/** Choices whose names are their values. */
 export const named = <T extends string>(values: readonly T[]): Readonly<Record<string, T>> =>
   Object.fromEntries(values.map((value) => [value, value]));
 
-/** Brings a row in step; one that is being used is left alone. */
+/** Updates a row, unless the user is editing it. */
 export function refresh(row: Controller): void {
   if (row instanceof StringController && row.$input.matches(':focus')) return;
-  // Assigning the index, the same one too, would disturb an open list.
+  // Assigning the index, even the same one, would close an open list.
   if (row instanceof OptionController && row._values[row.$select.selectedIndex] === row.getValue()) return;
   row.updateDisplay();
 }

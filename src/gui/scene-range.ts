@@ -1,11 +1,11 @@
-// Where do sliders for places reach? About the scene, as large as it was when its meshes last came, went or loaded: not
-// as it is while one of them is being dragged. World space, scene units.
+// Which range do sliders for positions cover? The surroundings of the scene. Measured when meshes are added, removed or loaded, and
+// not while one of them is being moved by a slider. World space, scene units.
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure } from '../scene/bounds.js';
 import { linear, niceCeil, type Travel } from './travel.js';
 
-/** Of the scene's radius: lights stand around a scene, not only in it. */
+/** In radii of the scene: lights stand around a scene, not only inside it. */
 const REACH = 3;
 
 const EMPTY_REACH = 5;
@@ -20,7 +20,7 @@ export class SceneRange {
     this.#viewer = viewer;
   }
 
-  /** The scene has another size: it is measured when that is next asked for. */
+  /** Marks the range as outdated: the next read measures the scene again. */
   expire(): void {
     this.#stale = true;
   }
@@ -30,23 +30,23 @@ export class SceneRange {
     return this.#center;
   }
 
-  /** How far from the centre the sliders go. */
+  /** Half the range of the sliders. */
   get reach(): number {
     this.#measure();
     return this.#reach;
   }
 
-  /** For a place in world space. */
+  /** For a position in world space. */
   place(axis: 0 | 1 | 2): Travel {
     this.#measure();
     const step = niceCeil(this.#reach / 500);
     const middle = Math.round(this.#center[axis] / step) * step;
-    // A scene that is hardly off the middle gets sliders whose middle is 0.
+    // If the scene is close to the origin, 0 is the middle of the sliders.
     const shift = Math.abs(middle) < this.#reach / 2 ? 0 : middle;
     return linear(shift - this.#reach, shift + this.#reach, step);
   }
 
-  /** For a vector about nothing: a direction, or a place before the eye. */
+  /** For a vector around zero: a direction, or a position in camera space. */
   vector(): Travel {
     return linear(-this.reach, this.reach, niceCeil(this.reach / 500));
   }

@@ -1,10 +1,9 @@
-// The folder of what holds for the whole picture: shading, lobe, terms, colour arithmetic, antialiasing. Knows no light or mesh.
+// Which rows set what applies to the whole picture? Shading, reflection, terms, colour space, antialiasing. Knows no light or mesh.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/program/variant.js';
 import { Folder } from './folder.js';
-import { addChoice, addFlag, addNumber, named } from './rows.js';
-import { linear } from './travel.js';
+import { addChoice, addFlag, named } from './rows.js';
 
 export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
   return new Folder(root, 'Shading', (gui) => {
@@ -45,13 +44,6 @@ export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
       named(ANTIALIASES),
       () => viewer.antialias,
       (antialias) => (viewer.antialias = antialias),
-    );
-    addNumber(
-      gui,
-      'error budget',
-      linear(0, 4, 0.05),
-      () => viewer.errorBudget,
-      (budget) => (viewer.errorBudget = budget),
     );
     return undefined;
   });

@@ -1,34 +1,34 @@
-// How far does a slider reach, and how do its places map to values? Values in whatever unit the control has. Numbers only:
-// knows neither the DOM nor what a value means.
+// Which range does a slider cover, and how do its positions map to values? Values in the unit of the control. Numbers only: knows
+// neither the DOM nor what a value means.
 
-/** A slider's way: places from `start` to `end` in steps, and the values that lie there. */
+/** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
 export interface Travel {
   readonly start: number;
   readonly end: number;
-  /** Of places. */
+  /** Distance of neighbouring positions. */
   readonly step: number;
-  /** Where a value lies; values beyond the ends lie beyond them. */
+  /** The position of a value; outside `start` to `end` for values outside the range. */
   place(value: number): number;
-  /** The value at a place, rounded to what the slider can tell apart. */
+  /** The value at a position, rounded to the slider's resolution. */
   value(place: number): number;
-  /** What one press of an arrow key adds to this value. */
+  /** The change by one press of an arrow key, at this value. */
   stepAt(value: number): number;
-  /** The same travel, or one wide enough for this value. */
+  /** This scale, or one wide enough for the value. */
   reaching(value: number): Travel;
 }
 
-/** 1, 2 or 5 times a power of ten, not below `n`; `n` > 0. */
+/** The smallest of 1, 2 or 5 times a power of ten that is at least `n`; `n` > 0. */
 export function niceCeil(n: number): number {
   const power = 10 ** Math.floor(Math.log10(n));
-  // The slack keeps 0.3 / 0.1 from counting as more than 3.
+  // The tolerance keeps 0.3 / 0.1 from counting as more than 3.
   const factor = [1, 2, 5, 10].find((f) => n <= f * power * (1 + 1e-9)) ?? 10;
   return tidy(factor * power);
 }
 
-/** Without the stray digits of binary fractions: 0.30000000000000004 is 0.3. */
+/** Removes the stray digits of binary fractions: 0.30000000000000004 becomes 0.3. */
 export const tidy = (n: number): number => Number(n.toPrecision(12));
 
-/** About this many steps from end to end: one every pixel or two. */
+/** Steps from end to end: about one per pixel or two. */
 const STEPS = 200;
 
 /** Even steps from `min` to `max`. */
@@ -49,7 +49,7 @@ export function linear(min: number, max: number, step = niceCeil((max - min) / S
   };
 }
 
-/** From 0 to `max`, even up to about `knee` and by ratios beyond it: as usable around 1 as around 1e5. */
+/** From 0 to `max`: linear up to about `knee`, logarithmic beyond. Usable around 1 as well as around 1e5. */
 export function logarithmic(knee: number, max: number): Travel {
   const span = Math.log1p(max / knee);
   const digits = (value: number): number => Number(value.toPrecision(3));
@@ -66,7 +66,7 @@ export function logarithmic(knee: number, max: number): Travel {
   };
 }
 
-/** A number as a person would write it; `span`: the size below whose billionth it is only the noise of a zero. */
+/** A number as a person would write it. Values below 1e-9 of `span` are rounding noise and become 0. */
 export function numberText(value: number, span = 0): string {
   return Math.abs(value) <= 1e-9 * span ? '0' : String(Number(value.toPrecision(6)));
 }

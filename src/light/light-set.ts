@@ -48,12 +48,26 @@ export class LightSet {
     this.#bump(null);
   }
 
+  /** Adds a light at the end, in constant time. */
   add(light: LightState): void {
-    this.assign([...this.#lights, light]);
+    this.#lights.push(light);
+    this.#values.push(light.values);
+    this.#listen(light);
+    this.#kindVersion += 1;
+    this.#bump(null);
   }
 
   remove(light: LightState): void {
-    this.assign(this.#lights.filter((other) => other !== light));
+    const listener = this.#listeners.get(light);
+    if (listener === undefined) return;
+    light.unlisten(listener);
+    this.#listeners.delete(light);
+    for (let index = this.#lights.indexOf(light); index >= 0; index = this.#lights.indexOf(light)) {
+      this.#lights.splice(index, 1);
+      this.#values.splice(index, 1);
+    }
+    this.#kindVersion += 1;
+    this.#bump(null);
   }
 
   #listen(light: LightState): void {

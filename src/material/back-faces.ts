@@ -29,26 +29,36 @@ function isFlattened({ elements: e }: Matrix4): boolean {
   return !(determinant * determinant > FLATTENED * FLATTENED * lengths);
 }
 
-/** Whether the eye and the whole near plane are outside the geometry's bounds: its sphere, or else its box. */
+/** Whether the eye and the near plane are outside the geometry's bounds. */
 function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camera): boolean {
-  const { elements: view } = camera.matrixWorld;
-  const reach = nearReach(camera);
   if (geometry.boundingBox === null) geometry.computeBoundingBox();
-  const box = geometry.boundingBox;
-  if (box === null || box.isEmpty()) return false;
+  if (geometry.boundingSphere === null) geometry.computeBoundingSphere();
+  const { boundingBox: box, boundingSphere: sphere } = geometry;
+  if (box === null || sphere === null || box.isEmpty()) return false;
   const { elements: m } = matrixWorld;
-  const [x, y, z] = [view[12], view[13], view[14]];
-  // The box's centre and half its size along each axis of its own, in world space.
-  const cx = (box.min.x + box.max.x) / 2;
-  const cy = (box.min.y + box.max.y) / 2;
-  const cz = (box.min.z + box.max.z) / 2;
-  const dx = x - (m[0] * cx + m[4] * cy + m[8] * cz + m[12]);
-  const dy = y - (m[1] * cx + m[5] * cy + m[9] * cz + m[13]);
-  const dz = z - (m[2] * cx + m[6] * cy + m[10] * cz + m[14]);
+  const { elements: view } = camera.matrixWorld;
+  const [backX, backY, backZ] = [view[8], view[9], view[10]];
+  // From the box's centre to the eye, in world space.
+  const x = (box.min.x + box.max.x) / 2;
+  const y = (box.min.y + box.max.y) / 2;
+  const z = (box.min.z + box.max.z) / 2;
+  const dx = view[12] - (m[0] * x + m[4] * y + m[8] * z + m[12]);
+  const dy = view[13] - (m[1] * x + m[5] * y + m[9] * z + m[13]);
+  const dz = view[14] - (m[2] * x + m[6] * y + m[10] * z + m[14]);
+  // Half the bounds' depth along the view: the moved sphere is an ellipsoid, the moved box a parallelepiped.
+  const along = (column: number): number =>
+    m[column]! * backX + m[column + 1]! * backY + m[column + 2]! * backZ;
+  const [ax, ay, az] = [along(0), along(4), along(8)];
   const hx = (box.max.x - box.min.x) / 2;
   const hy = (box.max.y - box.min.y) / 2;
   const hz = (box.max.z - box.min.z) / 2;
-  // Outside along one of the box's face normals: its axes are the columns of the matrix, sheared or not.
+  const offset = Math.hypot(sphere.center.x - x, sphere.center.y - y, sphere.center.z - z); // three.js's own have none
+  const sphereDepth = (sphere.radius + offset) * Math.sqrt(ax * ax + ay * ay + az * az);
+  const boxDepth = hx * Math.abs(ax) + hy * Math.abs(ay) + hz * Math.abs(az);
+  const depth = dx * backX + dy * backY + dz * backZ;
+  if (depth - Math.min(sphereDepth, boxDepth) > nearOf(camera)) return true;
+  // Otherwise beside or behind the eye: the near plane's corners are within `reach`. The box's face normals separate it.
+  const reach = nearReach(camera);
   return (
     isBeyond(m, 4, 8, 0, hx, dx, dy, dz, reach) ||
     isBeyond(m, 8, 0, 4, hy, dx, dy, dz, reach) ||
@@ -56,7 +66,10 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   );
 }
 
-/** Whether d, from the box's centre, is farther than `half` of the axis at `axis` plus `reach`, along the normal of the columns at `u` and `v`. */
+/**
+ * Whether the vector d from the box's centre is longer than `half` of the column at `axis`, plus `reach`, along the normal of
+ * the columns at `u` and `v`.
+ */
 function isBeyond(
   m: ArrayLike<number>,
   u: number,
@@ -76,12 +89,21 @@ function isBeyond(
   return Math.abs(nx * dx + ny * dy + nz * dz) > extent + reach * length;
 }
 
-/** Distance of the eye from the farthest corner of the near plane, from the projection: perspective or orthographic. */
-function nearReach({ projectionMatrix: { elements: p } }: Camera): number {
-  const isPerspective = p[11] !== 0;
-  const near = isPerspective ? p[14] / (p[10] - 1) : (p[14] + 1) / p[10];
-  const scale = isPerspective ? near : 1;
-  const x = (scale * (1 + Math.abs(isPerspective ? p[8] : p[12]))) / p[0];
-  const y = (scale * (1 + Math.abs(isPerspective ? p[9] : p[13]))) / p[5];
+const isPerspective = ({ projectionMatrix }: Camera): boolean => projectionMatrix.elements[11] !== 0;
+
+/** Distance of the near plane, from the projection. */
+function nearOf(camera: Camera): number {
+  const p = camera.projectionMatrix.elements;
+  return isPerspective(camera) ? p[14] / (p[10] - 1) : (p[14] + 1) / p[10];
+}
+
+/** Distance of the eye from the farthest corner of the near plane. */
+function nearReach(camera: Camera): number {
+  const p = camera.projectionMatrix.elements;
+  const near = nearOf(camera);
+  const perspective = isPerspective(camera);
+  const scale = perspective ? near : 1;
+  const x = (scale * (1 + Math.abs(perspective ? p[8] : p[12]))) / p[0];
+  const y = (scale * (1 + Math.abs(perspective ? p[9] : p[13]))) / p[5];
   return Math.sqrt(near * near + x * x + y * y);
 }

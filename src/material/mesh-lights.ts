@@ -59,6 +59,7 @@ export class MeshLights {
 
   /** The same lights divided into a grid; null where that is not worth it. */
   gridOf(mesh: Mesh): LightBuffer | null {
+    if (this.all.packed.counts.spot < LEAST_DIVIDED) return null;
     if (this.of(mesh).packed.counts.spot < LEAST_DIVIDED) return null;
     const choice = this.#choiceOf(mesh);
     const grid = (choice.grid ??= new MeshLightGrid());

@@ -191,9 +191,9 @@ export class PhongMaterial extends RawShaderMaterial {
     if (this.#linear !== this.linear) this.#writeSurface();
     const { variant, lights } = this.#programs.choose({ renderer, camera, mesh });
     this.#use(variant);
-    this.#lighting.countUpload(lights);
     const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
-    const storage = this.#variant?.defines['LIGHT_STORAGE'];
+    const storage = variant.defines['LIGHT_STORAGE'];
+    if (storage !== 'STORAGE_INLINED') this.#lighting.countUpload(lights);
     uLightRows.needsUpdate = storage === 'STORAGE_UNIFORMS' && !this.#holdsRows(renderer, lights);
     if (uLightRows.needsUpdate) uLightRows.value = lights.rows;
     if (storage === 'STORAGE_TEXTURE') {

@@ -1,10 +1,10 @@
-// Degrees to radians, and trigonometry of degrees that is exact where the eye expects it to be exact.
+// Degrees to radians, and sine and cosine of degrees that are exact at multiples of 90°.
 
 const RADIANS_PER_DEGREE = Math.PI / 180;
 
 export const radians = (degrees: number): number => degrees * RADIANS_PER_DEGREE;
 
-/** The same direction in [-180, 180). Exact for what is already inside; any finite number of degrees. */
+/** The same direction in [-180, 180), for any finite number of degrees. Exact for angles already inside. */
 export function wrapDegrees(degrees: number): number {
   if (degrees >= -180 && degrees < 180) return degrees;
   const turned = degrees % 360;
@@ -12,7 +12,7 @@ export function wrapDegrees(degrees: number): number {
   return turned < -180 ? turned + 360 : turned;
 }
 
-/** Sine of degrees: reduced before it is turned into radians, so that multiples of 90° give 0 and ±1 exactly. */
+/** Sine of degrees. The angle is reduced before it becomes radians, so that multiples of 90° give 0 and ±1 exactly. */
 export function sinDegrees(degrees: number): number {
   const d = wrapDegrees(degrees);
   if (d > 90) return sinFirstQuadrants(180 - d);
@@ -26,7 +26,7 @@ export const cosDegrees = (degrees: number): number => {
   return d <= 90 ? sinFirstQuadrants(90 - d) : -sinFirstQuadrants(d - 90);
 };
 
-/** Beyond 45° the cosine of the rest is the better conditioned of the two; |d| ≤ 90. */
+/** Sine for |d| ≤ 90. Beyond 45° the cosine of the complement is better conditioned. */
 function sinFirstQuadrants(d: number): number {
   if (d > 45) return Math.cos(radians(90 - d));
   if (d < -45) return -Math.cos(radians(90 + d));

@@ -1,8 +1,8 @@
 // The sRGB transfer curve, on single channels where 1 is full. Knows nothing of lights or textures.
-// Constants: IEC 61966-2-1. The GLSL of the same curve takes them from SRGB, so they are written once.
+// Constants: IEC 61966-2-1. The GLSL of the same curve is generated from SRGB.
 
 export const SRGB = {
-  /** Encoded value below which the curve is a straight line. */
+  /** Encoded value up to which the curve is a straight line. */
   encodedKnee: 0.04045,
   /** The same knee on the linear side. */
   linearKnee: 0.0031308,
@@ -18,7 +18,7 @@ export function srgbDecode(encoded: number): number {
   return ((encoded + SRGB.offset) / (1 + SRGB.offset)) ** SRGB.exponent;
 }
 
-/** Linear light to encoded; the inverse of {@link srgbDecode}, continued above 1 in the same way. */
+/** Linear light to encoded: the inverse of {@link srgbDecode}, continued above 1 in the same way. */
 export function srgbEncode(linear: number): number {
   if (!(linear > 0)) return 0;
   if (linear <= SRGB.linearKnee) return linear * SRGB.slope;

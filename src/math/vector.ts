@@ -1,5 +1,5 @@
-// Small float64 vectors for everything that is computed on the CPU. Unitless; the caller's names say the space.
-// Knows neither lights nor three.js. Nothing here is meant for a per-vertex loop: it allocates.
+// Small float64 vectors for the CPU. Unitless; the caller's names give the space. Knows neither lights nor three.js.
+// Functions allocate: do not use them in per-vertex or per-frame loops.
 
 export type Vec3 = readonly [number, number, number];
 export type Vec4 = readonly [number, number, number, number];
@@ -28,12 +28,12 @@ export const cross = (a: Vec3, b: Vec3): Vec3 => [
   a[0] * b[1] - a[1] * b[0],
 ];
 
-/** Euclidean length; exact powers of two in, no overflow or underflow on the way (Math.hypot scales). */
+/** Euclidean length, without intermediate overflow or underflow: Math.hypot scales. */
 export const length = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
 
 /**
- * The unit vector along `a`, or the zero vector where `a` is zero. Scaled by its largest component first, so that
- * a denormal vector still has its direction.
+ * The unit vector along `a`, or the zero vector if `a` is zero. Scales by the largest component first, so that a denormal
+ * vector keeps its direction.
  */
 export function normalize(a: Vec3): Vec3 {
   const largest = Math.max(Math.abs(a[0]), Math.abs(a[1]), Math.abs(a[2]));

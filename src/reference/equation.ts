@@ -1,5 +1,5 @@
-// The shading equation in float64, written to be read: what the picture is measured against. World space throughout;
-// colours in HTML's units (255 = 1) come in, colours where 1 is full go out. Knows neither GLSL nor three.js.
+// What does the shading equation give, in float64? The picture is measured against this file, so it follows the textbook rather than
+// the shader. World space throughout. Colours come in as in HTML (255 = 1) and go out with 1 as full. Knows neither GLSL nor three.js.
 import { LEAST_EXPONENT, NEAREST } from '../light/light-layout.js';
 import type { LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
@@ -20,11 +20,11 @@ import {
 
 /** The fragment that is shaded. */
 export interface Fragment {
-  /** Place, in world space. */
+  /** Position in world space. */
   readonly p: Vec3;
-  /** Normal, interpolated and turned to the viewer's side; any length, zero included. */
+  /** Interpolated normal on the side that is seen; any length, including zero. */
   readonly normal: Vec3;
-  /** The eye's place. */
+  /** The eye's position. */
   readonly eye: Vec3;
 }
 
@@ -33,7 +33,7 @@ export interface Surface {
   readonly ka: Vec3;
   readonly kd: Vec3;
   readonly ks: Vec3;
-  /** n >= 0. */
+  /** Specular exponent n, >= 0. */
   readonly shininess: number;
   /** Multiplies Ka and Kd; encoded sRGB, 0–1. Default 1 1 1. */
   readonly baseColor?: Vec3;
@@ -54,13 +54,13 @@ export interface ReferenceOptions {
   readonly linear?: boolean;
 }
 
-/** One light's part in a fragment. */
+/** One light's contribution to a fragment. */
 export interface LightShare {
-  /** Unit vector to the light; zero where there is none. */
+  /** Unit vector to the light; zero if it has no direction. */
   readonly L: Vec3;
   /** Distance; Infinity for directional lights. */
   readonly d: number;
-  /** Cosine of the angle between the axis and the fragment, cone or not; 1 where axis or L is zero. */
+  /** Cosine of the angle between the axis and the fragment, with or without a cone; 1 if the axis or L is zero. */
   readonly c: number;
   readonly insideCone: boolean;
   readonly att: number;
@@ -77,11 +77,11 @@ export interface LightShare {
 export interface Shaded {
   readonly N: Vec3;
   readonly V: Vec3;
-  /** The sum over the lights before clamping, encoded where shading is linear. */
+  /** The sum over the lights before clamping; encoded if shading is linear. */
   readonly sum: Vec3;
   /** The sum clamped to 0–1. */
   readonly color: Vec3;
-  /** A share for each light in order; null for those that are not active. */
+  /** One share per light, in order; null for inactive lights. */
   readonly shares: readonly (LightShare | null)[];
 }
 
@@ -162,7 +162,7 @@ function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: Ca
     add(add(scale(camera.right, v[0]), scale(camera.up, v[1])), scale(camera.back, v[2]));
   const turned = toWorld([x, y, z]);
   return {
-    // Eye minus fragment first: far from the origin the sum eye + turned would round the light's offset away.
+    // Subtract the fragment from the eye first: far from the origin, eye + turned would round the light's offset away.
     toLight: positional ? add(subtract(eye, p), turned) : turned,
     axis: toWorld(light.axis),
     positional,
@@ -170,12 +170,12 @@ function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: Ca
 }
 
 /**
- * Radians by which what lies exactly on a cone's edge may seem outside: a few roundings of float64. Directions of round
- * numbers, 0 1 1 seen along 1 0 1 at 120°, do lie there.
+ * Tolerance of the cone's edge in radians: a few roundings of float64. Simple directions do lie exactly on an edge, such as
+ * 0 1 1 seen along 1 0 1 at 120°.
  */
 const EDGE = 16 * Number.EPSILON;
 
-/** Cone and decay; everything passes where there is no axis, no direction, or neither cone nor cutoff. */
+/** Cone and decay. Everything passes if the axis or the direction is zero, or there is neither cone nor cutoff. */
 function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   const A = normalize(axis);
   const away = negate(A);
@@ -185,18 +185,18 @@ function spot(light: Readonly<LightValues>, L: Vec3, axis: Vec3) {
   return {
     c,
     insideCone: light.aperture >= 180 || angle <= radians(light.aperture) + EDGE,
-    // Both chords: (1 + c)/2 from the cosine would keep no digits right behind the spot, where small exponents need them.
+    // Both from chords: right behind the spot (1 + c)/2 would cancel all digits, and small exponents need them.
     decay: power(halfChord(L, A) / 2, halfChord(L, away) / 2, light.cutoff),
   };
 }
 
-/** |a - b|²/2: one minus the cosine of unit vectors, precise at small angles. */
+/** |a - b|²/2 for unit vectors: one minus their cosine, without cancellation at small angles. */
 function halfChord(a: Vec3, b: Vec3): number {
   const d = subtract(a, b);
   return dot(d, d) / 2;
 }
 
-/** max(x, 0)^n with x^0 = 1 for every x; y = 1 - x keeps the digits that x near 1 has lost. */
+/** max(x, 0)^n with x^0 = 1 for every x. `y` = 1 - x, given separately because 1 - x would cancel near x = 1. */
 function power(x: number, y: number, n: number): number {
   if (n < LEAST_EXPONENT) return 1;
   if (x <= 0) return 0;

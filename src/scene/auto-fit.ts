@@ -1,34 +1,35 @@
-// Where `auto` puts the camera: measures the scene when it has changed, and moves the orbit when scene, angle of view or the
-// picture's shape ask for it. Knows nothing of drawing.
-import type { Object3D } from 'three';
+// Where does `auto` put the camera, and how deep is the scene? Measures the scene when its meshes have changed, and moves the
+// orbit when scene, field of view or the picture's aspect have. Knows nothing of drawing.
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
-import { measure, NO_EXTENT, type Extent } from './bounds.js';
+import { type Extent, measure, NO_EXTENT, radiusOf } from './bounds.js';
+import type { SceneTree } from './scene-tree.js';
 
-/** What stands for `auto`, or the value that was given. */
+/** Target and radius as declared: `auto`, or a value. */
 export interface Framing {
   readonly target: Vec3 | 'auto';
   readonly radius: number | 'auto';
 }
 
 export class AutoFit {
-  readonly #scene: Object3D;
+  readonly #tree: SceneTree;
   readonly #orbit: Orbit;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
   #extent: Extent = NO_EXTENT;
   #bounds: Bounds | null = null;
   #extentStale = true;
   #fitStale = true;
-  /** Width over height of the last size that was not nothing: a hidden picture keeps its camera. */
+  #depthBounds: Bounds | null = null;
+  /** Width over height of the last size above 0: a hidden picture keeps its camera. */
   #aspect = 1;
 
-  constructor(scene: Object3D, orbit: Orbit) {
-    this.#scene = scene;
+  constructor(tree: SceneTree, orbit: Orbit) {
+    this.#tree = tree;
     this.#orbit = orbit;
   }
 
-  /** How target and radius are found; null leaves them where the user has put them. */
+  /** How target and radius are found; null leaves them where the user put them. */
   get framing(): Framing | null {
     return this.#framing;
   }
@@ -38,12 +39,25 @@ export class AutoFit {
     this.#fitStale = true;
   }
 
-  /** Of the scene as last measured; null where it shows nothing. */
+  /** The meshes' bounds as last measured; null where the scene shows nothing. */
   get bounds(): Bounds | null {
     return this.#bounds;
   }
 
-  /** Meshes came, went, moved or changed their triangles. */
+  /**
+   * A sphere about the same centre that holds everything visible under the present world matrices, objects that moved since
+   * the last measurement included. The same object while nothing changes. Null where the scene shows nothing.
+   */
+  depthBounds(): Bounds | null {
+    const centre = this.#bounds?.centre ?? ORIGIN;
+    const radius = radiusOf(this.#tree.scene, centre);
+    const last = this.#depthBounds;
+    if (last === null || last.centre !== centre || last.radius !== radius)
+      this.#depthBounds = radius === 0 && this.#bounds === null ? null : { centre, radius };
+    return this.#depthBounds;
+  }
+
+  /** Meshes were added, removed or moved, or their vertices changed. */
   reshaped(): void {
     this.#extentStale = true;
     this.#fitStale = true;
@@ -54,12 +68,12 @@ export class AutoFit {
     this.#fitStale = true;
   }
 
-  /** Another angle of view. */
-  refit(): void {
+  /** The field of view has changed. */
+  fovChanged(): void {
     this.#fitStale = true;
   }
 
-  /** Brings the orbit in step, `fov` being vertical and in degrees; true where that has moved it. */
+  /** Measures and fits where something has changed. `fov` is vertical, in degrees. True if the orbit moved. */
   settle(fov: number): boolean {
     if (this.#extentStale) this.#measure();
     if (!this.#fitStale) return false;
@@ -69,8 +83,8 @@ export class AutoFit {
 
   #measure(): void {
     this.#extentStale = false;
-    this.#scene.updateMatrixWorld();
-    this.#extent = measure(this.#scene);
+    this.#tree.update();
+    this.#extent = measure(this.#tree.scene);
     const { center } = this.#extent;
     this.#bounds = this.#extent.empty ? null : { centre: center, radius: this.#extent.radiusAbout(center) };
   }
@@ -89,3 +103,5 @@ export class AutoFit {
     return this.#orbit.version !== before;
   }
 }
+
+const ORIGIN: Vec3 = [0, 0, 0];

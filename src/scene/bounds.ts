@@ -1,9 +1,10 @@
-// How large a scene is: the box of all its vertices in world space and the farthest of them from a point, in float64.
-// Knows nothing of cameras.
-import { type Mesh, type Object3D, Vector3 } from 'three';
+// How large is a scene? The centre of its box and its farthest vertex, in world space and float64, from the extreme points
+// of its geometries: after the first time a moved mesh costs no pass over vertices. Knows nothing of cameras.
+import type { BufferGeometry, Mesh, Object3D, Sphere } from 'three';
 import type { Vec3 } from '../math/vector.js';
+import { type ExtremePoints, extremePointsOf, forgetExtremePoints } from './extreme-points.js';
 
-/** Box and vertices of what a scene shows; `empty` where it shows nothing. */
+/** Centre of a scene's box, and its farthest vertex from any point; `empty` where it shows nothing. */
 export interface Extent {
   readonly empty: boolean;
   readonly center: Vec3;
@@ -13,48 +14,169 @@ export interface Extent {
 
 export const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0 };
 
+/** A measured mesh under its present matrix. */
+interface Placed {
+  readonly extremes: ExtremePoints;
+  readonly matrix: readonly number[];
+  /** World sphere that holds all of it. */
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
+/** Relative. Equal meshes side by side reach as far as each other but for rounding, and one of them is enough. */
+const SAME = 1e-9;
+
 /** Measures every visible mesh below `root`. World matrices must be up to date. */
 export function measure(root: Object3D): Extent {
-  const meshes: Mesh[] = [];
-  root.traverseVisible((object) => {
-    // By its mark, not its class: another copy of three.js may have made it.
-    const mesh = object as Partial<Mesh>;
-    if (mesh.isMesh && mesh.geometry && 'position' in mesh.geometry.attributes) meshes.push(object as Mesh);
-  });
+  const meshes = placedMeshes(root);
+  if (meshes.length === 0) return NO_EXTENT;
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  for (const mesh of meshes) {
-    forEachVertex(mesh, ({ x, y, z }) => {
-      low[0] = Math.min(low[0], x);
-      low[1] = Math.min(low[1], y);
-      low[2] = Math.min(low[2], z);
-      high[0] = Math.max(high[0], x);
-      high[1] = Math.max(high[1], y);
-      high[2] = Math.max(high[2], z);
-    });
-  }
-  if (!(low[0] <= high[0])) return NO_EXTENT;
+  const include = ({ extremes, matrix }: Placed, count: number): void => {
+    const places = placesOf(extremes.points, count, matrix);
+    for (let i = 0; i < count; i++) {
+      const place = places[i]!;
+      const axis = (i % 3) as 0 | 1 | 2;
+      if (place < low[axis]) low[axis] = place;
+      if (place > high[axis]) high[axis] = place;
+    }
+  };
+  const inside = ({ center, radius }: Placed): boolean => {
+    const r = (1 - SAME) * radius;
+    for (const i of [0, 1, 2] as const) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
+    return true;
+  };
+  // One point of each first: then most meshes are found to lie inside by their spheres.
+  for (const mesh of meshes) include(mesh, 3);
+  for (const mesh of meshes) if (!inside(mesh)) include(mesh, mesh.extremes.points.length);
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   return {
     empty: false,
     center: [middle(0), middle(1), middle(2)],
-    radiusAbout(point) {
-      let farthest = 0;
-      for (const mesh of meshes) {
-        forEachVertex(mesh, ({ x, y, z }) => {
-          const [dx, dy, dz] = [x - point[0], y - point[1], z - point[2]];
-          farthest = Math.max(farthest, dx * dx + dy * dy + dz * dz); // finite: coordinates are below 1e30
-        });
-      }
-      return Math.sqrt(farthest);
-    },
+    radiusAbout: (point) => farthestFrom(point, meshes),
   };
 }
 
-const vertex = new Vector3();
+/**
+ * Radius of a sphere about `point` that holds everything visible below `root`: meshes, points, lines and sprites. At least as
+ * large as needed. World matrices must be up to date. Costs one step per object.
+ */
+export function radiusOf(root: Object3D, point: Vec3): number {
+  if (!root.visible) return 0;
+  let radius = 0;
+  const { geometry, boundingSphere } = root as Partial<Mesh> & { boundingSphere?: Sphere | null };
+  const e = root.matrixWorld.elements;
+  if (boundingSphere !== undefined) {
+    // Instanced, skinned and batched meshes know where their parts are.
+    const sphere = boundingSphere ?? ownSphere(root);
+    const { x, y, z } = sphere.center;
+    if (sphere.radius >= 0) radius = reachOf(e, x, y, z, sphere.radius, point);
+  } else if (geometry !== undefined) {
+    const extremes = extremesOf(geometry);
+    if (extremes !== null) {
+      const [x, y, z] = extremes.center;
+      radius = reachOf(e, x, y, z, extremes.radius, point);
+    }
+  }
+  for (const child of root.children) {
+    const other = radiusOf(child, point);
+    if (other > radius) radius = other;
+  }
+  return radius;
+}
 
-function forEachVertex(mesh: Mesh, visit: (place: Vector3) => void): void {
-  const positions = mesh.geometry.getAttribute('position');
-  for (let i = 0; i < positions.count; i++)
-    visit(vertex.fromBufferAttribute(positions, i).applyMatrix4(mesh.matrixWorld));
+/** The vertices of what is below `root` may have changed: reads them again when they are next needed. */
+export function forgetBounds(root: Object3D): void {
+  root.traverse((object) => {
+    const { geometry } = object as Partial<Mesh>;
+    const measured = object as { boundingBox?: unknown; boundingSphere?: unknown };
+    if (measured.boundingBox !== undefined) measured.boundingBox = null;
+    if (measured.boundingSphere !== undefined) measured.boundingSphere = null;
+    if (geometry === undefined) return;
+    forgetExtremePoints(geometry);
+    // three.js culls by the one, lights are culled by the other.
+    geometry.boundingSphere = null;
+    geometry.boundingBox = null;
+  });
+}
+
+function placedMeshes(root: Object3D): Placed[] {
+  const placed: Placed[] = [];
+  root.traverseVisible((object) => {
+    // By its mark, not its class: another copy of three.js may have made it.
+    const { isMesh, geometry } = object as Partial<Mesh>;
+    const extremes = isMesh === true && geometry !== undefined ? extremesOf(geometry) : null;
+    if (extremes === null) return;
+    const matrix = object.matrixWorld.elements;
+    const { center, radius } = extremes;
+    placed.push({
+      extremes,
+      matrix,
+      center: transformed(matrix, ...center),
+      radius: radius * stretch(matrix),
+    });
+  });
+  return placed;
+}
+
+const extremesOf = (geometry: BufferGeometry): ExtremePoints | null =>
+  'position' in geometry.attributes ? extremePointsOf(geometry) : null;
+
+function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
+  let farthest = 0;
+  for (const { extremes, matrix, center, radius } of meshes) {
+    const reach = distance(point, ...center) + radius;
+    if (reach <= farthest * (1 + SAME)) continue;
+    const { length } = extremes.points;
+    const places = placesOf(extremes.points, length, matrix);
+    for (let i = 0; i < length; i += 3)
+      farthest = Math.max(farthest, distance(point, places[i]!, places[i + 1]!, places[i + 2]!));
+  }
+  return farthest;
+}
+
+let scratch = new Float64Array(0);
+
+/** The first `count` coordinates of points, in world space; overwritten by the next call. */
+function placesOf(points: Float64Array, count: number, m: readonly number[]): Float64Array {
+  if (scratch.length < count) scratch = new Float64Array(count);
+  for (let i = 0; i < count; i += 3) {
+    const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
+    scratch[i] = m[0]! * x + m[4]! * y + m[8]! * z + m[12]!;
+    scratch[i + 1] = m[1]! * x + m[5]! * y + m[9]! * z + m[13]!;
+    scratch[i + 2] = m[2]! * x + m[6]! * y + m[10]! * z + m[14]!;
+  }
+  return scratch;
+}
+
+const transformed = (m: readonly number[], x: number, y: number, z: number): [number, number, number] => [
+  m[0]! * x + m[4]! * y + m[8]! * z + m[12]!,
+  m[1]! * x + m[5]! * y + m[9]! * z + m[13]!,
+  m[2]! * x + m[6]! * y + m[10]! * z + m[14]!,
+];
+
+/** Coordinates are below 1e30, so that their squares are finite. */
+const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =>
+  Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
+
+/**
+ * At most so many times as long becomes a vector: the square root of the largest row sum of MᵀM, which is no less than its
+ * largest eigenvalue, and equal to it where the matrix does not shear.
+ */
+function stretch(m: readonly number[]): number {
+  const along = (i: number, j: number): number =>
+    Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);
+  const [xy, xz, yz] = [along(0, 4), along(0, 8), along(4, 8)];
+  return Math.sqrt(Math.max(along(0, 0) + xy + xz, along(4, 4) + xy + yz, along(8, 8) + xz + yz));
+}
+
+function reachOf(m: readonly number[], x: number, y: number, z: number, radius: number, point: Vec3): number {
+  const reach = distance(point, ...transformed(m, x, y, z)) + radius * stretch(m);
+  return Number.isFinite(reach) ? reach : 0;
+}
+
+function ownSphere(object: Object3D): Sphere {
+  const measured = object as unknown as { computeBoundingSphere(): void; boundingSphere: Sphere };
+  measured.computeBoundingSphere();
+  return measured.boundingSphere;
 }

@@ -16,6 +16,7 @@ export class Painter {
   constructor(lights: LightSet, meshes: ReadonlySet<SceneMesh>) {
     this.lighting = new PhongLighting(lights);
     this.#meshes = meshes;
+    this.scene.matrixWorldAutoUpdate = false; // the viewport updates matrices, before it measures
   }
 
   /** Draws what `view` was last aimed at. */
@@ -23,12 +24,10 @@ export class Painter {
     this.lighting.updateFrame(frame);
     renderer.render(this.scene, camera);
     this.#drawCalls = renderer.info.render.calls;
-    for (const mesh of this.#meshes) mesh.sweep();
   }
 
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
-    for (const mesh of this.#meshes) mesh.sweep();
     releaseGpu(this.scene);
     this.lighting.dispose();
   }

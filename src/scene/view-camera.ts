@@ -1,5 +1,5 @@
-// The three.js camera that looks as the orbit says. Matrices are written from the orbit's own basis: no up vector, no
-// inverse, so poles and far-away targets lose nothing. Knows neither lights nor meshes.
+// The three.js camera of an orbit. Matrices are written from the orbit's own basis, without an up vector or an inverse: poles
+// and distant targets lose no accuracy. Knows neither lights nor meshes.
 import { PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
@@ -10,14 +10,14 @@ import type { Region } from './gpu/stage.js';
 
 export class ViewCamera {
   readonly camera = new PerspectiveCamera();
-  /** The shading frame of what {@link aim} last wrote. */
+  /** The shading frame that {@link aim} last wrote. */
   readonly frame: ShadingFrame;
   readonly #orbit: Orbit;
   readonly #basis: Basis = newBasis();
   readonly #eye: MutableVec3 = [0, 0, 0];
   readonly #offset: MutableVec3 = [0, 0, 0];
   readonly #depth: DepthRange = { near: 0.1, far: 100 };
-  /** What it was last aimed by, and the orbit's version then. */
+  /** The orbit's version and the arguments of the last {@link aim}. */
   #aimed: readonly unknown[] = [];
 
   constructor(orbit: Orbit) {
@@ -55,7 +55,7 @@ export class ViewCamera {
       ...[0, 0, 0, 1],
     );
     camera.matrix.copy(camera.matrixWorld);
-    // three.js's own helpers (raycasters, say) read place and turn from these.
+    // Helpers of three.js, such as its raycaster, read these.
     camera.matrix.decompose(camera.position, camera.quaternion, camera.scale);
     const { near, far } = depthRange(this.#orbit.pose, bounds, this.#depth);
     camera.near = near;

@@ -1,14 +1,14 @@
-// What a viewport tells whoever made it. Types only.
+// What a viewport reports to its owner. Types only.
 
 export interface ViewportEvents {
-  /** Nobody knows yet whether the picture can be seen and how large it is: call `place`. */
-  locate(): void;
-  /** Before each frame; true asks for another one. `now` as animation frames have it, in milliseconds. */
+  /** Before the first frame: size and visibility of the picture are not known yet. Set `visible` and call `resize`. */
+  needsLayout(): void;
+  /** Before each frame; true asks for another one. `now` in milliseconds, as animation frames have it. */
   beforeFrame(now: number): boolean;
   drawn(): void;
-  /** After {@link drawn}, and also where drawing has thrown: nothing more is coming of itself. */
-  tried(): void;
-  /** Since the first frame, `auto` has found another target or radius. */
+  /** After {@link drawn}, and also where drawing threw: no more frames come by themselves. */
+  afterFrame(): void;
+  /** `auto` found another target or radius. Not called for the first frame. */
   fitted(): void;
   /** There is no WebGL 2: nothing will be drawn. */
   contextMissing(error: Error): void;

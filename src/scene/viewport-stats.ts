@@ -1,4 +1,4 @@
-// What drawing one picture has cost so far. Types only.
+// What drawing one picture costs. Types only; the element documents the fields.
 
 export interface ViewportStats {
   readonly frames: number;

@@ -1,17 +1,20 @@
-// One viewer's picture: its scene, lights, camera and size, drawn on the page's stage when something has changed.
-// Knows neither Lit nor attributes nor where input comes from.
+// One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
+// nor attributes nor where input comes from.
 import type { Object3D, Scene } from 'three';
 import { zoomLimits } from '../camera/fit.js';
 import type { RadiusLimits } from '../camera/drag.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
-import { DEFAULT_STYLE, type ShadingStyle } from '../material/phong-material.js';
+import type { ShadingStyle } from '../material/phong-material.js';
 import { AutoFit, type Framing } from './auto-fit.js';
+import { forgetBounds } from './bounds.js';
 import { type Framed, frameLoop } from './frame-loop.js';
-import { drawnObjects, frameNow, type SceneSnapshot } from './snapshot/scene-snapshot.js';
+import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter } from './painter.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
+import { SharedMaterials } from './mesh/shared-materials.js';
+import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
 import { NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
@@ -21,30 +24,34 @@ import type { ViewportStats } from './viewport-stats.js';
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
   readonly orbit = new Orbit();
+  readonly materials: SharedMaterials;
   readonly #painter: Painter;
+  readonly #tree: SceneTree;
   readonly #fit: AutoFit;
   readonly #events: ViewportEvents;
   readonly #view = new ViewCamera(this.orbit);
-  readonly #meshes = new Set<SceneMesh>();
-  /** Device pixels, as many as were asked for. */
+  /** Requested size in device pixels. */
   #wanted: Size = { width: 0, height: 0 };
-  /** On screen; undefined until somebody has looked. */
+  /** On screen; undefined until the layout has been read. */
   #visible: boolean | undefined = undefined;
   #attached = false;
+  /** Something has changed since the last frame. */
   #dirty = true;
   #fov = 45;
-  #style: ShadingStyle = DEFAULT_STYLE;
   #frames = 0;
 
-  /** `holder` is an element for the canvas alone. */
+  /** `holder` is an element that holds nothing but the canvas. */
   constructor(holder: HTMLElement, lights: LightSet, events: ViewportEvents) {
     this.holder = holder;
-    this.#painter = new Painter(lights, this.#meshes);
-    this.#fit = new AutoFit(this.#painter.scene, this.orbit);
+    const meshes = new Set<SceneMesh>();
+    this.#painter = new Painter(lights, meshes);
+    this.materials = new SharedMaterials(this.#painter.lighting);
+    this.#tree = new SceneTree(this.#painter.scene, meshes);
+    this.#fit = new AutoFit(this.#tree, this.orbit);
     this.#events = events;
   }
 
-  /** Device pixels, no more than the GPU draws. */
+  /** Device pixels, at most what the GPU can draw. */
   get width(): number {
     return Math.floor(this.#wanted.width * stage.shareOf(this.#wanted));
   }
@@ -75,7 +82,7 @@ export class Viewport implements StageClient, Framed {
     stage.remove(this);
     // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
     queueMicrotask(() => {
-      if (!this.#attached) this.#painter.release();
+      if (!this.#attached) this.#releaseGpu();
     });
   }
 
@@ -86,17 +93,18 @@ export class Viewport implements StageClient, Framed {
   set fov(degrees: number) {
     if (degrees === this.#fov) return;
     this.#fov = degrees;
-    this.#fit.refit();
+    this.#fit.fovChanged();
     this.invalidate();
   }
 
   get style(): ShadingStyle {
-    return this.#style;
+    return this.materials.style;
   }
 
   set style(style: ShadingStyle) {
-    this.#style = style;
-    for (const mesh of this.#meshes) mesh.restyle();
+    this.materials.style = style;
+    for (const mesh of this.#tree.meshes) mesh.restyle();
+    this.invalidate();
   }
 
   set linear(linear: boolean) {
@@ -104,7 +112,7 @@ export class Viewport implements StageClient, Framed {
     this.lighting.linear = linear;
   }
 
-  /** How target and radius are found; null leaves them where the user has put them. */
+  /** How target and radius are found; null leaves them where the user put them. */
   get framing(): Framing | null {
     return this.#fit.framing;
   }
@@ -114,13 +122,13 @@ export class Viewport implements StageClient, Framed {
     this.invalidate();
   }
 
-  /** Whether the picture can be seen. Until it can, nothing is drawn; what has changed is drawn when it can. */
+  /** Whether the picture can be seen. While it cannot, nothing is drawn; changes are drawn once it can. */
   set visible(visible: boolean) {
     this.#visible = visible;
     this.#wake();
   }
 
-  /** In device pixels, fewer where the GPU draws no more; a picture without any is not drawn. */
+  /** In device pixels. A picture of no pixels is not drawn; larger ones than the GPU can draw are reduced. */
   resize(width: number, height: number): void {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
@@ -130,56 +138,57 @@ export class Viewport implements StageClient, Framed {
   }
 
   add(mesh: SceneMesh): void {
-    this.#meshes.add(mesh);
-    this.scene.add(mesh.root);
+    this.#tree.add(mesh);
     this.reshaped();
   }
 
   remove(mesh: SceneMesh): void {
-    this.#meshes.delete(mesh);
-    mesh.dispose();
+    this.#tree.remove(mesh);
     this.reshaped();
   }
 
-  /** The scene's order, in which it is drawn: a mesh that is not among `meshes`, these, and objects of one's own. */
+  /** The order in which the scene is drawn: meshes that are not among these, these, the page author's own objects. */
   arrange(meshes: readonly SceneMesh[]): void {
-    const ranks = new Map<Object3D, number>();
-    for (const mesh of this.#meshes) ranks.set(mesh.root, meshes.indexOf(mesh));
-    const rank = (object: Object3D): number => ranks.get(object) ?? meshes.length;
-    this.scene.children.sort((a, b) => rank(a) - rank(b));
+    this.#tree.arrange(meshes);
     this.invalidate();
   }
 
-  /** Meshes came, went, moved or changed their triangles. */
+  /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
   reshaped(): void {
     this.#fit.reshaped();
     this.invalidate();
   }
 
-  /** A frame is coming, or would be if anything changed. */
+  /** Measures the whole scene again, vertices included, and fits `auto` to it. */
+  refit(): void {
+    forgetBounds(this.scene);
+    this.reshaped();
+  }
+
+  /** Frames are drawn when something changes. */
   get drawable(): boolean {
     if (!this.#attached || stage.lost || this.#visible === false) return false;
     return this.#visible === undefined || (this.width > 0 && this.height > 0);
   }
 
-  /** What was drawn last is what would be drawn now. */
+  /** Nothing has changed since the last frame. */
   get upToDate(): boolean {
     return !this.#dirty;
   }
 
-  /** Something changed: draw once more, as soon as that can be seen. */
+  /** Something changed: draw a frame, as soon as it can be seen. */
   invalidate(): void {
     this.#dirty = true;
     if (this.drawable) frameLoop.request(this);
   }
 
-  /** Motion begins that `beforeFrame` carries on. */
+  /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
   animate(): void {
     if (this.drawable) frameLoop.request(this);
   }
 
   prepare(): void {
-    if (this.#visible === undefined) this.#events.locate();
+    if (this.#visible === undefined) this.#events.needsLayout();
   }
 
   advance(now: number): boolean {
@@ -195,58 +204,60 @@ export class Viewport implements StageClient, Framed {
       this.#dirty = true;
       return;
     }
-    // Before drawing: what cannot be drawn is not tried again until something changes.
+    // Before drawing: if that throws, it is tried again only after the next change.
     this.#dirty = false;
     try {
-      this.settle();
+      this.#bringInStep();
       stage.draw(this, (renderer) => {
-        this.#view.aim(this.#fov, this.#fit.bounds, this.width, this.height);
+        this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
         this.#painter.paint(renderer, this.#view);
       });
+      this.materials.sweep();
       this.#frames += 1;
       this.#events.drawn();
     } catch (error) {
       if (!(error instanceof NoWebGL2Error)) throw error;
-      this.#attached = false; // until somebody attaches it again
+      this.#attached = false; // until it is attached again
       this.#events.contextMissing(error);
     } finally {
-      this.#events.tried();
+      this.#events.afterFrame();
     }
   }
 
-  /** Brings the camera in step with the scene: `auto` is found anew where it has to be. */
+  /** Fits the camera to the scene where `auto` asks for it and something has changed. */
   settle(): void {
-    // Where a camera begins is not a move.
+    // The first fit is not a move.
     if (this.#fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();
   }
 
-  /** How near and how far zooming may go. */
+  /** Limits of the camera's radius. */
   get zoomLimits(): RadiusLimits {
     this.settle();
     return zoomLimits(this.#fit.bounds);
   }
 
-  /** The picture now, at exactly this many pixels. Throws RangeError where no canvas can hold them. */
+  /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
   capture(width: number, height: number): HTMLCanvasElement {
-    this.settle();
+    this.#bringInStep();
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#view.aim(this.#fov, this.#fit.bounds, width, height, part);
+      this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height, part);
       this.#painter.paint(renderer, this.#view);
     });
   }
 
-  /** All that is drawn, as it is now; `ownerOf` says whose a mesh is. */
-  glimpse<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
+  /** Everything that is drawn, as it is now. `ownerOf` names the owner of a mesh. */
+  snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
-    this.settle();
-    this.scene.updateMatrixWorld();
-    this.#view.aim(this.#fov, this.#fit.bounds, width, height);
+    this.#bringInStep();
+    this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
-    const objects = drawnObjects(this.scene, camera, (object) => {
-      const mesh = [...this.#meshes].find((one) => one.shows(object));
-      return mesh && ownerOf(mesh);
-    });
-    return { width, height, frame: frameNow(frame), camera: camera.clone(), objects };
+    const owners = new Map<Object3D, Owner>();
+    for (const mesh of this.#tree.meshes) {
+      const owner = ownerOf(mesh);
+      for (const part of mesh.parts) owners.set(part.mesh, owner);
+    }
+    const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
+    return { width, height, frame: copyFrame(frame), camera: camera.clone(), objects };
   }
 
   get stats(): ViewportStats {
@@ -260,7 +271,7 @@ export class Viewport implements StageClient, Framed {
 
   contextLost(): void {
     frameLoop.cancel(this);
-    this.#painter.release();
+    this.#releaseGpu();
     this.#events.contextLost();
   }
 
@@ -269,7 +280,19 @@ export class Viewport implements StageClient, Framed {
     this.#events.contextRestored();
   }
 
-  /** Visibility, size or context changed: what waited for them is asked for, what cannot be shown is not. */
+  /** Order, matrices and camera of the scene as they are now. */
+  #bringInStep(): void {
+    this.settle();
+    this.#tree.update();
+  }
+
+  /** Drawing sends everything to the GPU again. */
+  #releaseGpu(): void {
+    this.materials.sweep();
+    this.#painter.release();
+  }
+
+  /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
   #wake(): void {
     if (!this.drawable) frameLoop.cancel(this);
     else if (this.#dirty) frameLoop.request(this);

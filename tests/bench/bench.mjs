@@ -1,147 +1,212 @@
 // @ts-check
-// Run time against error, for everything that trades one for the other, with growth and peers in the same run.
-//   npm run bench                              everything; an hour or so in software
-//   npm run bench -- --only loops,growth       some of it: an axis, growth, peers, figures   --scenes '8 mixed,8 spots'
-//   --launches 5 --rounds 5 --seed 1           fresh browsers, samples of each in a browser, other lights
-//   --out FILE.json                            default: a file of tests/bench/results, named after the machine's GPU
-//   --compare A.json B.json                    what moved by more than its noise
-//   --browser PATH --arg=--use-angle=vulkan    a real GPU (none: software GL)   --width 1920 --height 1080
-//   --build FOLDER   only builds the pages;  --page FOLDER uses such, for machines with Node and a browser alone
+// `npm run bench`: measures real scenes with the element and with plain three.js, in turns, over fresh launches of a browser, and
+// writes one result for the stack. See options.mjs for its options and subjects.mjs for what it measures.
 
-import { mkdirSync, writeFileSync } from 'node:fs';
+import { mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { parseArgs } from 'node:util';
-import { printComparison } from './compare-results.mjs';
-import { AXES, frontsOf } from './fronts.mjs';
-import { growths } from './growths.mjs';
-import { FIGURES } from './figures/index.mjs';
-import { peerLine } from './figures/peer-row.mjs';
-import { peers } from './figures/peers.mjs';
-import { reportOf } from './report-text.mjs';
-import { heading, line } from './report.mjs';
-import { readResult } from './result-file.mjs';
-import { isSoftware } from './sampling.mjs';
-import { buildPages, Session } from './session.mjs';
-import { writeReport } from './write-report.mjs';
+import { isSoftware, Lab } from './browser.mjs';
+import { measureFront } from './measure/front.mjs';
+import { measureFrames, measureScript } from './measure/frames.mjs';
+import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
+import { measureStart } from './measure/start.mjs';
+import { HELP, parseOptions } from './options.mjs';
+import { Progress } from './progress.mjs';
+import { addSamples, ratioOf, valueOf } from './results.mjs';
+import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 
-const { values: options, positionals } = parseArgs({
-  allowPositionals: true,
-  options: {
-    only: { type: 'string', default: [...AXES, 'growth', 'peers', 'figures'].join() },
-    scenes: { type: 'string', default: '' },
-    launches: { type: 'string', default: '5' },
-    rounds: { type: 'string', default: '3' },
-    width: { type: 'string', default: '' },
-    height: { type: 'string', default: '' },
-    lights: { type: 'string', default: '1,4,16,64' },
-    sample: { type: 'string', default: '40' },
-    evaluations: { type: 'string', default: '600000' },
-    seed: { type: 'string', default: '1' },
-    out: { type: 'string', default: '' },
-    source: { type: 'string', default: '' },
-    build: { type: 'string', default: '' },
-    compare: { type: 'string', default: '' },
-    browser: { type: 'string', default: '' },
-    arg: { type: 'string', multiple: true, default: [] },
-    page: { type: 'string', default: '' },
-  },
-});
-
-if (options.compare !== '') {
-  printComparison(readResult(options.compare), readResult(positionals[0] ?? ''));
-  process.exit();
-}
-if (options.build !== '') {
-  await buildPages(resolve(options.build), options.source);
-  process.exit();
-}
-
-const only = options.only.split(',');
-const begun = Date.now();
-const alone = only.every((name) => name === 'growth' || AXES.includes(name));
-const session = await Session.open({ ...options, args: options.arg, alone });
-const machine = await session.machine();
-console.log(heading(machine));
-const software = isSoftware(machine.renderer);
-/** What a picture of usual size is on each. */
-const [width, height] = software ? [480, 360] : [1920, 1080];
-const settings = {
-  launches: Number(options.launches),
-  rounds: Number(options.rounds),
-  width: Number(options.width || width),
-  height: Number(options.height || height),
-  sampleMs: Number(options.sample),
-  evaluations: Number(options.evaluations),
-  seed: Number(options.seed),
-  counts: options.lights.split(',').map(Number),
-  scenes: options.scenes === '' ? [] : options.scenes.split(','),
-  software,
-};
 const here = fileURLToPath(new URL('.', import.meta.url));
-const file = options.out || join(here, 'results', `${stackName(machine)}.json`);
+/** Longest time of one launch of a subject, in milliseconds. */
+const PATIENCE = 240_000;
+const ROUNDS = 3;
+/** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
+const MOST_LIGHTS_AT_SIZE = 32;
 
-/** @type {import('./result-file.mjs').BenchResult} */
-const result = {
-  machine: { ...machine, measured: new Date(begun).toISOString().slice(0, 10) },
-  seed: settings.seed,
-  launches: settings.launches,
-  rounds: settings.rounds,
-  ...{ fronts: [], growth: [], peers: [], figures: {} },
-};
-for (const axis of AXES.filter((name) => only.includes(name))) {
-  for await (const front of frontsOf(session, axis, settings)) keep(() => result.fronts.push(front));
-}
-if (only.includes('growth')) {
-  for await (const growth of growths(session, settings)) keep(() => result.growth.push(growth));
-}
-if (only.includes('peers')) {
-  for await (const row of peers(session, settings)) {
-    console.log(peerLine(row));
-    keep(() => result.peers.push(row));
+/** @param {import('./options.mjs').Options} options */
+async function main(options) {
+  if (options.help) return void process.stdout.write(HELP);
+  const names = chosenSubjects(options.only);
+  if (names.length === 0) throw new Error(`No subject contains "${options.only.join('; ')}". Try --list.`);
+  if (options.list) return void console.log(names.join('\n'));
+  const { buildPages } = await import('./build.mjs');
+  if (options.build !== '') return buildPages(resolve(options.build));
+  const begun = Date.now();
+  let folder = resolve(options.built);
+  if (options.built === '') {
+    folder = mkdtempSync(join(tmpdir(), 'phong-viewer-bench-'));
+    console.log('Building the package and the pages …');
+    await buildPages(folder);
+  }
+  const lab = new Lab(folder, await launchOptions(options));
+  await lab.open();
+  const machine = await lab.machine();
+  console.log(
+    Object.entries(machine)
+      .map(([key, value]) => `${key}: ${value}`)
+      .join('\n'),
+  );
+  /** @type {import('./results.mjs').BenchResult} */
+  const result = {
+    stack: options.stack,
+    machine,
+    date: new Date(begun).toISOString().slice(0, 10),
+    launches: options.launches,
+    size: options.size ?? (isSoftware(machine.renderer) ? [480, 360] : [1920, 1080]),
+    measures: [],
+    fronts: [],
+    failures: [],
+  };
+  const out =
+    options.out ||
+    (options.quick || options.only.length > 0 ? '' : join(here, 'results', `${options.stack}.json`));
+  await measureAll(lab, names, options, result, begun, () => write(out, result));
+  await lab.close();
+  if (out !== '') console.log(`\n${out}`);
+  if (result.failures.length > 0) {
+    for (const { subject, message } of result.failures) console.error(`${subject}: ${message}`);
+    process.exitCode = 1;
   }
 }
-for (const [name, measure] of Object.entries(FIGURES)) {
-  if (!only.includes('figures') && !only.includes(name)) continue;
-  for await (const figure of measure(session, settings)) {
-    console.log(line(figure));
-    keep(() => (result.figures[name] ??= []).push(figure));
+
+/**
+ * All subjects once, then all of them again, so that a run that ends early has launches of each.
+ * @param {Lab} lab @param {readonly string[]} names @param {import('./options.mjs').Options} options
+ * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {() => void} save
+ */
+async function measureAll(lab, names, { launches, minutes }, result, begun, save) {
+  const parts = Array.from({ length: launches }, () => names).flat();
+  const progress = new Progress(parts);
+  for (const [i, name] of parts.entries()) {
+    const start = Date.now();
+    if (start - begun + progress.estimate(name) > 60_000 * minutes)
+      return void console.log(`${progress} Stopped: ${minutes} minutes are over.`);
+    const launch = Math.floor(i / names.length);
+    try {
+      await withPatience(measure(lab, name, launch, result));
+    } catch (error) {
+      const message = error instanceof Error ? (error.message.split('\n')[0] ?? '') : String(error);
+      result.failures.push({ subject: name, message });
+    }
+    progress.finish(Date.now() - start);
+    console.log(`${progress} ${name}: ${summary(result, name)}`);
+    save();
   }
 }
-session.close();
-const drawn = drawCharts();
-console.log(`\n${file} and ${drawn}, ${((Date.now() - begun) / 60_000).toFixed(1)} min`);
 
-/** The fronts as pictures: of what is kept for the report with it, of other files beside them. */
-function drawCharts() {
-  if (options.out === '') {
-    const { charts } = writeReport(here);
-    return `${charts} charts of the report`;
-  }
-  const folder = file.replace(/\.json$/, '') + '-charts';
-  mkdirSync(folder, { recursive: true });
-  const { charts } = reportOf([{ stack: stackName(machine), ...result }]);
-  for (const [name, chart] of charts) writeFileSync(join(folder, name), `${chart}\n`);
-  return `${charts.size} charts in ${folder}`;
+/** @param {import('./subjects.mjs').FrameSubject} subject @param {import('./results.mjs').BenchResult} result @returns {readonly [number, number]} */
+function sizeOf({ scene }, { machine, size }) {
+  const lights = Number(scene.split(':')[1]);
+  if (!isSoftware(machine['renderer'] ?? '') || lights <= MOST_LIGHTS_AT_SIZE) return size;
+  const shrink = Math.sqrt(MOST_LIGHTS_AT_SIZE / lights);
+  return [Math.round(size[0] * shrink), Math.round(size[1] * shrink)];
 }
 
-/** After each part: a run that ends early keeps what it has. @param {() => void} add */
-function keep(add) {
-  add();
+/** @param {Promise<void>} work */
+async function withPatience(work) {
+  /** @type {NodeJS.Timeout | undefined} */
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`took longer than ${PATIENCE / 1000} s`)), PATIENCE);
+  });
+  work.catch(() => {}); // it may fail once it is too late
+  try {
+    await Promise.race([work, late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+/** One launch of a subject. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result */
+async function measure(lab, name, launch, result) {
+  const subject = SUBJECTS[name];
+  const options = {
+    size: result.size,
+    rounds: ROUNDS,
+    /** @param {string} measure @param {string} unit @param {Record<string, number>} values */
+    add: (measure, unit, values) => addSamples(result, name, measure, unit, values),
+  };
+  switch (subject?.kind) {
+    case 'frames':
+      return measureFrames(lab, subject, launch, { ...options, size: sizeOf(subject, result) });
+    case 'script':
+      return measureScript(lab, subject, options);
+    case 'start':
+      return measureStart(lab, subject, launch, options);
+    case 'viewers':
+      return measureViewers(lab, { ...options, rounds: 1 });
+    case 'connect':
+      return measureConnect(lab, { ...options, rounds: 1 });
+    case 'bytes':
+      if (launch === 0) measureBytes(lab, options);
+      return;
+    case 'front': {
+      const front = await measureFront(lab, name, subject.front, options);
+      const known = result.fronts.find((one) => one.subject === name);
+      if (known === undefined) result.fronts.push(front);
+      else known.ms.forEach((rounds, i) => rounds.push(...(front.ms[i] ?? [])));
+    }
+  }
+}
+
+/** What is known of a subject so far, in one line. @param {import('./results.mjs').BenchResult} result @param {string} name */
+function summary(result, name) {
+  const failure = result.failures.findLast(({ subject }) => subject === name);
+  if (failure !== undefined) return `failed: ${failure.message}`;
+  const rows = result.measures.filter(({ subject }) => subject === name);
+  const front = result.fronts.find(({ subject }) => subject === name);
+  if (front !== undefined) {
+    const base = valueOf({
+      ...front,
+      measure: '',
+      unit: '',
+      samples: { base: front.ms[front.base] ?? [] },
+    }).median;
+    return front.variants
+      .map((label, i) => {
+        const { median } = valueOf({ ...front, measure: '', unit: '', samples: { one: front.ms[i] ?? [] } });
+        return `${label} ${(median / base).toFixed(2)} (error ${front.errors[i]?.max.toPrecision(2) ?? '?'})`;
+      })
+      .join(', ');
+  }
+  return rows
+    .map((row) => {
+      const sides = Object.keys(row.samples);
+      const base = valueOf(row, sides.at(-1)).median.toPrecision(3);
+      if (sides.length === 1) return `${row.measure} ${base} ${row.unit}`;
+      const ratios = sides.slice(0, -1).map((side) => {
+        const label = sides.length > 2 ? `${side} ` : '';
+        return `${label}${ratioOf(row, side)?.median.toFixed(2)} (${valueOf(row, side).median.toPrecision(3)})`;
+      });
+      return `${row.measure} ${ratios.join(', ')} : 1 (${base} ${row.unit})`;
+    })
+    .join('; ');
+}
+
+/** @param {string} file @param {import('./results.mjs').BenchResult} result */
+function write(file, result) {
+  if (file === '') return;
   mkdirSync(dirname(file), { recursive: true });
   writeFileSync(file, `${JSON.stringify(result, null, 1)}\n`);
 }
 
-/** The card and what it was reached through, as a file's name. @param {{ renderer: string }} machine */
-function stackName({ renderer }) {
-  const card =
-    /SwiftShader|llvmpipe/.exec(renderer)?.[0] ??
-    /(?:NVIDIA|AMD|Intel|Apple|Adreno|Mali|Radeon|GeForce)[ -](?!Corporation|NVIDIA)[\w .-]*\w/.exec(
-      renderer,
-    )?.[0] ??
-    'GPU';
-  const through = /SwiftShader|llvmpipe/.test(card)
-    ? undefined
-    : /Vulkan|OpenGL|Direct3D11|Metal/.exec(renderer)?.[0];
-  return (through === undefined ? card : `${card} through ${through}`).replaceAll(/[^\w]+/g, '-');
+/**
+ * The named browser with the named flags, or this machine's own with software rendering.
+ * @param {import('./options.mjs').Options} options @returns {Promise<import('playwright-core').LaunchOptions>}
+ */
+async function launchOptions({ browser, flags }) {
+  const common = ['--no-sandbox', '--disable-background-networking'];
+  if (browser !== '' && flags.length > 0) return { executablePath: browser, args: [...common, ...flags] };
+  const { ensureBrowser, softwareGl } = await import('../../.ci/browser.mjs');
+  return {
+    executablePath: browser === '' ? await ensureBrowser() : browser,
+    args: flags.length > 0 ? [...common, ...flags] : softwareGl,
+  };
+}
+
+try {
+  await main(parseOptions(process.argv.slice(2)));
+} catch (error) {
+  console.error(error instanceof Error ? error.message : error);
+  process.exit(2);
 }

@@ -1,9 +1,9 @@
 // @ts-check
-// A triangle mesh as the smallest binary glTF that holds it: what viewers that show only files are given. Used in Node and
-// in pages; positions and normals are unitless, counter-clockwise is outside.
+// Writes a triangle mesh as the smallest binary glTF that holds it. Positions and normals have no unit; counter-clockwise
+// triangles face outward.
 
 /**
- * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array }} Triangles
+ * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array | Uint32Array }} Triangles
  * @param {Triangles} triangles
  * @returns {Uint8Array<ArrayBuffer>}
  */
@@ -14,7 +14,7 @@ export function glbOf({ positions, normals, indices }) {
     total = padded(start + part.byteLength);
     return { start, bytes: new Uint8Array(part.buffer, part.byteOffset, part.byteLength) };
   });
-  const corners = [0, 1, 2].map((axis) => positions.filter((_, i) => i % 3 === axis));
+  const coordinates = [0, 1, 2].map((axis) => positions.filter((_, i) => i % 3 === axis));
   const count = positions.length / 3;
   const json = {
     asset: { version: '2.0' },
@@ -25,11 +25,16 @@ export function glbOf({ positions, normals, indices }) {
     accessors: [
       {
         ...{ bufferView: 0, componentType: FLOAT, count, type: 'VEC3' },
-        min: corners.map((values) => values.reduce((a, b) => Math.min(a, b))),
-        max: corners.map((values) => values.reduce((a, b) => Math.max(a, b))),
+        min: coordinates.map((values) => values.reduce((a, b) => Math.min(a, b))),
+        max: coordinates.map((values) => values.reduce((a, b) => Math.max(a, b))),
       },
       { bufferView: 1, componentType: FLOAT, count, type: 'VEC3' },
-      { bufferView: 2, componentType: UNSIGNED_SHORT, count: indices.length, type: 'SCALAR' },
+      {
+        bufferView: 2,
+        componentType: indices instanceof Uint32Array ? UNSIGNED_INT : UNSIGNED_SHORT,
+        count: indices.length,
+        type: 'SCALAR',
+      },
     ],
     bufferViews: parts.map(({ start, bytes }) => ({
       buffer: 0,
@@ -58,40 +63,10 @@ export function glbOf({ positions, normals, indices }) {
 
 const FLOAT = 5126;
 const UNSIGNED_SHORT = 5123;
+const UNSIGNED_INT = 5125;
 const MAGIC = 0x46546c67;
 const JSON_CHUNK = 0x4e4f534a;
 const BINARY_CHUNK = 0x004e4942;
 
 /** To whole words. @param {number} bytes */
 const padded = (bytes) => Math.ceil(bytes / 4) * 4;
-
-/** A cube of edge 1 about the origin, each face with corners of its own. @returns {Triangles} */
-export function box() {
-  const positions = [];
-  const normals = [];
-  const indices = [];
-  for (const axis of [0, 1, 2]) {
-    for (const sign of [1, -1]) {
-      const first = positions.length / 3;
-      for (const [u, v] of /** @type {const} */ ([
-        [-1, -1],
-        [1, -1],
-        [1, 1],
-        [-1, 1],
-      ])) {
-        const corner = [0, 0, 0];
-        corner[axis] = sign / 2;
-        corner[(axis + 1) % 3] = (sign * u) / 2; // turned round on the far side, so that it faces outwards too
-        corner[(axis + 2) % 3] = v / 2;
-        positions.push(...corner);
-        normals.push(...[0, 1, 2].map((i) => (i === axis ? sign : 0)));
-      }
-      indices.push(...[0, 1, 2, 0, 2, 3].map((i) => first + i));
-    }
-  }
-  return {
-    positions: new Float32Array(positions),
-    normals: new Float32Array(normals),
-    indices: new Uint16Array(indices),
-  };
-}

@@ -1,46 +1,203 @@
 // @ts-check
-// Figures as people read them: what was measured, on what, a line each, with the aim beside it.
+// `npm run bench:report`: writes REPORT.md and charts/ from all results. Nothing in the report is typed by hand.
 
-import { pairedRatios, spread } from './statistics.mjs';
+import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { AIMS, judge, stackKind } from './aims.mjs';
+import { chartsOf } from './charts.mjs';
+import { ratioOf, readResults, valueOf } from './results.mjs';
+import { median, pairedRatios } from './statistics.mjs';
+import { SUBJECTS } from './subjects.mjs';
 
-/**
- * @typedef {object} Figure
- * @property {string} name what is compared, and with what
- * @property {string} unit of the values
- * @property {import('./statistics.mjs').Spread} value ours
- * @property {import('./statistics.mjs').Spread} peer theirs
- * @property {import('./statistics.mjs').Spread} ratio paired within rounds
- * @property {number} [atMost] the aim for the ratio
- * @property {string} [note]
- */
+/** @typedef {import('./results.mjs').BenchResult} BenchResult */
 
-/**
- * @param {string} name @param {string} unit @param {readonly number[]} ours @param {readonly number[]} theirs of the same rounds
- * @param {{ atMost?: number | undefined, note?: string }} [more]
- * @returns {Figure}
- */
-export function figure(name, unit, ours, theirs, { atMost, note } = {}) {
-  return {
-    name,
-    unit,
-    value: spread(ours),
-    peer: spread(theirs),
-    ratio: spread(pairedRatios(ours, theirs)),
-    ...(atMost === undefined ? {} : { atMost }),
-    ...(note === undefined ? {} : { note }),
-  };
+const here = fileURLToPath(new URL('.', import.meta.url));
+
+/** @param {readonly BenchResult[]} results @returns {{ report: string, charts: Map<string, string> }} */
+export function reportOf(results) {
+  /** @type {Map<string, string>} */
+  const charts = new Map();
+  const pictures = results.flatMap((result) =>
+    [...chartsOf(result)].map(([name, svg]) => {
+      const file = `${result.stack}-${name}.svg`;
+      charts.set(file, svg);
+      return `![${result.stack}: ${name}](charts/${file})`;
+    }),
+  );
+  const report = `# What the bench measured
+
+Written by \`npm run bench:report\` from \`results/\`. Ratios are to plain three.js with MeshPhongMaterial on a canvas with the same
+attributes, measured in turns in the same browser: the median of the rounds' ratios, with quartiles in brackets. Frame times are the
+GPU's own, in software the CPU time of the GPU process. The longest frame is wall time, and so is the start. Script is the CPU time
+of the page's main thread; its ratios are to three's frame of one unlit mesh.
+
+## Aims
+
+${aimsTable(results)}
+
+## Frames
+
+${framesTables(results).join('\n\n')}
+
+## Script, start, heap and size
+
+${otherTable(results)}
+
+## Light loops: time against error
+
+Time is relative to the equation as specified. Errors are the largest in 1/255 over a picture, against float64.
+
+${frontsTable(results)}
+
+## Charts
+
+${pictures.join('\n\n')}
+
+## Machines
+
+${machinesTable(results)}
+${failures(results)}
+\`npm run bench -- --help\` explains how to measure again.
+`;
+  return { report, charts };
 }
 
-/** @param {Figure} figure */
-export function line({ name, unit, value, peer, ratio, atMost, note }) {
-  const verdict = atMost === undefined ? '' : ratio.median <= atMost ? `meets ${atMost}` : `MISSES ${atMost}`;
-  const values = `${value.median.toPrecision(3)} of ${peer.median.toPrecision(3)} ${unit}`;
-  const quartiles = `(${ratio.low.toFixed(3)}–${ratio.high.toFixed(3)}, ${ratio.count} pairs)`;
-  return `${name.padEnd(58)} ${ratio.median.toFixed(3).padStart(7)} ${quartiles.padEnd(26)} ${values.padEnd(24)} ${verdict}${note ? `  ${note}` : ''}`;
+/** @param {readonly BenchResult[]} results */
+function aimsTable(results) {
+  let [met, all] = [0, 0];
+  const rows = AIMS.map((aim) => {
+    const cells = results.map((result) => {
+      const found = judge(aim, result);
+      if (found === undefined) return '–';
+      all += 1;
+      if (found.met) met += 1;
+      const sign = aim.least === true ? '≥' : '≤';
+      return `${found.met ? '✓' : '**✗**'} ${spreadText(found.measured)}, aim ${sign} ${found.most}`;
+    });
+    return [aim.label, ...cells];
+  });
+  return `${met} of ${all} are met.\n\n${table(['', ...stacks(results)], rows)}`;
 }
 
-/** @param {Record<string, unknown>} machine */
-export const heading = (machine) =>
-  Object.entries(machine)
-    .map(([key, value]) => `${key}: ${String(value)}`)
-    .join('\n');
+/** @param {readonly BenchResult[]} results */
+function framesTables(results) {
+  return results.map((result) => {
+    const names = Object.keys(SUBJECTS).filter((name) => SUBJECTS[name]?.kind === 'frames');
+    const rows = names.flatMap((subject) => {
+      /** @param {string} measure */
+      const row = (measure) =>
+        result.measures.find((one) => one.subject === subject && one.measure === measure);
+      if (row('settled') === undefined) return [];
+      const cells = ['first frames', 'settled'].map((measure) => both(row(measure)));
+      return [[subject, ...cells, both(row('longest frame'), false)]];
+    });
+    const head = ['ms, base', 'first frames', 'settled', 'longest frame'];
+    return `**${result.stack}**, ${result.size.join(' × ')} pixels${stackKind(result) === 'software' ? ' (fewer above 32 lights)' : ''}\n\n${table(head, rows)}`;
+  });
+}
+
+/** Ratio and both sides' values. @param {import('./results.mjs').Measure | undefined} row @param {boolean} [withRatio] */
+function both(row, withRatio = true) {
+  if (row === undefined) return '–';
+  const sides = Object.keys(row.samples);
+  const values = sides.map((side) => digits(valueOf(row, side).median)).join(' : ');
+  const ratio = ratioOf(row);
+  return ratio === undefined || !withRatio ? values : `${spreadText(ratio)} = ${values}`;
+}
+
+/** @param {readonly BenchResult[]} results */
+function otherTable(results) {
+  const keys = new Map(
+    results
+      .flatMap(({ measures }) => measures)
+      .filter(({ subject }) => SUBJECTS[subject]?.kind !== 'frames')
+      .flatMap(({ subject, measure, unit, samples }) =>
+        Object.keys(samples).map((side) => [
+          `${subject}, ${measure}, ${side}, ${unit}`,
+          { subject, measure, side },
+        ]),
+      ),
+  );
+  const rows = [...keys].map(([label, { subject, measure, side }]) => [
+    label,
+    ...results.map(({ measures }) => {
+      const row = measures.find((one) => one.subject === subject && one.measure === measure);
+      return row === undefined || !(side in row.samples) ? '–' : spreadText(valueOf(row, side), digits);
+    }),
+  ]);
+  return table(['', ...stacks(results)], rows);
+}
+
+/** @param {readonly BenchResult[]} results */
+function frontsTable(results) {
+  const titles = [...new Set(results.flatMap(({ fronts }) => fronts.map(({ title }) => title)))];
+  const rows = titles.flatMap((title) => {
+    const found = results.map(({ fronts }) => fronts.find((front) => front.title === title));
+    const variants = found.find((front) => front !== undefined)?.variants ?? [];
+    return variants.map((variant, i) => [
+      `${title}: ${variant}`,
+      ...found.map((front) => {
+        if (front === undefined) return '–';
+        const ratio = median(pairedRatios(front.ms[i] ?? [], front.ms[front.base] ?? []));
+        return `${ratio.toFixed(2)}, error ${digits(front.errors[i]?.max ?? NaN)}`;
+      }),
+    ]);
+  });
+  return table(['', ...stacks(results)], rows);
+}
+
+/** @param {readonly BenchResult[]} results */
+function machinesTable(results) {
+  const keys = [...new Set(results.flatMap(({ machine }) => Object.keys(machine)))];
+  return table(
+    ['', ...stacks(results)],
+    [
+      ['measured', ...results.map(({ date }) => date)],
+      ['launches', ...results.map(({ launches }) => String(launches))],
+      ...keys.map((key) => [key, ...results.map(({ machine }) => machine[key] ?? '–')]),
+    ],
+  );
+}
+
+/** @param {readonly BenchResult[]} results */
+function failures(results) {
+  const lines = results.flatMap(({ stack, failures: failed }) =>
+    failed.map(({ subject, message }) => `- ${stack}, ${subject}: ${escaped(message)}`),
+  );
+  return lines.length === 0 ? '' : `\nNot measured:\n\n${lines.join('\n')}\n`;
+}
+
+/** @param {readonly BenchResult[]} results */
+const stacks = (results) => results.map(({ stack }) => stack);
+
+/** @param {import('./statistics.mjs').Spread} spread @param {(x: number) => string} [text] */
+const spreadText = ({ median: middle, low, high, count }, text = digits) =>
+  count < 2 ? text(middle) : `${text(middle)} (${text(low)}–${text(high)})`;
+
+/** Three significant digits, never an exponent. @param {number} x */
+const digits = (x) => (Math.abs(x) >= 100 ? x.toFixed(0) : String(Number(x.toPrecision(x >= 1 ? 3 : 2))));
+
+/** @param {readonly string[]} head @param {readonly (readonly string[])[]} rows */
+const table = (head, rows) =>
+  [head, head.map(() => '---'), ...rows].map((cells) => `| ${cells.map(escaped).join(' | ')} |`).join('\n');
+
+/** @param {string} text */
+const escaped = (text) => text.replaceAll('|', '\\|').replaceAll('<', '&lt;');
+
+/** Of the results in a folder, into that folder. @param {string} folder */
+function writeReport(folder) {
+  const results = readResults(join(folder, 'results'));
+  if (results.length === 0) {
+    console.error('There are no results. Run npm run bench first.');
+    process.exit(2);
+  }
+  const { report, charts } = reportOf(results);
+  rmSync(join(folder, 'charts'), { recursive: true, force: true });
+  mkdirSync(join(folder, 'charts'));
+  for (const [file, svg] of charts) writeFileSync(join(folder, 'charts', file), `${svg}\n`);
+  writeFileSync(join(folder, 'REPORT.md'), report);
+  console.log(`REPORT.md and ${charts.size} charts from ${results.length} results`);
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) writeReport(process.argv[2] ?? here);

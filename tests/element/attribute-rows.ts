@@ -274,7 +274,6 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
     choice('antialias', 'edges', 'edges', 'highlights'),
-    number('error-budget', 0, 0, 255, 'errorBudget'),
     gui,
   ],
 };

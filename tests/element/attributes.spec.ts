@@ -39,6 +39,32 @@ for (const [tag, rows] of Object.entries(tables)) {
   });
 }
 
+test('nothing of an element’s inner life is a property', async ({ page, mount }) => {
+  await mount('<main></main>');
+  for (const [tag, rows] of Object.entries(tables)) {
+    if (tag === 'phong-viewer') continue; // it has Lit’s as well
+    const found = await page.evaluate((name) => {
+      const element = document.createElement(name);
+      const names = new Set(Object.getOwnPropertyNames(element));
+      for (
+        let at: object = Object.getPrototypeOf(element) as object;
+        at !== HTMLElement.prototype;
+        at = Object.getPrototypeOf(at) as object
+      )
+        // prettier-ignore
+        for (const key of Object.getOwnPropertyNames(at)) names.add(key);
+      return [...names];
+    }, tag);
+    const known = ['constructor', ...rows.map(propertyOf)];
+    expect(found.filter((name) => !known.includes(name) && !name.endsWith('Callback'))).toEqual([]);
+  }
+  const viewer = await page.evaluate(() => {
+    const element = document.createElement('phong-viewer');
+    return ['state', 'declared', 'moveFrom', 'store', 'binding'].filter((name) => name in element);
+  });
+  expect(viewer).toEqual([]);
+});
+
 interface Case {
   readonly tag: string;
   readonly row: Row;

@@ -1,52 +1,52 @@
-// `npm run bench` itself, in its shortest form: it runs, and what it writes holds what it promises. Asserts no time. Of two axes;
-// others are tried by the demo's page, beside this, and all of these before a release.
+// `npm run bench` itself on its smallest subjects: it measures, and writes what it promises. Asserts no time.
 import { execFile } from 'node:child_process';
-import { readdirSync, readFileSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { promisify } from 'node:util';
-import type { BenchResult } from '../bench/result-file.mjs';
+import type { BenchResult } from '../bench/results.mjs';
 import { expect, test } from '../support/test.js';
 
 const BENCH = fileURLToPath(new URL('../bench/bench.mjs', import.meta.url));
+const bench = (...options: string[]) => promisify(execFile)(process.execPath, [BENCH, ...options]);
 
-async function bench(...options: string[]): Promise<string> {
-  const { stdout } = await promisify(execFile)(process.execPath, [BENCH, ...options]);
-  return stdout;
-}
+test('lists its subjects, and refuses unknown options and subjects in one line', async () => {
+  expect((await bench('--list')).stdout).toContain('sphere, 8 lights\n');
+  expect((await bench('--help')).stdout).toContain('--quick');
+  for (const options of [['--fast'], ['--only', 'a teapot'], ['--launches', '0'], ['--size', 'large']]) {
+    const failure = (await bench(...options).catch((error: unknown) => error)) as {
+      code: number;
+      stderr: string;
+    };
+    expect(failure.code, options.join(' ')).toBe(2);
+    expect(failure.stderr.trim(), options.join(' ')).toMatch(/^.*Try --(help|list)\.$/);
+  }
+});
 
-/** So small and short that only the ways are tried. */
-const SHORT = '--launches 1 --rounds 1 --width 48 --height 32 --evaluations 1 --sample 1'.split(' ');
-
-for (const [release, axes] of [
-  ['', ['loops', 'antialias']],
-  ['@release ', ['shading', 'loops', 'antialias', 'scale']],
-] as const) {
-  test(`${release}npm run bench writes what it has measured of ${axes.join(', ')}, and tells two files apart only where something moved`, async ({}, info) => {
-    test.setTimeout(120_000);
-    const file = info.outputPath('bench.json');
-    const scenes = ['--scenes', '1 directional,shininess 1e3,shininess 1e4'];
-    const said = await bench('--only', axes.join(), ...scenes, ...SHORT, '--out', file);
-    const result = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
-    expect(result.machine['renderer']).toMatch(/SwiftShader|llvmpipe/);
-    expect(result.machine['three']).toMatch(/^0\.\d+/);
-    expect(result.seed).toBe(1);
-    expect([...new Set(result.fronts.map(({ axis }) => axis))]).toEqual(axes);
-    const charts = readdirSync(info.outputPath('bench-charts'));
-    expect(charts).toHaveLength(result.fronts.length);
-    for (const { title, points, base, shipped } of result.fronts) {
-      expect(said).toContain(title);
-      const ids = points.map(({ id }) => id);
-      expect(new Set(ids).size).toBe(ids.length);
-      expect(ids).toEqual(expect.arrayContaining([base, shipped]));
-      for (const { error } of points)
-        for (const [name, value] of Object.entries(error)) expect(value, name).toEqual(expect.any(Number));
+test('@release measures frames, script, bytes and a front, each side as often as the others', async ({}, info) => {
+  test.setTimeout(300_000);
+  const file = info.outputPath('result.json');
+  const only = 'sphere, 1 light;script, 1 moving light;bytes;front, 8 lights';
+  const { stdout } = await bench('--quick', '--size', '64x48', '--only', only, '--out', file);
+  expect(stdout).toMatch(/\[1\/4, .+ left\] sphere, 1 light: first frames/);
+  const result = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
+  expect(result.failures).toEqual([]);
+  expect(result.machine['renderer']).toMatch(/SwiftShader|llvmpipe/);
+  const sphere = result.measures.filter(({ subject }) => subject === 'sphere, 1 light');
+  expect(sphere.map(({ measure }) => measure)).toEqual([
+    'first frames',
+    'longest frame',
+    'usual frame',
+    'settled',
+  ]);
+  for (const { subject, measure, samples } of result.measures) {
+    const sides = Object.values(samples);
+    for (const values of sides) {
+      expect(values.length, `${subject}: ${measure}`).toBe(sides[0]!.length);
+      for (const value of values) expect(value, `${subject}: ${measure}`).toBeGreaterThan(0);
     }
-    // What the shipped loop is worth does not depend on how long it was looked at.
-    const loops = result.fronts.find(({ axis }) => axis === 'loops');
-    const shipped = loops?.points.find(({ id }) => id === 'shipped');
-    expect(shipped?.error.max).toBeLessThan(0.02);
-    expect(loops?.points.find(({ id }) => id === 'schlick')?.error.max).toBeGreaterThan(1);
-
-    expect(await bench('--compare', file, file)).toMatch(/^0 of \d+ moved/m);
-  });
-}
+  }
+  const [front] = result.fronts;
+  const shipped = front!.variants.indexOf('shipped');
+  expect(front!.errors[shipped]!.max).toBeLessThan(0.02);
+  expect(front!.errors[front!.variants.indexOf('Schlick’s lobe')]!.max).toBeGreaterThan(1);
+});

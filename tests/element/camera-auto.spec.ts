@@ -1,8 +1,8 @@
-// Where does the camera go by itself: `auto` radius and target, and `auto-rotate`? Radii are held against the formula worked
-// out here in float64. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
+// Where does the camera go by itself: `auto` radius and target, and `auto-rotate`? Radii are compared with the formula, computed
+// here in float64. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, handsReady, nextFrame, type PhongViewer } from './support.js';
+import { assign, cameraOf, drag, nextFrame, type PhongViewer } from './support.js';
 
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
 
@@ -42,14 +42,14 @@ test.describe('auto', () => {
     });
   }
 
-  test('reaches the farthest vertex from a target that is given', async ({ mount }) => {
+  test('reaches the farthest vertex from a declared target', async ({ mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" target="2 0 0"></phong-viewer>');
     const camera = await cameraOf(viewer);
     expect(camera.target).toEqual([2, 0, 0]);
     expect(camera.radius).toBeCloseTo(fitted(Math.hypot(2.5, 0.5, 0.5), 600, 400), 6);
   });
 
-  test('fits anew to meshes, size and field of view until the user moves the camera', async ({
+  test('refits to new meshes, size and field of view until the user moves the camera', async ({
     page,
     mount,
   }) => {
@@ -80,7 +80,7 @@ test.describe('auto', () => {
     expect(await radius()).not.toBe(kept.radius);
   });
 
-  test('a radius that is given stays, whatever comes', async ({ mount }) => {
+  test('a declared radius stays, whatever changes', async ({ mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" radius="5"></phong-viewer>');
     await assign(viewer, { geometry: 'torus', fov: 20 });
     expect((await cameraOf(viewer)).radius).toBe(5);
@@ -90,7 +90,7 @@ test.describe('auto', () => {
 test.describe('auto-rotate', () => {
   const turning = '<phong-viewer geometry="box" theta="0" auto-rotate="90"></phong-viewer>';
 
-  test('turns by elapsed time, and rests while a hand holds the scene', async ({ page, mount }) => {
+  test('turns by elapsed time, and pauses during a drag', async ({ page, mount }) => {
     const viewer = await mount(turning);
     const shown = await viewer.evaluate(async (element: PhongViewer) => {
       const places: { time: number; theta: number }[] = [];
@@ -108,7 +108,6 @@ test.describe('auto-rotate', () => {
       expect(turned).toBeCloseTo((0.09 * (time - first.time)) % 360, 6);
     }
     await page.mouse.move(300, 200);
-    await handsReady(page);
     await page.mouse.down();
     const { theta } = await cameraOf(viewer);
     await nextFrame(page);
@@ -117,7 +116,7 @@ test.describe('auto-rotate', () => {
     await expect.poll(async () => (await cameraOf(viewer)).theta).not.toBe(theta);
   });
 
-  test('stands still for readers who prefer reduced motion, and starts when they no longer do', async ({
+  test('stops for users who prefer reduced motion, and starts when they no longer do', async ({
     page,
     mount,
   }) => {

@@ -1,5 +1,5 @@
-// Do hands turn the scene as the camera's laws say? A real mouse and real fingers on a viewer of 600 × 400 CSS pixels:
-// one width is 360° of azimuth, one height 180° of polar angle.
+// Do drags turn the scene by the specified angles? A real mouse and real fingers on a viewer of 600 × 400 CSS pixels: one width is
+// 360° of azimuth, one height 180° of polar angle.
 
 import { compare, expect, pixels, test } from '../support/test.js';
 import { assign, cameraOf, drag, nextFrame, type PhongViewer, record } from './support.js';
@@ -26,7 +26,7 @@ test.describe('a drag with the primary button', () => {
     expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 88 });
   });
 
-  test('turns while it goes on, before the button is let go', async ({ page, mount }) => {
+  test('turns during the drag, before the button is released', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [100, 100], [30, 10], { release: false });
     expect(await cameraOf(viewer)).toMatchObject({ theta: 12, phi: 65.5 });
@@ -34,7 +34,7 @@ test.describe('a drag with the primary button', () => {
     expect(await cameraOf(viewer)).toMatchObject({ theta: 12, phi: 65.5 });
   });
 
-  test('depends on the total travel only, however it was reached', async ({ page, mount }) => {
+  test('depends on the total travel only', async ({ page, mount }) => {
     const viewer = await mount(oddBox);
     await drag(page, [300, 200], [37, 23], { steps: 1 });
     const direct = await cameraOf(viewer);
@@ -59,7 +59,7 @@ test.describe('a drag with the primary button', () => {
     expect(compare(await pixels(viewer), before).max).toBe(0);
   });
 
-  test('shows the picture that the same angles in markup give', async ({ page, mount }) => {
+  test('shows the same picture as the same angles in markup', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [300, 200], [60, 40]);
     const dragged = await pixels(viewer);
@@ -67,7 +67,7 @@ test.describe('a drag with the primary button', () => {
     expect(compare(dragged, await pixels(declared)).max).toBe(0);
   });
 
-  test('stops at the poles and comes back from them as far as the pointer does', async ({ page, mount }) => {
+  test('stops at the poles and comes back with the pointer', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [300, 100], [0, 250], { release: false });
     expect((await cameraOf(viewer)).phi).toBe(0);
@@ -80,7 +80,7 @@ test.describe('a drag with the primary button', () => {
     await page.mouse.up();
   });
 
-  test('goes on outside the element and outside the page', async ({ page, mount }) => {
+  test('continues outside the element and outside the page', async ({ page, mount }) => {
     const viewer = await mount(box, { width: 200, height: 200 });
     await drag(page, [100, 100], [300, 0], { release: false });
     expect((await cameraOf(viewer)).theta).toBe(30 - 540 + 360);
@@ -124,7 +124,7 @@ test.describe('a drag with the primary button', () => {
     expect(await page.evaluate(() => getSelection()?.toString())).toBe('');
   });
 
-  test('does not turn where orbit is false', async ({ page, mount }) => {
+  test('does not turn if orbit is false', async ({ page, mount }) => {
     const viewer = await mount(box);
     await assign(viewer, { orbit: false });
     await drag(page, [300, 200], [60, 40]);
@@ -137,7 +137,7 @@ test.describe('a drag with the primary button', () => {
 });
 
 test.describe('what happens during a drag', () => {
-  test('a property set acts at once, and the drag goes on from there', async ({ page, mount }) => {
+  test('a property write acts at once, and the drag continues from there', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [300, 200], [60, 0], { release: false });
     await assign(viewer, { theta: 100 });
@@ -147,7 +147,7 @@ test.describe('what happens during a drag', () => {
     await page.mouse.up();
   });
 
-  test('a property set after a drag acts, the value that it has already too', async ({ page, mount }) => {
+  test('a property write after a drag acts, even with the same value', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [300, 200], [60, 40]);
     await assign(viewer, { theta: 30 });
@@ -156,7 +156,7 @@ test.describe('what happens during a drag', () => {
     expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
   });
 
-  test('a resize notes the camera anew', async ({ page, mount }) => {
+  test('a resize sets a new anchor', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [100, 100], [60, 0], { release: false });
     await viewer.evaluate((element) => (element.style.width = '300px'));
@@ -167,7 +167,7 @@ test.describe('what happens during a drag', () => {
     await page.mouse.up();
   });
 
-  test('a turn of the wheel zooms and notes the camera anew', async ({ page, mount }) => {
+  test('a turn of the wheel zooms and sets a new anchor', async ({ page, mount }) => {
     const viewer = await mount(box);
     const { radius } = await cameraOf(viewer);
     await drag(page, [300, 200], [60, 0], { release: false });
@@ -216,7 +216,7 @@ test.describe('what happens during a drag', () => {
   });
 });
 
-test('tells of the camera once a task, with the pointer as its source', async ({ page, mount }) => {
+test('reports the camera once per task, with the source pointer', async ({ page, mount }) => {
   const viewer = await mount(box);
   const events = await record(viewer, 'camera-change');
   await drag(page, [300, 200], [60, 0], { steps: 1 });

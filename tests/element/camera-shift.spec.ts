@@ -2,7 +2,7 @@
 // are Chromium's own touch input.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, Fingers, handsReady } from './support.js';
+import { assign, cameraOf, drag, Fingers } from './support.js';
 
 const odd = { theta: 12.345678901234567, phi: 71.30000000000001, radius: 3.3333333333333335 };
 const oddBox = `<phong-viewer geometry="box" theta="${odd.theta}" phi="${odd.phi}" radius="${odd.radius}"></phong-viewer>`;
@@ -39,13 +39,12 @@ test.describe('shifting the target', () => {
     expect(await cameraOf(viewer)).toEqual(start);
   });
 
-  test('keeps the menu away after a secondary drag, and leaves it to a secondary click', async ({
+  test('suppresses the context menu after a secondary drag, but not after a secondary click', async ({
     page,
     mount,
   }) => {
     await mount(side);
     await page.mouse.move(300, 200);
-    await handsReady(page); // its listener comes before the test's
     await page.evaluate(() => {
       const menus: boolean[] = [];
       Object.assign(window, { menus });
@@ -100,7 +99,7 @@ test.describe('fingers', () => {
     expect(target[2]).toBeCloseTo(50 * perPixel, 12);
   });
 
-  test('the finger that is left goes on turning from where it is', async ({ page, mount }) => {
+  test('the finger that stays continues to turn from where it is', async ({ page, mount }) => {
     const viewer = await mount(near);
     const fingers = await Fingers.on(page);
     await fingers.down([250, 200], [350, 200]);
@@ -113,7 +112,7 @@ test.describe('fingers', () => {
     expect((await cameraOf(viewer)).radius).toBe(radius);
   });
 
-  test('pinching does nothing where zoom is false', async ({ page, mount }) => {
+  test('pinching does nothing if zoom is false', async ({ page, mount }) => {
     const viewer = await mount(near);
     await assign(viewer, { zoom: false });
     const fingers = await Fingers.on(page);

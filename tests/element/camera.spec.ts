@@ -1,8 +1,8 @@
-// Where is the camera, and what moves it apart from drags: wheel, keys, properties, `auto`, time? Numbers are held against
-// float64 formulas worked out here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
+// Where is the camera, and what moves it besides drags: wheel, keys, properties, `auto`, time? Numbers are compared with float64
+// formulas computed here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, handsReady, type PhongViewer, record, settled } from './support.js';
+import { assign, cameraOf, drag, type PhongViewer, record, settled } from './support.js';
 
 const near = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 const radians = (degrees: number): number => (degrees * Math.PI) / 180;
@@ -30,12 +30,10 @@ test.describe('the wheel', () => {
   });
 
   test('counts a line as 16 pixels and a page as the height, and stays within 1e-3 to 1e3 of the scene', async ({
-    page,
     mount,
   }) => {
     const viewer = await mount(near);
     await viewer.focus();
-    await handsReady(page);
     const turn = (deltaY: number, deltaMode: number): Promise<number> =>
       viewer.evaluate(
         (element: PhongViewer, wheel) => {
@@ -58,7 +56,6 @@ test.describe('keys', () => {
   test('turn by 5°, with Shift by 1°, the way a drag would', async ({ page, mount }) => {
     const viewer = await mount(near);
     await page.keyboard.press('Tab');
-    await handsReady(page);
     for (const [key, theta, phi] of [
       ['ArrowRight', 25, 70],
       ['ArrowLeft', 30, 70],
@@ -77,7 +74,6 @@ test.describe('keys', () => {
   test('zoom by 1.1, and Home goes back to the declared camera', async ({ page, mount }) => {
     const viewer = await mount(near);
     await page.keyboard.press('Tab');
-    await handsReady(page);
     for (const [key, radius] of [
       ['+', 5 / 1.1],
       ['PageDown', 5],
@@ -94,22 +90,20 @@ test.describe('keys', () => {
     expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70, radius: 5, target: [0, 0, 0] });
   });
 
-  test('do nothing where orbit or zoom is false, without focus, and with Ctrl', async ({ page, mount }) => {
+  test('do nothing if orbit or zoom is false, without focus, and with Ctrl', async ({ page, mount }) => {
     const viewer = await mount(near);
     const start = await cameraOf(viewer);
     await page.keyboard.press('ArrowRight');
     await viewer.focus();
-    await handsReady(page);
     await page.keyboard.press('Control+ArrowRight');
     await assign(viewer, { orbit: false, zoom: false });
     for (const key of ['ArrowRight', 'ArrowUp', '+', 'PageDown']) await page.keyboard.press(key);
     expect(await cameraOf(viewer)).toEqual(start);
   });
 
-  test('turn over the poles no further, and turn the azimuth smoothly there', async ({ page, mount }) => {
+  test('stop at the poles, and still turn the azimuth there', async ({ page, mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" theta="0" phi="4" radius="5"></phong-viewer>');
     await viewer.focus();
-    await handsReady(page);
     await page.keyboard.press('ArrowDown');
     expect(await cameraOf(viewer)).toMatchObject({ phi: 0, eye: [0, 5, 0], up: [0, 0, -1] });
     for (let i = 0; i < 18; i++) await page.keyboard.press('ArrowLeft');
@@ -119,7 +113,7 @@ test.describe('keys', () => {
 });
 
 test.describe('camera', () => {
-  test('tells eye, target and up of the angles, and wraps θ into [-180, 180)', async ({ mount }) => {
+  test('gives eye, target and up for the angles, and wraps θ into [-180, 180)', async ({ mount }) => {
     const viewer = await mount(near);
     for (const [given, theta] of [
       [180, -180],
@@ -147,7 +141,7 @@ test.describe('camera', () => {
     }
   });
 
-  test('is a frozen snapshot that later moves do not touch', async ({ mount }) => {
+  test('is a frozen snapshot that later moves do not affect', async ({ mount }) => {
     const viewer = await mount(near);
     const facts = await viewer.evaluate((element: PhongViewer) => {
       const { camera } = element;
@@ -174,7 +168,7 @@ test.describe('camera', () => {
     expect(cameras[1]).toMatchObject({ theta: 11, phi: 70 });
   });
 
-  test('resetCamera goes back to the last declared camera, not to the first', async ({ page, mount }) => {
+  test('resetCamera returns to the last declared camera, not to the first', async ({ page, mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" theta="30"></phong-viewer>');
     await assign(viewer, { theta: 45 });
     const declared = await cameraOf(viewer);
@@ -187,7 +181,7 @@ test.describe('camera', () => {
 });
 
 test.describe('camera-change', () => {
-  test('names its source, once a task', async ({ page, mount }) => {
+  test('names its source, once per task', async ({ page, mount }) => {
     const viewer = await mount(near);
     const events = await record(viewer, 'camera-change');
     const sources = async (): Promise<unknown[]> =>
@@ -197,7 +191,6 @@ test.describe('camera-change', () => {
     await assign(viewer, { theta: 1 });
     expect(await sources()).toEqual([]);
     await viewer.focus();
-    await handsReady(page);
     await page.keyboard.press('ArrowLeft');
     expect(await sources()).toEqual(['key']);
     await page.keyboard.press('Home');
@@ -216,7 +209,7 @@ test.describe('camera-change', () => {
     expect(await sources()).toEqual(['auto']);
   });
 
-  test('does not bubble and says nothing of where a camera begins', async ({ page, mount }) => {
+  test('does not bubble and is not dispatched for the initial camera', async ({ page, mount }) => {
     await mount('<main></main>');
     const heard = await page.evaluate(async () => {
       const sources: string[] = [];

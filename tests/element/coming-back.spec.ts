@@ -131,7 +131,7 @@ test('a drag turns by the width that is seen, inside a scaled page too', async (
   expect((await cameraOf(viewer)).theta).toBeCloseTo(-36, 9);
 });
 
-test('changes of several lights in one task are told by one event, which names each once', async ({
+test('changes and removals of several lights in one task make one event, which lists each light once', async ({
   mount,
   page,
 }) => {
@@ -151,11 +151,14 @@ test('changes of several lights in one task are told by one event, which names e
     await new Promise((resolve) => setTimeout(resolve));
     a.cutoff = 4;
     c.cutoff = 5;
-    c.remove(); // which is told of by itself, when it is noticed
+    c.remove();
     await new Promise((resolve) => setTimeout(resolve));
     return events;
   });
-  expect(told).toEqual([['true', 'b', 'a'], ['true', 'a', 'c'], ['true']]);
+  expect(told).toEqual([
+    ['true', 'b', 'a'],
+    ['true', 'a', 'c'],
+  ]);
   await nextFrame(page);
 });
 

@@ -1,7 +1,7 @@
-// Pictures that keep being drawn: frames one after another, as motion makes them, until a viewer draws by a specialised program. Needs the page's log of WebGL (gl-log.ts).
+// Pictures that keep being drawn: frames one after another, as motion makes them, until a viewer draws by a specialised program.
+// Needs the page's log of WebGL (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
-import { expect } from '../support/test.js';
 import { drawnWith, glSpent, type GlProgram, isSpecialised, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
@@ -58,14 +58,4 @@ async function programsDrawnWith(page: Page): Promise<string> {
   await glSpent(page);
   await drawFrames(page, 1);
   return (await drawnWith(page)).map((one) => (isSpecialised(one) ? 'specialised' : 'general')).join();
-}
-
-/** One lit program draws, and it is a general one. */
-export async function expectGeneral(page: Page, viewer: Locator): Promise<void> {
-  await glSpent(page);
-  await viewer.evaluate((element: PhongViewer) => element.requestRender());
-  await viewer.evaluate((element: PhongViewer) => element.ready);
-  const lit = (await drawnWith(page)).filter(isLit);
-  expect(lit.length).toBeGreaterThan(0);
-  expect(lit.some(isSpecialised)).toBe(false);
 }

@@ -4,7 +4,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixelAt, pixels, test } from '../support/test.js';
-import { assign, drag, handsReady, nextFrame, type PhongViewer } from './support.js';
+import { assign, drag, nextFrame, type PhongViewer } from './support.js';
 
 type Color = readonly number[];
 
@@ -209,7 +209,6 @@ test.describe('the page of one fragment', () => {
     expect(turned.terms['sun specular']).not.toEqual(before.terms['sun specular']);
 
     const [, hand] = await place(page, PLACES[1]);
-    await handsReady(page);
     await drag(page, [hand.x, hand.y], [-40, 10]);
     await page.mouse.move(1, 1);
     await expect.poll(async () => (await markAt(page)).x, 'a drag is no click').toBeLessThan(start.x);

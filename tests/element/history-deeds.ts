@@ -59,7 +59,7 @@ export function installDeeds(): void {
     const ball = new library.Mesh(new library.SphereGeometry(0.2, 8, 6), material);
     ball.position.set(x, y, z);
     viewer.scene.add(ball);
-    viewer.requestRender();
+    viewer.refit(); // a new page frames it too
     ownOf(viewer).set(place, ball);
   }
 
@@ -155,7 +155,7 @@ export function installDeeds(): void {
     'own object away': (viewer) => {
       for (const ball of ownOf(viewer).values()) viewer.scene.remove(ball);
       ownOf(viewer).clear();
-      viewer.requestRender();
+      viewer.refit();
     },
     print: () => void dispatchEvent(new Event('beforeprint')),
     lose: watch.lose,

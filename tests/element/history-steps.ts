@@ -86,7 +86,6 @@ const VIEWER: Readonly<Record<string, Values>> = {
   terms: of('ambient diffuse specular', 'diffuse', 'ambient diffuse', 'specular', ''),
   'color-interpolation': of('linear', 'srgb'),
   antialias: of('highlights', 'edges'),
-  'error-budget': of('0'),
   alt: of('a picture', ''),
   orbit: of('true', 'false', 'true', 'true'),
   zoom: of('true', 'false', 'true', 'true'),

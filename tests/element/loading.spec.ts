@@ -30,6 +30,29 @@ test('the bunny is shown, with progress up to 1 and then one load', async ({ pag
   ]);
 });
 
+test('a model’s file is requested while the code that reads it is still on the way', async ({
+  page,
+  mount,
+}) => {
+  let letGo = (): void => undefined;
+  const free = new Promise<void>((resolve) => {
+    letGo = resolve;
+  });
+  await page.route(/model-content/, async (route) => {
+    await free;
+    await route.continue();
+  });
+  const requested = page.waitForRequest(/textured\.glb/);
+  const viewer = await mount(`<phong-viewer src="${model('textured.glb')}"></phong-viewer>`, {
+    ...size,
+    waitForReady: false,
+  });
+  await requested;
+  letGo();
+  await settled(viewer);
+  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+});
+
 for (const [what, src, code, allowed] of [
   ['that is not there', '/none.glb', 'load-failed', /error: Failed to load resource.*404/],
   ['whose address is none', 'http://[', 'load-failed', null],

@@ -184,12 +184,9 @@ test('a scale of 0 or a mirroring scale never breaks the picture', async ({ moun
   expect(mirrored).toEqual(pixelAt(await pixels(viewer), 30, 20));
 });
 
-test('meshes and lights deeper than children, and other elements, are left alone', async ({
-  page,
-  mount,
-}) => {
+test('meshes in wrappers are shown, other elements are ignored', async ({ page, mount }) => {
   const viewer = await mount(scene(box, `<div>${ball}</div>`, '<p>Text</p>'), size);
-  same(await pixels(viewer), await shown(page, scene(box)));
+  same(await pixels(viewer), await shown(page, scene(box, ball)));
 });
 
 test('a model of a mesh brings its own materials, unless an attribute is given', async ({ page, mount }) => {

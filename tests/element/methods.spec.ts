@@ -196,6 +196,40 @@ test('requestRender shows what was done to an own object in scene', async ({ mou
   expect(compare(await pixels(viewer), before).max).toBeGreaterThan(20);
 });
 
+test('requestRender keeps target and radius, refit fits them to what the scene has become', async ({
+  mount,
+}) => {
+  const viewer = await mount(box, size);
+  const before = await cameraOf(viewer);
+  const changes = await record(viewer, 'camera-change', 'render');
+  await viewer.evaluate((element: PhongViewer) => {
+    const own = element.scene.getObjectByProperty('isMesh', true)!.clone();
+    own.matrixAutoUpdate = true;
+    own.position.set(4, 0, 0);
+    element.scene.add(own);
+    element.requestRender();
+  });
+  await settled(viewer);
+  expect(await cameraOf(viewer)).toEqual(before);
+  expect(await changes.take()).toEqual([{ type: 'render', detail: null }]);
+  await viewer.evaluate((element: PhongViewer) => element.refit());
+  await settled(viewer);
+  expect((await cameraOf(viewer)).target).toEqual([2, 0, 0]);
+  expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
+});
+
+test('refit leaves a camera alone that was declared or moved by the user', async ({ mount }) => {
+  const viewer = await mount(box, size);
+  await assign(viewer, { radius: 5, target: [0, 1, 0] });
+  const before = await cameraOf(viewer);
+  await viewer.evaluate((element: PhongViewer) => {
+    element.scene.children[0]!.clone().position.set(9, 9, 9);
+    element.refit();
+  });
+  await settled(viewer);
+  expect(await cameraOf(viewer)).toEqual(before);
+});
+
 test('stats counts what a scene costs, as a plain snapshot', async ({ mount }) => {
   const off = '<phong-light active="false"></phong-light>';
   const viewer = await mount(box.replace('</phong-viewer>', `${light}${off}</phong-viewer>`), size);

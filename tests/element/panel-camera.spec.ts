@@ -1,4 +1,4 @@
-// The camera's folder: follows whoever moves the camera, and moves it.
+// Does the camera's folder follow every move of the camera, and move the camera itself?
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -30,7 +30,7 @@ test('shows θ, φ, radius and eye live while the picture is dragged', async ({ 
   await expect.poll(async () => Number(await field(folder, 'radius').inputValue())).toBeCloseTo(radius, 3);
 });
 
-test('moves the camera, which counts as the panel', async ({ mount }) => {
+test('moves the camera with the source "panel"', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const moves = await record(viewer, 'camera-change');
@@ -44,7 +44,7 @@ test('moves the camera, which counts as the panel', async ({ mount }) => {
   for (const { detail } of heard) expect(detail).toEqual({ source: 'panel' });
 });
 
-test('shifts the target without zooming', async ({ mount }) => {
+test('moves the target without zooming', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const { radius } = await cameraOf(viewer);
@@ -54,7 +54,7 @@ test('shifts the target without zooming', async ({ mount }) => {
   expect(moved.radius).toBe(radius);
 });
 
-test('sets field of view and turning', async ({ mount }) => {
+test('sets field of view and auto-rotate', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   await field(folder, 'fov °').fill('60');
@@ -69,7 +69,7 @@ test('sets field of view and turning', async ({ mount }) => {
   await expect(field(folder, 'fov °')).toHaveValue('30');
 });
 
-test('resets to what was declared, after drags and after its own moves', async ({ page, mount }) => {
+test('resets to the declared camera after drags and after its own moves', async ({ page, mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const start = await cameraOf(viewer);
@@ -91,7 +91,7 @@ test('resets to what was declared, after drags and after its own moves', async (
   });
 });
 
-test('resets to what a script has declared since', async ({ mount }) => {
+test('resets to a camera that a script has declared since', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   await field(folder, 'θ azimuth °').fill('100');
@@ -101,7 +101,7 @@ test('resets to what a script has declared since', async ({ mount }) => {
   expect(await cameraOf(viewer)).toMatchObject({ theta: -50, phi: 20 });
 });
 
-test('refuses a radius of nothing', async ({ mount }) => {
+test('refuses a radius of 0', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   const { radius } = await cameraOf(viewer);
@@ -111,7 +111,7 @@ test('refuses a radius of nothing', async ({ mount }) => {
   expect((await cameraOf(viewer)).radius).toBe(radius);
 });
 
-test('comes in step when it is opened after the camera has moved', async ({ mount }) => {
+test('shows the present camera when it is opened after a move', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
   await titleOf(viewer, 'Camera').click();

@@ -1,4 +1,4 @@
-// What an open panel costs while nothing happens, and while something does that it need not show.
+// What does an open panel cost while nothing happens, and while changes happen that it does not show?
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -16,7 +16,7 @@ const scene = `<phong-viewer gui geometry="box">
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
 </phong-viewer>`;
 
-/** Writes down every frame and timer that the page asks for. */
+/** Records every frame and timer that the page requests. */
 async function watch(page: Page): Promise<void> {
   await page.addInitScript(() => {
     window.asked = [];
@@ -39,7 +39,7 @@ async function watch(page: Page): Promise<void> {
 
 const asked = (page: Page): Promise<string[]> => page.evaluate(() => window.asked.splice(0));
 
-test('asks for no frame and no timer while nothing changes, folders open', async ({ page, mount }) => {
+test('requests no frame and no timer while nothing changes, folders open', async ({ page, mount }) => {
   await watch(page);
   const viewer = await mount(scene);
   for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Material']) await opened(viewer, title);
@@ -50,7 +50,7 @@ test('asks for no frame and no timer while nothing changes, folders open', async
   expect(await asked(page)).toEqual([]);
 });
 
-test('opens folders without asking for a frame', async ({ page, mount }) => {
+test('opens folders without requesting a frame', async ({ page, mount }) => {
   await watch(page);
   const viewer = await mount(scene);
   await opened(viewer, 'Camera');
@@ -59,7 +59,7 @@ test('opens folders without asking for a frame', async ({ page, mount }) => {
   expect(await asked(page)).toEqual([]);
 });
 
-test('touches no row of a closed folder when its light changes', async ({ mount }) => {
+test('updates no row of a closed folder when its light changes', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'sun');
   await folder.locator('> .lil-title').click();
@@ -78,7 +78,7 @@ test('touches no row of a closed folder when its light changes', async ({ mount 
   await expect(field(folder, 'position x')).toHaveValue('4');
 });
 
-test('takes one bringing in step for many writes of one task', async ({ mount }) => {
+test('refreshes once for many writes in one task', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'sun');
   const reads = await viewer.evaluate(async (element: PhongViewer) => {

@@ -1,4 +1,4 @@
-// A light's folder and its element are one thing seen twice: what each row writes, and what each write shows.
+// Do a light's folder and its element agree? Each row writes the element, and each write to the element shows in the row.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -30,7 +30,7 @@ const lightOf = (viewer: Locator, name: string): Locator => viewer.locator(`phon
 const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
   light.evaluate((element: PhongLight, name) => element[name as K], key);
 
-test('has a folder for each light, in order, bearing its name, live', async ({ mount }) => {
+test('has a folder for each light, in order, with its name, live', async ({ mount }) => {
   const viewer = await mount(scene(sun, '<phong-light></phong-light>', spot));
   const titles = () => titlesIn(folderOf(viewer, 'Lights'));
   await expect.poll(titles).toEqual(['sun', 'light 2', 'spot']); // the panel's code comes with its first use
@@ -84,7 +84,7 @@ test('writes every attribute of a light through its properties', async ({ mount 
   await expect(titleOf(viewer, 'beam')).toBeVisible();
 });
 
-test('follows attributes and properties', async ({ mount }) => {
+test('shows changes of attributes and properties', async ({ mount }) => {
   const viewer = await mount(scene(lamp));
   const light = lightOf(viewer, 'lamp');
   const folder = await opened(viewer, 'lamp');
@@ -112,7 +112,7 @@ test('switches a light without opening its folder', async ({ mount }) => {
 });
 
 test.describe('colours', () => {
-  test('show a bright light as a colour and an intensity, uncrushed', async ({ mount }) => {
+  test('show a bright light as a colour and an intensity, without clamping', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     await expect(code(folder, 'diffuse')).toHaveValue('ff8000');
@@ -120,7 +120,7 @@ test.describe('colours', () => {
     expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([400, 200, 0]);
   });
 
-  test('keep the intensity when a colour is picked, dark ones too', async ({ mount }) => {
+  test('keep the intensity when a colour is picked, even a dark one', async ({ mount }) => {
     const viewer = await mount(scene('<phong-light name="lamp" diffuse="510 510 510"></phong-light>'));
     const folder = await opened(viewer, 'lamp');
     await picker(folder, 'diffuse').fill('#804000');
@@ -129,7 +129,7 @@ test.describe('colours', () => {
     await expect(code(folder, 'diffuse')).toHaveValue('804000');
   });
 
-  test('keep the colour when the intensity is turned, to zero and back too', async ({ mount }) => {
+  test('keep the colour when the intensity changes, even to zero and back', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const intensity = field(folder, 'diffuse × intensity');
@@ -140,7 +140,7 @@ test.describe('colours', () => {
     expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([510, 255, 0]);
   });
 
-  test('make light of a black one by either control', async ({ mount }) => {
+  test('turn a black light into a bright one by either control', async ({ mount }) => {
     const viewer = await mount(scene(lamp, sun));
     const one = await opened(viewer, 'lamp');
     await picker(one, 'ambient').fill('#203040');
@@ -151,7 +151,7 @@ test.describe('colours', () => {
     expect(await read(lightOf(viewer, 'sun'), 'ambient')).toEqual([51, 51, 51]);
   });
 
-  test('let the slider grow for what is brighter', async ({ mount }) => {
+  test('extend the slider for brighter values', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     await field(folder, 'diffuse × intensity').fill('100');
@@ -161,7 +161,7 @@ test.describe('colours', () => {
 });
 
 test.describe('kind', () => {
-  test('shows only the rows that act', async ({ mount }) => {
+  test('shows only the rows that have an effect', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const shown = async () =>
@@ -175,7 +175,7 @@ test.describe('kind', () => {
     await expect.poll(shown).toEqual([false, false, false, false]);
   });
 
-  test('keeps the place and gives a spot its own cone back', async ({ mount }) => {
+  test('keeps the position and restores the cone of a spot', async ({ mount }) => {
     const viewer = await mount(scene(spot));
     const light = lightOf(viewer, 'spot');
     const folder = await opened(viewer, 'spot');
@@ -196,7 +196,7 @@ test.describe('kind', () => {
     expect(await read(lightOf(viewer, 'lamp'), 'axis')).toEqual([0, -1, -0.5]);
   });
 
-  test('leaves the aperture under the hand that opens the cone', async ({ mount }) => {
+  test('keeps the aperture row while the user opens the cone with it', async ({ mount }) => {
     const viewer = await mount(scene(spot.replace('cutoff="12"', '')));
     const folder = await opened(viewer, 'spot');
     await field(folder, 'aperture °').fill('180');
@@ -208,7 +208,7 @@ test.describe('kind', () => {
 });
 
 test.describe('numbers', () => {
-  test('refuse what the light refuses and fall back to what holds', async ({ mount }) => {
+  test('refuse what the light refuses and return to the present value', async ({ mount }) => {
     const viewer = await mount(scene(spot));
     const folder = await opened(viewer, 'spot');
     const aperture = field(folder, 'aperture °');
@@ -234,7 +234,7 @@ test.describe('numbers', () => {
     expect(await read(lightOf(viewer, 'lamp'), 'attenuation')).toEqual([1, 0.29, 0]);
   });
 
-  test('are left alone while they are typed, and come in step afterwards', async ({ mount }) => {
+  test('are not overwritten while the user types, and are updated afterwards', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const x = field(folder, 'position x');
@@ -246,7 +246,7 @@ test.describe('numbers', () => {
     await expect(x).toHaveValue('7');
   });
 
-  test('follow a slider under the pointer, which nothing else moves', async ({ page, mount }) => {
+  test('follow a slider that the pointer drags, which nothing else moves', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const y = slider(folder, 'position y');
@@ -265,7 +265,7 @@ test.describe('numbers', () => {
     await expect(y).toHaveValue('0');
   });
 
-  test('reach as far as the scene, whatever its size', async ({ mount }) => {
+  test('cover the range of the scene, whatever its size', async ({ mount }) => {
     const viewer = await mount(
       `<phong-viewer gui>${lamp}<phong-mesh geometry="sphere" scale="1000"></phong-mesh></phong-viewer>`,
     );
@@ -278,7 +278,7 @@ test.describe('numbers', () => {
 });
 
 test.describe('buttons', () => {
-  test('add a light that can be seen and turned at once', async ({ page, mount }) => {
+  test('add a light that can be seen and edited at once', async ({ page, mount }) => {
     const viewer = await mount(scene(sun));
     await button(folderOf(viewer, 'Lights'), 'add light').click();
     await expect(titleOf(viewer, 'light 2')).toHaveAttribute('aria-expanded', 'true');
@@ -294,7 +294,7 @@ test.describe('buttons', () => {
     expect(await page.locator('phong-viewer > phong-light').count()).toBe(3);
   });
 
-  test('remove a light and leave the keyboard at the next', async ({ mount }) => {
+  test('remove a light and move the focus to the next one', async ({ mount }) => {
     const viewer = await mount(scene(sun, lamp, spot));
     const folder = await opened(viewer, 'lamp');
     await button(folder, 'remove').click();
@@ -314,7 +314,7 @@ test.describe('buttons', () => {
   });
 });
 
-test('keeps folders as they are while lights come, go and move', async ({ mount }) => {
+test('keeps folders as they are while lights are added, removed and reordered', async ({ mount }) => {
   const viewer = await mount(scene(sun, lamp, spot));
   await opened(viewer, 'lamp');
   const before = await folderOf(viewer, 'lamp').elementHandle();
@@ -329,9 +329,9 @@ test('keeps folders as they are while lights come, go and move', async ({ mount 
   expect(await folderOf(viewer, 'lamp').evaluate((node, old) => node === old, before)).toBe(true);
 });
 
-test('builds the rows of hundreds of lights only as their folders are opened', async ({ mount }) => {
+test('builds the rows of hundreds of lights only when their folders are opened', async ({ mount }) => {
   const many = Array.from({ length: 300 }, (_, i) => `<phong-light name="n${i}"></phong-light>`);
-  // From afar: three hundred lights on every pixel are not what is looked at here.
+  // From far away, because this test does not look at pixels under three hundred lights.
   const viewer = await mount(scene(...many).replace('gui', 'gui radius="300"'));
   const lights = folderOf(viewer, 'Lights');
   expect(await lights.locator('.lil-gui').count()).toBe(300);

@@ -1,4 +1,4 @@
-// How the panel's tests find folders and rows, as a reader does: by what they are called.
+// Finds the panel's folders and rows by their labels, as a user does.
 
 import type { Locator } from '@playwright/test';
 
@@ -7,7 +7,7 @@ const quoted = (text: string): string => JSON.stringify(text);
 /** The whole panel. */
 export const panelOf = (viewer: Locator): Locator => viewer.locator('.lil-root');
 
-/** What scrolls. */
+/** The part that scrolls. */
 export const listOf = (viewer: Locator): Locator => viewer.locator('.lil-root > .lil-children');
 
 export const titleOf = (viewer: Locator, title: string): Locator =>
@@ -16,7 +16,7 @@ export const titleOf = (viewer: Locator, title: string): Locator =>
 export const folderOf = (viewer: Locator, title: string): Locator =>
   viewer.locator(`.lil-gui:has(> .lil-title:text-is(${quoted(title)}))`);
 
-/** Opens a folder, unless it is open, and gives it. */
+/** Opens a folder if it is closed, and returns it. */
 export async function opened(viewer: Locator, title: string): Promise<Locator> {
   const button = titleOf(viewer, title);
   if ((await button.getAttribute('aria-expanded')) === 'false') await button.click();
@@ -41,7 +41,7 @@ export const choice = (folder: Locator, name: string): Locator =>
 export const button = (folder: Locator, name: string): Locator =>
   folder.getByRole('button', { name, exact: true });
 
-/** The picker of a colour row; its code is the row's text field. */
+/** The picker of a colour row; the row's text field shows its code. */
 export const picker = (folder: Locator, name: string): Locator =>
   row(folder, name).locator('input[type=color]');
 

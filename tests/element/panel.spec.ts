@@ -1,4 +1,4 @@
-// The panel as a whole: fetched when wanted, styled under a strict policy, out of the picture's way, taken away again.
+// Does the panel as a whole work? Fetched on first use, styled under a strict CSP, clear of the picture, removed again.
 
 import { AxeBuilder } from '@axe-core/playwright';
 import { expect, test } from '../support/test.js';
@@ -9,7 +9,7 @@ const light = (name: string): string => `<phong-light name="${name}" diffuse="90
 const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
   `<phong-viewer geometry="box" theta="20" phi="60" ${attributes}>${lights.map(light).join('')}</phong-viewer>`;
 
-test('fetches its code when it is first wanted, and not before', async ({ page, mount }) => {
+test('fetches its code on first use, and not before', async ({ page, mount }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
   const viewer = await mount(scene(''));
@@ -19,7 +19,7 @@ test('fetches its code when it is first wanted, and not before', async ({ page, 
   expect(fetched.filter((path) => path.includes('panel'))).toHaveLength(1);
 });
 
-test('has a folder for lights, camera, shading and material, and one for meshes where there are any', async ({
+test('has a folder for lights, camera, shading and material, and one for meshes if there are any', async ({
   mount,
 }) => {
   const viewer = await mount(scene('gui', 'sun', 'lamp'));
@@ -63,7 +63,7 @@ test('opens and closes by pointer and by keys', async ({ page, mount }) => {
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
 });
 
-test('begins closed on a viewer as narrow as a phone and leaves the picture free', async ({
+test('starts closed on a viewer as narrow as a phone, so that the picture stays visible', async ({
   page,
   mount,
 }) => {
@@ -86,7 +86,7 @@ test('never grows wider than the viewer', async ({ mount }) => {
   expect(width).toBeLessThanOrEqual(200);
 });
 
-test('never turns or zooms the camera by what is done on it', async ({ page, mount }) => {
+test('never rotates or zooms the camera by input on the panel', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'sun'));
   await opened(viewer, 'sun');
   const before = await cameraOf(viewer);
@@ -106,7 +106,7 @@ test('never turns or zooms the camera by what is done on it', async ({ page, mou
   expect(await cameraOf(viewer)).toEqual(before);
 });
 
-test('keeps the keys after a press beside its controls', async ({ page, mount }) => {
+test('keeps the keyboard focus after a press between its controls', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'sun'));
   const folder = await opened(viewer, 'sun');
   const before = await cameraOf(viewer);
@@ -115,7 +115,7 @@ test('keeps the keys after a press beside its controls', async ({ page, mount })
   expect(await cameraOf(viewer)).toEqual(before);
 });
 
-test('is still gone over by a drag begun on the picture', async ({ page, mount }) => {
+test('lets a drag that began on the picture continue over it', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await page.mouse.move(100, 200);
   await page.mouse.down();
@@ -124,7 +124,7 @@ test('is still gone over by a drag begun on the picture', async ({ page, mount }
   expect((await cameraOf(viewer)).theta).toBeCloseTo(20 - (400 / 600) * 360 + 360, 6);
 });
 
-test('takes everything with it when gui goes, and comes back', async ({ mount }) => {
+test('removes everything when gui is removed, and comes back', async ({ mount }) => {
   const viewer = await mount(scene('', 'sun'));
   const census = () =>
     viewer.evaluate((element) => {
@@ -148,7 +148,7 @@ test('takes everything with it when gui goes, and comes back', async ({ mount })
   }
 });
 
-test('ends as asked last when gui is switched faster than its code comes', async ({ mount }) => {
+test('ends in the last state when gui is toggled while its code is loading', async ({ mount }) => {
   const viewer = await mount(scene(''));
   await viewer.evaluate(async (element: PhongViewer) => {
     for (const gui of [true, false, true, true]) {
@@ -175,7 +175,7 @@ test('keeps two viewers on a page apart', async ({ page, mount }) => {
   expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
 });
 
-test('goes with its viewer to another place of the page', async ({ page, mount }) => {
+test('moves with its viewer to another place on the page', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'sun'));
   await opened(viewer, 'sun');
   await page.evaluate(() => {
@@ -187,11 +187,7 @@ test('goes with its viewer to another place of the page', async ({ page, mount }
   expect(await viewer.evaluate((element: PhongViewer) => element.lights[0]?.name)).toBe('moon');
 });
 
-test('says so and leaves the picture where its code cannot be fetched', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('warns and keeps the picture if its code cannot be fetched', async ({ page, mount, consoleGuard }) => {
   await page.route('**/panel-*.js', (route) => route.abort());
   consoleGuard.allow(/Failed to load resource/, 1);
   const said = consoleGuard.allow(/control panel could not be fetched/, 1);
@@ -201,7 +197,7 @@ test('says so and leaves the picture where its code cannot be fetched', async ({
   await expect(panelOf(viewer)).toHaveCount(0);
 });
 
-test('can be read, by eye and by ear', async ({ page, mount }) => {
+test('is legible and has accessible names', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'sun') + '<main></main>', { width: 900, height: 650 });
   for (const title of ['sun', 'Camera', 'Shading', 'Material']) {
     await opened(viewer, title);
@@ -227,7 +223,7 @@ test.describe('copy HTML', () => {
     await expect(button(panelOf(viewer), 'copy HTML')).toBeVisible();
   });
 
-  test('shows the markup, selected, where the clipboard is refused', async ({ page, mount }) => {
+  test('shows the markup, selected, if the clipboard is refused', async ({ page, mount }) => {
     await page.addInitScript(() => {
       Object.defineProperty(navigator, 'clipboard', { value: undefined });
     });

@@ -59,7 +59,7 @@ test.describe('says', () => {
       N: [0, 1, 0].map(close),
       V: [0, 1, 0].map(close),
       mesh: 'floor',
-      object: 'plane',
+      object: 'floor',
       triangle: expect.any(Number) as unknown,
       ka: [1, 0.8, 0],
       kd: [0.2, 0.2, 0.2].map(close),
@@ -199,9 +199,9 @@ test.describe('says', () => {
       ),
       FLOOR,
     );
-    expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({ mesh: 'stone', object: 'sphere' });
+    expect(await explained(viewer, MIDDLE, MIDDLE)).toMatchObject({ mesh: 'stone', object: 'stone' });
     expect(await explained(viewer, 40, 40)).toMatchObject({ mesh: 'viewer', object: 'box' });
-    expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'plane' });
+    expect(await explained(viewer, 20, 20)).toMatchObject({ mesh: 'floor', object: 'floor' });
     const found = await viewer.evaluate(async (element: PhongViewer) => {
       const { object } = (await element.shadeAt(50, 50))!;
       return element.scene.getObjectById(object.id) === object;
@@ -316,7 +316,7 @@ test('works before the first frame and off screen, and is null without a place o
 
 test('prints for README’s example what README says', async ({ page, mount }) => {
   const readme = readFileSync(new URL('../../README.md', import.meta.url), 'utf8');
-  const section = /### A fragment explained\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
+  const section = /### Ask why a pixel has its colour\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
   const [markup, script, output] = Array.from(section.matchAll(/```\w*\n([^]*?)```/g), (block) => block[1]!);
   // Its style attribute is refused by the strict policy.
   await mount(markup!, { csp: '', width: 400, height: 300 });

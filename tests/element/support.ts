@@ -79,34 +79,11 @@ export async function nextFrame(page: Page): Promise<void> {
 export const settled = (viewer: Locator): Promise<void> =>
   viewer.evaluate((element: PhongViewer) => element.ready);
 
-/** How long a sign of hands may take to bring the code that follows them; where none is wanted nothing comes. */
-const HANDS_MS = 1000;
-
-/**
- * Waits until the code that follows pointers, wheel and keys is at work: it is fetched with the first sign of them. Asks the
- * page from outside, so that nothing of it shows among the page's own frames and timers.
- */
-export async function handsReady(page: Page): Promise<void> {
-  const find = (): Promise<string | undefined> =>
-    page.evaluate(() =>
-      performance
-        .getEntriesByType('resource')
-        .map(({ name }) => name)
-        .find((name) => name.includes('orbit-input')),
-    );
-  const start = Date.now();
-  let address = await find();
-  while (address === undefined && Date.now() - start < HANDS_MS) address = await find();
-  if (address !== undefined) await page.evaluate((url) => import(url).then(() => undefined), address);
-}
-
 export interface DragOptions {
   readonly button?: 'left' | 'right' | 'middle';
   readonly steps?: number;
   /** false: the button stays down. */
   readonly release?: boolean;
-  /** false: presses at once, whether or not the code that follows it is there. */
-  readonly ready?: boolean;
 }
 
 /** Presses at `from` and travels by `by`, both in CSS pixels. */
@@ -114,10 +91,9 @@ export async function drag(
   page: Page,
   from: readonly [number, number],
   by: readonly [number, number],
-  { button = 'left', steps = 4, release = true, ready = true }: DragOptions = {},
+  { button = 'left', steps = 4, release = true }: DragOptions = {},
 ): Promise<void> {
   await page.mouse.move(...from);
-  if (ready) await handsReady(page);
   await page.mouse.down({ button });
   await page.mouse.move(from[0] + by[0], from[1] + by[1], { steps });
   if (release) await page.mouse.up({ button });
@@ -127,22 +103,17 @@ type Place = readonly [x: number, y: number];
 
 /** Fingers on the page, by Chromium's own input: all that are down, at each call. */
 export class Fingers {
-  readonly #page: Page;
   readonly #session: CDPSession;
 
-  constructor(page: Page, session: CDPSession) {
-    this.#page = page;
+  constructor(session: CDPSession) {
     this.#session = session;
   }
 
   static async on(page: Page): Promise<Fingers> {
-    return new Fingers(page, await page.context().newCDPSession(page));
+    return new Fingers(await page.context().newCDPSession(page));
   }
 
-  down = async (...places: readonly Place[]): Promise<void> => {
-    await this.#send('touchStart', places);
-    await handsReady(this.#page);
-  };
+  down = (...places: readonly Place[]): Promise<void> => this.#send('touchStart', places);
   move = (...places: readonly Place[]): Promise<void> => this.#send('touchMove', places);
   up = (): Promise<void> => this.#send('touchEnd', []);
 

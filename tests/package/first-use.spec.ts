@@ -30,7 +30,7 @@ const uses: readonly Use[] = [
   {
     what: 'a picture drawn again and again',
     use: (viewer) => drawOften(viewer),
-    chunks: ['exact-programs'],
+    chunks: [],
   },
   {
     what: 'changes of lights, camera and shading',
@@ -46,7 +46,7 @@ const uses: readonly Use[] = [
   {
     what: 'highlights averaged over pixels',
     use: set({ shading: 'phong', antialias: 'highlights' }),
-    chunks: ['averaged-highlights'],
+    chunks: [],
   },
   { what: 'a sphere', use: set({ geometry: 'sphere' }), chunks: [] },
   { what: 'a torus', use: set({ geometry: 'torus' }), chunks: ['fit', 'solids'] },
@@ -60,9 +60,8 @@ const uses: readonly Use[] = [
   { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['shade-at'] },
   { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
-  { what: 'a pointer', use: (viewer) => viewer.hover(), chunks: ['orbit-input'] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
-  { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: ['turntable'] },
+  { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: [] },
   { what: 'the panel', use: set({ gui: true }), chunks: ['panel'] },
   {
     what: 'a model',

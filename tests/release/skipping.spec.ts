@@ -1,4 +1,4 @@
-// The long forms of what is skipped and changes no picture: more scenes by two programs each, more budgets, longer walks.
+// The long forms of what is skipped and changes no picture: more scenes by two programs each, longer walks.
 
 import { expect, pixels, test } from '../support/test.js';
 import { drawUntilSpecialised } from '../element/driving.js';

@@ -6,6 +6,7 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
+import { readCommandLine } from '../support/command-line.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const results = join(repository, 'tests/stress/results');
@@ -299,6 +300,10 @@ const millions = (count) =>
 const browserName = (agent) => /(Firefox|Chrome)\/(\d+)/.exec(agent)?.slice(1, 3).join(' ') ?? agent;
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  readCommandLine(
+    'npm run stress:report: writes REPORT.md and the table of the README from tests/stress/results',
+    {},
+  );
   const stacks = readStacks();
   /** @type {{ module: typeof import('../glsl/loop-mark.js') }} */
   const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));

@@ -2,32 +2,48 @@
 // `npm run stress`: many stress cases in a real browser, over several pages at once, from a new seed, on the shipped
 // shader and on the worst lawful drivers; prints each category and writes one JSON a stack. Plain JavaScript, so that it
 // runs on any machine with Node, a browser and dist-harness/.
-//
-//   npm run stress -- --cases 1e8 --seed 7 --drivers shipped,up,down,either --pages 2 --out tests/stress/results/name.json
-//   --browser /path/to/chrome --arg=--use-angle=vulkan --arg=… (none: software GL)  --firefox  --only generic,normals
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { parseArgs } from 'node:util';
+import { numberOption, Progress, readCommandLine, refuse, timeText } from '../support/command-line.mjs';
 import { launchOptions } from './launch-options.mjs';
 import { serveFolder } from './serve-folder.mjs';
 
-const { values: options } = parseArgs({
-  options: {
-    cases: { type: 'string', default: '1e8' },
-    seed: { type: 'string', default: String(Math.floor(Math.random() * 2 ** 31)) },
-    drivers: { type: 'string', default: 'shipped,up,down,either' },
-    pages: { type: 'string', default: String(Math.max(1, availableParallelism() - 1)) },
-    harness: { type: 'string', default: '' },
-    out: { type: 'string', default: '' },
-    only: { type: 'string', default: '' },
-    browser: { type: 'string', default: '' },
-    arg: { type: 'string', multiple: true, default: [] },
-    firefox: { type: 'boolean', default: false },
-  },
+const DRIVERS = ['shipped', 'up', 'down', 'either'];
+
+const USAGE = `
+npm run stress -- [options]: does the light loop keep its contract, in many random cases?
+  --cases N        of each driver, default 1e8
+  --seed S         a new one otherwise
+  --drivers LIST   of ${DRIVERS.join(', ')}; default all: the browser's own and the worst lawful ones
+  --only LIST      ids of categories, such as generic,normals; default all
+  --pages N        at a time, default all cores but one
+  --out FILE       adds the results to this JSON, such as tests/stress/results/NAME.json
+  --browser PATH   another Chromium, with its own --arg=--use-angle=vulkan --arg=...; default software GL
+  --firefox        Firefox instead
+  --harness DIR    a built harness page; default: builds it
+  --help`;
+
+const { values: options } = readCommandLine(USAGE, {
+  cases: { type: 'string', default: '1e8' },
+  seed: { type: 'string', default: String(Math.floor(Math.random() * 2 ** 31)) },
+  drivers: { type: 'string', default: DRIVERS.join() },
+  pages: { type: 'string', default: String(Math.max(1, availableParallelism() - 1)) },
+  harness: { type: 'string', default: '' },
+  out: { type: 'string', default: '' },
+  only: { type: 'string', default: '' },
+  browser: { type: 'string', default: '' },
+  arg: { type: 'string', multiple: true, default: [] },
+  firefox: { type: 'boolean', default: false },
 });
+const cases = numberOption('cases', options.cases, 1);
+const seed = numberOption('seed', options.seed);
+const pages = numberOption('pages', options.pages, 1);
+const chosen = options.drivers.split(',');
+const strange = chosen.find((driver) => !DRIVERS.includes(driver));
+if (strange !== undefined) refuse(`Unknown driver '${strange}'`);
 
 /** So many that starting a page is little of its time, so few that all pages have work. */
 const CASES_A_PAGE = 2e6;
@@ -38,7 +54,6 @@ const CASES_A_PAGE = 2e6;
 
 const site = await serveFolder(options.harness || (await builtHarness()));
 const browser = await launch();
-const seed = Number(options.seed);
 console.log(`seed ${seed}`);
 
 /** @typedef {{ seed?: number, broken: readonly string[], checked: readonly Checked[], measured: readonly Measured[] }} Result */
@@ -50,7 +65,8 @@ let agent = '';
 let contract;
 /** Of which loop: a file's drivers are all of one. */
 let loop = '';
-for (const driver of options.drivers.split(',')) {
+const progress = new Progress();
+for (const driver of chosen) {
   const start = performance.now();
   const result = await runDriver(driver);
   drivers[driver] = { seed, ...result };
@@ -74,11 +90,7 @@ function keep(file) {
 
 /** @param {string} driver */
 async function runDriver(driver) {
-  const cases = Number(options.cases);
-  const parts = Math.max(
-    Math.ceil(cases / CASES_A_PAGE),
-    Math.min(Number(options.pages), Math.ceil(cases / 2e5)),
-  );
+  const parts = Math.max(Math.ceil(cases / CASES_A_PAGE), Math.min(pages, Math.ceil(cases / 2e5)));
   /** @type {Report[]} */
   const reports = [];
   let next = 0;
@@ -87,9 +99,11 @@ async function runDriver(driver) {
       const query = new URLSearchParams({ driver, seed: String(seed + part), cases: String(cases / parts) });
       if (options.only !== '') query.set('only', options.only);
       reports.push(await browser.report(`${site.origin}/index.html?${query}`));
+      const done = Object.keys(drivers).length * parts + reports.length;
+      progress.show(done, chosen.length * parts, `${driver}, ${reports.length} of ${parts} pages`);
     }
   };
-  await Promise.all(Array.from({ length: Number(options.pages) }, worker));
+  await Promise.all(Array.from({ length: pages }, worker));
   const failed = reports.find(({ error }) => error !== null);
   if (failed) throw new Error(`${failed.renderer}: ${failed.error}`);
   ({ renderer, browser: agent, contract, loop } = /** @type {Report} */ (reports[0]));
@@ -148,7 +162,8 @@ async function builtHarness() {
 /** @param {string} driver @param {number} seconds @param {Result} result */
 function print(driver, seconds, { broken, measured }) {
   const sum = measured.reduce((total, { cases }) => total + cases, 0);
-  console.log(`\n${driver}: ${sum} cases in ${seconds.toFixed(0)} s, ${renderer}`);
+  progress.clear();
+  console.log(`\n${driver}: ${sum} cases in ${timeText(seconds)}, ${renderer}`);
   for (const { id, max, rms, notFinite, exact, channels, wrongCodes, excluded } of measured) {
     console.log(
       id.padEnd(20) +

@@ -12,9 +12,6 @@ import { outputFolder } from '../../.ci/output-folder.mjs';
 export const strictPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
 
-/** Of the demo: its bench shows pages of its own within itself. */
-const demoPolicy = `${strictPolicy}; frame-src 'self'`;
-
 export interface PageOptions {
   /** Content-Security-Policy; default strict; empty for none. */
   readonly csp?: string;
@@ -77,10 +74,7 @@ export async function startSite(
     const page = stored.get(path);
     if (page) sendText(response, page);
     else if (path === '/favicon.ico') response.writeHead(204).end();
-    else {
-      const own = policy === strictPolicy && path.startsWith('/demo/') ? demoPolicy : policy;
-      sendFile(response, fileUnder(mounts, path), own);
-    }
+    else sendFile(response, fileUnder(mounts, path), policy);
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   const { port } = server.address() as AddressInfo;

@@ -77,14 +77,13 @@ describe('a number', () => {
     expect(number.check(parseText('1e-999', number))).toBe(0);
   });
 
-  it('of a hundred thousand digits is read, or refused, at once', () => {
-    const digits = '1'.repeat(100_000);
-    const started = performance.now();
+  // A pattern that went back over these lengths would outlast the test's time.
+  it('of hundreds of thousands of digits is read or refused in one pass', () => {
+    const digits = '1'.repeat(300_000);
     expect(parseText(digits, number)).toBe(Infinity);
     expect(parseText(`${digits}x`, number)).toBeUndefined();
     expect(parseText(`1.${digits}e`, number)).toBeUndefined();
-    expect(parseText(`1${' '.repeat(100_000)}x`, number)).toBeUndefined();
-    expect(performance.now() - started).toBeLessThan(1000);
+    expect(parseText(`1${' '.repeat(300_000)}x`, number)).toBeUndefined();
   });
 });
 
@@ -115,12 +114,10 @@ describe('a list of numbers', () => {
     expect(() => vector.check(parseText('1 2 1e999', vector))).toThrow(RangeError);
   });
 
-  it('of a hundred thousand numbers, or as many blanks, is read at once', () => {
-    const started = performance.now();
+  it('of a hundred thousand numbers, or more blanks, is read in one pass', () => {
     expect(parseText('1 '.repeat(100_000), vector)).toHaveLength(100_000);
-    expect(parseText(`1${' '.repeat(100_000)}2`, vector)).toStrictEqual([1, 2]);
-    expect(parseText(`${'1'.repeat(100_000)}x 2 3`, vector)).toBeUndefined();
-    expect(performance.now() - started).toBeLessThan(1000);
+    expect(parseText(`1${' '.repeat(300_000)}2`, vector)).toStrictEqual([1, 2]);
+    expect(parseText(`${'1'.repeat(300_000)}x 2 3`, vector)).toBeUndefined();
   });
 
   it('of three stands for a place, and of one for a grey', () => {
@@ -207,7 +204,6 @@ it.each([
   ['ka', 'ka'],
   ['autoRotate', 'auto-rotate'],
   ['colorInterpolation', 'color-interpolation'],
-  ['errorBudget', 'error-budget'],
   ['crossOrigin', 'crossorigin'],
 ])('property %s is attribute %s', (key, attribute) => {
   expect(attributeOf(key)).toBe(attribute);

@@ -1,21 +1,26 @@
-// The bench's own parts: a figure is no better than the scene it was measured on and the numbers made of its samples.
+// The arithmetic of the bench: statistics, results, progress, scenes and errors, without a browser.
 import { describe, expect, test } from 'vitest';
-import { box, glbOf, type Triangles } from '../bench/glb.mjs';
-import { bentPlane, lightsOf } from '../bench/pages/scenes.js';
+import { errorOf } from '../bench/front/errors.js';
+import { glbOf } from '../bench/glb.mjs';
+import { mixedLights, sceneOf } from '../bench/pages/scenes.js';
+import { parseOptions } from '../bench/options.mjs';
+import { Progress } from '../bench/progress.mjs';
+import { addSamples, type BenchResult, ratioOf, valueOf } from '../bench/results.mjs';
 import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
+import { chosenSubjects, SUBJECTS } from '../bench/subjects.mjs';
 
 describe('statistics', () => {
-  test('lie between neighbours where no sample stands at the share', () => {
+  test('interpolates between neighbours where no sample is at the share', () => {
     expect(quantile([4, 1, 3, 2], 0.5)).toBe(2.5);
     expect(quantile([4, 1, 3, 2, 5], 0.25)).toBe(2);
     expect(spread([7])).toEqual({ median: 7, low: 7, high: 7, count: 1 });
   });
 
-  test('pair samples of the same round', () => {
+  test('divides samples of the same round', () => {
     expect(pairedRatios([1, 20], [2, 10])).toEqual([0.5, 2]);
   });
 
-  test('come from rounds that every other time run backwards', async () => {
+  test('samples every other round backwards', async () => {
     const order: string[] = [];
     const samples = await interleaved(['a', 'b'], 3, (subject) => {
       order.push(subject);
@@ -29,65 +34,105 @@ describe('statistics', () => {
   });
 });
 
-describe('scenes', () => {
-  const query = { kind: 'mixed', seed: 1 } as const;
-
-  test('have as many active lights as they are asked for, spread over all', () => {
-    const active = lightsOf({ ...query, lights: 1000, active: 8 }).flatMap((light, i) =>
-      light.active === true ? [i] : [],
-    );
-    expect(active).toEqual([0, 125, 250, 375, 500, 625, 750, 875]);
+describe('a result', () => {
+  const result = (): BenchResult => ({
+    ...{ stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] },
+    ...{ measures: [], fronts: [], failures: [] },
   });
 
-  test('light every corner of the plane from every light, inside every cone', () => {
-    const { positions, normals } = bentPlane();
-    let [lowest, widest] = [Infinity, 0];
-    for (const { position, axis, aperture } of lightsOf({ ...query, lights: 256, active: 256 })) {
-      for (let i = 0; i < positions.length; i += 3) {
-        // What a picture of aspect 4:3 to 16:9 shows at the most.
-        if (Math.abs(positions[i]!) > 2.3 || Math.abs(positions[i + 1]!) > 1.3) continue;
-        const to = [0, 1, 2].map((k) => position[k]! - (position[3] === 0 ? 0 : positions[i + k]!));
-        lowest = Math.min(lowest, dot(to, [...normals.subarray(i, i + 3)]));
-        if (axis === undefined || aperture === undefined) continue;
-        const c = -dot(to, axis) / Math.hypot(...to) / Math.hypot(...axis);
-        widest = Math.max(widest, (Math.acos(c) * 180) / Math.PI / aperture);
-      }
-    }
-    expect(lowest).toBeGreaterThan(0);
-    expect(widest).toBeLessThan(1);
-    expect(widest).toBeGreaterThan(0);
+  test('keeps samples by side and divides by the last one', () => {
+    const kept = result();
+    addSamples(kept, 'sphere', 'settled', 'ms', { element: 2, three: 4 });
+    addSamples(kept, 'sphere', 'settled', 'ms', { element: 3.00004, three: 4 });
+    expect(kept.measures).toHaveLength(1);
+    expect(kept.measures[0]!.samples).toEqual({ element: [2, 3], three: [4, 4] });
+    expect(ratioOf(kept.measures[0]!)?.median).toBe(0.625);
+    expect(valueOf(kept.measures[0]!, 'three').median).toBe(4);
+  });
+
+  test('has no ratio where a subject has one side', () => {
+    const kept = result();
+    addSamples(kept, 'connecting', 'time', 'ms', { element: 900 });
+    expect(ratioOf(kept.measures[0]!)).toBeUndefined();
   });
 });
 
-describe('a binary glTF', () => {
-  test('says its own length and holds the triangles it was made of', () => {
-    const triangles = box();
-    const file = glbOf(triangles);
-    const view = new DataView(file.buffer);
-    expect(new TextDecoder().decode(file.subarray(0, 4))).toBe('glTF');
-    expect(view.getUint32(8, true)).toBe(file.length);
-    const jsonLength = view.getUint32(12, true);
-    const at = 20 + jsonLength + 8;
-    expect(new Float32Array(file.slice(at, at + 72 * 4).buffer)).toEqual(triangles.positions);
+describe('options', () => {
+  test('take flags that begin with dashes, separated by spaces', () => {
+    const { flags, launches, minutes } = parseOptions(['--flags', '--use-angle=gl --no-vsync', '--quick']);
+    expect(flags).toEqual(['--use-angle=gl', '--no-vsync']);
+    expect([launches, minutes]).toEqual([1, Infinity]);
   });
 
-  test.each([
-    ['the box', box()],
-    ['the bent plane', bentPlane()],
-  ] satisfies [string, Triangles][])('%s turns its triangles to where their normals point', (_, shape) => {
-    const { positions, normals, indices } = shape;
-    const corner = (k: number): number[] => [...positions.subarray(indices[k]! * 3, indices[k]! * 3 + 3)];
-    for (let k = 0; k < indices.length; k += 3) {
-      const [a, b, c] = [corner(k), corner(k + 1), corner(k + 2)];
-      const [u, v] = [b.map((x, i) => x - a[i]!), c.map((x, i) => x - a[i]!)];
-      const cross = [0, 1, 2].map(
-        (i) => u[(i + 1) % 3]! * v[(i + 2) % 3]! - u[(i + 2) % 3]! * v[(i + 1) % 3]!,
-      );
-      const normal = [...normals.subarray(indices[k]! * 3, indices[k]! * 3 + 3)];
-      expect(dot(cross, normal)).toBeGreaterThan(0);
+  test.each([['--fast'], ['--launches', '0'], ['--size', 'large'], ['--flags'], ['teapot']])(
+    'refuse %s %s in one line',
+    (...args) => {
+      expect(() => parseOptions(args)).toThrow(/^.+ Try --help\.$/);
+    },
+  );
+});
+
+describe('progress', () => {
+  test('estimates a part by its own earlier runs, and an unknown one by the average', () => {
+    const progress = new Progress(['a', 'b', 'a', 'b']);
+    expect(progress.left).toBe(0);
+    progress.finish(60_000);
+    expect(progress.left).toBe(180_000);
+    progress.finish(180_000);
+    expect(progress.left).toBe(240_000);
+    expect(progress.toString()).toBe('[2/4, about 4 min left]');
+  });
+});
+
+describe('subjects', () => {
+  test('are chosen by parts of their names, in their own order', () => {
+    expect(chosenSubjects(['bytes', 'sphere, 1 '])).toEqual(['sphere, 1 light', 'bytes']);
+    expect(chosenSubjects(['a teapot'])).toEqual([]);
+    expect(chosenSubjects([])).toEqual(Object.keys(SUBJECTS));
+  });
+
+  test('name scenes that exist', () => {
+    for (const subject of Object.values(SUBJECTS))
+      if ('scene' in subject) expect(sceneOf(subject.scene).meshes.length).toBeGreaterThan(0);
+    expect(() => sceneOf('teapot:1')).toThrow('no scene is called teapot:1');
+  });
+});
+
+describe('lights', () => {
+  test('come in turn as directional, point and spot, and every cone holds the sphere', () => {
+    const lights = mixedLights(256);
+    expect(lights.filter(({ position }) => position[3] === 0)).toHaveLength(86);
+    expect(lights.filter(({ axis }) => axis !== undefined)).toHaveLength(85);
+    for (const { position, aperture = 180 } of lights.filter((light) => light.axis !== undefined)) {
+      const distance = Math.hypot(...position.slice(0, 3));
+      expect((Math.asin(0.5 / distance) * 180) / Math.PI).toBeLessThan(aperture);
     }
   });
 });
 
-const dot = (a: readonly number[], b: readonly number[]): number =>
-  a.reduce((sum, x, i) => sum + x * b[i]!, 0);
+describe('errors', () => {
+  test('are root of the mean square, 99.9 % and maximum over all channels', () => {
+    const truth = Float64Array.from([10, 20, 30]);
+    expect(errorOf(truth, truth)).toEqual({ rmse: 0, p999: 0, max: 0 });
+    expect(errorOf(Float64Array.from([13, 20, 26]), truth)).toMatchObject({
+      rmse: Math.sqrt(25 / 3),
+      max: 4,
+    });
+  });
+
+  test('refuse other sizes and NaN', () => {
+    expect(() => errorOf(new Float64Array(3), new Float64Array(6))).toThrow(RangeError);
+    expect(() => errorOf(Float64Array.from([NaN]), new Float64Array(1))).toThrow('not a number');
+  });
+});
+
+test('a binary glTF states its own length and holds its triangles', () => {
+  const positions = Float32Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  const normals = Float32Array.from([0, 0, 1, 0, 0, 1, 0, 0, 1]);
+  const file = glbOf({ positions, normals, indices: Uint32Array.from([0, 1, 2]) });
+  const view = new DataView(file.buffer);
+  expect(new TextDecoder().decode(file.subarray(0, 4))).toBe('glTF');
+  expect(view.getUint32(8, true)).toBe(file.length);
+  const at = 20 + view.getUint32(12, true) + 8;
+  expect(new Float32Array(file.slice(at, at + 36).buffer)).toEqual(positions);
+});

@@ -1,9 +1,10 @@
-// Is the camera's basis orthonormal wherever the eye can be? A million random angles, and the quarter turns with the
-// doubles that lie beside them, down to the smallest. How it is defined is tested with the orbit.
+// Is the camera's basis orthonormal wherever the eye can be? Random angles, a million in a release run, and the quarter
+// turns with the doubles that lie beside them, down to the smallest. How it is defined is tested with the orbit.
 
 import { describe, expect, it } from 'vitest';
 import { type Basis, basisOf, newBasis } from '../../src/camera/orbit.js';
 import { cross, dot } from '../../src/math/vector.js';
+import { repeats } from '../support/repeats.js';
 import { seeded } from '../visual/random-scene.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -30,14 +31,15 @@ const POLAR = [0, 45, 90, 135, 180].flatMap(around).filter((phi) => phi >= 0 && 
 const AZIMUTHS = [-180, -90, -45, 0, 30, 90, 180, 270].flatMap(around);
 
 describe('the basis', () => {
-  it(`is orthonormal and right-handed to 1e-15 at a million random angles (seed ${SEED})`, () => {
+  const angles = repeats(1e6);
+  it(`is orthonormal and right-handed to 1e-15 at ${angles} random angles (seed ${SEED})`, () => {
     const coarse = seeded(SEED);
     const next = (): number => coarse() + coarse() * 2 ** -32; // all the bits of a double
     const basis = newBasis();
     const worst = { defect: 0, theta: 0, phi: 0 };
-    for (let i = 0; i < 1e6; i++) {
+    for (let i = 0; i < angles; i++) {
       const theta = 720 * (next() - 0.5);
-      // One in four within a millionth of a degree of a pole, on a scale where every power of ten is as likely.
+      // One in four lies within a millionth of a degree of a pole, on a logarithmic scale.
       const fromPole = 10 ** (-6 - 14 * next());
       const phi = i % 4 > 0 ? 180 * next() : i % 8 > 0 ? fromPole : 180 - fromPole;
       const d = defect(basisOf({ theta, phi }, basis));
@@ -47,7 +49,7 @@ describe('the basis', () => {
     expect(worst.defect, `seed ${SEED}, θ = ${worst.theta}, φ = ${worst.phi}`).toBeLessThanOrEqual(1e-15);
   });
 
-  it('is so at the poles, at the quarter turns and at every double beside them that a power of ten leads to', () => {
+  it('is orthonormal at the poles, at quarter turns, and at angles off them by each power of ten', () => {
     const basis = newBasis();
     let worst = 0;
     let at = '';
@@ -62,7 +64,7 @@ describe('the basis', () => {
     expect(worst, at).toBeLessThanOrEqual(1e-15);
   });
 
-  it('moves no farther than its angles do, also onto a pole and past a quarter turn', () => {
+  it('changes no more than its angles do, also onto a pole and past a quarter turn', () => {
     const RADIANS = Math.PI / 180;
     for (const theta of [0, 30, 90, -180]) {
       for (const middle of [0, 45, 90, 135, 180]) {
@@ -71,7 +73,7 @@ describe('the basis', () => {
           const there = basisOf({ theta, phi });
           for (const axis of ['right', 'up', 'back'] as const) {
             const travel = Math.hypot(...there[axis].map((x, i) => x - here[axis][i]!));
-            // The roundings of both.
+            // Rounding of both.
             expect(travel).toBeLessThanOrEqual(RADIANS * Math.abs(phi - middle) + 4 * Number.EPSILON);
           }
         }
@@ -79,7 +81,7 @@ describe('the basis', () => {
     }
   });
 
-  it('keeps the eye’s way off the axis at a pole, however small the polar angle is', () => {
+  it('keeps the eye off the axis near a pole, however small the polar angle is', () => {
     const RADIANS = Math.PI / 180;
     for (const phi of TINY.filter((p) => p < 1e-8)) {
       const { back } = basisOf({ theta: 90, phi });

@@ -1,4 +1,4 @@
-// Fitting the camera to a scene's bounding sphere: the auto radius, the limits of zooming, near and far.
+// Does the camera fit a scene's bounding sphere? The auto radius, the zoom limits, near and far.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -19,7 +19,7 @@ describe('the auto radius', () => {
     expect(fitRadius(2, 45, 1)).toBeCloseTo(2.1 / Math.sin(Math.PI / 8), 13);
   });
 
-  it('shows the whole sphere, and leaves little room', () => {
+  it('shows the whole sphere and leaves little room around it', () => {
     fc.assert(
       fc.property(fov, aspect, (degrees, ratio) => {
         const radius = fitRadius(1, degrees, ratio);
@@ -31,7 +31,7 @@ describe('the auto radius', () => {
     );
   });
 
-  it('sees an empty scene from 4 at the origin, and a single point from 4', () => {
+  it('is 4 for an empty scene, seen at the origin, and 4 for a single point', () => {
     expect(fitPose(null, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
     expect(fitPose({ centre: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
   });
@@ -40,7 +40,7 @@ describe('the auto radius', () => {
     expect(fitRadius(1, 45, ratio)).toBeCloseTo(1.05 / Math.sin(Math.PI / 8), 13);
   });
 
-  it('is finite, above 0 and within the domain, whatever goes in', () => {
+  it('is finite, above 0 and within the domain, for any input', () => {
     fc.assert(
       fc.property(fc.double(), fov, fc.double(), (sphereRadius, degrees, ratio) => {
         const radius = fitRadius(sphereRadius, degrees, ratio);
@@ -50,7 +50,7 @@ describe('the auto radius', () => {
   });
 });
 
-it('lets one zoom from 1e-3 to 1e3 of the scene, and around 1 where there is none', () => {
+it('limits the zoom to 1e-3 to 1e3 times the radius of the scene, or times 1 for an empty scene', () => {
   expect(zoomLimits({ centre: [0, 0, 0], radius: 5 })).toStrictEqual({ min: 5e-3, max: 5e3 });
   expect(zoomLimits(null)).toStrictEqual({ min: 1e-3, max: 1e3 });
   expect(zoomLimits({ centre: [0, 0, 0], radius: 0 })).toStrictEqual({ min: 1e-3, max: 1e3 });
@@ -88,7 +88,7 @@ describe('near and far', () => {
     return { pose, sphere: { centre: [0, 0, 0], radius: size }, front: middle - size, back: middle + size };
   }
 
-  it('hold every depth of a sphere before the eye, at every scale', () => {
+  it('enclose a sphere in front of the eye, at every scale', () => {
     fc.assert(
       fc.property(scene, (values) => {
         const { pose, sphere, front, back } = build(values);
@@ -96,14 +96,14 @@ describe('near and far', () => {
         expect(far).toBeGreaterThanOrEqual(back);
         if (front > far / 1000) expect(near).toBeLessThanOrEqual(front);
         else expect(near).toBeLessThanOrEqual(far / 1000);
-        // The target, unless all of the sphere lies beyond it.
+        // The target, unless the whole sphere lies beyond it.
         if (front < pose.radius && back > pose.radius) expect(near).toBeLessThan(pose.radius);
       }),
       { numRuns: 3000 },
     );
   });
 
-  it('stay within a ratio of 1000 unless that would cut the target off', () => {
+  it('stay within a ratio of 1000 unless that would clip the target', () => {
     fc.assert(
       fc.property(scene, (values) => {
         const { pose, sphere } = build(values);
@@ -114,7 +114,7 @@ describe('near and far', () => {
     );
   });
 
-  it('never cut the target off, however near one zooms', () => {
+  it('never clip the target, however close the zoom', () => {
     const near = depthRange(
       { theta: 0, phi: 90, radius: 1e-3, target: [0, 0, 0.9] },
       { centre: [0, 0, 0], radius: 1 },
@@ -122,7 +122,7 @@ describe('near and far', () => {
     expect(near).toBeLessThanOrEqual(1e-4);
   });
 
-  it('are finite, above 0, in order, and no subnormals of float32, whatever goes in', () => {
+  it('are finite, above 0, in order, and normal float32 numbers, for any input', () => {
     const any = fc.double();
     const anyBounds = fc.option(fc.record({ centre: fc.tuple(any, any, any), radius: any }), { nil: null });
     const anyRadius = fc.double({ min: Number.MIN_VALUE, max: 1e15, noNaN: true });
@@ -142,7 +142,7 @@ describe('near and far', () => {
     );
   });
 
-  it('are written into the object that is given', () => {
+  it('are written into the given object', () => {
     const out = { near: 0, far: 0 };
     expect(depthRange({ theta: 0, phi: 90, radius: 4, target: [0, 0, 0] }, null, out)).toBe(out);
   });

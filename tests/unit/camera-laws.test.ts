@@ -1,4 +1,4 @@
-// The pure laws of drag, shift, pinch, wheel and keys: examples by hand, and properties over everything a pointer may send.
+// Do drag, shift, pinch, wheel and keys give the right poses? Examples by hand, and properties over every input a pointer can send.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -35,7 +35,7 @@ describe('turning', () => {
     expect(turn(start, dx, dy, view)).toStrictEqual({ ...start, theta, phi });
   });
 
-  it('gives the noted pose itself for no travel', () => {
+  it('returns the start pose itself for zero travel', () => {
     fc.assert(
       fc.property(anyPose, (pose) => turn(pose, 0, 0, view) === pose && shift(pose, 0, 0, view) === pose),
     );
@@ -48,7 +48,7 @@ describe('turning', () => {
 });
 
 describe('shifting', () => {
-  /** Where a world point lies on the picture, CSS pixels from its middle, right and down. */
+  /** Position of a world point in the picture, CSS pixels from its middle, right and down. */
   function project(pose: Pose, point: readonly [number, number, number]): { x: number; y: number } {
     const { right, up, back } = basisOf(pose);
     const p = subtract(point, pose.target);
@@ -99,7 +99,7 @@ describe('zooming', () => {
     expect(pinch(start, from, to, limits).radius).toBe(radius);
   });
 
-  it('lets a radius beyond its limits come back, and go no further', () => {
+  it('lets a radius outside its limits come back but not move farther out', () => {
     const far = { ...start, radius: 1e6 };
     expect(zoomBy(far, 2, limits).radius).toBe(1e6);
     expect(zoomBy(far, 0.5, limits).radius).toBe(5e5);
@@ -118,7 +118,7 @@ describe('zooming', () => {
     expect(wheelZoom(start, wheel, 400, limits).radius).toBeCloseTo(radius, 12);
   });
 
-  it('adds wheel turns up: many small ones are one large one', () => {
+  it('adds wheel turns: many small ones equal one large one', () => {
     const pixels = fc.double({ min: -200, max: 200, noNaN: true });
     fc.assert(
       fc.property(fc.array(pixels, { maxLength: 20 }), (turns) => {
@@ -156,13 +156,13 @@ describe('keys', () => {
     expect({ ...pose, radius: 0 }).toStrictEqual({ ...expected, radius: 0 });
   });
 
-  it('knows Home, and leaves other keys alone', () => {
+  it('recognise Home and ignore other keys', () => {
     expect(keyStep('Home', false)).toStrictEqual({ kind: 'reset' });
     for (const key of ['a', 'End', 'Tab', ' ', 'Enter', '0']) expect(keyStep(key, false)).toBeUndefined();
   });
 });
 
-it('gives a pose that an orbit accepts, whatever goes in', () => {
+it('gives a pose that an orbit accepts, for any input', () => {
   const any = fc.double();
   const anyView = fc.record({ width: any, height: any, fov: fc.double({ min: 1, max: 170, noNaN: true }) });
   const anyLimits = fc.record({ min: any, max: any });

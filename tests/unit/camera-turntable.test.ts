@@ -1,56 +1,59 @@
-// Turning by itself: a pure function of elapsed time, noted anew whenever someone else turns the camera.
+// Is auto-rotate a pure function of elapsed time that restarts whenever something else turns the camera?
 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import { turnedBy, Turntable } from '../../src/camera/turntable.js';
 import { wrapDegrees } from '../../src/math/angle.js';
+import { repeats } from '../support/repeats.js';
 import { seeded } from '../visual/random-scene.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 const HOUR = 3_600_000;
+/** Twelve in a release run. */
+const HOURS = repeats(12);
 
-/** Doubles of at least 2^-40 are whole multiples of 2^-92, which integers hold without rounding. */
+/** Doubles of at least 2^-40 are integer multiples of 2^-92, which a BigInt holds without rounding. */
 const SCALE = 92;
 const fixed = (x: number): bigint => BigInt(x * 2 ** 52 * 2 ** (SCALE - 52));
 
-/** Start plus speed times elapsed time, less whole turns, from the very doubles, with one rounding at the end. */
+/** Start plus speed times elapsed time, modulo whole turns, exact until one rounding at the end. */
 function exactDegrees(start: number, speed: number, from: number, to: number): number {
   const turn = (360_000n << BigInt(SCALE)) << BigInt(SCALE);
   const thousandfold = (1000n * fixed(start)) << BigInt(SCALE);
   const turned = (thousandfold + fixed(speed) * (fixed(to) - fixed(from))) % turn;
-  // 60 bits behind the point are far more than the double keeps.
+  // 60 fractional bits are far more than the double keeps.
   return Number(turned >> BigInt(2 * SCALE - 60)) / 2 ** 60 / 1000;
 }
 
-/** Times of frames in ms, as `requestAnimationFrame` gives them. */
+/** Times of frames in ms, as from `requestAnimationFrame`. */
 interface Frames {
   readonly name: string;
-  /** From the frame's number and the time of the one before to its own; `random` from 0 to 1. */
+  /** The time of a frame from its number and the time of the last one; `random` from 0 to 1. */
   readonly next: (frame: number, before: number, random: () => number) => number;
 }
 
-/** When the page was opened, on its own clock. */
+/** When the page was opened, on the page's clock. */
 const BEGIN = 1234.567;
 const FRAMES: readonly Frames[] = [
   { name: '60 Hz', next: (frame) => BEGIN + (frame * 1000) / 60 },
   { name: '144 Hz', next: (frame) => BEGIN + (frame * 1000) / 144 },
-  // Browsers round the clock, to 0.1 ms where the page is not isolated.
+  // Browsers round the clock to 0.1 ms, unless the page is cross-origin isolated.
   { name: '60 Hz by a rounded clock', next: (frame) => Math.round(10 * (BEGIN + (frame * 1000) / 60)) / 10 },
   // A busy page: most frames come soon, some after a second.
   { name: 'irregular frames', next: (_, before, random) => before + 4 + 1000 * random() ** 8 },
 ];
 
-/** Degrees a second; the last is twelve turns a second, more than screens can show. */
+/** Degrees per second; the last is twelve turns per second, more than screens can show. */
 const SPEEDS = [30, -0.1, 4321.9];
 
 /**
- * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no more is lost however
- * many frames there are. Measured: 1.1e-10 degrees at 30 a second, 7.2e-9 at 4321.9; the products add less than 1e-12.
+ * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no more is lost, for any
+ * number of frames. Measured: 1.1e-10 degrees at 30 per second, 7.2e-9 at 4321.9; the products add less than 1e-12.
  */
 const bound = (speed: number): number => (Math.abs(speed) / 1000) * 2 ** -28 + 1e-12;
 
-/** How far a turning orbit gets from the exact angle in `hours`, the largest |θ| that it takes, and what θ is shown as. */
+/** Largest error of a turning orbit in `hours`, its largest |θ|, and the θ that is shown. */
 function turnFor(hours: number, { next }: Frames, speed: number, asleep?: 'unseen' | 'shown') {
   const orbit = new Orbit({ theta: 12.5 });
   const table = new Turntable();
@@ -68,7 +71,7 @@ function turnFor(hours: number, { next }: Frames, speed: number, asleep?: 'unsee
       slept = HOUR;
       time += slept;
       if (asleep === 'unseen') {
-        // The element rests while nobody sees it: its hour does not count.
+        // The element pauses while it is not visible: that hour does not count.
         table.rest();
         noted = { theta: orbit.theta, time };
       }
@@ -78,7 +81,7 @@ function turnFor(hours: number, { next }: Frames, speed: number, asleep?: 'unsee
     const shown = wrapDegrees(orbit.theta); // what the element's `camera` says
     range.low = Math.min(range.low, shown);
     range.high = Math.max(range.high, shown);
-    // Integers of 200 bits take their time: one frame in a thousand, and the last.
+    // Integers of 200 bits are slow: check one frame in a thousand, and the last.
     if (frame % 1000 > 0 && time < BEGIN + hours * HOUR) continue;
     const exact = exactDegrees(noted.theta, speed, noted.time, time);
     drift = Math.max(drift, Math.abs(wrapDegrees(orbit.theta - exact)));
@@ -86,12 +89,12 @@ function turnFor(hours: number, { next }: Frames, speed: number, asleep?: 'unsee
   return { drift, outermost, range };
 }
 
-describe(`twelve hours of turning (seed ${SEED})`, () => {
+describe(`${HOURS} hours of turning (seed ${SEED})`, () => {
   it.each(FRAMES)(
     'end where they should at $name, but for one rounding of the time, and θ stays within a turn',
     (frames) => {
       for (const speed of SPEEDS) {
-        const { drift, outermost, range } = turnFor(12, frames, speed);
+        const { drift, outermost, range } = turnFor(HOURS, frames, speed);
         expect(drift, `${speed} degrees a second`).toBeLessThan(bound(speed));
         expect(outermost).toBeLessThan(360);
         expect(range.low).toBeGreaterThanOrEqual(-180);
@@ -107,18 +110,18 @@ describe(`twelve hours of turning (seed ${SEED})`, () => {
     ['does not count where nobody could see', 'unseen'],
   ] as const)('hold an hour asleep in their middle, which %s', (_, asleep) => {
     for (const frames of [FRAMES[0]!, FRAMES[3]!]) {
-      const { drift, outermost } = turnFor(12, frames, 7.3, asleep);
+      const { drift, outermost } = turnFor(HOURS, frames, 7.3, asleep);
       expect(drift, frames.name).toBeLessThan(bound(7.3));
       expect(outermost).toBeLessThan(360);
     }
   });
 
-  it('turn back exactly as far, by the negative speed over the same frames', () => {
+  it('turn back exactly as far with the negative speed over the same frames', () => {
     for (const speed of SPEEDS) {
       const there = new Orbit({ theta: 0 });
       const back = new Orbit({ theta: 0 });
       const [a, b] = [new Turntable(), new Turntable()];
-      for (let frame = 0; frame < 1e5; frame++) {
+      for (let frame = 0; frame < repeats(1e5); frame++) {
         const time = BEGIN + frame * 432;
         a.step(there, time, speed);
         b.step(back, time, -speed);
@@ -140,7 +143,7 @@ describe('a turntable', () => {
     expect(few.theta).toBe(50);
   });
 
-  it('goes on from where the user left the camera', () => {
+  it('continues from where the user left the camera', () => {
     const orbit = new Orbit({ theta: 0 });
     const table = new Turntable();
     table.step(orbit, 0, 10);
@@ -176,7 +179,7 @@ describe('a turntable', () => {
     expect(orbit.theta).toBe(0);
   });
 
-  it('moves nothing for times and speeds that are no numbers', () => {
+  it('moves nothing for times and speeds that are not finite', () => {
     const orbit = new Orbit();
     const table = new Turntable();
     table.step(orbit, 0, 10);
@@ -187,7 +190,7 @@ describe('a turntable', () => {
     expect(orbit.theta).toBe(30);
   });
 
-  it('keeps its angle small for ever', () => {
+  it('keeps its angle small forever', () => {
     expect(Math.abs(turnedBy(360.001, 1e12))).toBeLessThan(360);
   });
 });

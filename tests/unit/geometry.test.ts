@@ -2,6 +2,7 @@
 import fc from 'fast-check';
 import type { BufferGeometry } from 'three';
 import { describe, expect, it, vi } from 'vitest';
+import { shapeContent } from '../../src/scene/mesh/content.js';
 import {
   acquireGeometry,
   createGeometry,
@@ -225,5 +226,15 @@ describe('sharing', () => {
     expect(disposed.mock.calls.length).toBeLessThanOrEqual(1);
     expect(acquireGeometry('teapot', 8)).not.toBe(pending);
     releaseGeometry('teapot', 8);
+  });
+});
+
+describe('the content of a mesh', () => {
+  it('says which shapes are closed: all but the plane', async () => {
+    for (const name of GEOMETRIES) {
+      const content = await shapeContent(name, null);
+      expect(content.parts[0]!.sides, name).toBe(name === 'plane' ? 'double' : 'closed');
+      content.dispose();
+    }
   });
 });

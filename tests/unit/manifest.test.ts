@@ -8,7 +8,7 @@ import { describe, expect, it } from 'vitest';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
-import type { SingleNumber } from '../../src/element/jsx.js';
+import type { SingleNumber } from '../../src/element/fields/properties.js';
 import { PhongLight } from '../../src/element/phong-light.js';
 import { PhongMesh } from '../../src/element/phong-mesh.js';
 
@@ -65,7 +65,7 @@ describe('the custom elements manifest', () => {
   it('lists what scripts may call and read on the viewer, and nothing inner', () => {
     const members = declared('phong-viewer').members!.map(({ name }) => name);
     const offered = ['camera', 'lights', 'meshes', 'loaded', 'scene', 'stats', 'ready'];
-    offered.push('toBlob', 'toHTML', 'resetCamera', 'requestRender', 'autoRotate');
+    offered.push('toBlob', 'toHTML', 'resetCamera', 'requestRender', 'refit', 'autoRotate');
     expect(members).toEqual(expect.arrayContaining(offered));
     expect(members.filter((name) => /^#|Callback$|^(state|declared|render|updated)$/.test(name))).toEqual([]);
     for (const member of declared('phong-viewer').members!)
@@ -107,7 +107,7 @@ describe("JetBrains' web-types and VS Code's data", () => {
   });
 });
 
-describe('the JSX types', () => {
+describe('the types of properties and JSX', () => {
   it('take one number where the property takes it for three', () => {
     const typed: Record<SingleNumber, true> = {
       ambient: true,

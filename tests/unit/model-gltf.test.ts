@@ -260,3 +260,15 @@ describe('textures', () => {
     });
   });
 });
+
+describe('sides', () => {
+  it('are single unless the material says double, and single without a material', async () => {
+    const corners = { type: 'VEC3', count: 3, componentType: FLOAT, bufferView: 0 };
+    const part = (material?: number): Json => ({ attributes: { POSITION: 0 }, material });
+    const model = await gltf([new Float32Array(TRIANGLE)], [corners], {
+      materials: [{ doubleSided: true }, { doubleSided: false }, {}],
+      meshes: [{ primitives: [part(0), part(1), part(2), part()] }],
+    });
+    expect(model.parts.map(({ look }) => look.doubleSided)).toEqual([true, false, false, false]);
+  });
+});

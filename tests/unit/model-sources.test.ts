@@ -116,7 +116,7 @@ describe('formats', () => {
   });
 
   it.each([
-    ['solid x', 'x.stl', /no format that can be read: glTF/],
+    ['solid x', 'x.stl', /not in a supported format: glTF/],
     ['', 'x.glb', /empty/],
     ['<!doctype html>', 'x.glb', /web page/],
   ])('refuse content %j of %s, and say why', (text, name, message) => {

@@ -1,4 +1,4 @@
-// Events in, camera out: OrbitInput on a surface made of Node's own EventTarget. Real pointers are tested in a browser.
+// Does OrbitInput turn events into camera moves? On a surface made of Node's EventTarget; tests/element uses real pointers.
 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
@@ -47,7 +47,7 @@ function setUp() {
     held: (dragging) => log.push(dragging ? 'held' : 'let go'),
   });
   input.connect();
-  /** Dispatches and tells whether the browser's own action was prevented. */
+  /** Dispatches an event and returns whether its default action was prevented. */
   const fire = (type: string, values: object = {}, on: EventTarget = surface): boolean => {
     const event = new Event(type, { cancelable: true });
     for (const [key, value] of Object.entries(values)) Object.defineProperty(event, key, { value });
@@ -85,7 +85,7 @@ function setUp() {
 }
 
 describe('the pointer', () => {
-  it('captures and focuses on the press, turns, and lets go', () => {
+  it('is captured and focuses the surface on press, turns, and is released', () => {
     const { surface, orbit, log, input, mouse } = setUp();
     mouse('pointerdown', 100);
     expect(surface.captured.has(1) && surface.focused && input.dragging).toBe(true);
@@ -113,7 +113,7 @@ describe('the pointer', () => {
     },
   );
 
-  it('shifts the target with Shift or the secondary button, and leaves other buttons alone', () => {
+  it('shifts the target with Shift or the secondary button, and ignores other buttons', () => {
     for (const values of [{ shiftKey: true }, { button: 2, buttons: 2 }]) {
       const { orbit, mouse } = setUp();
       mouse('pointerdown', 100, values);
@@ -126,7 +126,7 @@ describe('the pointer', () => {
     expect(input.dragging).toBe(false);
   });
 
-  it('keeps the menu away from a secondary drag, and from nothing else', () => {
+  it('suppresses the context menu of a secondary drag only', () => {
     const { fire, mouse, window } = setUp();
     const menu = (): boolean => fire('contextmenu', {}, window);
     const secondary = { button: 2, buttons: 2 };
@@ -141,7 +141,7 @@ describe('the pointer', () => {
     expect(menu()).toBe(false);
   });
 
-  it('pinches with two fingers and turns on with the one that stays', () => {
+  it('pinches with two fingers and continues to turn with the one that stays', () => {
     const { orbit, touch, input, log } = setUp();
     touch('pointerdown', 5, 100);
     touch('pointerdown', 6, 200);
@@ -155,7 +155,7 @@ describe('the pointer', () => {
     expect(log).toStrictEqual(['held', 'pointer', 'pointer', 'let go']);
   });
 
-  it('waits whether a finger that goes up or down scrolls the page, and then turns by all of its travel', () => {
+  it('waits until a vertical finger stroke is no scroll, then turns by its whole travel', () => {
     const { orbit, mouse } = setUp();
     const finger = { pointerType: 'touch', pointerId: 5 };
     mouse('pointerdown', 100, finger);
@@ -169,7 +169,7 @@ describe('the pointer', () => {
     expect(orbit.phi).toBe(61);
   });
 
-  it('takes no second mouse or pen into a drag', () => {
+  it('ignores a second mouse or pen during a drag', () => {
     const { input, mouse } = setUp();
     mouse('pointerdown', 100);
     mouse('pointerdown', 100, { pointerId: 2, pointerType: 'pen' });
@@ -178,7 +178,7 @@ describe('the pointer', () => {
     expect(input.dragging).toBe(false);
   });
 
-  it('goes without orbit: the press only focuses, for the wheel', () => {
+  it('only focuses the surface while orbit is off, for the wheel', () => {
     const { surface, allows, input, mouse } = setUp();
     allows.orbit = false;
     mouse('pointerdown', 100);
@@ -191,7 +191,7 @@ describe('the pointer', () => {
 });
 
 describe('the wheel', () => {
-  it('zooms with focus only', () => {
+  it('zooms only with focus', () => {
     const { surface, orbit, log, wheel } = setUp();
     expect(wheel(100)).toBe(false);
     expect(orbit.radius).toBe(4);
@@ -202,7 +202,7 @@ describe('the wheel', () => {
     expect(log).toStrictEqual(['wheel', 'wheel']);
   });
 
-  it('is the page’s without zoom, or sideways', () => {
+  it('is left to the page while zoom is off, and for horizontal turns', () => {
     const { surface, allows, wheel } = setUp();
     surface.focused = true;
     expect(wheel(0)).toBe(false);
@@ -210,7 +210,7 @@ describe('the wheel', () => {
     expect(wheel(100)).toBe(false);
   });
 
-  it('lets a drag go on from the new radius', () => {
+  it('lets a drag continue from the new radius', () => {
     const { surface, orbit, mouse, wheel } = setUp();
     mouse('pointerdown', 100);
     mouse('pointermove', 160);
@@ -233,7 +233,7 @@ describe('keys', () => {
     expect(log).toStrictEqual(['key', 'key', 'reset']);
   });
 
-  it('are left alone with Ctrl, Alt or Meta, and where they mean nothing', () => {
+  it('are ignored with Ctrl, Alt or Meta, and if they have no meaning', () => {
     const { log, allows, key } = setUp();
     for (const modifier of ['ctrlKey', 'altKey', 'metaKey'])
       expect(key('ArrowUp', { [modifier]: true })).toBe(false);
@@ -249,7 +249,7 @@ describe('keys', () => {
 });
 
 describe('coming and going', () => {
-  it('gives everything back, and works again when it comes back', () => {
+  it('removes everything on disconnect, and works again after connect', () => {
     const { surface, orbit, log, input, fire, mouse, key, window } = setUp();
     mouse('pointerdown', 100);
     input.disconnect();

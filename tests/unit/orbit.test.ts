@@ -1,4 +1,4 @@
-// The orbit's state and its basis, against the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ).
+// Do the orbit's state and its basis match the definition eye = target + r(sinφ sinθ, cosφ, sinφ cosθ)?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -45,7 +45,7 @@ describe('the basis', () => {
     expect(basis).toStrictEqual({ right, up, back });
   });
 
-  it('turns smoothly over a pole: the azimuth survives at φ = 0', () => {
+  it('is smooth over a pole: the azimuth survives at φ = 0', () => {
     for (const phi of [0, 1e-13, 1e-9, 180 - 1e-9, 180]) {
       const { right } = new Orbit({ theta: 30, phi }).basis();
       expect(right[0]).toBeCloseTo(Math.cos(Math.PI / 6), 15);
@@ -71,7 +71,7 @@ describe('the basis', () => {
 });
 
 describe('the eye', () => {
-  it('lies where the definition puts it', () => {
+  it('lies at its definition', () => {
     fc.assert(
       fc.property(
         fc.double({ min: -360, max: 360, noNaN: true }),
@@ -98,7 +98,7 @@ describe('the eye', () => {
     expect(orbit.offset()).toStrictEqual([0, 0, 1e-3]);
   });
 
-  it('is written into the array that is given', () => {
+  it('is written into the given array', () => {
     const orbit = new Orbit();
     const out: [number, number, number] = [9, 9, 9];
     expect(orbit.eye(out)).toBe(out);
@@ -112,7 +112,7 @@ describe('setting', () => {
     expect(new Orbit({ theta: 5 }).version).toBe(0);
   });
 
-  it('counts changes, and only changes', () => {
+  it('counts changes only', () => {
     const orbit = new Orbit();
     orbit.set({});
     orbit.set({ theta: 30, target: [0, -0, 0] });
@@ -126,7 +126,7 @@ describe('setting', () => {
     expect(orbit.target).toBe(target);
   });
 
-  it('keeps θ as given and clamps φ, large radii and coordinates', () => {
+  it('does not wrap θ; clamps φ, large radii and coordinates', () => {
     const orbit = new Orbit({ theta: 750, phi: -3, radius: 1e20, target: [1e300, -1e16, 2] });
     expect(orbit.pose).toStrictEqual({
       theta: 750,
@@ -152,7 +152,7 @@ describe('setting', () => {
     expect(orbit.pose).toBe(before);
   });
 
-  it('hands out poses that later changes do not touch', () => {
+  it('returns poses that later changes do not affect', () => {
     const orbit = new Orbit();
     const { pose } = orbit;
     expect(orbit.pose).toBe(pose);

@@ -1,4 +1,4 @@
-// Is a bright colour the same after it has been split into colour and intensity, and does turning one leave the other?
+// Does a bright colour survive the split into colour and intensity, and does changing one keep the other?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -22,7 +22,7 @@ describe('ColorMix', () => {
     expect(new ColorMix().split([400, 200, 0])).toEqual({ color: [255, 127.5, 0], intensity: 400 / 255 });
   });
 
-  it('keeps the picked colour, however dark, and the intensity as it was', () => {
+  it('keeps the picked colour, however dark, and keeps the intensity', () => {
     fc.assert(
       fc.property(bright, picked, (value, color) => {
         fc.pre(Math.max(...value) > 0 && Math.max(...value) < 1e5);
@@ -34,7 +34,7 @@ describe('ColorMix', () => {
     );
   });
 
-  it('keeps the colour while the intensity is turned to zero and up again', () => {
+  it('keeps the colour while the intensity goes to zero and up again', () => {
     fc.assert(
       fc.property(bright, fc.array(intensity, { minLength: 1 }), (value, turns) => {
         fc.pre(Math.max(...value) > 0);
@@ -48,7 +48,7 @@ describe('ColorMix', () => {
     );
   });
 
-  it('loses no more than six digits on the way', () => {
+  it('keeps six digits', () => {
     fc.assert(
       fc.property(bright, (value) => {
         fc.pre(Math.max(...value) > 0);
@@ -59,24 +59,24 @@ describe('ColorMix', () => {
     );
   });
 
-  it('stays inside the domain of colours', () => {
+  it('stays within the domain of colours', () => {
     expect(new ColorMix().intensify([255, 0, 0], 1e5)).toEqual([1e6, 0, 0]);
   });
 
-  it('remembers the colour of a light that was turned black from outside', () => {
+  it('remembers the colour of a light that a script set to black', () => {
     const mix = new ColorMix();
     mix.split([255, 0, 0]);
     expect(mix.split(BLACK)).toEqual({ color: [255, 0, 0], intensity: 0 });
   });
 
-  it('takes the colour itself where there was only black, and white for an intensity', () => {
+  it('starts from intensity 1 or from white if the value has always been black', () => {
     expect(new ColorMix().recolor(BLACK, [10, 20, 30])).toEqual([10, 20, 30]);
     expect(new ColorMix().intensify(BLACK, 0.5)).toEqual([127.5, 127.5, 127.5]);
   });
 });
 
 describe('hexOf', () => {
-  it('is undone by colorOf on whole channels', () => {
+  it('is inverted by colorOf for integer channels', () => {
     fc.assert(
       fc.property(picked, (color) => {
         expect(colorOf(hexOf(color))).toEqual(color);
@@ -84,7 +84,7 @@ describe('hexOf', () => {
     );
   });
 
-  it('rounds, and clips what no screen shows', () => {
+  it('rounds and clamps to what a screen can show', () => {
     expect(hexOf([127.5, 300, -1])).toBe('#80ff00');
   });
 });

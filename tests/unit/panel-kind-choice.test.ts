@@ -1,4 +1,4 @@
-// Is a light of the kind that was chosen, with nothing lost on the way?
+// Does choosing a kind of light make it that kind without losing its other values?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -29,7 +29,7 @@ function choose(
 }
 
 describe('KindChoice', () => {
-  it('makes any light the kind that was chosen, in its place', () => {
+  it('turns any light into the chosen kind at the same place', () => {
     fc.assert(
       fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), place, (values, kinds, target) => {
         const light = new LightState(values);
@@ -44,7 +44,7 @@ describe('KindChoice', () => {
     );
   });
 
-  it('gives a spot back as it was, whatever it has been in between', () => {
+  it('restores the cone of a spot after other kinds in between', () => {
     fc.assert(
       fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), (values, kinds) => {
         const light = new LightState(values);
@@ -57,12 +57,12 @@ describe('KindChoice', () => {
     );
   });
 
-  it('writes nothing where the light is of that kind', () => {
+  it('writes nothing if the light is of that kind already', () => {
     const light = new LightState({ position: [0, 1, 0, 1] });
     expect(new KindChoice().writesFor(light.values, 'point', false, [0, 0, 0])).toEqual({});
   });
 
-  it('points a spot without a place to aim at straight down', () => {
+  it('points a spot straight down if it has nothing to aim at', () => {
     const light = new LightState({ position: [1, 2, 3, 1] });
     expect(new KindChoice().writesFor(light.values, 'spot', false, [1, 2, 3]).axis).toEqual([0, -1, 0]);
   });

@@ -1,4 +1,4 @@
-// Do sliders reach what they should, and do numbers read as a person would write them?
+// Do sliders cover the right range, and are numbers formatted as a person would write them?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -18,7 +18,7 @@ describe('niceCeil', () => {
     );
   });
 
-  it('takes a nice number as it is, stray digits or not', () => {
+  it('keeps a nice number as it is, stray digits or not', () => {
     for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) expect(niceCeil(n)).toBe(n);
     expect(niceCeil(0.1 + 0.1)).toBe(0.2);
   });
@@ -28,7 +28,7 @@ describe.each([
   ['linear', linear(-5, 5)],
   ['logarithmic', logarithmic(1, 1e6)],
 ])('a %s travel', (_name, travel) => {
-  it('leads from place to value and back within a step', () => {
+  it('converts between place and value within a step', () => {
     fc.assert(
       fc.property(fc.double({ min: travel.start, max: travel.end, noNaN: true }), (place) => {
         expect(Math.abs(travel.place(travel.value(place)) - place)).toBeLessThanOrEqual(travel.step);
@@ -36,7 +36,7 @@ describe.each([
     );
   });
 
-  it('grows to hold any value, and stays as it is where it does', () => {
+  it('grows to include any value, and stays the same if it does already', () => {
     fc.assert(
       fc.property(positive, (value) => {
         const wide = travel.reaching(value);
@@ -50,20 +50,20 @@ describe.each([
 });
 
 describe('linear', () => {
-  it('grows downwards as well', () => {
+  it('also grows downwards', () => {
     const wide = linear(-1, 1).reaching(-30);
     expect([wide.start, wide.end]).toEqual([-50, 1]);
   });
 });
 
 describe('logarithmic', () => {
-  it('begins at exactly 0 and ends at exactly its maximum', () => {
+  it('starts at exactly 0 and ends at exactly its maximum', () => {
     const travel = logarithmic(1, 1e6);
     expect(travel.value(0)).toBe(0);
     expect(travel.value(1)).toBe(1e6);
   });
 
-  it('steps by about a tenth of what there is', () => {
+  it('steps by about a tenth of the value', () => {
     const { stepAt } = logarithmic(1, 1e6);
     expect([0, 0.5, 3, 32, 320, 65536].map(stepAt)).toEqual([0.1, 0.01, 0.1, 1, 10, 1000]);
   });
@@ -83,7 +83,7 @@ describe('numberText', () => {
     ]);
   });
 
-  it('writes the noise of a sum as the zero it is', () => {
+  it('writes rounding noise as 0', () => {
     expect(numberText(6.1e-17, 4)).toBe('0');
     expect(numberText(1e-7, 4)).toBe('1e-7');
   });

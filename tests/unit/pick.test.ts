@@ -16,9 +16,10 @@ import {
 } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
+import type { Sides } from '../../src/material/back-faces.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
-import { drawnObjects, frameNow, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
+import { drawnObjects, copyFrame, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
 import { type Hit, pick } from '../../src/scene/snapshot/pick.js';
 import { cornersOf } from '../../src/scene/snapshot/corners.js';
 import { ViewCamera } from '../../src/scene/view-camera.js';
@@ -41,15 +42,15 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
 function look(column = 50, row = 50): Hit | null {
   const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
   view.aim(45, { centre: [0, 0, 0], radius: 2 }, SIZE, SIZE);
-  return pick(glimpseThrough(view), column, row);
+  return pick(snapshotThrough(view), column, row);
 }
 
-function glimpseThrough({ camera, frame }: ViewCamera): SceneSnapshot {
+function snapshotThrough({ camera, frame }: ViewCamera): SceneSnapshot {
   scene.updateMatrixWorld();
   const objects = drawnObjects(scene, camera, (object) =>
     own.includes(object as Mesh) ? 'ours' : undefined,
   );
-  return { width: SIZE, height: SIZE, frame: frameNow(frame), camera: camera.clone(), objects };
+  return { width: SIZE, height: SIZE, frame: copyFrame(frame), camera: camera.clone(), objects };
 }
 
 beforeEach(() => {
@@ -158,18 +159,66 @@ describe('the pick', () => {
     expect(look()!.drawn.object).toBe(mesh);
   });
 
+  describe('with back faces that are culled', () => {
+    /** A closed box around the origin, and a wall behind it. */
+    const boxWithWall = (sides: Sides): { box: Mesh; behind: Mesh } => {
+      const behind = wall(-1);
+      const box = new Mesh(new BoxGeometry(1, 1, 1), new PhongMaterial(lighting));
+      Object.assign(box.material, { sides });
+      own.push(box);
+      scene.add(box);
+      return { box, behind };
+    };
+
+    it('looks through single-sided faces from behind, mirrored ones too', () => {
+      for (const mirror of [1, -1]) {
+        const seen = wall(0);
+        const single = wall(0.5);
+        Object.assign(single.material, { sides: 'single' });
+        single.scale.x = mirror;
+        expect(look()!.drawn.object).toBe(single);
+        single.rotation.y = Math.PI;
+        expect(look()!.drawn.object).toBe(seen);
+      }
+    });
+
+    it('sees a flattened single-sided face from both sides', () => {
+      const { box } = boxWithWall('single');
+      box.scale.z = 0;
+      for (const turn of [0, Math.PI]) {
+        box.rotation.y = turn;
+        expect(look()!.drawn.object).toBe(box);
+      }
+    });
+
+    it('sees the inside of a closed shape from inside, and looks through its back from outside', () => {
+      const { box, behind } = boxWithWall('closed');
+      box.geometry.setDrawRange(30, 6); // only the face that looks along −z
+      expect(look()!.drawn.object).toBe(behind);
+      box.scale.setScalar(4);
+      box.position.z = 1.5;
+      behind.visible = false;
+      expect(look()!.drawn.object).toBe(box);
+      box.scale.setScalar(1);
+      box.position.z = 0;
+      (box.material as PhongMaterial & { sides: Sides }).sides = 'double';
+      behind.visible = true;
+      expect(look()!.drawn.object).toBe(box);
+    });
+  });
+
   it('stays the same after the camera has moved on', () => {
     wall();
     const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
     const view = new ViewCamera(orbit);
     view.aim(45, null, SIZE, SIZE);
-    const glimpse = glimpseThrough(view);
-    const before = pick(glimpse, 50, 50)!;
+    const snapshot = snapshotThrough(view);
+    const before = pick(snapshot, 50, 50)!;
     const eye = [...before.frame.eye];
     orbit.set({ theta: 90, radius: 7 });
     view.aim(45, null, SIZE, SIZE);
     expect(before.frame.eye).toEqual(eye);
-    expect(pick(glimpse, 50, 50)).toEqual(before);
+    expect(pick(snapshot, 50, 50)).toEqual(before);
   });
 
   it('stays the same after the scene has moved on, of ours and of somebody else’s', () => {
@@ -179,8 +228,8 @@ describe('the pick', () => {
     scene.add(foreign);
     const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
     view.aim(45, null, SIZE, SIZE);
-    const glimpse = glimpseThrough(view);
-    const { depth } = pick(glimpse, 50, 50)!;
+    const snapshot = snapshotThrough(view);
+    const { depth } = pick(snapshot, 50, 50)!;
     const material = mesh.material as PhongMaterial;
     const { surface } = material;
     mesh.position.z = 1;
@@ -188,11 +237,11 @@ describe('the pick', () => {
     material.setSurface({ shininess: 7 });
     foreign.position.x = 0;
     scene.updateMatrixWorld();
-    const hit = pick(glimpse, 50, 50)!;
+    const hit = pick(snapshot, 50, 50)!;
     expect(hit.depth).toBe(depth);
     expect(hit.drawn.phong.surface).toBe(surface);
     expect(foreign.matrixWorld.elements[12]).toBe(0);
-    expect(pick(glimpseThrough(view), 50, 50)).toBeNull();
+    expect(pick(snapshotThrough(view), 50, 50)).toBeNull();
   });
 });
 

@@ -1,12 +1,12 @@
-// Attribute text to values and back. One contract for every kind: `parseText` gives a value of the right shape for the
-// field's own check, or undefined where the text is malformed; it never throws and never guesses. Domains are the
-// fields' business. Knows no element.
+// Attribute text to values and back. One contract for every kind: `parseText` returns a value for the field's own check,
+// or undefined if the text is malformed. It never throws and never guesses. Domains are checked by the fields. Knows no
+// element.
 import type { Field, FieldKind } from '../../fields/field.js';
 import { cssColor } from './css-color.js';
 
 type Parser = (text: string) => unknown;
 
-// Each digit can be taken in one way only: a long text that is no number after all is refused in linear time.
+// Each digit matches in one way only, so that a long text that is not a number is refused in linear time.
 const NUMBER = /^[+-]?(\d+(\.\d*)?|\.\d+)(e[+-]?\d+)?$/i;
 
 function parseNumber(text: string): number | undefined {
@@ -14,7 +14,7 @@ function parseNumber(text: string): number | undefined {
   return NUMBER.test(trimmed) ? Number(trimmed) : undefined;
 }
 
-/** Numbers apart by white space or single commas. */
+/** Numbers separated by white space or single commas. */
 function parseNumbers(text: string): readonly number[] | undefined {
   const numbers = text
     .trim()
@@ -34,7 +34,7 @@ const PARSERS: Readonly<Record<FieldKind, Parser>> = {
   numbers: parseNumbers,
   color: (text) => parseNumbers(text) ?? cssColor(text) ?? undefined,
   boolean: parseFlag,
-  // As HTML's own boolean attributes: there is no malformed text.
+  // Like HTML's own boolean attributes: no text is malformed.
   presence: (text) => parseFlag(text) ?? true,
   text: (text) => text,
   choice: (text) => text.trim().toLowerCase(),
@@ -45,7 +45,7 @@ const PARSERS: Readonly<Record<FieldKind, Parser>> = {
       .filter((word) => word !== ''),
 };
 
-/** A value for `field.check`, or undefined where the text is malformed. */
+/** A value for `field.check`, or undefined if the text is malformed. */
 export function parseText(text: string, field: Field<unknown>): unknown {
   const word = text.trim().toLowerCase();
   if (field.word !== undefined && word === field.word) return field.word;
@@ -53,13 +53,13 @@ export function parseText(text: string, field: Field<unknown>): unknown {
   return PARSERS[field.kind](text);
 }
 
-/** The attribute text that {@link parseText} reads as this value; null where the attribute must be absent. */
+/** The attribute text that {@link parseText} reads as this value; null if the attribute must be absent. */
 export function formatValue(value: unknown, field: Field<unknown>): string | null {
   if (field.kind === 'presence') return value === true ? '' : null;
   if (value === null || value === undefined) return null;
   return Array.isArray(value) ? value.join(' ') : `${value as string | number | boolean}`;
 }
 
-/** `autoRotate` is written `auto-rotate`; `crossOrigin` as HTML has it. */
+/** The attribute of a property: `auto-rotate` for `autoRotate`; `crossorigin` as in HTML. */
 export const attributeOf = (key: string): string =>
   key === 'crossOrigin' ? 'crossorigin' : key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);

@@ -1,65 +1,70 @@
-// What every element here does with its attributes and properties: attributes are parsed, a bad one is warned of and
-// gives way to its default; properties are checked, a bad one throws; both write to one FieldStore state. Knows no
-// particular element.
-import type { FieldStore, Fields } from '../../fields/field-store.js';
+// How an element's attributes and properties reach its FieldStore. Attributes are parsed; a bad one warns and gives the
+// default. Properties are checked; a bad value throws. Knows no particular element.
+import type { FieldStore } from '../../fields/field-store.js';
 import { attributeOf, parseText } from './attribute-text.js';
 
-/** Of each set of fields, the keys by their attributes. */
-const keys = new WeakMap<object, ReadonlyMap<string, string>>();
+/** For each set of fields, its keys by attribute name. */
+const keysByAttribute = new WeakMap<object, ReadonlyMap<string, string>>();
 
 function keysOf(fields: object): ReadonlyMap<string, string> {
-  const found = keys.get(fields) ?? new Map(Object.keys(fields).map((key) => [attributeOf(key), key]));
-  keys.set(fields, found);
-  return found;
+  const known = keysByAttribute.get(fields);
+  if (known !== undefined) return known;
+  const keys = new Map(Object.keys(fields).map((key) => [attributeOf(key), key]));
+  keysByAttribute.set(fields, keys);
+  return keys;
 }
 
 /** The attributes that belong to these fields. */
 export const attributesOf = (fields: object): string[] => [...keysOf(fields).keys()];
 
-/** The element side of a {@link FieldStore} state. */
+/** Private to the package: users of an element see its properties only. */
+const bindings = new WeakMap<HTMLElement, unknown>();
+
+/** The binding of an element with values `V`; see `fieldsOf` for the typed form. */
+export const bindingOf = <V extends object>(element: HTMLElement): FieldBinding<V> =>
+  bindings.get(element) as FieldBinding<V>;
+
 export class FieldBinding<V extends object> {
+  readonly store: FieldStore<V>;
   readonly #element: HTMLElement;
-  readonly #state: FieldStore<V>;
   readonly #assigned: (key: keyof V) => void;
   readonly #warned = new Set<string>();
 
-  /** `assigned` is told of every assignment that took, the same value too. */
+  /** `assigned` is called after each successful assignment, even if the value stays the same. */
   constructor(
     element: HTMLElement,
-    state: FieldStore<V>,
+    store: FieldStore<V>,
     assigned: (key: keyof V) => void = () => undefined,
   ) {
+    this.store = store;
     this.#element = element;
-    this.#state = state;
     this.#assigned = assigned;
+    bindings.set(element, this);
   }
 
-  /** For `attributeChangedCallback`; false where the attribute is none of ours. */
+  /** For `attributeChangedCallback`. False if the attribute belongs to no field. */
   attributeChanged(attribute: string, text: string | null): boolean {
-    const key = keysOf(this.#state.fields).get(attribute) as (keyof V & string) | undefined;
+    const key = keysOf(this.store.fields).get(attribute) as (keyof V & string) | undefined;
     if (key === undefined) return false;
-    if (text === null) this.#state.set(key, null);
+    if (text === null) this.store.set(key, null);
     else this.#setOrWarn(key, text);
     this.#assigned(key);
     return true;
   }
 
-  /** For a property's getter. Freezes what it hands out: values that are never read again, as in a light's motion, need it not. */
+  /** For a property's getter. Lists are frozen here, not when they are written: a moving light is rarely read. */
   get<K extends keyof V>(key: K): V[K] {
-    return Object.freeze(this.#state.values[key]) as V[K];
+    return Object.freeze(this.store.values[key]) as V[K];
   }
 
-  /** For a property's setter: throws TypeError or RangeError and then changes nothing. */
+  /** For a property's setter. Throws TypeError or RangeError for a bad value and then changes nothing. */
   set(key: keyof V & string, value: unknown): void {
-    let typed = value;
-    if (typeof value === 'string') {
-      const field = this.#state.fields[key];
-      typed = parseText(value, field);
-      if (typed === undefined)
-        throw new TypeError(this.#about(key, `expected ${field.expected}, got "${value}"`));
-    }
+    const field = this.store.fields[key];
+    const typed = typeof value === 'string' ? parseText(value, field) : value;
+    if (typed === undefined && typeof value === 'string')
+      throw new TypeError(this.#about(key, `expected ${field.expected}, got "${value}"`));
     try {
-      this.#state.set(key, typed);
+      this.store.set(key, typed);
     } catch (error) {
       if (error instanceof Error) error.message = this.#about(key, error.message);
       throw error;
@@ -68,11 +73,11 @@ export class FieldBinding<V extends object> {
   }
 
   /**
-   * Properties that were set before the element was upgraded lie on the element itself and would hide the accessors:
-   * takes them over, as attributes would be.
+   * Properties set before the element was upgraded are own properties and would hide the accessors. Moves them into the
+   * store and treats them like attributes.
    */
   upgrade(): void {
-    for (const key of Object.keys(this.#state.fields) as (keyof V & string)[]) {
+    for (const key of Object.keys(this.store.fields) as (keyof V & string)[]) {
       if (!Object.hasOwn(this.#element, key)) continue;
       const value: unknown = Reflect.get(this.#element, key);
       Reflect.deleteProperty(this.#element, key);
@@ -82,27 +87,26 @@ export class FieldBinding<V extends object> {
   }
 
   #setOrWarn(key: keyof V & string, value: unknown): void {
-    const field = this.#state.fields[key];
+    const field = this.store.fields[key];
     const typed = typeof value === 'string' ? parseText(value, field) : value;
-    if (!(typed === undefined && value !== undefined)) {
+    if (typed !== undefined || value === undefined) {
       try {
-        this.#state.set(key, typed);
+        this.store.set(key, typed);
         return;
       } catch {
-        // The warning below says what the error would.
+        // The warning below says what the error says.
       }
     }
-    this.#state.set(key, null);
+    this.store.set(key, null);
     this.#warn(key, value);
   }
 
   /** One warning per element, attribute and value. */
   #warn(key: keyof V & string, value: unknown): void {
-    const field = this.#state.fields[key];
+    const { expected, fallback } = this.store.fields[key];
     const text = typeof value === 'string' ? JSON.stringify(value) : String(value);
-    const { fallback } = field;
-    const instead = Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? 'none');
-    const message = `${this.#tag} ${attributeOf(key)}=${text}: expected ${field.expected}; using ${instead === '' ? 'none' : instead} instead.`;
+    const instead = (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
+    const message = `${this.#tag} ${attributeOf(key)}=${text}: expected ${expected}; using ${instead} instead.`;
     if (this.#warned.has(message)) return;
     this.#warned.add(message);
     console.warn(message);
@@ -117,25 +121,18 @@ export class FieldBinding<V extends object> {
   }
 }
 
-/**
- * Gives a class its properties: one accessor per field. `of` finds an instance's {@link FieldBinding}. Accessors
- * that the class has itself are left alone.
- */
-export function defineProperties<E extends HTMLElement, V extends object>(
-  prototype: E,
-  fields: Fields<V>,
-  of: (element: E) => FieldBinding<V>,
-): void {
-  for (const key of Object.keys(fields) as (keyof V & string)[]) {
+/** Gives a class one accessor per field. Accessors that the class has itself stay. */
+export function defineProperties(prototype: HTMLElement, fields: object): void {
+  for (const key of Object.keys(fields)) {
     if (Object.hasOwn(prototype, key)) continue;
     Object.defineProperty(prototype, key, {
       configurable: true,
       enumerable: true,
-      get(this: E) {
-        return of(this).get(key);
+      get(this: HTMLElement): unknown {
+        return bindingOf<Record<string, unknown>>(this).get(key);
       },
-      set(this: E, value: unknown) {
-        of(this).set(key, value);
+      set(this: HTMLElement, value: unknown) {
+        bindingOf<Record<string, unknown>>(this).set(key, value);
       },
     });
   }

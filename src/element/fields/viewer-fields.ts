@@ -1,5 +1,5 @@
-// What a viewer declares besides its children: loading, camera, shading and the panel. Values in HTML's units, with
-// domains and defaults. Knows nothing of how they are acted on.
+// The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
+// defaults in HTML's units. Knows nothing of their effect.
 import { LIMITS } from '../../light/light-state.js';
 import {
   type Antialias,
@@ -34,44 +34,42 @@ export interface CameraValues {
   theta: number;
   /** Polar angle of the eye from +y in degrees, 0–180. Default 70. */
   phi: number;
-  /** Distance of the eye from the target in scene units, or `auto`: all of the scene fits. Default auto. */
+  /** Distance of the eye from the target in scene units, > 0, or `auto`: the whole scene fits. Default auto. */
   radius: number | 'auto';
   /** What the eye looks at, or `auto`: the centre of the scene's box. Default auto. */
   target: Vec3 | 'auto';
 }
 
 export interface ViewerValues extends ShapeValues, CameraValues {
-  /** What the picture shows, in words, for those who do not see it. */
+  /** Text alternative of the picture. Default empty. */
   alt: string;
-  /** Address of an image shown until the first picture is drawn. */
+  /** Address of an image shown until the first picture is drawn. Default empty: none. */
   poster: string;
-  /** `lazy`: models are not loaded until the viewer can be seen. Default eager. */
+  /** `lazy`: models are not loaded until the viewer is visible. Default eager. */
   loading: Loading;
-  /** How models, and what they name, are fetched from other origins. Null: not at all beyond `src` itself. */
+  /** How files that a model names are fetched from other origins. Null, the default: not at all. */
   crossOrigin: 'anonymous' | 'use-credentials' | null;
   /** Vertical field of view in degrees, 1–170. Default 45. */
   fov: number;
-  /** Whether a drag or the arrow keys turn the scene. Default true. */
+  /** Whether the user can rotate the scene and shift the target. Default true. */
   orbit: boolean;
-  /** Whether wheel, pinch, + and − change the distance. Default true. */
+  /** Whether the user can zoom by wheel, pinch and keys. Default true. */
   zoom: boolean;
-  /** Degrees a second about y; 0 is off. Stands still for readers who prefer reduced motion. Default 0. */
+  /** Degrees per second about y; 0 is off. Stopped for users who prefer reduced motion. Default 0. */
   autoRotate: number;
-  /** `phong` per fragment, `gouraud` per vertex, `flat` with the triangles' own normals. Default phong. */
+  /** `phong` per fragment, `gouraud` per vertex, `flat` per fragment with the triangle's normal. Default phong. */
   shading: Shading;
   /** Specular lobe: R·V or N·H. Default phong. */
   reflection: Reflection;
-  /** Which terms are summed. Default all three; the empty list sums none. */
+  /** Which terms are summed. Default all three; an empty list sums none. */
   terms: readonly Term[];
-  /** `srgb` shades encoded colours as they are; `linear` decodes first and encodes last. Default srgb. */
+  /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
   colorInterpolation: ColorInterpolation;
   /**
-   * `edges`: several samples a pixel where faces end, one inside them. `highlights`: the specular lobe is averaged over
-   * each pixel too, so that highlights smaller than pixels keep their brightness; not under `gouraud`. Default edges.
+   * `edges`: several samples per pixel at the edges of faces, one inside. `highlights`: the specular lobe is also averaged
+   * over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`. Default edges.
    */
   antialias: Antialias;
-  /** How much colour may be given up per fragment for speed, in 1/255; 0 gives up nothing. Default 0. */
-  errorBudget: number;
   /** The control panel is shown. Default false. */
   gui: boolean;
 }
@@ -96,16 +94,15 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   fov: numberField(45, { min: 1, max: 170 }),
   orbit: booleanField(true),
   zoom: booleanField(true),
-  // A turn per frame is not motion any more; the limit keeps elapsed time times speed precise.
+  // The limit keeps elapsed time times speed precise. It is far above a turn per frame.
   autoRotate: numberField(0, { min: -1e6, max: 1e6 }),
   shading: choiceField<Shading>('phong', SHADINGS),
   reflection: choiceField<Reflection>('phong', REFLECTIONS),
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
   antialias: choiceField<Antialias>('edges', ANTIALIASES),
-  errorBudget: numberField(0, { min: 0, max: 255 }),
   gui: presenceField(),
 };
 
-/** What the viewer's own mesh, and the loading of all of them, depend on. */
+/** Values that the viewer's own mesh, or the loading of all meshes, depends on. */
 export const LOADING_KEYS: readonly string[] = [...Object.keys(SHAPE_FIELDS), 'loading', 'crossOrigin'];

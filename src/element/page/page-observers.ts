@@ -1,8 +1,9 @@
-// What the page tells its viewers of: one observer of each kind and one set of listeners for all of them, none while
-// there is nobody to tell. Knows nothing of what is watched.
+// Visibility, size, printing and pixel ratio, observed for all viewers of a page by one set of observers and listeners.
+// There are none while no element is watched. Knows nothing of what is watched.
 
-export interface Sighted {
-  /** Scrolled into or out of view, or displayed or not any more. */
+/** Watches one element. */
+export interface Watcher {
+  /** The element was scrolled into or out of view, or its display has changed. */
   intersected(entry: IntersectionObserverEntry): void;
   resized(entry: ResizeObserverEntry): void;
   /** The document was shown or hidden. */
@@ -13,23 +14,23 @@ export interface Sighted {
   scaled(): void;
 }
 
-interface Senses {
+interface Observers {
   readonly intersection: IntersectionObserver;
   readonly resize: ResizeObserver;
-  readonly listening: AbortController;
+  readonly listeners: AbortController;
 }
 
 class PageObservers {
-  readonly #watched = new Map<Element, Sighted>();
-  #senses: Senses | null = null;
+  readonly #watched = new Map<Element, Watcher>();
+  #observers: Observers | null = null;
 
-  watch(element: Element, sighted: Sighted): void {
-    this.#senses ??= this.#open();
-    this.#watched.set(element, sighted);
-    const { intersection, resize } = this.#senses;
+  watch(element: Element, watcher: Watcher): void {
+    this.#observers ??= this.#open();
+    this.#watched.set(element, watcher);
+    const { intersection, resize } = this.#observers;
     intersection.observe(element);
     try {
-      // Whole device pixels, exactly.
+      // In whole device pixels, exactly.
       resize.observe(element, { box: 'device-pixel-content-box' });
     } catch {
       resize.observe(element);
@@ -37,22 +38,22 @@ class PageObservers {
   }
 
   unwatch(element: Element): void {
-    if (!this.#watched.delete(element) || this.#senses === null) return;
-    const { intersection, resize, listening } = this.#senses;
+    if (!this.#watched.delete(element) || this.#observers === null) return;
+    const { intersection, resize, listeners } = this.#observers;
     intersection.unobserve(element);
     resize.unobserve(element);
     if (this.#watched.size > 0) return;
-    this.#senses = null;
+    this.#observers = null;
     intersection.disconnect();
     resize.disconnect();
-    listening.abort();
+    listeners.abort();
   }
 
-  #open(): Senses {
-    const listening = new AbortController();
-    const { signal } = listening;
-    document.addEventListener('visibilitychange', () => this.#tell('shown'), { signal });
-    window.addEventListener('beforeprint', () => this.#tell('printed'), { signal });
+  #open(): Observers {
+    const listeners = new AbortController();
+    const { signal } = listeners;
+    document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
+    window.addEventListener('beforeprint', () => this.#notify('printed'), { signal });
     this.#watchRatio(signal);
     return {
       intersection: new IntersectionObserver((entries) => {
@@ -61,25 +62,25 @@ class PageObservers {
       resize: new ResizeObserver((entries) => {
         for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
       }),
-      listening,
+      listeners,
     };
   }
 
-  /** Observers do not always tell of another ratio. A query matches one ratio: each change makes the next. */
+  /** Observers do not always report a new pixel ratio. A query matches one ratio, so each change needs a new query. */
   #watchRatio(signal: AbortSignal): void {
     const query = matchMedia(`(resolution: ${String(window.devicePixelRatio)}dppx)`);
     const changed = (): void => {
       this.#watchRatio(signal);
-      this.#tell('scaled');
+      this.#notify('scaled');
     };
     query.addEventListener('change', changed, { once: true, signal });
   }
 
-  /** Who is told may leave, or bring others. */
-  #tell(what: 'shown' | 'printed' | 'scaled'): void {
-    for (const sighted of [...this.#watched.values()]) sighted[what]();
+  #notify(what: 'shown' | 'printed' | 'scaled'): void {
+    // A copy: watchers may come and go meanwhile.
+    for (const watcher of [...this.#watched.values()]) watcher[what]();
   }
 }
 
-/** The page's one. */
+/** One for the page. */
 export const pageObservers = new PageObservers();

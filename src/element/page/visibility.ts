@@ -1,11 +1,11 @@
-// Can an element be seen, and how many device pixels is it? Looks once when asked and then listens; nothing polls.
-// Knows nothing of what the element shows.
+// Is an element visible, and how many device pixels does it cover? Measures once when asked, then follows the page's
+// observers; nothing polls. Knows nothing of what the element shows.
 import type { ReactiveController } from 'lit';
-import { pageObservers, type Sighted } from './page-observers.js';
+import { pageObservers, type Watcher } from './page-observers.js';
 
-export interface Sight {
+export interface ElementView {
   readonly visible: boolean;
-  /** Only the picture of this very moment will be seen. */
+  /** The page is about to be printed: only the picture of this moment counts. */
   readonly printing: boolean;
   /** CSS pixels. */
   readonly width: number;
@@ -15,35 +15,35 @@ export interface Sight {
   readonly pixelHeight: number;
 }
 
-/** Watches `element` between {@link hostConnected} and {@link hostDisconnected} and tells `seen` what changed. */
-export class Visibility implements ReactiveController, Sighted {
+/** Watches `element` while its host is connected and calls `changed` after each change. */
+export class Visibility implements ReactiveController, Watcher {
   readonly #element: HTMLElement;
-  readonly #seen: (sight: Sight) => void;
+  readonly #changed: (view: ElementView) => void;
   #onScreen: boolean | null = null;
   #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
 
-  constructor(element: HTMLElement, seen: (sight: Sight) => void) {
+  constructor(element: HTMLElement, changed: (view: ElementView) => void) {
     this.#element = element;
-    this.#seen = seen;
+    this.#changed = changed;
   }
 
   get size(): { readonly width: number; readonly height: number } {
     return this.#size;
   }
 
-  /** Somebody has looked, or nobody could: a hidden document tells nothing until it is shown. */
+  /** Visibility is known, or cannot be: observers report nothing while the document is hidden. */
   get known(): boolean {
     return this.#onScreen !== null || document.visibilityState === 'hidden';
   }
 
-  /** {@link look} has been called, or an observer has answered, since the element was connected. */
+  /** {@link look} was called, or an observer has reported, since the element was connected. */
   get looked(): boolean {
     return this.#onScreen !== null;
   }
 
   hostConnected(): void {
     pageObservers.watch(this.#element, this);
-    // CSS `visibility` moves no box, so no observer tells of it; the element's style sheet gives it a transition that does.
+    // No observer reports CSS `visibility`, which changes no box. A transition in the element's style sheet does.
     for (const type of TRANSITION_EVENTS) this.#element.addEventListener(type, this.#onTransition);
   }
 
@@ -53,7 +53,7 @@ export class Visibility implements ReactiveController, Sighted {
     this.#onScreen = null;
   }
 
-  /** Looks now, by layout: observers only answer after a frame. */
+  /** Measures now, by layout: observers report only after a frame. */
   look(): void {
     const box = this.#element.getBoundingClientRect();
     this.#onScreen =
@@ -67,10 +67,10 @@ export class Visibility implements ReactiveController, Sighted {
     this.shown();
   }
 
-  /** Paper has no below the fold: everything is seen for a moment. */
+  /** On paper everything is visible, wherever it is on the page. */
   printed(): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
-    this.#seen({ visible: true, printing: true, ...this.#size });
+    this.#changed({ visible: true, printing: true, ...this.#size });
     this.shown();
   }
 
@@ -82,7 +82,7 @@ export class Visibility implements ReactiveController, Sighted {
   resized(entry: ResizeObserverEntry): void {
     const { width, height } = entry.contentRect;
     this.#measure(width, height);
-    // Absent where the browser does not know the box, whatever the types say.
+    // Missing in browsers without this box, whatever the types say.
     const box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
     if (box !== undefined) this.#refine(box);
     this.shown();
@@ -93,18 +93,18 @@ export class Visibility implements ReactiveController, Sighted {
     this.shown();
   }
 
-  /** Tells what can be seen: the document, the place on it or its style may have changed. */
+  /** The document, the element's place in it or its style may have changed. */
   shown(): void {
     if (this.#onScreen === null) return;
     const visible = this.#onScreen && document.visibilityState === 'visible' && isPainted(this.#element);
-    this.#seen({ visible, printing: false, ...this.#size });
+    this.#changed({ visible, printing: false, ...this.#size });
   }
 
   readonly #onTransition = ({ propertyName }: TransitionEvent): void => {
     if (propertyName === 'visibility') this.shown();
   };
 
-  /** The browser's own whole pixels, where they round what was measured: an emulated ratio does not reach the box. */
+  /** Uses the browser's own whole pixels if they round what was measured: an emulated pixel ratio does not reach the box. */
   #refine(box: ResizeObserverSize): void {
     const upright = getComputedStyle(this.#element).writingMode.startsWith('horizontal');
     const width = upright ? box.inlineSize : box.blockSize;
@@ -115,7 +115,7 @@ export class Visibility implements ReactiveController, Sighted {
   }
 
   #measure(width: number, height: number): void {
-    // CSS zoom is in neither: an element inside zoom: 2 covers twice the pixels that its own CSS pixels say.
+    // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS pixel.
     const ratio =
       window.devicePixelRatio * ((this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1);
     this.#size = {
@@ -130,9 +130,9 @@ export class Visibility implements ReactiveController, Sighted {
 /** Hidden at the end of its transition, visible from its start. */
 const TRANSITION_EVENTS = ['transitionrun', 'transitionend', 'transitioncancel'] as const;
 
-/** Neither `visibility: hidden` nor inside what is skipped: a closed <details>, `content-visibility: hidden`. */
+/** Neither `visibility: hidden` nor inside skipped content: a closed <details>, `content-visibility: hidden`. */
 function isPainted(element: Element): boolean {
-  // Absent where the browser does not know it yet, whatever the types say.
+  // Missing in older browsers, whatever the types say.
   const { checkVisibility } = element as { checkVisibility?: Element['checkVisibility'] };
   return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
 }

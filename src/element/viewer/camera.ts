@@ -1,16 +1,15 @@
-// How a viewer's camera gets where it is: declared properties, hands on the picture, the turntable, and back. Knows
+// How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Knows
 // neither lights nor meshes.
 import type { ReactiveController } from 'lit';
-import type { OrbitInputHost } from '../../camera/orbit-input.js';
+import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
 import { newBasis } from '../../camera/orbit.js';
-import type { Turntable } from '../../camera/turntable.js';
+import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Viewport } from '../../scene/viewport.js';
-import { fetched } from './fetched.js';
-import { LazyInput } from './lazy-input.js';
 import type { CameraValues, ViewerValues } from '../fields/viewer-fields.js';
 
+/** What moved the camera. */
 export type CameraSource = 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto';
 
 /** The camera as it is now. Frozen. Angles in degrees, lengths in scene units, vectors in world space. */
@@ -36,33 +35,32 @@ const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', '
 
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;
-  #turntable: Turntable | null = null;
-  #fetchingTurntable = false;
-  readonly #stillness: MediaQueryList | null;
-  #input: LazyInput | null = null;
+  readonly #turntable = new Turntable();
+  readonly #reducedMotion: MediaQueryList | null;
+  #input: OrbitInput | null = null;
   #source: CameraSource = 'script';
 
   constructor(host: CameraHost) {
     this.#host = host;
-    this.#stillness =
+    this.#reducedMotion =
       typeof matchMedia === 'function' ? matchMedia('(prefers-reduced-motion: reduce)') : null;
   }
 
-  /** The element that hands act on: the picture without the panel. */
+  /** Takes input from `surface`: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
-    this.#input = new LazyInput(surface, this.#inputHost());
+    this.#input = new OrbitInput(surface, this.#inputHost());
     this.#input.connect();
   }
 
   hostConnected(): void {
     this.#input?.connect();
-    this.#stillness?.addEventListener('change', this.#motionMayChange);
+    this.#reducedMotion?.addEventListener('change', this.#startTurning);
   }
 
   hostDisconnected(): void {
     this.#input?.disconnect();
-    this.#turntable?.rest();
-    this.#stillness?.removeEventListener('change', this.#motionMayChange);
+    this.#turntable.rest();
+    this.#reducedMotion?.removeEventListener('change', this.#startTurning);
   }
 
   get state(): CameraState {
@@ -81,26 +79,27 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  /** A property was assigned: whatever it says is where the camera goes, the same value too. */
+  /** A property was assigned. Moves the camera there, even if the value is the same as before. */
   assigned(key: string): void {
     if (!CAMERA_KEYS.has(key)) return;
     const { values, viewport } = this.#host;
     const { theta, phi, radius, target } = values;
     const { orbit } = viewport;
     const before = orbit.version;
+    const byPanel = this.#source === 'panel';
     if (key === 'theta' || key === 'phi') {
       orbit.set(key === 'theta' ? { theta } : { phi });
-      // A hand on the panel is a hand as well: nothing fits the camera to the scene any more.
-      if (this.#source === 'panel') viewport.framing = null;
+      // The panel is the user's as well: from now on nothing fits the camera to the scene.
+      if (byPanel) viewport.framing = null;
     } else {
       const { pose } = orbit;
       const kept = viewport.framing ?? { radius: pose.radius, target: pose.target };
       viewport.framing = key === 'radius' ? { ...kept, radius } : { ...kept, target };
       viewport.settle();
-      if (this.#source === 'panel' && values[key as 'radius' | 'target'] !== 'auto') viewport.framing = null;
+      if (byPanel && values[key as 'radius' | 'target'] !== 'auto') viewport.framing = null;
     }
-    this.#input?.renote();
-    if (orbit.version !== before) this.#told(this.#source);
+    this.#input?.reanchor();
+    if (orbit.version !== before) this.#moved(this.#source);
   }
 
   /** Back to the declared camera. */
@@ -111,11 +110,11 @@ export class ViewerCamera implements ReactiveController {
     viewport.orbit.set({ theta, phi });
     viewport.framing = { radius, target };
     viewport.settle();
-    this.#input?.renote();
-    if (viewport.orbit.version !== before) this.#told(source);
+    this.#input?.reanchor();
+    if (viewport.orbit.version !== before) this.#moved(source);
   }
 
-  /** Whatever `write` assigns counts as moved by `source`. */
+  /** Camera properties assigned inside `write` count as moved by `source`. */
   from(source: CameraSource, write: () => void): void {
     const outer = this.#source;
     this.#source = source;
@@ -126,53 +125,37 @@ export class ViewerCamera implements ReactiveController {
     }
   }
 
-  /** The picture's size changed in mid-drag: the drag goes on from here. */
+  /** The picture has another size. A drag in progress continues from here. */
   resized(): void {
-    this.#input?.renote();
+    this.#input?.reanchor();
   }
 
-  /** A step of what moves by itself; true where it goes on. */
+  /** Turns the scene to where it is at `now`. True while it keeps turning. */
   frame(now: number): boolean {
     if (!this.turning) {
-      this.#turntable?.rest();
-      return false;
-    }
-    if (this.#turntable === null) {
-      void this.#fetchTurntable();
+      this.#turntable.rest();
       return false;
     }
     const { viewport, values } = this.#host;
-    if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#told('auto');
+    if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
     return true;
   }
 
-  /** Time that nobody sees does not turn the scene. */
+  /** The picture is out of view. Time that passes there does not turn the scene. */
   rest(): void {
-    this.#turntable?.rest();
+    this.#turntable.rest();
   }
 
   get turning(): boolean {
-    return (
-      this.#host.values.autoRotate !== 0 &&
-      this.#stillness?.matches !== true &&
-      this.#input?.dragging !== true
-    );
+    const { autoRotate } = this.#host.values;
+    return autoRotate !== 0 && this.#reducedMotion?.matches !== true && this.#input?.dragging !== true;
   }
 
-  async #fetchTurntable(): Promise<void> {
-    if (this.#fetchingTurntable) return;
-    this.#fetchingTurntable = true;
-    const code = await fetched(() => import('../../camera/turntable.js'), 'auto-rotate');
-    if (code === null) return;
-    this.#turntable = new code.Turntable();
-    this.#motionMayChange();
-  }
-
-  readonly #motionMayChange = (): void => {
+  readonly #startTurning = (): void => {
     if (this.turning) this.#host.viewport.animate();
   };
 
-  #told(source: CameraSource): void {
+  #moved(source: CameraSource): void {
     this.#host.viewport.invalidate();
     this.#host.moved(source);
   }
@@ -186,15 +169,15 @@ export class ViewerCamera implements ReactiveController {
       radiusLimits: () => viewport.zoomLimits,
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
       moved: (source) => {
-        // From now on the camera is the user's: nothing fits it to the scene any more.
+        // The camera is the user's now: nothing fits it to the scene any more.
         viewport.framing = null;
-        this.#told(source);
+        this.#moved(source);
       },
       reset: () => {
         this.reset('key');
       },
       held: (dragging) => {
-        if (!dragging) this.#motionMayChange();
+        if (!dragging) this.#startTurning();
       },
     };
   }

@@ -1,123 +1,189 @@
-// Which lights and meshes does a viewer have? Its slot says; this brings lighting and scene in step with it, however
-// children come, go, move or are upgraded. Knows neither camera nor frames.
+// Which lights and meshes does a viewer have? Follows its registry: children take effect when they register, and are
+// brought into document order once, before the next frame or when a script asks. Knows neither camera nor frames.
 import type { LightSet } from '../../light/light-set.js';
 import { LightState } from '../../light/light-state.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { register } from '../child-element.js';
+import { type ChildListener, type ChildRegistry, registryOf } from '../child-registry.js';
+import { fieldsOf } from '../internals.js';
 import { PhongLight } from '../phong-light.js';
 import { PhongMesh } from '../phong-mesh.js';
 
 export interface ChildrenHost {
   readonly viewport: Viewport;
+  readonly lightSet: LightSet;
   readonly meshHost: MeshHost;
-  /** The slot that shows children without a slot of their own; null before there is a shadow tree. */
-  slot(): HTMLSlotElement | null;
   meshesChanged(): void;
 }
 
-/** What lights a viewer that declares no light. */
+interface ShownMesh {
+  readonly mesh: SceneMesh;
+  /** Listens to the element's values. */
+  readonly written: () => void;
+}
+
+/** Lights a viewer that declares no light. */
 const headLight = (): LightState => new LightState({ space: 'camera', position: [0, 0, 1, 0] });
 
-export class ViewerChildren {
+export class ViewerChildren implements ChildListener {
+  readonly #viewer: HTMLElement;
   readonly #host: ChildrenHost;
-  readonly #lightSet: LightSet;
+  readonly #registry: ChildRegistry;
   readonly #headLight = headLight();
-  readonly #meshes = new Map<PhongMesh, SceneMesh>();
-  readonly #listeners = new WeakMap<SceneMesh, () => void>();
+  readonly #lightElements = new Map<LightState, PhongLight>();
+  readonly #meshElements = new Map<SceneMesh, PhongMesh>();
+  readonly #shown = new Map<PhongMesh, ShownMesh>();
+  readonly #written = new Set<SceneMesh>();
+  readonly #removed = new Set<PhongMesh>();
+  #inOrder: readonly HTMLElement[] = [];
   #lights: readonly PhongLight[] = Object.freeze([]);
-  #elements: ReadonlyMap<LightState, PhongLight> = new Map();
-  #meshList: readonly PhongMesh[] = Object.freeze([]);
+  #meshes: readonly PhongMesh[] = Object.freeze([]);
 
-  constructor(host: ChildrenHost, lightSet: LightSet) {
+  constructor(viewer: HTMLElement, host: ChildrenHost) {
+    this.#viewer = viewer;
     this.#host = host;
-    this.#lightSet = lightSet;
-    lightSet.assign([this.#headLight]);
+    this.#registry = registryOf(viewer);
+    host.lightSet.assign([this.#headLight]);
+    this.#registry.listen(this);
   }
 
+  /** In document order. Frozen; a new list when they change. */
   get lights(): readonly PhongLight[] {
-    this.collect();
+    this.sort();
     return this.#lights;
   }
 
   get meshes(): readonly PhongMesh[] {
-    this.collect();
-    return this.#meshList;
+    this.sort();
+    return this.#meshes;
   }
 
   get sceneMeshes(): Iterable<SceneMesh> {
-    return this.#meshes.values();
+    return this.#meshElements.keys();
   }
 
   /** The element of a light; null for the head-light. */
   lightOf(state: LightState): PhongLight | null {
-    return this.#elements.get(state) ?? null;
+    return this.#lightElements.get(state) ?? null;
   }
 
   elementOf(mesh: SceneMesh): PhongMesh | undefined {
-    return [...this.#meshes].find(([, sceneMesh]) => sceneMesh === mesh)?.[0];
+    return this.#meshElements.get(mesh);
   }
 
-  /** Looks at the slot. A child that is not upgraded yet is no light and no mesh until the slot changes again. */
-  collect(): void {
-    const children = this.#host.slot()?.assignedElements() ?? [];
-    this.#collectLights(children.filter((child) => child instanceof PhongLight));
-    this.#collectMeshes(children.filter((child) => child instanceof PhongMesh));
+  added(child: HTMLElement): void {
+    if (child instanceof PhongLight) this.#addLight(child);
+    else if (child instanceof PhongMesh) this.#addMesh(child);
   }
 
-  #collectLights(lights: readonly PhongLight[]): void {
-    if (sameList(lights, this.#lights)) return;
-    this.#lights = Object.freeze(lights);
-    this.#elements = new Map(lights.map((light) => [light.state, light]));
-    // A light set before its element was connected lies in its own properties until then.
-    for (const light of lights) light.declared.upgrade();
-    this.#lightSet.assign(lights.length === 0 ? [this.#headLight] : lights.map((light) => light.state));
+  removed(child: HTMLElement): void {
+    if (child instanceof PhongLight) this.#removeLight(child);
+    else if (child instanceof PhongMesh) this.#removeMesh(child);
   }
 
-  #collectMeshes(meshes: readonly PhongMesh[]): void {
-    if (sameList(meshes, this.#meshList)) return;
-    this.#meshList = Object.freeze(meshes);
-    const { viewport, meshHost } = this.#host;
-    for (const [element, mesh] of this.#meshes) {
-      if (meshes.includes(element)) continue;
-      // Another viewer may have taken it over already, and listens now.
-      element.state.unlisten(this.#listeners.get(mesh) ?? (() => undefined));
-      viewport.remove(mesh);
-      this.#meshes.delete(element);
-    }
-    for (const element of meshes) {
-      if (this.#meshes.has(element)) continue;
-      element.declared.upgrade();
-      const mesh = new SceneMesh(element.state, meshHost);
-      this.#meshes.set(element, mesh);
-      viewport.add(mesh);
-      mesh.update();
-      const listener = (): void => {
-        this.#written(mesh);
-      };
-      this.#listeners.set(mesh, listener);
-      element.state.listen(listener);
-    }
-    viewport.arrange(meshes.flatMap((element) => this.#meshes.get(element) ?? []));
-    this.#host.meshesChanged();
+  moved(): void {
+    this.#host.viewport.invalidate();
   }
 
-  readonly #toUpdate = new Set<SceneMesh>();
-
-  /** Several values written in one task make one update. */
-  #written(mesh: SceneMesh): void {
-    if (this.#toUpdate.size === 0) queueMicrotask(this.flush);
-    this.#toUpdate.add(mesh);
+  /** Custom elements get no callback for changes outside a document: looks for children that came or went there. */
+  refresh(): void {
+    const found = this.#viewer.querySelectorAll('phong-light, phong-mesh');
+    for (const child of [...this.#registry.inOrder, ...found]) register(child);
   }
 
-  /** Brings the meshes written to in step now, rather than at the end of the task. */
+  /** Brings lights and meshes into document order. Does nothing unless children came, went or moved. */
+  sort(): void {
+    if (!this.#viewer.isConnected) this.refresh();
+    const { inOrder } = this.#registry;
+    if (inOrder === this.#inOrder) return;
+    this.#inOrder = inOrder;
+    this.#sortLights(inOrder.filter((child) => child instanceof PhongLight));
+    this.#sortMeshes(inOrder.filter((child) => child instanceof PhongMesh));
+  }
+
+  /** Acts now on what was written to meshes, and on their removal, rather than at the end of the task. */
   readonly flush = (): void => {
-    if (this.#toUpdate.size === 0) return;
-    const meshes = [...this.#toUpdate];
-    this.#toUpdate.clear();
-    const present = new Set(this.#meshes.values());
-    for (const mesh of meshes) if (present.has(mesh)) mesh.update();
+    if (this.#written.size === 0 && this.#removed.size === 0) return;
+    const written = [...this.#written];
+    const removed = [...this.#removed];
+    this.#written.clear();
+    this.#removed.clear();
+    for (const element of removed) this.#dropMesh(element);
+    for (const mesh of written) if (this.#meshElements.has(mesh)) mesh.update();
     this.#host.meshesChanged();
   };
+
+  #addLight(light: PhongLight): void {
+    const { lightSet } = this.#host;
+    const state = fieldsOf(light).store as LightState;
+    this.#lightElements.set(state, light);
+    if (this.#lightElements.size === 1) lightSet.assign([state]);
+    else lightSet.add(state);
+  }
+
+  #removeLight(light: PhongLight): void {
+    const { lightSet } = this.#host;
+    const state = fieldsOf(light).store as LightState;
+    this.#lightElements.delete(state);
+    if (this.#lightElements.size === 0) lightSet.assign([this.#headLight]);
+    else lightSet.remove(state);
+  }
+
+  #sortLights(lights: readonly PhongLight[]): void {
+    if (sameList(lights, this.#lights)) return;
+    this.#lights = Object.freeze(lights);
+    if (lights.length === 0) return;
+    this.#host.lightSet.assign(lights.map((light) => fieldsOf(light).store as LightState));
+  }
+
+  #addMesh(element: PhongMesh): void {
+    const { store } = fieldsOf(element);
+    // Removed and inserted again in one task: it keeps its model.
+    this.#removed.delete(element);
+    let shown = this.#shown.get(element);
+    if (shown === undefined) {
+      const mesh = new SceneMesh(store, this.#host.meshHost);
+      shown = { mesh, written: () => this.#update(mesh) };
+      this.#shown.set(element, shown);
+      this.#meshElements.set(mesh, element);
+      this.#host.viewport.add(mesh);
+    }
+    store.listen(shown.written);
+    shown.written();
+  }
+
+  #removeMesh(element: PhongMesh): void {
+    this.#flushLater();
+    this.#removed.add(element);
+  }
+
+  #dropMesh(element: PhongMesh): void {
+    const shown = this.#shown.get(element);
+    if (shown === undefined) return;
+    // Another viewer may have taken it over already and listens now.
+    fieldsOf(element).store.unlisten(shown.written);
+    this.#shown.delete(element);
+    this.#meshElements.delete(shown.mesh);
+    this.#host.viewport.remove(shown.mesh);
+  }
+
+  #sortMeshes(meshes: readonly PhongMesh[]): void {
+    if (sameList(meshes, this.#meshes)) return;
+    this.#meshes = Object.freeze(meshes);
+    this.#host.viewport.arrange(meshes.flatMap((element) => this.#shown.get(element)?.mesh ?? []));
+    this.#host.meshesChanged();
+  }
+
+  /** Several values written in one task make one update. */
+  #update(mesh: SceneMesh): void {
+    this.#flushLater();
+    this.#written.add(mesh);
+  }
+
+  #flushLater(): void {
+    if (this.#written.size === 0 && this.#removed.size === 0) queueMicrotask(this.flush);
+  }
 }
 
 const sameList = (a: readonly unknown[], b: readonly unknown[]): boolean =>

@@ -1,5 +1,5 @@
-// Telling others what happened, at the end of the task: what is told several times of one subject is told once, with
-// the last detail, and one event tells of all lights. Knows nothing of what the events mean.
+// Dispatches a viewer's events at the end of the task. Several events of one type about one subject become one, with the
+// last detail; one `light-change` covers all lights. Knows nothing of what the events mean.
 import type { PhongViewerEventMap } from '../events.js';
 import type { PhongLight } from '../phong-light.js';
 
@@ -13,8 +13,8 @@ export class EventQueue {
     this.#element = element;
   }
 
-  /** Dispatches a `CustomEvent` at the task's end: one for each type and subject. */
-  tell<K extends keyof PhongViewerEventMap>(
+  /** Dispatches a `CustomEvent` at the end of the task: one per type and subject. */
+  enqueue<K extends keyof PhongViewerEventMap>(
     type: K,
     detail: PhongViewerEventMap[K]['detail'],
     subject: unknown = null,
@@ -24,9 +24,9 @@ export class EventQueue {
     this.#waiting.set(type, subjects.set(subject, detail));
   }
 
-  /** A light was written to, or (null) lights came, went or changed places: hundreds may in every frame. */
-  tellLight(light: PhongLight | null): void {
-    if (light === null || this.#lights.size === 0) this.tell('light-change', { lights: [] });
+  /** A light was written to, or (null) lights came, went or changed places. Hundreds may do so per frame. */
+  enqueueLight(light: PhongLight | null): void {
+    if (light === null || this.#lights.size === 0) this.enqueue('light-change', { lights: [] });
     if (light !== null) this.#lights.add(light);
   }
 

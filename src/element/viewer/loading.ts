@@ -1,16 +1,15 @@
-// What is on its way to a viewer: its own mesh, its children's, and what is said of their loads. Knows neither how
-// files are read nor how anything is drawn.
+// What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
+// are read nor how anything is drawn.
 import type { FieldStore } from '../../fields/field-store.js';
-import type { PhongLighting } from '../../material/lighting.js';
-import type { ShadingStyle } from '../../material/phong-material.js';
+import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
+import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../scene/model/load-model.js';
 import { ModelError } from '../../scene/model/model.js';
-import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import { NoWebGL2Error } from '../../scene/gpu/stage.js';
+import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
 import type { Viewport } from '../../scene/viewport.js';
-import type { EventQueue } from './event-queue.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { EventQueue } from './event-queue.js';
 
 export type ViewerErrorCode =
   'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
@@ -19,7 +18,7 @@ export interface ViewerErrorDetail {
   readonly code: ViewerErrorCode;
   /** For the page's author. */
   readonly message: string;
-  /** What could not be loaded, where it is about a load. */
+  /** The address that could not be loaded; null if the error is about something else. */
   readonly url: string | null;
 }
 
@@ -34,16 +33,16 @@ function codeOf(error: unknown): ViewerErrorCode {
 }
 
 export interface LoadingHost {
-  readonly state: FieldStore<ViewerValues>;
+  readonly store: FieldStore<ViewerValues>;
   readonly viewport: Viewport;
-  readonly notices: EventQueue;
-  /** The child that a mesh stands for; undefined for the viewer's own. */
+  readonly events: EventQueue;
+  /** The child that shows this mesh; undefined for the viewer's own mesh. */
   elementOf(mesh: SceneMesh): HTMLElement | undefined;
   childMeshes(): Iterable<SceneMesh>;
-  fail(mesh: SceneMesh, detail: ViewerErrorDetail): void;
-  /** A load ended well, or is asked for no more: nothing of it has failed any longer. */
-  mended(mesh: SceneMesh): void;
-  /** Something that was waited for ended, whichever way. */
+  failed(mesh: SceneMesh, detail: ViewerErrorDetail): void;
+  /** A load succeeded or is no longer wanted: an earlier failure of this mesh is over. */
+  cleared(mesh: SceneMesh): void;
+  /** A load ended, whichever way. */
   ended(): void;
 }
 
@@ -56,24 +55,20 @@ export class ViewerLoading implements MeshHost {
 
   constructor(host: LoadingHost) {
     this.#host = host;
-    this.ownMesh = new SceneMesh(host.state as unknown as FieldStore<ShapeValues>, this);
+    this.ownMesh = new SceneMesh(host.store as unknown as FieldStore<ShapeValues>, this);
     host.viewport.add(this.ownMesh);
   }
 
-  get lighting(): PhongLighting {
-    return this.#host.viewport.lighting;
-  }
-
-  get style(): ShadingStyle {
-    return this.#host.viewport.style;
+  get materials(): SharedMaterials {
+    return this.#host.viewport.materials;
   }
 
   get crossOrigin(): CrossOrigin {
-    return this.#host.state.values.crossOrigin;
+    return this.#host.store.values.crossOrigin;
   }
 
   get mayLoad(): boolean {
-    return this.#seen || this.#host.state.values.loading !== 'lazy';
+    return this.#seen || this.#host.store.values.loading !== 'lazy';
   }
 
   changed(): void {
@@ -86,12 +81,12 @@ export class ViewerLoading implements MeshHost {
 
   progress(mesh: SceneMesh, loaded: number, total: number): void {
     this.#progress.update(mesh, loaded, total);
-    this.#tellProgress();
+    this.#enqueueProgress();
   }
 
   dropped(mesh: SceneMesh): void {
     this.#progress.end(mesh);
-    this.#host.mended(mesh);
+    this.#host.cleared(mesh);
   }
 
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
@@ -100,43 +95,39 @@ export class ViewerLoading implements MeshHost {
     if (error !== null) {
       const detail = errorDetail(error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
-      this.#host.fail(mesh, detail);
+      this.#host.failed(mesh, detail);
     } else if (url !== null) {
       const detail = { url: url.href };
-      this.#tellProgress();
+      this.#enqueueProgress();
       child?.dispatchEvent(new CustomEvent('load', { detail }));
-      this.#host.notices.tell('load', detail, detail);
+      this.#host.events.enqueue('load', detail, detail);
     }
     this.#host.ended();
   }
 
-  /** Something that was asked for is on its way. */
+  /** Something requested has not arrived yet. */
   get pending(): boolean {
-    return this.#loads;
+    return this.#meshes().some((mesh) => mesh.loading);
   }
 
-  /** At least one model is there and none is on its way. */
+  /** At least one model is there and none is pending. */
   get loaded(): boolean {
-    return !this.#loads && this.#meshes().some((mesh) => mesh.showsModel);
+    return !this.pending && this.#meshes().some((mesh) => mesh.showsModel);
   }
 
-  /** The viewer can be seen: lazy loading begins. */
+  /** The viewer is visible: lazy loading begins. */
   seen(): void {
     if (this.#seen) return;
     this.#seen = true;
-    if (this.#host.state.values.loading === 'lazy') this.update();
+    if (this.#host.store.values.loading === 'lazy') this.update();
   }
 
   update(): void {
     for (const mesh of this.#meshes()) mesh.update();
   }
 
-  get #loads(): boolean {
-    return this.#meshes().some((mesh) => mesh.loading);
-  }
-
-  #tellProgress(): void {
-    this.#host.notices.tell('progress', { totalProgress: this.#progress.share });
+  #enqueueProgress(): void {
+    this.#host.events.enqueue('progress', { totalProgress: this.#progress.share });
   }
 
   #meshes(): SceneMesh[] {
@@ -149,7 +140,7 @@ interface Transfer {
   total: number;
 }
 
-/** Progress of all loads together, 0 to 1; loads are told apart by whatever object stands for them. */
+/** Progress of all loads together, 0 to 1. A load is identified by any object. */
 class LoadProgress {
   readonly #transfers = new Map<object, Transfer>();
 
@@ -161,7 +152,7 @@ class LoadProgress {
     this.#transfers.delete(load);
   }
 
-  /** Share of the bytes that have come; a load whose size is unknown counts as not begun. */
+  /** Share of the bytes received. A load of unknown size counts as not begun. */
   get share(): number {
     let loaded = 0;
     let total = 0;

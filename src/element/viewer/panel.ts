@@ -1,7 +1,14 @@
-// The control panel's life: fetched when first wanted, told what changed, taken away. Knows nothing of its controls.
-import { fetched } from './fetched.js';
-import type { Panel, PanelChange, PanelLoader } from './panel-api.js';
+// The control panel's life: its code is fetched on first use, it is notified of changes, and removed again. Knows
+// nothing of its controls.
 import type { PhongViewer } from '../phong-viewer.js';
+import type { Panel, PanelChange, PanelLoader } from './panel-api.js';
+
+let loadPanel: PanelLoader | null = null;
+
+/** How the panel's code is fetched. The package's entry says so, because elements do not import the panel. */
+export function providePanel(load: PanelLoader): void {
+  loadPanel = load;
+}
 
 export class ViewerPanel {
   readonly #viewer: PhongViewer;
@@ -13,22 +20,26 @@ export class ViewerPanel {
     this.#viewer = viewer;
   }
 
-  /** Shows it in `place`, as soon as its code is there, or takes it away. */
-  async toggle(wanted: boolean, loader: PanelLoader | null, place: HTMLElement | null): Promise<void> {
+  /** Shows the panel in `place` once its code is there, or removes it. */
+  async toggle(wanted: boolean, place: HTMLElement | null): Promise<void> {
     this.#wanted = wanted;
     if (!wanted) {
       this.#panel?.dispose();
       this.#panel = null;
       return;
     }
-    if (loader === null || place === null) return;
-    const door = await fetched(loader, 'the control panel');
+    if (loadPanel === null || place === null) return;
+    const code = await loadPanel().catch(() => null);
+    if (code === null) {
+      console.warn('<phong-viewer>: the code of the control panel could not be fetched; it is not shown.');
+      return;
+    }
     const root = place.getRootNode();
-    if (door === null || !this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
-    this.#panel = door.createPanel(this.#viewer, place, root);
+    if (!this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
+    this.#panel = code.createPanel(this.#viewer, place, root);
   }
 
-  /** Brings the panel in step at the task's end. */
+  /** Updates the panel at the end of the task. */
   changed(what: PanelChange): void {
     if (this.#panel === null) return;
     if (this.#changes.size === 0) queueMicrotask(this.#update);

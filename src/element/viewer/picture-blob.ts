@@ -1,18 +1,18 @@
-// A picture as a file: options checked, then encoded. Fetched with the first one; knows nothing of scenes.
+// A picture as a file: checks the options and encodes. Fetched with the first use of toBlob. Knows nothing of scenes.
 
 export interface PictureOptions {
   /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
   readonly width?: number;
   readonly height?: number;
-  /** Any type that the browser's canvas can write; others give PNG, as there. Default `image/png`. */
+  /** Any type that the browser's canvas can encode; others give PNG, as there. Default `image/png`. */
   readonly type?: string;
   /** 0–1, for lossy types. Default: the browser's. */
   readonly quality?: number;
 }
 
 /**
- * The file that `picture` makes, which is null where its size is no size. Rejects with RangeError or TypeError for options
- * outside their domain, and where the browser cannot encode that much.
+ * `picture` as a file; null stands for an invalid size. Rejects with RangeError or TypeError for options outside their
+ * domain, and if the browser cannot encode that many pixels.
  */
 export async function pictureBlob(
   picture: HTMLCanvasElement | null,
@@ -42,7 +42,7 @@ export async function pictureBlob(
   });
 }
 
-/** JPEG has no alpha, and browsers would put black where there is none. */
+/** JPEG has no alpha, and browsers would fill transparent pixels with black. */
 function fillBehind(picture: HTMLCanvasElement, color: string): void {
   const context = picture.getContext('2d');
   if (context === null) return;

@@ -1,34 +1,34 @@
-// The promise that a viewer is ready: resolved once all that was asked for is drawn, or cannot be seen; never rejected,
-// never pending for ever. Knows nothing of what is drawn.
+// The promise that a viewer is ready: it resolves once everything requested is drawn, or cannot be seen. It never rejects
+// and never stays pending forever. Knows nothing of what is drawn.
 
 export class Readiness {
   readonly #settled: () => boolean;
   #promise: Promise<void> = Promise.resolve();
   #resolve: (() => void) | null = null;
 
-  /** `settled` says whether everything asked for so far is there. */
+  /** `settled` says whether everything requested so far is there. */
   constructor(settled: () => boolean) {
     this.#settled = settled;
   }
 
-  /** The current promise; a new one where something has been asked for since the last was kept. */
+  /** The current promise; a new one if something was requested since the last one resolved. */
   get promise(): Promise<void> {
     this.check();
     if (this.#resolve === null && !this.#settled()) this.#renew();
     return this.#promise;
   }
 
-  /** Something newer is asked for: whoever waits for the old waits no longer. */
+  /** Something newer is requested: resolves the old promise and replaces it. */
   supersede(): void {
     if (this.#resolve !== null) this.#renew();
   }
 
-  /** After anything that may have settled it. */
+  /** Call after anything that may have settled it. */
   check(): void {
     const resolve = this.#resolve;
     if (resolve === null || !this.#settled()) return;
     resolve();
-    // Finding out may have brought loads to their end, and those check as well.
+    // #settled() may have ended loads, which call this method as well.
     if (this.#resolve === resolve) this.#resolve = null;
   }
 

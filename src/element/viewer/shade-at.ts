@@ -1,5 +1,5 @@
-// One fragment of a viewer's picture, explained: what is seen at a pixel joined with the lights, term by term, by the
-// equation in float64, whose code is fetched with the first explanation. Knows nothing of rays or triangles.
+// Explains one fragment of a viewer's picture: what a pixel shows, with each light's terms by the equation in float64. That
+// code is fetched with the first explanation. Knows nothing of rays or triangles.
 import type { Mesh } from 'three';
 import type { LightValues } from '../../light/light-state.js';
 import { srgbDecode } from '../../math/color.js';
@@ -13,58 +13,58 @@ import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import { shadeHit, type Subject } from './shade-hit.js';
 
-/** One light's part in a fragment. Frozen. */
+/** One light's share of a fragment. Frozen. */
 export interface LightExplanation extends LightShare {
-  /** The light's element; null for the light at the eye that a viewer without any light has. */
+  /** The light's element; null for the head-light of a viewer without lights. */
   readonly light: PhongLight | null;
   /** Its name as the panel shows it. */
   readonly name: string;
 }
 
-/** What the equation makes of one fragment, in float64. Frozen; lengths in scene units, vectors in world space. */
+/** One fragment by the equation in float64. Frozen; lengths in scene units, vectors in world space. */
 export interface FragmentExplanation {
-  /** The point of the surface. */
+  /** The point on the surface. */
   readonly p: Vec3;
-  /** Unit normal, interpolated and turned to the side that is seen; zero where the surface has none. */
+  /** Unit normal, interpolated and flipped toward the visible side; zero where the surface has none. */
   readonly N: Vec3;
   /** Unit vector toward the eye. */
   readonly V: Vec3;
-  /** Whose surface it is: a child, or the viewer itself for its own `src` or `geometry`. */
+  /** The element the surface belongs to: a `<phong-mesh>`, or the viewer for its own `src` or `geometry`. */
   readonly mesh: PhongMesh | PhongViewer;
-  /** The part of it in {@link PhongViewer.scene}. */
+  /** Its object in {@link PhongViewer.scene}. */
   readonly object: Mesh;
-  /** Which of the object's triangles, counted from 0 in the order of its geometry's index. */
+  /** The object's triangle, counted from 0 in the order of its geometry's index. */
   readonly triangle: number;
-  /** Ka, Kd and Ks as the equation takes them: 0–1 a channel, times the base colour, decoded where shading is linear. */
+  /** Ka, Kd and Ks as the equation uses them: 0–1 per channel, times the base colour, decoded if shading is linear. */
   readonly ka: Vec3;
   readonly kd: Vec3;
   readonly ks: Vec3;
   /** The specular exponent n. */
   readonly shininess: number;
-  /** What of ka and kd a model's own colour, texture and vertex colours make. Encoded sRGB, 0–1; 1 1 1 without any. */
+  /** The factor of ka and kd from a model's own colour, texture and vertex colours. Encoded sRGB, 0–1; 1 1 1 without any. */
   readonly baseColor: Vec3;
-  /** How much of `color` the picture shows, 0–1; the rest is what lies behind. */
+  /** How much of `color` the picture shows, 0–1; the rest comes from what lies behind. */
   readonly opacity: number;
   /**
-   * One for each of {@link PhongViewer.lights}, in their order, null where it is not active; or the one light at the eye
-   * of a viewer without any. The terms of all of them add up to the sum.
+   * One for each of {@link PhongViewer.lights}, in their order, null if it is not active; or the head-light alone. The
+   * terms of all of them add up to the sum.
    */
   readonly shares: readonly (LightExplanation | null)[];
-  /** The sum over the lights before it is clamped; encoded where shading is linear. 1 is full. */
+  /** The sum over the lights before it is clamped; encoded if shading is linear. 1 is full. */
   readonly sum: Vec3;
-  /** As it is drawn: the sum clamped to 0–1. */
+  /** The colour drawn: the sum clamped to 0–1. */
   readonly color: Vec3;
 }
 
-/** Rejects with TypeError or RangeError where x or y is no finite number. */
+/** Rejects with TypeError or RangeError unless x and y are finite numbers. */
 export async function shadeAt(
-  { glimpse, width, height, lights }: ViewerSnapshot,
+  { scene, width, height, lights }: ViewerSnapshot,
   x: number,
   y: number,
 ): Promise<FragmentExplanation | null> {
-  const column = pixel('x', x, width, glimpse?.width ?? 0);
-  const row = pixel('y', y, height, glimpse?.height ?? 0);
-  const hit = glimpse === null ? null : pick(glimpse, column, row);
+  const column = pixel('x', x, width, scene?.width ?? 0);
+  const row = pixel('y', y, height, scene?.height ?? 0);
+  const hit = scene === null ? null : pick(scene, column, row);
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
   const { surface, style, linear } = phong;
@@ -100,7 +100,7 @@ export async function shadeAt(
   });
 }
 
-/** Which device pixel lies at CSS pixel `at`: the fragment that the GPU draws is the one at its centre. */
+/** The device pixel at CSS pixel `at`. The GPU draws the fragment at its centre. */
 function pixel(name: string, at: unknown, size: number, pixels: number): number {
   if (typeof at !== 'number')
     throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
@@ -108,7 +108,7 @@ function pixel(name: string, at: unknown, size: number, pixels: number): number 
   return Math.floor((at * pixels) / size);
 }
 
-/** A light with its place relative to `origin`: far from the world's origin differences come first. */
+/** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
 function relative(values: LightValues, origin: Vec3): LightValues {
   const [x, y, z, w] = values.position;
   if (w === 0 || values.space === 'camera') return values;

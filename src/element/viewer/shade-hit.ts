@@ -1,5 +1,5 @@
-// One hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners and interpolated. Knows
-// neither elements nor when the equation's code comes.
+// Shades one hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners, interpolated. Knows
+// neither elements nor how the equation's code is loaded.
 import type { LightValues } from '../../light/light-state.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { ShadingStyle } from '../../material/phong-material.js';
@@ -10,7 +10,7 @@ import type { shade as Shade, Shaded } from '../../reference/index.js';
 import type { Hit } from '../../scene/snapshot/pick.js';
 import type { Corner } from '../../scene/snapshot/corners.js';
 
-/** What is shaded, and how. */
+/** The hit and how it is shaded. */
 export interface Subject {
   readonly hit: Hit;
   readonly corners: readonly [Corner, Corner, Corner];
@@ -20,8 +20,8 @@ export interface Subject {
 }
 
 /**
- * Lights are relative to the frame's origin, as the hit is. Under Gouraud shading only the terms and their sum are the
- * corners'; all else is the fragment's own.
+ * Lights are relative to the frame's origin, like the hit. Under Gouraud shading only the terms and their sum come from the
+ * corners; everything else is the fragment's own.
  */
 export function shadeHit(shade: typeof Shade, subject: Subject, lights: readonly LightValues[]): Shaded {
   const { hit, corners, style, linear } = subject;
@@ -35,7 +35,7 @@ export function shadeHit(shade: typeof Shade, subject: Subject, lights: readonly
   return withTermsOf(here, atCorners, weights, linear);
 }
 
-/** What the corners got, interpolated: the base colour is the fragment's in all of them, so that it stays outside. */
+/** The corners' terms, interpolated. All corners use the fragment's base colour, so that it is not interpolated. */
 function withTermsOf(
   here: Shaded,
   [a, b, c]: readonly [Shaded, Shaded, Shaded],

@@ -1,13 +1,13 @@
-// What a viewer tells of its own cost. Types only.
+// What drawing a viewer costs. Types only.
 
-/** A plain snapshot of what drawing costs; counts since the viewer was made unless said otherwise. */
+/** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
 export interface ViewerStats {
   readonly frames: number;
   readonly lightsDeclared: number;
   readonly lightsActive: number;
-  /** Lights that the shader loops over for any mesh; the others bring ambient light only, or nothing. */
+  /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */
   readonly lightsSent: number;
-  /** The same for each mesh by itself: the viewer's own, if it has one, and then `meshes` in the order they came. */
+  /** The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were added. */
   readonly lightsSentByMesh: readonly number[];
   /** Programs of the page's WebGL context. */
   readonly programs: number;
@@ -15,6 +15,6 @@ export interface ViewerStats {
   readonly drawCalls: number;
   /** Of light data. */
   readonly uploads: number;
-  /** How many viewers of the page its last frame has drawn: those on screen that had changed. */
+  /** Viewers that the page's last frame has drawn: those in view that had changed. */
   readonly viewersDrawn: number;
 }

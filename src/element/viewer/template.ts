@@ -1,21 +1,20 @@
-// The viewer's shadow tree: the picture's surface, what lies over it, and the slots. Knows nothing of how any of it works.
+// The viewer's shadow tree: the surface with the picture, poster, message and panel over it, and the slots. Markup only.
 import { html, nothing } from 'lit';
 
 export interface ViewerLook {
-  /** What the picture shows, in words; empty where nobody said. */
+  /** Text alternative of the picture; empty for none. */
   readonly label: string;
   /** Address of an image over the picture; empty for none. */
   readonly poster: string;
-  /** Drags do not turn it. */
+  /** A drag does not rotate the picture. */
   readonly fixed: boolean;
-  /** What has failed, if anything. */
+  /** The message about what failed; null for none. */
   readonly notice: string | null;
-  /** The canvas's own element. */
+  /** The element that holds the canvas. */
   readonly holder: HTMLElement;
-  readonly slotchange: () => void;
 }
 
-export function viewerTemplate({ label, poster, fixed, notice, holder, slotchange }: ViewerLook): unknown {
+export function viewerTemplate({ label, poster, fixed, notice, holder }: ViewerLook): unknown {
   return html`
     <div
       class=${fixed ? 'surface fixed' : 'surface'}
@@ -35,6 +34,6 @@ export function viewerTemplate({ label, poster, fixed, notice, holder, slotchang
           </div>`
     }
     <div class="panel" part="panel"></div>
-    <slot @slotchange=${slotchange}></slot>
+    <slot></slot>
   `;
 }

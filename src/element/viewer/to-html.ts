@@ -1,49 +1,36 @@
-// A viewer's scene as markup that gives the same picture back. Text only: building elements would upgrade them.
+// A viewer's scene as markup that gives the same picture. Text only: building elements would upgrade them.
 import type { FieldStore } from '../../fields/field-store.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
+import { fieldsOf } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import type { CameraState } from './camera.js';
 
-interface Part {
-  readonly tag: string;
-  readonly attributes: readonly (readonly [name: string, value: string])[];
-}
-
-/** The viewer with its meshes and lights. */
+/** The viewer with its meshes and lights, one child per line. The camera is the one shown now. */
 export function sceneMarkup(viewer: PhongViewer): string {
-  const { localName, state, camera, meshes, lights } = viewer;
-  return markup(givenAttributes(localName, state, cameraValues(camera)), [
-    ...meshes.map((mesh) => givenAttributes(mesh.localName, mesh.state)),
-    ...lights.map((light) => givenAttributes(light.localName, light.state)),
-  ]);
+  const { theta, phi, radius, target } = viewer.camera;
+  const children = [
+    ...viewer.meshes.map((mesh) => startTag(mesh, fieldsOf(mesh).store) + endTag(mesh)),
+    ...viewer.lights.map((light) => startTag(light, fieldsOf(light).store) + endTag(light)),
+  ];
+  const inner = children.length === 0 ? '' : `\n${children.map((child) => `  ${child}\n`).join('')}`;
+  return startTag(viewer, fieldsOf(viewer).store, { theta, phi, radius, target }) + inner + endTag(viewer);
 }
 
-/** The attributes that were given, in the order of the fields, with `instead` in place of what it names. */
-function givenAttributes<V extends object>(
-  tag: string,
-  state: FieldStore<V>,
+/** With the attributes that were given, in the order of the fields, and `instead` in place of the values it names. */
+function startTag<V extends object>(
+  { localName }: Element,
+  store: FieldStore<V>,
   instead: { readonly [K in keyof V]?: unknown } = {},
-): Part {
-  const attributes: [string, string][] = [];
-  for (const key of Object.keys(state.fields) as (keyof V & string)[]) {
+): string {
+  let tag = `<${localName}`;
+  for (const key of Object.keys(store.fields) as (keyof V & string)[]) {
     const replaced = key in instead;
-    if (!replaced && !state.given(key)) continue;
-    const text = formatValue(replaced ? instead[key] : state.values[key], state.fields[key]);
-    if (text !== null) attributes.push([attributeOf(key), text]);
+    if (!replaced && !store.given(key)) continue;
+    const text = formatValue(replaced ? instead[key] : store.values[key], store.fields[key]);
+    if (text !== null) tag += ` ${attributeOf(key)}${text === '' ? '' : `="${escape(text)}"`}`;
   }
-  return { tag, attributes };
+  return `${tag}>`;
 }
 
-/** The camera's numbers as they are now: shortest decimals that read back as the same doubles. */
-const cameraValues = ({ theta, phi, radius, target }: CameraState) => ({ theta, phi, radius, target });
-
-/** The viewer's markup with one child a line. */
-function markup(viewer: Part, children: readonly Part[]): string {
-  const inner = children.map((child) => `  ${startTag(child)}</${child.tag}>\n`).join('');
-  return `${startTag(viewer)}${inner === '' ? '' : `\n${inner}`}</${viewer.tag}>`;
-}
-
-const startTag = ({ tag, attributes }: Part): string =>
-  `<${tag}${attributes.map(([name, value]) => (value === '' ? ` ${name}` : ` ${name}="${escape(value)}"`)).join('')}>`;
+const endTag = ({ localName }: Element): string => `</${localName}>`;
 
 const escape = (text: string): string => text.replace(/[&"<>\r]/g, (c) => `&#${String(c.charCodeAt(0))};`);

@@ -1,29 +1,29 @@
-// What shadeAt explains and toBlob encodes, taken at their call: the code that does it may still have to come, and the scene
-// goes on meanwhile. Knows neither rays nor files.
+// What shadeAt explains and toBlob encodes, copied when they are called: their code may still have to be fetched, and the
+// scene changes meanwhile. Knows neither rays nor files.
 import type { LightValues } from '../../light/light-state.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
-import type { PhongLight } from '../phong-light.js';
+import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './children.js';
 
 export interface ViewerSnapshot {
-  /** Null while the picture has no place on the page. */
-  readonly glimpse: SceneSnapshot<PhongMesh | PhongViewer> | null;
-  /** The picture's, in the CSS pixels that pointer events count in. */
+  /** Null while the picture has no box on the page. */
+  readonly scene: SceneSnapshot<PhongMesh | PhongViewer> | null;
+  /** Size of the picture, in the CSS pixels of pointer events. */
   readonly width: number;
   readonly height: number;
   readonly lights: readonly {
-    /** Null for the light at the eye that a viewer without any has. */
+    /** Null for the head-light. */
     readonly light: PhongLight | null;
     readonly name: string;
     readonly values: LightValues;
   }[];
 }
 
-/** `size` is the picture's, in CSS pixels before any transform or zoom. */
+/** `size` is the picture's size in CSS pixels, before any transform or zoom. */
 export function viewerSnapshot(
   viewer: PhongViewer,
   viewport: Viewport,
@@ -31,23 +31,24 @@ export function viewerSnapshot(
   size: { readonly width: number; readonly height: number },
 ): ViewerSnapshot {
   const { holder } = viewport;
-  // Inside CSS zoom pointer events count in the page's pixels, sizes in the element's own. Not all browsers know the name.
+  // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own. Not all browsers have this property.
   const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   return {
-    glimpse:
+    scene:
       holder.getClientRects().length > 0
-        ? viewport.glimpse((mesh) => children.elementOf(mesh) ?? viewer)
+        ? viewport.snapshot((mesh) => children.elementOf(mesh) ?? viewer)
         : null,
     width: size.width * zoom,
     height: size.height * zoom,
-    lights: viewport.lighting.lights.lights.map((state) => {
+    lights: viewport.lighting.lights.lights.map((state, index) => {
       const light = children.lightOf(state);
-      return { light, name: light?.name ?? 'head-light', values: { ...state.values } };
+      const name = light === null ? 'head-light' : state.values.name || numberedName(index);
+      return { light, name, values: { ...state.values } };
     }),
   };
 }
 
-/** The picture in that size, by default the canvas's own; null where that is no size. */
+/** The picture at this size, by default the canvas's own; null for an invalid size. */
 export function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
   const width = options.width ?? Math.max(viewport.width, 1);
   const height = options.height ?? Math.max(viewport.height, 1);

@@ -1,35 +1,41 @@
-// Fetches what a mesh shows: a built-in shape or a loaded model, in one form. Knows neither materials nor elements.
+// What does a mesh show? A built-in shape or a loaded model, fetched and brought into one form. Knows neither materials nor
+// elements.
 import { type BufferGeometry, Matrix4 } from 'three';
+import type { Sides } from '../../material/back-faces.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import { acquireGeometry, type GeometryName, releaseGeometry } from './shapes/shapes.js';
+import { requestModel } from '../model/fetch-bytes.js';
+import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import type { LoadOptions } from '../model/load-model.js';
 
-/** Geometry with everything a file, or a built-in shape, says of how it looks. */
+/** A geometry and how it looks, as far as its file or shape says. */
 export interface ContentPart {
   readonly name: string;
   readonly geometry: BufferGeometry;
   /** Part to mesh. */
   readonly matrix: Matrix4;
   readonly look: BaseLook;
-  /** What the file says of the surface; HTML's units. */
+  /** `closed` for opaque closed shapes, `single` or `double` as a file says. */
+  readonly sides: Sides;
+  /** Surface values from the file; HTML's units. */
   readonly surface: Partial<SurfaceValues>;
 }
 
 export interface Content {
   readonly parts: readonly ContentPart[];
-  /** Called once, by whoever shows it or has no use for it any more. */
+  /** Frees it. Call once. */
   dispose(): void;
 }
 
 export const NOTHING: Content = { parts: [], dispose: () => undefined };
 
-/** A built-in shape; at once where its code is here, else a promise. */
+/** A built-in shape: at once if its code is loaded, else a promise. */
 export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
   const wanted = segments ?? undefined;
   const geometry = acquireGeometry(name, wanted);
+  const sides = CLOSED.has(name) ? 'closed' : 'double';
   const content = (ready: BufferGeometry): Content => ({
-    parts: [{ name, geometry: ready, matrix: new Matrix4(), look: PLAIN_LOOK, surface: {} }],
+    parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
     dispose: () => {
       releaseGeometry(name, wanted);
     },
@@ -37,6 +43,10 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
   return geometry instanceof Promise ? geometry.then(content) : content(geometry);
 }
 
-/** A model from its address. The code that reads models is fetched with the first one. */
-export const modelContent = async (url: URL, options: LoadOptions): Promise<Content> =>
-  (await import('../model/model-content.js')).modelContent(url, options);
+const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
+
+/** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
+export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
+  const request = requestModel(url, options);
+  return (await import('../model/model-content.js')).modelContent(url, options, request);
+}

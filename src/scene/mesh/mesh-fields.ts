@@ -1,5 +1,5 @@
-// What a mesh declares: shape, place, surface and how it differs from its picture's shading. Values in HTML's units,
-// with domains and defaults. Knows neither elements nor how a mesh is drawn.
+// The values that a mesh declares, with domains and defaults: geometry, place, surface and its own shading. In HTML's units.
+// Knows neither elements nor how a mesh is drawn.
 import { LIMITS } from '../../light/light-state.js';
 import { SURFACE_FIELDS, type SurfaceValues } from '../../material/material-values.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/program/variant.js';
@@ -15,32 +15,32 @@ import {
 import type { Vec3 } from '../../math/vector.js';
 import { GEOMETRIES, type GeometryName } from './shapes/shapes.js';
 
-/** Where a mesh's triangles come from. `src` wins where both are given. */
+/** Where a mesh's triangles come from. `src` wins if both are given. */
 export interface ShapeValues extends SurfaceValues {
-  /** Address of a model, relative to the page; empty for none. */
+  /** URL of a model, relative to the page; empty for none. */
   src: string;
   /** A built-in shape; null for none. */
   geometry: GeometryName | null;
-  /** Segments around, 1–512; null: the shape's own default. */
+  /** Segments around the shape, 1–512; null for the shape's default. */
   segments: number | null;
 }
 
 export interface MeshValues extends ShapeValues {
-  /** Text for the panel and for explanations. */
+  /** Shown in the panel and in explanations. */
   name: string;
   /** Scene units. Default 0 0 0. */
   position: Vec3;
   /** Degrees about x, y, z: three.js's Euler order XYZ, right-handed. Default 0 0 0. */
   rotation: Vec3;
-  /** Factors along the mesh's own axes, each up to 1e12 either way; negative ones mirror. Default 1 1 1. */
+  /** Factors along the mesh's own axes, −1e12 to 1e12; negative ones mirror. Default 1 1 1. */
   scale: Vec3;
-  /** Null: as the viewer. */
+  /** Null for the viewer's. */
   shading: Shading | null;
-  /** Null: as the viewer. */
+  /** Null for the viewer's. */
   reflection: Reflection | null;
 }
 
-/** Largest scale either way that keeps float32 products finite. */
+/** Largest magnitude of a scale that keeps float32 products finite. */
 const SCALE = 1e12;
 
 export const SHAPE_FIELDS: Fields<ShapeValues> = {

@@ -1,31 +1,31 @@
-// One declared mesh in the scene: follows its values, loads what they name, and keeps what was shown until something
-// else can be. Knows neither elements nor frames.
-import { Group, Mesh, type Object3D } from 'three';
-import type { SurfaceValues } from '../../material/material-values.js';
-import type { PhongLighting } from '../../material/lighting.js';
-import { PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
-import { type FieldStore, sameValue } from '../../fields/field-store.js';
-import { radians } from '../../math/angle.js';
-import { type Content, type ContentPart, modelContent, NOTHING, shapeContent } from './content.js';
+// One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until the next
+// one is there. Knows neither elements nor frames.
+import { Group, Matrix4, Mesh, type Object3D } from 'three';
 import { flatGeometry } from '../../material/flat-geometry.js';
-import type { MeshValues, ShapeValues } from './mesh-fields.js';
+import type { SurfaceValues } from '../../material/material-values.js';
+import type { PhongMaterial, ShadingStyle } from '../../material/phong-material.js';
+import type { FieldStore } from '../../fields/field-store.js';
+import { radians } from '../../math/angle.js';
+import type { Vec3 } from '../../math/vector.js';
 import type { CrossOrigin } from '../model/load-model.js';
+import { type Content, type ContentPart, modelContent, NOTHING, shapeContent } from './content.js';
+import type { MeshValues, ShapeValues } from './mesh-fields.js';
+import type { Appearance, SharedMaterials } from './shared-materials.js';
 
-/** The picture that a mesh is in. */
+/** The picture that shows a mesh. */
 export interface MeshHost {
-  readonly lighting: PhongLighting;
-  readonly style: ShadingStyle;
+  readonly materials: SharedMaterials;
   readonly crossOrigin: CrossOrigin;
-  /** Loading may begin: false while a lazy viewer has not been seen. */
+  /** False while a lazy viewer has not been seen. */
   readonly mayLoad: boolean;
-  /** It looks different: draw again. */
+  /** The mesh looks different: draw again. */
   changed(): void;
-  /** Its triangles or its place are different: measure again. */
+  /** The mesh's geometry or place is different: measure again. */
   reshaped(): void;
   progress(mesh: SceneMesh, loaded: number, total: number): void;
-  /** A load that began has ended: with what it loaded, or why not. Not told of loads that were overtaken. */
+  /** A load has ended; `error` is null on success. Not called for loads that a newer one replaced. */
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
-  /** What it had asked for, loading or failed, is asked for no more. */
+  /** A load in progress was cancelled, or one that failed is no longer wanted. */
   dropped(mesh: SceneMesh): void;
 }
 
@@ -33,78 +33,89 @@ type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>
 
 interface Part {
   readonly mesh: Mesh;
-  readonly material: PhongMaterial;
   readonly source: ContentPart;
+  material: PhongMaterial;
+  surface: SurfaceValues;
 }
 
 const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const satisfies readonly (keyof SurfaceValues)[];
 
 export class SceneMesh {
-  readonly root = new Group();
   readonly #state: FieldStore<ShapeValues> | FieldStore<MeshValues>;
   readonly #host: MeshHost;
+  #parent: Object3D | null = null;
+  #root: Object3D | null = null;
   #content: Content = NOTHING;
   #parts: readonly Part[] = [];
   #loading: AbortController | null = null;
-  #asked: string | null = null;
-  readonly #retired = new Set<PhongMaterial>();
+  #failed = false;
+  /** What the content was requested by; null before the first request and after a failure. */
+  #request: string | null = null;
   #showsModel = false;
-  /** Position, rotation and scale as last written to the scene: measuring it anew costs a pass over all vertices. */
-  #placed: readonly number[] = [];
+  /** Position, rotation and scale as last written to the scene; values are replaced when they change. */
+  #placed: readonly Vec3[] = [];
+  #shading: ShadingStyle['shading'] | null = null;
+  #reflection: ShadingStyle['reflection'] | null = null;
 
   constructor(state: FieldStore<ShapeValues> | FieldStore<MeshValues>, host: MeshHost) {
     this.#state = state;
     this.#host = host;
   }
 
+  /** The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while nothing is shown. */
+  get root(): Object3D | null {
+    return this.#root;
+  }
+
+  /** Shows it below `parent`, whose world matrix is the identity. */
+  attach(parent: Object3D): void {
+    this.#parent = parent;
+    if (this.#root !== null) parent.add(this.#root);
+  }
+
   get #values(): Values {
     return this.#state.values;
   }
 
-  /** Something is asked for that is not shown yet, and may still come. */
+  /** A load is in progress. */
   get loading(): boolean {
     return this.#loading !== null;
   }
 
-  /** Its `src` is what it shows. */
+  /** It shows the model that `src` names. */
   get showsModel(): boolean {
-    return this.#showsModel && this.#asked !== null && !this.loading;
+    return this.#showsModel && this.#request !== null && !this.loading;
   }
 
-  /** After a drawing: gives back the programs of what was shown before, which what is shown now may have taken over. */
-  sweep(): void {
-    if (this.#retired.size === 0) return;
-    for (const material of this.#retired) material.dispose();
-    this.#retired.clear();
-  }
-
-  /** What shows this mesh: three.js meshes, each with its material. */
-  get parts(): readonly Part[] {
+  /** The three.js meshes that show it, each with its material. */
+  get parts(): readonly Readonly<Part>[] {
     return this.#parts;
   }
 
-  /** Whether `object` is one of those that show this mesh. */
-  shows(object: Object3D): boolean {
-    return this.#parts.some(({ mesh }) => mesh === object);
-  }
-
-  /** Values were written: bring everything in step. Cheap where nothing changed. */
+  /** Brings the scene in step with the values. Cheap where nothing changed. */
   update(): void {
     this.#load();
     this.#place();
     this.restyle();
   }
 
-  /** Shading may differ: the mesh's own or the picture's. */
+  /** Brings materials and flat normals in step: the mesh's own style or the picture's may have changed. */
   restyle(): void {
-    const { shading, reflection } = this.#values;
-    const { style } = this.#host;
-    const own = { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
-    for (const { mesh, material, source } of this.#parts) {
-      material.setStyle(own);
-      material.setSurface(this.#surfaceOf(source));
-      const geometry = own.shading === 'flat' ? flatGeometry(source.geometry) : source.geometry;
-      if (mesh.geometry !== geometry) mesh.geometry = geometry;
+    const { shading = null, reflection = null } = this.#values;
+    const { materials } = this.#host;
+    const restyled = shading !== this.#shading || reflection !== this.#reflection;
+    this.#shading = shading;
+    this.#reflection = reflection;
+    for (const part of this.#parts) {
+      const surface = this.#surfaceOf(part.source);
+      if (restyled || !sameSurface(surface, part.surface)) {
+        part.surface = surface;
+        part.material = materials.exchange(part.material, this.#appearanceOf(part.source, surface));
+        part.mesh.material = part.material;
+      }
+      const { geometry } = part.source;
+      const shown = (shading ?? materials.style.shading) === 'flat' ? flatGeometry(geometry) : geometry;
+      if (part.mesh.geometry !== shown) part.mesh.geometry = shown;
     }
     this.#host.changed();
   }
@@ -112,13 +123,12 @@ export class SceneMesh {
   /** Ends any load and frees everything. */
   dispose(): void {
     this.#drop();
-    this.#asked = null;
+    this.#request = null;
+    this.#parent = null;
     this.#show(NOTHING);
-    this.sweep();
-    this.root.removeFromParent();
   }
 
-  /** Attributes win, then what the file says, then the defaults. */
+  /** Attributes win, then the file's values, then the defaults. */
   #surfaceOf(source: ContentPart): SurfaceValues {
     const surface: Partial<Record<keyof SurfaceValues, unknown>> = {};
     const state = this.#state as FieldStore<ShapeValues>;
@@ -128,26 +138,34 @@ export class SceneMesh {
     return surface as SurfaceValues;
   }
 
+  #appearanceOf({ look, sides }: ContentPart, surface: SurfaceValues): Appearance {
+    return { look, sides, surface, shading: this.#shading, reflection: this.#reflection };
+  }
+
   #place(): void {
-    const { position = [0, 0, 0], rotation = [0, 0, 0], scale = [1, 1, 1], name = '' } = this.#values;
-    const { root } = this;
-    root.name = name;
-    const place = [...position, ...rotation, ...scale];
-    if (sameValue(place, this.#placed)) return;
+    const { position = ZERO, rotation = ZERO, scale = ONE, name = '' } = this.#values;
+    const [part] = this.#parts;
+    const root = this.#root;
+    if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
+    const place = [position, rotation, scale];
+    if (place.every((vector, i) => vector === this.#placed[i])) return;
     this.#placed = place;
-    root.position.set(...position);
-    root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
-    root.scale.set(...scale);
+    if (root !== null) {
+      root.position.set(...position);
+      root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
+      root.scale.set(...scale);
+      root.updateMatrix();
+    }
     this.#host.reshaped();
   }
 
   #load(): void {
     const { src, geometry, segments } = this.#values;
     const { mayLoad, crossOrigin } = this.#host;
-    const asked = src === '' ? `${geometry ?? ''} ${String(segments)}` : `src ${src} ${crossOrigin ?? ''}`;
-    if (asked === this.#asked || (src !== '' && !mayLoad)) return;
+    const request = src === '' ? `${geometry ?? ''} ${String(segments)}` : `src ${src} ${crossOrigin ?? ''}`;
+    if (request === this.#request || (src !== '' && !mayLoad)) return;
     this.#drop();
-    this.#asked = asked;
+    this.#request = request;
     if (src !== '') {
       const url = addressOf(src);
       this.#await(url, (signal) => this.#loadModel(url, src, signal));
@@ -179,49 +197,78 @@ export class SceneMesh {
         }
         this.#loading = null;
         this.#show(content);
+        this.#place();
+        this.restyle();
         this.#showsModel = url !== null;
         this.#host.ended(this, url, null);
       },
       (error: unknown) => {
         if (this.#loading !== loading) return;
         this.#loading = null;
-        this.#asked = null; // asked for again, it is tried again
+        this.#request = null; // another request for the same tries again
+        this.#failed = true;
         this.#host.ended(this, url, error);
       },
     );
   }
 
   #drop(): void {
+    const wanted = this.loading || this.#failed;
     this.#loading?.abort();
     this.#loading = null;
-    this.#host.dropped(this);
+    this.#failed = false;
+    if (wanted) this.#host.dropped(this);
   }
 
+  /** Call {@link #place} and {@link restyle} next. */
   #show(content: Content): void {
     this.#showsModel = false;
+    const { materials } = this.#host;
     const before = this.#parts;
-    for (const { mesh } of before) mesh.removeFromParent();
-    this.#content.dispose();
-    this.#content = content;
+    const { shading = null, reflection = null } = this.#values;
+    this.#shading = shading;
+    this.#reflection = reflection;
     this.#parts = content.parts.map((source) => {
-      // The same look keeps its material, and so its program: another shape compiles nothing.
-      const same = before.find((part) => part.source.look === source.look);
-      const material = same?.material ?? new PhongMaterial(this.#host.lighting, source.look);
+      const surface = this.#surfaceOf(source);
+      const material = materials.acquire(this.#appearanceOf(source, surface));
       const mesh = new Mesh(source.geometry, material);
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
-      mesh.matrix.copy(source.matrix);
-      this.root.add(mesh);
-      return { mesh, material, source };
+      return { mesh, material, surface, source };
     });
-    for (const { material } of before) {
-      if (!this.#parts.some((part) => part.material === material)) this.#retired.add(material);
-    }
-    this.restyle();
-    this.#host.reshaped();
+    // After the new ones are acquired: equal looks keep their material, and so their program.
+    for (const { material } of before) materials.release(material);
+    this.#root?.removeFromParent();
+    this.#content.dispose();
+    this.#content = content;
+    this.#root = rootOf(this.#parts);
+    if (this.#root !== null) this.#parent?.add(this.#root);
+    this.#placed = []; // the new root has no place yet
   }
 }
+
+/** A part that its content does not move needs no group around it: 2,000 boxes are 2,000 objects. */
+function rootOf(parts: readonly Part[]): Object3D | null {
+  const [first] = parts;
+  if (first === undefined) return null;
+  if (parts.length === 1 && first.source.matrix.equals(IDENTITY)) return first.mesh;
+  const group = new Group();
+  group.matrixAutoUpdate = false;
+  for (const { mesh, source } of parts) {
+    mesh.matrix.copy(source.matrix);
+    group.add(mesh);
+  }
+  return group;
+}
+
+const IDENTITY = /* @__PURE__ */ new Matrix4();
+
+const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
+  a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;
 
 function addressOf(src: string): URL | null {
   return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
 }
+
+const ZERO: Vec3 = [0, 0, 0];
+const ONE: Vec3 = [1, 1, 1];

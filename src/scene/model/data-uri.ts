@@ -1,24 +1,24 @@
-// The bytes of a data: URI, decoded by hand: fetching one needs `connect-src data:`, which a strict CSP refuses.
+// Which bytes does a data: URI hold? Decoded here, because fetching one needs `connect-src data:`, which a strict CSP refuses.
 import { ModelError } from './model.js';
 
 export interface DataUri {
-  /** Media type without parameters, lower case; `text/plain` where none is given. */
+  /** Media type without parameters, lower case; default `text/plain`. */
   readonly type: string;
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
 
 export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
 
-/** Percent-encoded or base64 (padding and white space optional). Throws a `bad-model` error where it is neither. */
+/** Percent-encoded or base64 (padding and white space optional). Throws a `bad-model` error for anything else. */
 export function decodeDataUri(uri: string): DataUri {
   const comma = uri.indexOf(',');
   if (!isDataUri(uri) || comma < 0)
     throw new ModelError('bad-model', 'A data: URI has no comma before its data.');
   const [type, ...parameters] = uri.slice('data:'.length, comma).split(';');
   const base64 = parameters.at(-1)?.trim().toLowerCase() === 'base64';
-  // A fragment is the page's business, not the data's.
+  // A fragment identifier is not part of the data.
   const [body = ''] = uri.slice(comma + 1).split('#', 1);
-  // Percent signs cannot occur in base64, and a model's data is long: look before unescaping.
+  // Skip unescaping for base64, which has no percent signs: a model's data is long.
   const octets = body.includes('%') ? unescapeOctets(body) : body;
   return {
     type: (type ?? '').trim().toLowerCase() || 'text/plain',

@@ -1,9 +1,9 @@
-// Bytes over the network: with progress, an end on abort, a limit on size, and errors that an author understands.
-// Must not know what the bytes mean.
+// How are a model's files downloaded? With progress, abort, a size limit, and errors that a page's author understands. Must not know
+// what the bytes mean.
 import { decodeDataUri, isDataUri } from './data-uri.js';
 import { ModelError } from './model.js';
 
-/** Bytes that one model may bring, all its files together. A browser's largest buffers are about twice this. */
+/** Largest size of one model in bytes, all its files together. Browsers' largest buffers are about twice this. */
 export const BYTE_LIMIT = 2 ** 30;
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
@@ -11,13 +11,27 @@ export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
 export interface Transfer {
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
-  /** Bytes so far and in all, over all files begun; `total` is 0 while unknown. */
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: ((loaded: number, total: number) => void) | undefined;
 }
 
 export type FetchBytes = (url: URL, redirect: RequestRedirect) => Promise<Uint8Array<ArrayBuffer>>;
 
-/** A fetch for one model's files, which share the limit and the progress. */
+/** A model's file being downloaded, and the download function for the files that it refers to. */
+export interface ModelRequest {
+  readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
+  readonly fetchBytes: FetchBytes;
+}
+
+/** Requests a model's file at once, in parallel with the code that reads it. */
+export function requestModel(url: URL, transfer: Transfer): ModelRequest {
+  const fetchBytes = byteFetcher(transfer);
+  const bytes = fetchBytes(url, 'follow');
+  bytes.catch(() => undefined); // the code that awaits it reports the error
+  return { bytes, fetchBytes };
+}
+
+/** A download function for the files of one model, which share size limit and progress. */
 export function byteFetcher(transfer: Transfer): FetchBytes {
   let loaded = 0;
   let total = 0;
@@ -85,7 +99,7 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
   );
 }
 
-/** The body's length as announced, or 0 where it is unknown; a compressed body's length is not that of its bytes. */
+/** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
 function expectedLength(response: Response): number {
   if (response.headers.has('content-encoding')) return 0;
   const length = Number(response.headers.get('content-length') ?? 0);
@@ -96,7 +110,7 @@ async function tooLarge(url: URL, response: Response | null): Promise<ModelError
   await response?.body?.cancel();
   return new ModelError(
     'too-large',
-    `${url.href} brings the model over 1 GiB, which is more than a page can hold.`,
+    `${url.href} makes the model larger than 1 GiB, the most that can be loaded.`,
   );
 }
 
@@ -123,25 +137,25 @@ function joined(chunks: readonly Uint8Array[], size: number): Uint8Array<ArrayBu
   return bytes;
 }
 
-// A refused fetch rejects like any network failure; the event that tells them apart is queued, and may come after.
+// A fetch refused by CSP rejects like a network failure. The event that tells them apart is queued and can arrive later.
 const POLICY_EVENT_WAIT_MS = 100;
 
 interface PolicyWatch {
-  /** The directive that refused the fetch, or null where none did. */
+  /** The directive that refused the fetch, or null. */
   refusal(): Promise<string | null>;
   stop(): void;
 }
 
 function watchPolicy(url: URL): PolicyWatch {
   if (typeof document === 'undefined') return { refusal: () => Promise.resolve(null), stop: () => undefined };
-  let told: (directive: string) => void = () => undefined;
+  let report: (directive: string) => void = () => undefined;
   const directive = new Promise<string>((resolve) => {
-    told = resolve;
+    report = resolve;
   });
   const address = url.href.split('#', 1)[0];
   const listener = (event: SecurityPolicyViolationEvent): void => {
     const mine = event.blockedURI === address || event.blockedURI === url.origin;
-    if (event.disposition === 'enforce' && mine) told(event.effectiveDirective);
+    if (event.disposition === 'enforce' && mine) report(event.effectiveDirective);
   };
   document.addEventListener('securitypolicyviolation', listener);
   return {

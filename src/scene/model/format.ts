@@ -1,16 +1,16 @@
-// Which loader reads these bytes? Content decides; the name's extension only where content does not tell.
-// Another format is one more row: its loader is a chunk of its own, fetched with the first file that needs it.
+// Which loader reads these bytes? The content decides, then the file extension. A new format is one more row in the table; its loader
+// is a separate chunk, fetched with the first file that needs it.
 import { ModelError, type Model } from './model.js';
 
 export interface ModelSource {
   readonly url: URL;
   readonly bytes: Uint8Array<ArrayBuffer>;
   readonly signal: AbortSignal;
-  /** The bytes of a file that the model names, if it may name it. */
+  /** Downloads a file that the model names, if it is allowed to name it. */
   readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
 }
 
-/** Reads a whole model, or throws and leaves nothing behind. Errors that are no ModelError mean a broken file. */
+/** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
 export type ModelReader = (source: ModelSource) => Promise<Model>;
 
 interface Format {
@@ -29,12 +29,12 @@ const FORMATS: readonly Format[] = [
   },
 ];
 
-/** The format of a file, or a `bad-model` error that says what it seems to be. */
+/** The format of a file. Throws a `bad-model` error that says what the file seems to be. */
 export function formatOf(url: URL, bytes: Uint8Array): Format {
   const byContent = FORMATS.find((format) => format.matches(bytes));
   if (byContent) return byContent;
   if (bytes.byteLength === 0) throw new ModelError('bad-model', `${nameOf(url)} is empty.`);
-  // A web page in a model's place is what many servers answer for a missing file.
+  // Many servers answer with a web page when a file is missing.
   if (firstCharacter(bytes) === '<') {
     throw new ModelError(
       'bad-model',
@@ -45,17 +45,17 @@ export function formatOf(url: URL, bytes: Uint8Array): Format {
   const byName = FORMATS.find((format) => format.extensions.includes(extension));
   if (byName) return byName;
   const known = FORMATS.map((format) => `${format.name} (.${format.extensions.join(', .')})`).join(', ');
-  throw new ModelError('bad-model', `${nameOf(url)} is in no format that can be read: ${known}.`);
+  throw new ModelError('bad-model', `${nameOf(url)} is not in a supported format: ${known}.`);
 }
 
-/** An address for messages; the data of a data: URI is left out. */
+/** An address for messages, without the content of a data: URI. */
 export const nameOf = (url: URL): string => (url.protocol === 'data:' ? 'the data: URI' : url.href);
 
 function startsWith(bytes: Uint8Array, text: string): boolean {
   return Array.from(text).every((character, i) => bytes[i] === character.charCodeAt(0));
 }
 
-/** The first character that is neither white space nor a byte order mark, of a text in UTF-8. */
+/** The first character of a UTF-8 text that is neither white space nor a byte order mark. */
 function firstCharacter(bytes: Uint8Array): string {
   return new TextDecoder().decode(bytes.subarray(0, 256)).trimStart().charAt(0);
 }

@@ -1,14 +1,14 @@
-// Which files may a model's file name? Those of its own origin, in its own folder or below it, unless the page's
-// author has widened that. A model is somebody else's text: it must not make a page fetch what it likes.
+// Which other files may a model's file refer to? Those on its own origin, in its own folder or below, unless `crossorigin` allows
+// more. A model can come from anyone, so it must not make a page fetch arbitrary addresses.
 import { ModelError } from './model.js';
 
-// A server may read an escaped slash as a slash, after the URL parser has resolved the dots.
+// Some servers treat an escaped slash as a slash, after the URL parser has resolved `..`.
 const ESCAPED_SLASH = /%(2f|5c)/i;
 
 /**
- * The address of the file called `uri` in the model at `model`.
- * @param anywhere any http(s) origin and folder is allowed (`crossorigin` is set).
- * @throws ModelError `load-failed` where it is not allowed, `bad-model` where it is no address.
+ * The address of the file that the model at `model` refers to as `uri`.
+ * @param anywhere whether any http(s) origin and folder is allowed (`crossorigin` is set).
+ * @throws ModelError `load-failed` if it is not allowed, `bad-model` if it is not an address.
  */
 export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   const url = parsed(uri, model);

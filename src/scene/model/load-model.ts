@@ -1,6 +1,6 @@
-// From an address to a model: fetch, recognise, read. Every failure is a ModelError with a code and a sentence.
-// Works under a strict CSP: no blob: or data: is fetched, no worker, no eval. Must not know elements or the renderer.
-import { byteFetcher, type CrossOrigin } from './fetch-bytes.js';
+// How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
+// Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
+import { type CrossOrigin, requestModel } from './fetch-bytes.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
 import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
@@ -9,22 +9,26 @@ export { ModelError, type Model, type ModelErrorCode, type ModelLook, type Model
 export type { CrossOrigin } from './fetch-bytes.js';
 
 export interface LoadOptions {
-  /** Ends the load; the promise then rejects with the signal's reason. */
+  /** Aborts the load; the promise then rejects with the signal's reason. */
   readonly signal: AbortSignal;
-  /** Bytes so far and in all, over all files of the model begun so far; `total` is 0 while it is unknown. */
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: (loaded: number, total: number) => void;
-  /** Null: files that the model names must lie in its own folder or below. Else they may lie on any http(s) origin. */
+  /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
   readonly crossOrigin: CrossOrigin;
 }
 
 /**
- * Loads the model at `url`, and what it names. `data:` addresses are decoded, not fetched.
- * @throws ModelError, or the signal's reason after an abort. Nothing is left behind then.
+ * Loads the model at `url` and the files it refers to. `data:` addresses are decoded, not fetched.
+ * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
  */
-export async function loadModel(url: URL, options: LoadOptions): Promise<Model> {
+export async function loadModel(
+  url: URL,
+  options: LoadOptions,
+  request = requestModel(url, options),
+): Promise<Model> {
   const { signal, crossOrigin } = options;
-  const fetchBytes = byteFetcher(options);
-  const bytes = await fetchBytes(url, 'follow');
+  const { fetchBytes } = request;
+  const bytes = await request.bytes;
   const format = formatOf(url, bytes);
   const source: ModelSource = {
     url,
@@ -32,7 +36,7 @@ export async function loadModel(url: URL, options: LoadOptions): Promise<Model> 
     signal,
     linked: async (uri) => {
       const anywhere = crossOrigin !== null;
-      // A redirect could lead out of the folder; where any address is allowed it leads nowhere worse.
+      // A redirect could lead out of the folder. If any address is allowed, it does no harm.
       return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
     },
   };
@@ -48,7 +52,7 @@ export async function loadModel(url: URL, options: LoadOptions): Promise<Model> 
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
     const reason = cause instanceof Error ? cause.message : String(cause);
-    throw new ModelError('bad-model', `${nameOf(url)} is no readable ${format.name} file: ${reason}`, {
+    throw new ModelError('bad-model', `${nameOf(url)} is not a readable ${format.name} file: ${reason}`, {
       cause,
     });
   }

@@ -1,18 +1,20 @@
-// A loaded model in the form in which meshes show built-in shapes too. The door to all that reads models, fetched with the
-// first one; knows neither materials nor elements.
+// How does a loaded model become content that a mesh can show, as a built-in shape is? Entry point of the code that reads models,
+// fetched with the first one. Knows neither materials nor elements.
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { Content } from '../mesh/content.js';
+import type { ModelRequest } from './fetch-bytes.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
 
-/** The model at `url`, loaded as {@link loadModel} says. */
-export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const model = await loadModel(url, options);
+/** The model at `url`; see {@link loadModel}. */
+export async function modelContent(url: URL, options: LoadOptions, request: ModelRequest): Promise<Content> {
+  const model = await loadModel(url, options, request);
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
       name,
       geometry,
       matrix,
       look: { ...look, vertexColors: 'color' in geometry.attributes },
+      sides: look.doubleSided ? 'double' : 'single',
       surface: surfaceOf(look),
     })),
     dispose: () => {

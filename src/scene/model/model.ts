@@ -1,5 +1,5 @@
-// What is a loaded model, whatever file it came from? Parts in the model's own space (float64 matrices, file units).
-// Must not know how any format is read, nor who shows the result.
+// What is a loaded model, whatever its file format? Parts in the model's own space (float64 matrices, file units). Must not know how
+// formats are read, nor how models are shown.
 import type { BufferGeometry, Matrix4, Texture } from 'three';
 import type { Vec3 } from '../../math/vector.js';
 
@@ -11,11 +11,11 @@ export interface Model {
 }
 
 export interface ModelPart {
-  /** The file's name for it; empty where it gives none. */
+  /** Its name in the file; may be empty. */
   readonly name: string;
   /**
-   * Float `position`, finite; float `normal`, unit length or zero; `uv` where the look has a map; `color` (encoded
-   * sRGB, 3 or 4 components, 0 to 1) where the file colours vertices. Indexed or not. Parts may share one, or attributes.
+   * Attributes: `position` (float, finite); `normal` (float, unit length or zero); `uv` if the look has a map; `color` (encoded
+   * sRGB, 3 or 4 components, 0 to 1) if the file has vertex colours. Indexed or not. Parts can share geometries or attributes.
    */
   readonly geometry: BufferGeometry;
   /** Part to model. */
@@ -26,19 +26,21 @@ export interface ModelPart {
 export interface ModelLook {
   /** Multiplies ka and kd. Encoded sRGB, 0 to 1. */
   readonly baseColor: Vec3;
-  /** 0 to 1; always 1 where `alphaMode` is `opaque`. */
+  /** 0 to 1; always 1 if `alphaMode` is `opaque`. */
   readonly opacity: number;
   readonly alphaMode: 'opaque' | 'mask' | 'blend';
-  /** `mask` leaves fragments out whose alpha is below this. */
+  /** With `mask`, fragments with a lower alpha are discarded. */
   readonly alphaCutoff: number;
   /**
-   * Encoded sRGB, to be read undecoded (`NoColorSpace`), sampled with `uv` through `map.matrix` (up to date), with the
-   * file's filters and wrapping. Its first row is the image's top, as glTF has it.
+   * Encoded sRGB, read without decoding (`NoColorSpace`). Sampled with `uv` transformed by `map.matrix` (up to date), with the
+   * file's filters and wrapping. The first row is the top of the image, as in glTF.
    */
   readonly map: Texture | null;
-  /** The file has no normals: `geometry` has one a triangle. */
+  /** Whether both sides of its faces can be seen. False only if a glTF file says so. */
+  readonly doubleSided: boolean;
+  /** The file has no normals: `geometry` has one per triangle. */
   readonly flat: boolean;
-  /** Phong's own factors, only from formats that carry them. Encoded sRGB, 0 to 1. */
+  /** Phong coefficients, from formats that have them. Encoded sRGB, 0 to 1. */
   readonly ka?: Vec3;
   readonly kd?: Vec3;
   readonly ks?: Vec3;
@@ -47,7 +49,7 @@ export interface ModelLook {
 
 export type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
 
-/** Why a model is not shown, in words for the page's author. */
+/** Why a model cannot be shown, in words for the page's author. */
 export class ModelError extends Error {
   override readonly name = 'ModelError';
   readonly code: ModelErrorCode;

@@ -1,5 +1,5 @@
-// What multiplies Ka and Kd at a point of a triangle, and how opaque it is: the look's own colour, its texture and its
-// vertex colours, as phong.frag.glsl takes them together. Knows neither rays nor lights.
+// Base colour and opacity at a point of a triangle: the look's colour times its texture times its vertex colours, as in
+// phong.frag.glsl, in float64. Knows neither rays nor lights.
 import type { BufferGeometry } from 'three';
 import type { BaseLook } from '../../material/phong-material.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
@@ -13,11 +13,11 @@ export interface BaseColor {
   readonly color: Vec3;
   /** 0–1; 1 where the look does not blend. */
   readonly opacity: number;
-  /** The look's mask leaves this fragment out. */
+  /** The alpha mask discards this fragment. */
   readonly discarded: boolean;
 }
 
-/** `linear`: colours are multiplied decoded, and the product is encoded again. */
+/** With `linear`, colours are decoded before they are multiplied, and the product is encoded again. */
 export function baseColorAt(
   look: BaseLook,
   geometry: BufferGeometry,
@@ -48,7 +48,7 @@ export function baseColorAt(
   };
 }
 
-/** A vertex attribute at the point; empty where the geometry has none. */
+/** A vertex attribute at the hit; empty if the geometry lacks it. */
 function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: TriangleHit): number[] {
   if (!geometry.hasAttribute(name)) return [];
   const attribute = geometry.getAttribute(name);

@@ -1,15 +1,15 @@
-// What the vertex shader makes of the corners of a triangle that is seen: places and unit normals in shading space, in
-// float64. What the GPU interpolates between them is linear on the triangle. Knows neither materials nor lights.
+// The corners of a triangle that was hit, as the vertex shader computes them: places and unit normals in shading space, in
+// float64. Knows neither materials nor lights.
 import { Matrix3, Vector3 } from 'three';
 import { normalMatrix } from '../../material/normal-matrix.js';
 import { normalize, scale, type Vec3 } from '../../math/vector.js';
 import type { Hit } from './pick.js';
 
-/** A corner of the triangle that was hit, as the vertex shader makes it. */
+/** A corner in shading space. */
 export interface Corner {
   /** Place relative to the frame's origin. */
   readonly p: Vec3;
-  /** Unit, or zero; turned to the side that is seen. */
+  /** Unit length, or zero; flipped on back faces. */
   readonly N: Vec3;
 }
 

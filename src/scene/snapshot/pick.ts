@@ -1,5 +1,5 @@
-// Which fragment does a picture show at a pixel? The nearest point of what was drawn at one moment, by a ray in float64 from
-// the orbit's own basis. Knows three.js and the Phong material; must not know lights or elements.
+// Which fragment does a picture show at a pixel? The nearest point of a snapshot on the pixel's ray, in float64, from the orbit's
+// own basis. Knows three.js and the Phong material, but neither lights nor elements.
 import {
   type Intersection,
   type Mesh,
@@ -8,6 +8,7 @@ import {
   Raycaster,
   type Vector3,
 } from 'three';
+import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
 import { add, dot, scale, subtract, type Vec3 } from '../../math/vector.js';
@@ -15,7 +16,7 @@ import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
 import { type BaseColor, baseColorAt } from './base-color.js';
 import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
 
-/** The point of a Phong-lit surface that is seen through a pixel. */
+/** The point of a Phong-lit surface seen through a pixel. */
 export interface Hit<Owner = unknown> extends TriangleHit {
   readonly drawn: OwnDrawn<Owner>;
   readonly frame: ShadingFrame;
@@ -24,7 +25,7 @@ export interface Hit<Owner = unknown> extends TriangleHit {
   readonly base: BaseColor;
 }
 
-/** One of ours. */
+/** An object that an element declares. */
 export type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
   readonly owner: Owner;
   readonly phong: DrawnLook;
@@ -32,20 +33,20 @@ export type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
 };
 
 /**
- * What is seen through the centre of a device pixel, counted from the top left corner. Null where that is nothing, or a
- * mesh or sprite that is none of ours; lines and points are looked through. Of blended surfaces the nearest counts,
- * however much shows through it.
+ * The point seen through the centre of a device pixel, counted from the top left corner. Null if there is none, or if a page
+ * author's own mesh or sprite is nearer; lines, points and culled back faces are ignored. Of blended surfaces the nearest
+ * counts, whatever its opacity.
  */
-export function pick<Owner>(glimpse: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
-  const { width, height, camera } = glimpse;
+export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
+  const { width, height, camera } = snapshot;
   if (!(column >= 0 && column < width && row >= 0 && row < height)) return null;
-  const ray = viewRay(glimpse, (column + 0.5) / width, (row + 0.5) / height);
+  const ray = viewRay(snapshot, (column + 0.5) / width, (row + 0.5) / height);
   let nearest: Hit<Owner> | null = null;
   let depth = Infinity;
-  for (const drawn of glimpse.objects) {
+  for (const drawn of snapshot.objects) {
     if (isOwn(drawn)) {
-      for (const hit of phongHits(drawn, ray)) {
-        // As the depth test: of two that are equally near the later one stays.
+      for (const hit of phongHits(drawn, ray, camera)) {
+        // As the depth test does: of two at the same depth the later one stays.
         if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
       }
     } else {
@@ -56,26 +57,28 @@ export function pick<Owner>(glimpse: SceneSnapshot<Owner>, column: number, row: 
   return nearest;
 }
 
-/** Faces in one plane, such as a flattened box's, differ in depth by roundings of float64: some 1e-15, times a few. */
+/** Relative. Faces in one plane, such as a flattened box's, differ in depth by a few roundings of float64, 1e-16 each. */
 const COPLANAR = 1e-12;
 
 const isOwn = <Owner>(drawn: Drawn<Owner>): drawn is OwnDrawn<Owner> =>
   drawn.phong !== null && drawn.geometry !== undefined;
 
-/** The ray through a place of the picture: from 0 to 1 rightwards and downwards. */
+/** The ray through a place in the picture; `across` and `down` run from 0 to 1. */
 function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number): ViewRay {
   const { near, far, fov, aspect } = camera;
   const tan = Math.tan(radians(fov) / 2);
   return { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
 }
 
-function phongHits<Owner>(drawn: OwnDrawn<Owner>, ray: ViewRay): Hit<Owner>[] {
+function phongHits<Owner>(drawn: OwnDrawn<Owner>, ray: ViewRay, camera: PerspectiveCamera): Hit<Owner>[] {
   const { geometry, matrixWorld, phong } = drawn;
   const { index, drawRange } = geometry;
   const count = (index ?? geometry.getAttribute('position')).count;
   const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
+  const culled = cullsBackFaces(phong.sides, geometry, matrixWorld, camera);
   const hits: Hit<Owner>[] = [];
   forEachHit(ray, geometry, matrixWorld, range, (hit) => {
+    if (culled && !hit.front) return;
     const base = baseColorAt(phong.look, geometry, hit, phong.linear);
     if (base.discarded) return;
     hits.push({ ...hit, drawn, base, frame: ray.frame, p: placeAt(ray, hit.depth) });
@@ -89,7 +92,7 @@ const placeAt = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>
 const direction = ({ right, up, back }: ShadingFrame, slopeX: number, slopeY: number): Vec3 =>
   subtract(add(scale(right, slopeX), scale(up, slopeY)), back);
 
-/** How deep a mesh or sprite of somebody else's lies, by three.js's own means; Infinity where it is not hit. */
+/** Depth of a page author's own mesh or sprite, by three.js's raycaster; Infinity where it is not hit. */
 function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): number {
   const { isMesh, isSprite } = drawn.object as { isMesh?: boolean; isSprite?: boolean };
   if (isMesh !== true && isSprite !== true) return Infinity;
@@ -110,7 +113,7 @@ function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): nu
   return nearest;
 }
 
-/** Lends the object the place, shape and material that it had then; all else is what it is. */
+/** Calls `use` while the object has the matrix, geometry and material of the snapshot; everything else is as it is now. */
 function asItWas({ object, ...then }: Drawn, use: (object: Object3D) => void): void {
   const lent = object as Partial<Mesh>;
   const { matrixWorld, geometry, material } = lent;

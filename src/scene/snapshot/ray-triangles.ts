@@ -1,6 +1,6 @@
-// Where does the ray through a pixel meet a geometry's triangles? In float64, in a space whose third axis is the ray, so
-// that neighbouring triangles leave no gap between them (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection",
-// JCGT 2(1), 2013) and flattened, mirrored or huge matrices need no inverse. Knows neither materials nor pictures.
+// Where does the ray through a pixel meet a geometry's triangles? Computed in float64 in a space whose third axis is the ray:
+// neighbouring triangles leave no gap (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013), and
+// flattened, mirrored or huge matrices need no inverse. Knows neither materials nor pictures.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { dot, subtract, type Vec3 } from '../../math/vector.js';
@@ -10,25 +10,25 @@ export interface ViewRay {
   readonly frame: ShadingFrame;
   readonly slopeX: number;
   readonly slopeY: number;
-  /** Depths between which anything is drawn: distances from the eye along the view, not along the ray. */
+  /** Depths between which anything is drawn, measured along the view direction, not along the ray. */
   readonly near: number;
   readonly far: number;
 }
 
-/** A point of a triangle on the ray. */
+/** Where the ray meets a triangle. */
 export interface TriangleHit {
-  /** Counted in the order in which triangles are drawn, from 0. */
+  /** Index of the triangle in drawing order, from 0. */
   readonly triangle: number;
-  /** The corners' vertices, and how much of each there is at the point: adds up to 1. */
+  /** The corners' vertex indices, and their barycentric weights, which add up to 1. */
   readonly corners: readonly [number, number, number];
   readonly weights: Vec3;
-  /** Distance from the eye along the view. */
+  /** Distance from the eye along the view direction. */
   readonly depth: number;
-  /** Seen from the side from which the corners go round counter-clockwise. */
+  /** Seen from the front: the corners appear counter-clockwise. */
   readonly front: boolean;
 }
 
-/** Coefficients of x, y, z and 1: a linear function of a vertex in its geometry's own space. */
+/** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
 type Row = readonly [number, number, number, number];
 
 /** Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in drawing order. */
@@ -44,7 +44,7 @@ export function forEachHit(
   const [rowX, rowY, rowDepth] = rowsOf(ray, matrixWorld);
   const along = (row: Row, i: number): number =>
     row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
-  // As three.js tells WebGL: a mirroring matrix turns round what is the front.
+  // As three.js does: a mirroring matrix swaps front and back.
   const mirrored = matrixWorld.determinant() < 0;
   for (let corner = first; corner + 2 < end; corner += 3) {
     const a = index === null ? corner : index.getX(corner);
@@ -53,11 +53,11 @@ export function forEachHit(
     const ax = along(rowX, a);
     const bx = along(rowX, b);
     const cx = along(rowX, c);
-    if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue; // most triangles end here
+    if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue; // most triangles are rejected here
     const ay = along(rowY, a);
     const by = along(rowY, b);
     const cy = along(rowY, c);
-    // Twice the areas that the ray's point spans with each side, and their sum, the triangle's own.
+    // Twice the signed areas between the ray and each side; their sum is twice the triangle's area.
     const atA = bx * cy - by * cx;
     const atB = cx * ay - cy * ax;
     const atC = ax * by - ay * bx;
@@ -72,8 +72,8 @@ export function forEachHit(
 }
 
 /**
- * Vertex to ray space: how far right of the ray and above it, both along the picture's axes, and how deep. Differences
- * to the eye come first: far from the world's origin nothing is lost.
+ * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is subtracted
+ * first, so that accuracy does not depend on the distance from the world's origin.
  */
 function rowsOf({ frame, slopeX, slopeY }: ViewRay, matrixWorld: Matrix4): readonly [Row, Row, Row] {
   const m = matrixWorld.elements;

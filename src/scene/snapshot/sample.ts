@@ -1,5 +1,5 @@
-// What does a texture give at texture coordinates where it is magnified: filtered and wrapped as it says, in float64.
-// Mipmaps are left out. Knows neither how texels are read nor who asks.
+// What is a magnified texture's value at given texture coordinates? Filtered and wrapped by the texture's own settings, in
+// float64, without mipmaps. Does not know how texels are read.
 import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,
@@ -10,10 +10,10 @@ import {
 import type { Vec4 } from '../../math/vector.js';
 import type { Texels } from './texels.js';
 
-/** How texels become a surface's colour. */
+/** The settings of a texture that sampling depends on. */
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
 
-/** Channels 0–1 at u, v, which the texture's transform has already moved. */
+/** Channels, 0–1, at u, v after the texture's transform. */
 export function sample(texels: Texels, map: Sampler, u: number, v: number): Vec4 {
   const x = u * texels.width;
   const y = (map.flipY ? 1 - v : v) * texels.height;
@@ -39,7 +39,7 @@ function texel({ width, data }: Texels, column: number, row: number): Vec4 {
   return [data[at]! / 255, data[at + 1]! / 255, data[at + 2]! / 255, data[at + 3]! / 255];
 }
 
-/** The texel that stands at `i`, of `size` of them. */
+/** Index of the texel that `i` wraps to, in a row of `size`. */
 function wrap(i: number, size: number, wrapping: Wrapping): number {
   if (wrapping === ClampToEdgeWrapping) return Math.min(Math.max(i, 0), size - 1);
   const turn = ((i % size) + size) % size;

@@ -1,27 +1,29 @@
-// What a picture shows at one moment, kept for whoever looks into it later: its code is fetched with the first look, and
-// the scene goes on meanwhile. Holds on to what is replaced when it changes and copies what is written to.
+// What does a picture show at one moment? Taken when shadeAt is called: its code may still have to be fetched, and the scene
+// changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are overwritten.
 import type { BufferGeometry, Material, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
+import type { Sides } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { type BaseLook, PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 
-/** How the Phong material shades. */
+/** How the Phong material shades an object. */
 export interface DrawnLook {
   readonly look: BaseLook;
+  readonly sides: Sides;
   readonly surface: Readonly<SurfaceValues>;
   readonly style: ShadingStyle;
   readonly linear: boolean;
 }
 
-/** An object that is drawn, as it is now. */
+/** A drawn object at the moment of the snapshot. */
 export interface Drawn<Owner = unknown> {
   readonly object: Object3D;
   readonly matrixWorld: Matrix4;
   readonly geometry: BufferGeometry | undefined;
   readonly material: Material | Material[] | undefined;
-  /** Whose it is; undefined where it is none of ours or has another material than the Phong one. */
+  /** The element that declares it; undefined for a page author's own objects and for other materials than the Phong one. */
   readonly owner: Owner | undefined;
-  /** Null without an owner. */
+  /** Null where `owner` is undefined. */
   readonly phong: DrawnLook | null;
 }
 
@@ -31,11 +33,11 @@ export interface SceneSnapshot<Owner = unknown> {
   readonly height: number;
   readonly frame: ShadingFrame;
   readonly camera: PerspectiveCamera;
-  /** In the order of the tree. */
+  /** In drawing order. */
   readonly objects: readonly Drawn<Owner>[];
 }
 
-/** By three.js's own rules of what is drawn. World matrices must be up to date. */
+/** The visible objects below `object`, by three.js's rules. World matrices must be up to date. */
 export function drawnObjects<Owner>(
   object: Object3D,
   camera: PerspectiveCamera,
@@ -61,15 +63,12 @@ export function drawnObjects<Owner>(
   return into;
 }
 
-const phongLook = ({ look, surface, style, linear }: PhongMaterial): DrawnLook => ({
-  look,
-  surface,
-  style,
-  linear,
+const phongLook = ({ look, sides, surface, style, linear }: PhongMaterial): DrawnLook => ({
+  ...{ look, sides, surface, style, linear },
 });
 
-/** A copy: the frame itself goes on with the camera. */
-export const frameNow = ({ origin, eye, right, up, back }: ShadingFrame): ShadingFrame => ({
+/** The frame itself is overwritten when the camera moves. */
+export const copyFrame = ({ origin, eye, right, up, back }: ShadingFrame): ShadingFrame => ({
   origin,
   eye: [...eye],
   right: [...right],

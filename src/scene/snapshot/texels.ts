@@ -1,20 +1,20 @@
-// What is in a texture's image, byte for byte as the GPU is given it? Knows nothing of how textures are sampled.
+// Which bytes does a texture's image have on the GPU? Does not know how textures are sampled.
 import type { Texture } from 'three';
 import { NoWebGL2Error } from '../gpu/stage.js';
 
 export interface Texels {
   readonly width: number;
   readonly height: number;
-  /** r, g, b, a of each texel, straight alpha, in the image's own order of rows. */
+  /** r, g, b, a of each texel with straight alpha, rows as in the image. */
   readonly data: Uint8Array;
 }
 
 type Image = TexImageSource & { readonly width: number; readonly height: number };
 
-/** Read once an image: whoever asks for one fragment will ask for the next. Gone with the image. */
+/** Each image is read once, because fragments are usually explained one after another. */
 const read = new WeakMap<object, Texels>();
 
-/** Throws where the image cannot be read. */
+/** Throws if the image cannot be read. */
 export function texelsOf(map: Texture): Texels {
   if ((map as { isCompressedTexture?: boolean }).isCompressedTexture === true)
     throw new Error('compressed textures cannot be read');
@@ -25,8 +25,8 @@ export function texelsOf(map: Texture): Texels {
 }
 
 /**
- * Through a WebGL context of its own, gone at once: a 2D canvas would multiply by alpha, and transparent texels would
- * lose the colour that filtering brings into their neighbours.
+ * Uses a short-lived WebGL context of its own. A 2D canvas would premultiply alpha, and transparent texels would lose the
+ * colour that filtering mixes into their neighbours.
  */
 function readTexels(image: Image): Texels {
   const gl = document.createElement('canvas').getContext('webgl2');

@@ -1,71 +1,121 @@
-// One peer on one page, drawn and timed by the bench: ?peer=element&lights=8&active=8&kind=mixed&seed=1
-import { rendererName } from '../../glsl/float-pass.js';
-import { type Capture, captureOf } from './capture.js';
-import { core } from './peers/core.js';
-import { element } from './peers/element.js';
-import { meshPhong, meshPhongLinear, unlit } from './peers/mesh-phong.js';
-import {
-  clockFrames,
-  litShare,
-  type Peer,
-  type PeerMaker,
-  settle,
-  SETTLED_AT_SIZE,
-  timeFrames,
-} from './peers/peer.js';
-import { raw } from './peers/raw.js';
-import type { Kind } from './scenes.js';
+// One scene drawn by one side, for the bench to drive and time: frame.html?scene=sphere:8&side=element.
+import { onlyContext } from './page-hooks.js';
+import { sceneOf } from './scenes.js';
+import type { OpenSide } from './side.js';
+import { clockFrames, finish, hasTimer, pause, rendererName, timeFrames } from './timing.js';
 
-const MAKERS: Readonly<Record<string, PeerMaker>> = {
-  element,
-  core,
-  'mesh-phong': meshPhong,
-  'mesh-phong-linear': meshPhongLinear,
-  unlit,
-};
+export type SideName = 'element' | 'core' | 'three' | 'unlit';
+
+/** What a picture is drawn with; the sides of one scene have to agree in it. */
+export interface CanvasFacts {
+  readonly antialias: boolean;
+  readonly alpha: boolean;
+  readonly samples: number;
+  readonly width: number;
+  readonly height: number;
+}
 
 export interface FrameBench {
-  readonly renderer: string;
-  readonly hasTimer: boolean;
-  /** At a small size, where frames cost little. */
-  settle(): Promise<{ frames: number; programs: number; most: number }>;
-  resize(width: number, height: number): Promise<void>;
-  /** Once more, where frames cost what they are timed for. */
-  settleAtSize(): Promise<void>;
-  lit(): number;
-  draw(frames: number): number;
+  /** Opens the scene and draws its first frame. */
+  open(): Promise<{ renderer: string; hasTimer: boolean; canvas: CanvasFacts; lit: number }>;
+  /** Draws frames; milliseconds by the clock, closed by reading a pixel back. */
+  draw(frames: number): Promise<number>;
+  /** Milliseconds by the GPU's timer. */
   time(frames: number): Promise<number>;
-  capture(): Capture;
+  /** Draws frames without filling the GPU's queue, which script would have to wait for. */
+  script(frames: number): Promise<void>;
+  /** Draws until no new program has been used for a while. */
+  settle(): Promise<{ frames: number; longest: number; usual: number }>;
 }
 
 declare global {
   interface Window {
-    openPeer: (capture?: Capture) => Promise<void>;
-    frameBench: FrameBench;
+    bench: FrameBench;
   }
 }
 
-window.openPeer = async (capture) => {
-  const query = new URLSearchParams(location.search);
-  const holder = document.getElementById('holder')!;
-  const number = (name: string): number => Number(query.get(name));
-  const scene = {
-    lights: number('lights'),
-    active: number('active'),
-    kind: query.get('kind') as Kind | 'mixed',
-    seed: number('seed'),
-  };
-  const peer: Peer =
-    capture === undefined ? await MAKERS[query.get('peer')!]!(holder, scene) : raw(holder, capture);
-  window.frameBench = {
-    renderer: rendererName(peer.gl),
-    hasTimer: peer.gl.getExtension('EXT_disjoint_timer_query_webgl2') !== null,
-    settle: () => settle(peer),
-    resize: (width, height) => peer.resize(width, height),
-    settleAtSize: () => settle(peer, SETTLED_AT_SIZE).then(() => undefined),
-    lit: () => litShare(peer),
-    draw: (frames) => clockFrames(peer, frames),
-    time: (frames) => timeFrames(peer, frames),
-    capture: () => captureOf(peer),
-  };
+/** Settled: so many frames drawn, and so long without a new program. Milliseconds. */
+const SETTLED = { frames: 60, quiet: 1500, atMost: 40_000 } as const;
+/** Between frames while settling: programs that are compiled in the background need time. */
+const BETWEEN_MS = 4;
+/** Frames between waits for the GPU. */
+const RUN = 20;
+
+const SIDES: Readonly<Record<SideName, () => Promise<OpenSide>>> = {
+  element: async () => (await import('./element-side.js')).openElement,
+  core: async () => (await import('./core-side.js')).openCore,
+  three: async () => (await import('./three-side.js')).openThree,
+  unlit: async () => (await import('./three-side.js')).openUnlit,
 };
+
+const query = new URLSearchParams(location.search);
+let next = 0;
+let draw: (i: number) => Promise<void> = () => Promise.reject(new Error('no scene is open'));
+const frame = (): Promise<void> => draw(next++);
+
+window.bench = {
+  async open() {
+    const openSide = await SIDES[query.get('side') as SideName]();
+    const side = await openSide(document.getElementById('holder')!, sceneOf(query.get('scene') ?? ''));
+    draw = (i) => side.frame(i);
+    await frame();
+    const gl = onlyContext();
+    const lit = litShare(gl);
+    const { antialias = false, alpha = false } = gl.getContextAttributes() ?? {};
+    return {
+      renderer: rendererName(gl),
+      hasTimer: hasTimer(gl),
+      canvas: {
+        ...{ antialias, alpha, samples: gl.getParameter(gl.SAMPLES) as number },
+        ...{ width: gl.drawingBufferWidth, height: gl.drawingBufferHeight },
+      },
+      lit,
+    };
+  },
+  draw: (frames) => clockFrames(onlyContext(), frame, frames),
+  time: (frames) => timeFrames(onlyContext(), frame, frames),
+  async script(frames) {
+    const gl = onlyContext();
+    finish(gl);
+    for (let done = 0; done < frames; done += RUN) {
+      for (let i = done; i < Math.min(done + RUN, frames); i++) await frame();
+      finish(gl);
+    }
+  },
+  async settle() {
+    const gl = onlyContext();
+    const seen = new Set<WebGLProgram | null>();
+    const begin = performance.now();
+    let quietSince = begin;
+    const useProgram = gl.useProgram.bind(gl);
+    gl.useProgram = (program) => {
+      if (!seen.has(program)) {
+        seen.add(program);
+        quietSince = performance.now();
+      }
+      useProgram(program);
+    };
+    const times: number[] = [];
+    for (;;) {
+      times.push(await clockFrames(gl, frame, 1));
+      const now = performance.now();
+      if (times.length >= SETTLED.frames && now - quietSince > SETTLED.quiet) break;
+      if (now - begin > SETTLED.atMost) break;
+      await pause(BETWEEN_MS);
+    }
+    Reflect.deleteProperty(gl, 'useProgram');
+    const sorted = [...times].sort((a, b) => a - b);
+    return { frames: times.length, longest: sorted.at(-1)!, usual: sorted[sorted.length >> 1]! };
+  },
+};
+
+/** Share of the picture that is not transparent. */
+function litShare(gl: WebGL2RenderingContext): number {
+  const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
+  const pixels = new Uint8Array(width * height * 4);
+  gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  let lit = 0;
+  for (let i = 3; i < pixels.length; i += 4) if (pixels[i]! > 0) lit += 1;
+  return lit / (width * height);
+}

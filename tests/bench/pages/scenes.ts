@@ -1,96 +1,233 @@
-// What the benches draw: lights of mixed kinds over a bent plane that fills the picture and that every light reaches. One
-// description for all peers, in the element's units: lengths in scene units, angles in degrees, colours of 255.
-import type { LightValues } from 'phong-viewer/core';
-import { Random } from '../../stress/random.js';
-import type { Triangles } from '../glb.mjs';
+// The scenes that the bench draws, described once for all sides, in the element's units: lengths in scene units, angles in
+// degrees, colours 0 to 255. Positions come from Halton sequences, so every run draws the same scene.
 
-export type Light = Partial<LightValues> & Pick<LightValues, 'position' | 'diffuse' | 'specular'>;
+export type Vec3 = readonly [number, number, number];
+export type Vec4 = readonly [number, number, number, number];
 
-const KINDS = ['directional', 'point', 'spot'] as const;
-export type Kind = (typeof KINDS)[number];
-
-export interface SceneQuery {
-  /** Lights that are declared. */
-  readonly lights: number;
-  /** How many of them are active; spread evenly. */
-  readonly active: number;
-  /** All of one kind, or mixed: directional, point and spot in turn. */
-  readonly kind: Kind | 'mixed';
-  readonly seed: number;
+export interface SceneLight {
+  readonly position: Vec4;
+  readonly ambient: Vec3;
+  readonly diffuse: Vec3;
+  readonly specular: Vec3;
+  readonly attenuation?: Vec3;
+  readonly axis?: Vec3;
+  readonly aperture?: number;
+  readonly cutoff?: number;
 }
 
-/** Where all eyes are: on the z axis, looking at the origin. */
-export const CAMERA = { radius: 3, fov: 45 } as const;
+export interface SceneMesh {
+  /** A built-in shape, or a model's file. */
+  readonly shape: 'sphere' | 'box' | 'bunny.glb' | 'grid.glb';
+  readonly position?: Vec3;
+  readonly scale?: number;
+}
 
-export const SURFACE = { ka: 255, kd: 255, ks: 128, shininess: 32 } as const;
+/** A mesh without a position is here. */
+export const ORIGIN: Vec3 = [0, 0, 0];
+
+/** What changes before each frame. */
+export type Motion = 'camera' | 'lights' | 'light count' | 'mesh' | 'toggle';
+
+export interface Scene {
+  readonly lights: readonly SceneLight[];
+  readonly meshes: readonly SceneMesh[];
+  /** The eye is at `radius` from the target, on its equator. Vertical field of view: 45 degrees. */
+  readonly radius: number;
+  readonly motion: Motion;
+  /** The eye is inside the first mesh. */
+  readonly inside?: boolean;
+  /** The element finds target and radius by itself, and again after each move. */
+  readonly autoFit?: boolean;
+}
+
+export const FOV = 45;
+export const SURFACE = { ka: 200, kd: 200, ks: 128, shininess: 32 } as const;
+
+/** The eye's distance from a sphere of diameter 1 that fills the picture's height. */
+const FILLED = 1.05 * (0.5 / Math.sin((FOV / 2) * (Math.PI / 180)));
+
+/** The i-th number of the van der Corput sequence in a prime base, in [0, 1). */
+function halton(i: number, base: number): number {
+  let [result, share] = [0, 1];
+  for (let n = i + 1; n > 0; n = Math.floor(n / base)) {
+    share /= base;
+    result += share * (n % base);
+  }
+  return result;
+}
+
+const between = (low: number, high: number, t: number): number => low + (high - low) * t;
 
 /**
- * Lights in front of the plane and above all of its normals' horizons, so that no term is zero anywhere; cones hold all
- * that the picture shows. Together they are about as bright as one full light.
+ * Lights on the eye's side of the origin, `distance` to twice that far from it: directional, point and spot in turn. Every cone
+ * holds a sphere of a sixth of `distance` around the origin, so no light can be culled. Together they are about as bright as
+ * one full light.
  */
-export function lightsOf({ lights, active, kind, seed }: SceneQuery): Light[] {
-  const random = new Random(seed);
-  const grey = 255 / active;
-  const list: Light[] = [];
-  for (let i = 0; i < lights; i++) {
-    const [x, y, z] = [random.from(-1.5, 1.5), random.from(-1.5, 1.5), random.from(3, 5)];
-    const color = (): [number, number, number] => [
-      grey * random.from(0.5, 1),
-      grey * random.from(0.5, 1),
-      grey * random.from(0.5, 1),
+export function mixedLights(count: number, distance = 2): SceneLight[] {
+  const full = Math.min(200, 600 / Math.max(count, 1));
+  return Array.from({ length: count }, (_, i): SceneLight => {
+    const azimuth = between(-0.45, 0.45, halton(i, 2)) * Math.PI;
+    const height = between(-0.7, 0.9, halton(i, 3));
+    const away = distance * between(1, 2, halton(i, 5));
+    const flat = Math.sqrt(1 - height * height);
+    const [x, y, z] = [
+      away * flat * Math.sin(azimuth),
+      away * height,
+      away * flat * Math.cos(azimuth),
+    ] as const;
+    const color: Vec3 = [
+      full * between(0.5, 1, halton(i, 7)),
+      full * between(0.5, 1, halton(i, 11)),
+      full * between(0.5, 1, halton(i, 13)),
     ];
-    const light = {
-      diffuse: color(),
-      specular: color(),
-      ambient: color().map((c) => c / 10) as [number, number, number],
-      active: Math.floor((i * active) / lights) !== Math.floor(((i - 1) * active) / lights),
-    };
-    const attenuation = [1, random.from(0, 0.1), random.from(0.01, 0.05)] as const;
-    switch (kind === 'mixed' ? KINDS[i % KINDS.length]! : kind) {
-      case 'directional':
-        list.push({ ...light, position: [x, y, z, 0] });
-        break;
-      case 'point':
-        list.push({ ...light, position: [x, y, z, 1], attenuation });
-        break;
-      case 'spot': {
-        // 2.9 is farther than any place in the picture is from any light's foot, 3 the least height: under 50°.
-        const spot = { axis: [-x / 4, -y / 4, -z] as const, aperture: random.from(60, 75) };
-        list.push({ ...light, position: [x, y, z, 1], attenuation, ...spot, cutoff: random.from(4, 20) });
-      }
-    }
-  }
-  return list;
+    const common = { ambient: [0, 0, 0], diffuse: color, specular: color } as const;
+    const attenuation: Vec3 = [1, 0.05, 0.02];
+    if (i % 3 === 0) return { ...common, position: [x, y, z, 0], ambient: [full / 10, full / 10, full / 10] };
+    if (i % 3 === 1) return { ...common, position: [x, y, z, 1], attenuation };
+    const spot = { axis: [-x, -y, -z] as const, aperture: 30, cutoff: 4 + (i % 12) };
+    return { ...common, position: [x, y, z, 1], attenuation, ...spot };
+  });
 }
 
-/** Cells along a side: so many that the plane bends, so few that vertices cost nothing beside fragments. */
-const CELLS = 24;
-/** Reaches beyond the picture's corners at any aspect to 2.5. */
-const HALF = 4;
-const BEND = 0.02;
+/** Lights inside a room of edge 4 around the origin, `y` up. */
+function roomLights(count: number): SceneLight[] {
+  return mixedLights(count, 0.9).map((light, i) => {
+    if (light.position[3] === 0) return light;
+    const [x, y, z] = [2, 3, 5].map((base) => between(-1.5, 1.5, halton(i, base))) as [
+      number,
+      number,
+      number,
+    ];
+    return {
+      ...light,
+      position: [x, y, z, 1],
+      ...(light.axis === undefined ? {} : { axis: [x, -1, z], aperture: 60 }),
+    };
+  });
+}
 
-/** z = -BEND (x² + y²): every pixel has a point and a normal of its own, tilted by 18° at the most. */
-export function bentPlane(): Triangles {
-  const row = CELLS + 1;
+/** Equal shapes on a regular grid around the origin, `pitch` apart. */
+function grid([nx, ny, nz]: Vec3, pitch: number, shape: SceneMesh['shape'], scale: number): SceneMesh[] {
+  return Array.from({ length: nx * ny * nz }, (_, i): SceneMesh => {
+    const at = [i % nx, Math.floor(i / nx) % ny, Math.floor(i / (nx * ny))] as const;
+    return {
+      shape,
+      scale,
+      position: [
+        pitch * (at[0] - (nx - 1) / 2),
+        pitch * (at[1] - (ny - 1) / 2),
+        pitch * (at[2] - (nz - 1) / 2),
+      ],
+    };
+  });
+}
+
+const sphere = (lights: number, motion: Motion): Scene => ({
+  lights: mixedLights(lights),
+  meshes: [{ shape: 'sphere' }],
+  radius: FILLED,
+  motion,
+});
+
+const box = (lights: number, motion: Motion): Scene => ({
+  ...sphere(lights, motion),
+  meshes: [{ shape: 'box' }],
+  radius: 2,
+});
+
+/** By name; a number in the name is the number of lights. */
+export function sceneOf(name: string): Scene {
+  const [kind = '', count = ''] = name.split(':');
+  const lights = Number(count);
+  switch (kind) {
+    case 'sphere':
+      return sphere(lights, 'camera');
+    case 'moving':
+      return sphere(lights, 'lights');
+    case 'changing':
+      return sphere(lights, 'light count');
+    case 'toggle':
+      return box(lights, 'toggle');
+    case 'room':
+      return {
+        lights: roomLights(lights),
+        meshes: [{ shape: 'box', scale: 4 }],
+        radius: 1,
+        motion: 'camera',
+        inside: true,
+      };
+    case 'bunny':
+      return {
+        lights: mixedLights(lights, 6),
+        meshes: [{ shape: 'bunny.glb' }],
+        radius: 2.9,
+        motion: 'camera',
+      };
+    case 'spheres':
+      return {
+        lights: mixedLights(lights, 40),
+        meshes: grid([8, 8, 1], 1, 'sphere', 0.9),
+        radius: 10.2,
+        motion: 'camera',
+      };
+    case 'boxes':
+      return {
+        lights: mixedLights(lights, 40),
+        meshes: grid([20, 10, 10], 1, 'box', 0.6),
+        radius: 24,
+        motion: 'camera',
+      };
+    case 'box-turning':
+      return box(lights, 'camera');
+    case 'box-moving':
+      return box(lights, 'lights');
+    case 'beside-a-million':
+      return {
+        lights: mixedLights(lights),
+        meshes: [{ shape: 'box' }, { shape: 'grid.glb' }],
+        radius: 4,
+        motion: 'mesh',
+        autoFit: true,
+      };
+    default:
+      throw new RangeError(`no scene is called ${name}`);
+  }
+}
+
+/** The swing of everything that moves, in frames. */
+const PERIOD = 60;
+export const swing = (frame: number): number => Math.sin((2 * Math.PI * frame) / PERIOD);
+
+/** The eye's azimuth at a frame, in degrees. */
+export const thetaAt = (frame: number): number => 4 * swing(frame);
+
+/** Where a light is at a frame. */
+export function lightAt({ position: [x, y, z, w] }: SceneLight, frame: number): Vec4 {
+  const way = 0.1 * swing(frame);
+  return [x + way, y, z - way, w];
+}
+
+/** The kind of the light that is added at even frames and removed at odd ones: an index into `lights`. */
+export const extraLight = (frame: number): number => Math.floor(frame / 2) % 3;
+
+/** A flat grid of about a million triangles, below the origin. */
+export function millionTriangles(): { positions: Float32Array; normals: Float32Array; indices: Uint32Array } {
+  const cells = 708;
+  const row = cells + 1;
   const positions = new Float32Array(row * row * 3);
   const normals = new Float32Array(row * row * 3);
-  const indices = new Uint16Array(CELLS * CELLS * 6);
+  const indices = new Uint32Array(cells * cells * 6);
   for (let j = 0; j < row; j++) {
     for (let i = 0; i < row; i++) {
-      const [x, y] = [HALF * ((2 * i) / CELLS - 1), HALF * ((2 * j) / CELLS - 1)];
-      const normal = [2 * BEND * x, 2 * BEND * y, 1];
-      const length = Math.hypot(...normal);
-      positions.set([x, y, -BEND * (x * x + y * y)], (j * row + i) * 3);
-      normals.set(
-        normal.map((n) => n / length),
-        (j * row + i) * 3,
-      );
+      const at = 3 * (i + row * j);
+      positions.set([(i / cells - 0.5) * 4, -0.8, (j / cells - 0.5) * 4], at);
+      normals[at + 1] = 1;
     }
   }
-  for (let j = 0; j < CELLS; j++) {
-    for (let i = 0; i < CELLS; i++) {
-      const a = j * row + i;
-      indices.set([a, a + 1, a + row + 1, a, a + row + 1, a + row], (j * CELLS + i) * 6);
+  for (let j = 0; j < cells; j++) {
+    for (let i = 0; i < cells; i++) {
+      const a = i + row * j;
+      indices.set([a, a + row, a + row + 1, a, a + row + 1, a + 1], 6 * (i + cells * j));
     }
   }
   return { positions, normals, indices };

@@ -1,7 +1,7 @@
-// Brings a shape into the unit box: centred on the origin, its largest extent 1. Normals keep their directions.
+// Fits a shape into the unit box: centred on the origin, largest extent 1. Normals keep their directions.
 import type { BufferGeometry } from 'three';
 
-/** Scales (uniformly) and moves the positions in place, from their own bounds, in float64 up to the last rounding. */
+/** Scales (uniformly) and moves the positions in place, in float64 until the last rounding. */
 export function fitToUnitBox(geometry: BufferGeometry): BufferGeometry {
   const position = geometry.getAttribute('position');
   const low = [Infinity, Infinity, Infinity];

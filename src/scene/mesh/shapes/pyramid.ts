@@ -1,6 +1,5 @@
-// A pyramid on a square base: height 1, its base's corners on a circle of diameter 1, as a cone's are; centred on the
-// origin, apex toward +y. Its sides face the axes, so that turned by nothing it shows the viewer a face, as a box does.
-// Every face has vertices and a normal of its own.
+// A pyramid of height 1 on a square base, whose corners lie on a circle of diameter 1 as a cone's do. Centred on the origin,
+// apex toward +y, sides facing the axes, as a box's do. Each face has its own vertices and normal.
 import { BufferGeometry, Float32BufferAttribute } from 'three';
 import { cross, normalize, subtract, type Vec3 } from '../../../math/vector.js';
 

@@ -1,6 +1,6 @@
-// Which triangles does a named shape have? Every shape is centred on the origin, in its mesh's own units.
-// Meshes of one shape and fineness share one BufferGeometry, counted here and freed with its last user.
-// Must not know materials, lights or elements.
+// Which triangles does a named shape have? Every shape is centred on the origin, in its mesh's own units. Meshes with the
+// same shape and segments share one BufferGeometry; users are counted, and the last one frees it. Knows neither materials nor
+// lights nor elements.
 import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry } from 'three';
 import type { SOLIDS } from './solids.js';
 
@@ -19,13 +19,16 @@ export const GEOMETRIES = [
 
 export type GeometryName = (typeof GEOMETRIES)[number];
 
-/** A geometry at once, or a promise where the shape's code is a chunk of its own. */
+/** Shapes that enclose a volume: their inside cannot be seen from outside. */
+export const CLOSED: ReadonlySet<GeometryName> = new Set(GEOMETRIES.filter((name) => name !== 'plane'));
+
+/** A geometry, or a promise where the shape's code is a chunk of its own. */
 export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
 
 interface Shape {
-  /** Segments when none are asked for. */
+  /** Default number of segments. */
   readonly segments: number;
-  /** Fewest that still enclose the shape; a smaller request is raised to it. */
+  /** Fewest segments that still enclose the shape; smaller requests are raised to it. */
   readonly least: number;
   readonly create: (segments: number) => PendingGeometry;
 }
@@ -62,7 +65,7 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   plane: { segments: 1, least: 1, create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2) },
 };
 
-/** The segments that a shape is really made with. `undefined` means the shape's own default. */
+/** The segments that a shape is made with. `undefined` means the shape's default. */
 export function effectiveSegments(name: GeometryName, segments: number | undefined): number {
   const shape = SHAPES[name];
   return Math.max(shape.least, Math.round(segments ?? shape.segments));
@@ -87,10 +90,9 @@ const keyOf = (name: GeometryName, segments: number | undefined): string =>
   `${name} ${String(effectiveSegments(name, segments))}`;
 
 /**
- * As {@link createGeometry}, but shared: the same name and segments give the same geometry. Every call is paid back
- * by one {@link releaseGeometry} with the same arguments, whether or not a promise has settled by then; nobody but
- * the cache disposes of it. A rejected promise (a chunk that could not be fetched) needs no release, and the next
- * call tries again.
+ * As {@link createGeometry}, but shared: the same name and segments give the same geometry. Each call needs one
+ * {@link releaseGeometry} with the same arguments, whether or not a promise has settled by then; only this cache disposes
+ * of the geometry. A rejected promise (a chunk that could not be fetched) needs no release, and the next call tries again.
  */
 export function acquireGeometry(name: GeometryName, segments: number | undefined): PendingGeometry {
   const key = keyOf(name, segments);
@@ -110,7 +112,7 @@ export function acquireGeometry(name: GeometryName, segments: number | undefined
   return geometry;
 }
 
-/** Gives one acquired use back; the last one frees the geometry. More releases than uses do nothing. */
+/** Ends one use; the last one frees the geometry. More releases than uses do nothing. */
 export function releaseGeometry(name: GeometryName, segments: number | undefined): void {
   const key = keyOf(name, segments);
   const entry = shared.get(key);
@@ -119,7 +121,7 @@ export function releaseGeometry(name: GeometryName, segments: number | undefined
   if (entry.users > 0) return;
   shared.delete(key);
   if (entry.geometry instanceof Promise) {
-    // A rejection has been told to whoever acquired it; here there is then nothing to free.
+    // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
     entry.geometry.then(
       (geometry) => {
         geometry.dispose();

@@ -1,5 +1,4 @@
-// The shapes that fewer pages show than a box, a sphere or a plane, together as one chunk: each alone would be smaller than
-// what fetching it costs.
+// The less common shapes, in one chunk: separate chunks would be smaller than a request costs.
 import { type BufferGeometry, ConeGeometry, CylinderGeometry, TorusGeometry } from 'three';
 import { pyramidGeometry } from './pyramid.js';
 import { torusKnotGeometry } from './torus-knot.js';

@@ -1,4 +1,4 @@
-// The Utah teapot, fitted to a unit box, spout toward +x. A chunk of its own: its control points are a table.
+// The Utah teapot, fitted to a unit box, spout toward +x. In a chunk of its own because of its table of control points.
 import type { BufferGeometry } from 'three';
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import { fitToUnitBox } from './fit.js';

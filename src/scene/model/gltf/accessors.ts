@@ -1,4 +1,4 @@
-// What a glTF document's accessors claim, held against the buffer views they claim it of. Counts and bytes only.
+// Do a glTF document's accessors fit into their buffer views? Checks counts and byte lengths only.
 import { BYTE_LIMIT } from '../fetch-bytes.js';
 import { ModelError } from '../model.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
@@ -13,11 +13,11 @@ export interface BufferView {
 export interface Accessor {
   readonly definition: JsonObject;
   readonly count: number;
-  /** Numbers an element. */
+  /** Numbers per element. */
   readonly components: number;
-  /** Throws where the views hold less than is claimed. */
+  /** Throws if the views hold fewer bytes than claimed. */
   readonly requireBytes: () => void;
-  /** Bytes that come from no view: zeros, made on demand. */
+  /** Bytes of an accessor without a view, which stands for zeros. */
   readonly zeroBytes: number;
 }
 
@@ -57,7 +57,7 @@ export function readAccessors(json: JsonObject, views: readonly BufferView[]): r
     const what = `accessors[${String(i)}]`;
     const components = COMPONENTS[String(accessor['type'])];
     const bytes = COMPONENT_BYTES[countAt(accessor['componentType'], `${what}.componentType`)];
-    if (components === undefined || bytes === undefined) throw new Error(`${what} is of no known type`);
+    if (components === undefined || bytes === undefined) throw new Error(`${what} has an unknown type`);
     const count = countAt(accessor['count'], `${what}.count`);
     const offset = countAt(accessor['byteOffset'], `${what}.byteOffset`, 0);
     const item = components * bytes;
@@ -74,7 +74,7 @@ export function readAccessors(json: JsonObject, views: readonly BufferView[]): r
       );
     };
     return {
-      // The parser warns where bounds are missing; it makes a box of them that is not kept.
+      // The parser warns about missing bounds; the box that it computes from them is not used.
       definition: { ...accessor, extras: undefined, name: undefined, min: ZERO, max: ZERO },
       count,
       components,
@@ -86,7 +86,7 @@ export function readAccessors(json: JsonObject, views: readonly BufferView[]): r
 
 const ZERO = [0, 0, 0];
 
-/** Everything that is used is backed by bytes, and the zeros that need none stay within the limit of a file. */
+/** Throws unless every used accessor is backed by bytes, and accessors of zeros stay within a limit. */
 export function requireClaims(used: Iterable<Accessor>): void {
   let zeros = 0;
   for (const accessor of used) {
@@ -96,7 +96,7 @@ export function requireClaims(used: Iterable<Accessor>): void {
   if (zeros > BYTE_LIMIT / 4) {
     throw new ModelError(
       'too-large',
-      `The model claims ${String(zeros)} bytes of zeros, more than a page can hold.`,
+      `The model claims ${String(zeros)} bytes of zeros, more than can be loaded.`,
     );
   }
 }

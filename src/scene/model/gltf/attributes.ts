@@ -1,14 +1,14 @@
-// Vertex attributes in the form that the shaders take: floats, finite, normals of unit length, colours encoded.
-// Sources may be quantised, normalised or interleaved. Must not know which file they come from.
+// How do a file's vertex attributes become what the shaders read? Finite floats, normals of unit length, encoded colours. The source
+// can be quantised, normalised or interleaved. Must not know the file format.
 import { BufferAttribute, type InterleavedBufferAttribute } from 'three';
 import { srgbEncode } from '../../../math/color.js';
 
 export type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-/** The domain of coordinates: products of two stay finite in float32. */
+/** Domain of coordinates: products of two stay finite in float32. */
 const COORDINATE_LIMIT = 1e15;
 
-/** @throws Error where a coordinate is no number or beyond ±1e15. */
+/** @throws Error if a coordinate is not a number or beyond ±1e15. */
 export function floatPositions(source: Attribute): BufferAttribute {
   const positions = asFloats(source, 3);
   for (const value of positions.array) {
@@ -19,7 +19,7 @@ export function floatPositions(source: Attribute): BufferAttribute {
   return positions;
 }
 
-/** Unit vectors, divided in float64. What has no direction (zero, NaN, Infinity) becomes zero: it shades as ambient. */
+/** Unit vectors, normalised in float64. A normal without direction (zero, NaN, Infinity) becomes zero: only ambient light. */
 export function unitNormals(source: Attribute): BufferAttribute {
   const values = new Float32Array(source.count * 3);
   for (let i = 0; i < source.count; i += 1) {
@@ -35,7 +35,7 @@ export function unitNormals(source: Attribute): BufferAttribute {
   return new BufferAttribute(values, 3);
 }
 
-/** Texture coordinates; what is no number becomes 0. */
+/** Texture coordinates; values that are not finite become 0. */
 export function floatUvs(source: Attribute): BufferAttribute {
   const uvs = asFloats(source, 2);
   if (uvs.array.every(Number.isFinite)) return uvs;
@@ -45,7 +45,7 @@ export function floatUvs(source: Attribute): BufferAttribute {
   );
 }
 
-/** Linear colours, with or without alpha, as encoded sRGB; clamped to 0–1. Alpha stays as it is. */
+/** Encodes linear colours as sRGB, clamped to 0–1. Alpha is only clamped. */
 export function encodedColors(source: Attribute): BufferAttribute {
   const items = source.itemSize === 4 ? 4 : 3;
   const values = new Float32Array(source.count * items);

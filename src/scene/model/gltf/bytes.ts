@@ -1,5 +1,5 @@
-// The bytes behind a glTF document's buffers, buffer views and images, each fetched or decoded once, when first asked
-// for. Must not know what they mean.
+// Which bytes belong to a glTF document's buffers, buffer views and images? Each is fetched or decoded once, on first use. Must not
+// know what they mean.
 import { decodeDataUri, isDataUri } from '../data-uri.js';
 import { BYTE_LIMIT } from '../fetch-bytes.js';
 import type { ModelSource } from '../format.js';
@@ -8,9 +8,9 @@ import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
 
 export interface GltfBytes {
-  /** A copy of the view's bytes, with room after the last element up to the view's stride. */
+  /** A copy of the view's bytes, padded by the view's stride after the last element. */
   view(index: number): Promise<ArrayBuffer>;
-  /** An image's file. `type` is empty where the document does not say. */
+  /** An image file. `type` is empty if the document does not give it. */
   image(index: number): Promise<{ readonly bytes: Uint8Array<ArrayBuffer>; readonly type: string }>;
 }
 
@@ -33,8 +33,8 @@ export function gltfBytes(
     }
     if (bytes.byteLength >= buffer.byteLength) return bytes;
     throw new Error(
-      `buffers[${String(index)}] is cut short: ` +
-        `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes are there`,
+      `buffers[${String(index)}] is truncated: ` +
+        `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
     );
   };
 
@@ -58,7 +58,7 @@ export function gltfBytes(
       const bytes = await slice(index);
       const size = bytes.byteLength + (document.bufferViews[index]?.byteStride ?? 0);
       copied += size;
-      // Views may overlap, so that a small file can claim any amount.
+      // Views may overlap, so a small file can claim any size.
       if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 1 GiB.');
       const copy = new Uint8Array(size);
       copy.set(bytes);

@@ -1,9 +1,9 @@
-// Takes a .glb or .gltf apart into its JSON and the binary chunk that comes with it. Lengths are checked against the
-// bytes that are there. Must not know what the JSON says.
+// What are the JSON and the binary chunk of a .glb or .gltf file? Lengths are checked against the size of the file. Must not know
+// what the JSON says.
 
 export interface Container {
   readonly json: unknown;
-  /** The chunk that stands for the first buffer, or null. */
+  /** The binary chunk, which is the first buffer, or null. */
   readonly body: Uint8Array<ArrayBuffer> | null;
 }
 
@@ -19,10 +19,11 @@ export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
     return { json: parseText(bytes), body: null };
   }
   const version = view.getUint32(4, true);
-  if (version !== 2) throw new Error(`it is a GLB of version ${String(version)}; version 2 can be read`);
+  if (version !== 2)
+    throw new Error(`it is a GLB of version ${String(version)}; only version 2 is supported`);
   const claimed = view.getUint32(8, true);
   if (claimed > bytes.byteLength) {
-    throw new Error(`it is cut short: ${String(bytes.byteLength)} of ${String(claimed)} bytes are there`);
+    throw new Error(`it is truncated: ${String(bytes.byteLength)} of ${String(claimed)} bytes`);
   }
   let json: unknown;
   let body: Uint8Array<ArrayBuffer> | null = null;

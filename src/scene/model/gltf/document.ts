@@ -1,6 +1,6 @@
-// What of a glTF document is shown: its scene's nodes and meshes, base colours and their textures. The rest (other
-// scenes, cameras, lights, animation, morph targets, other textures, extras) is left out before anything is loaded.
-// Every index and claim that the parser will follow is checked here. Knows the JSON only, no bytes.
+// Which parts of a glTF document are shown? The nodes and meshes of its scene, base colours and their textures. Everything else (other
+// scenes, cameras, lights, animation, morph targets, other textures, extras) is removed before anything is loaded. Every index and
+// size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { ModelError } from '../model.js';
 import {
   readAccessors,
@@ -24,26 +24,29 @@ import { readMaterials, readTextures, type GltfTexture } from './materials.js';
 import { DRACO, readPrimitives } from './primitives.js';
 
 export interface GltfDocument {
-  /** The reduced document, for three's parser. Its buffers and images are empty: their bytes come by number. */
+  /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
   readonly json: JsonObject;
   readonly bufferViews: readonly BufferView[];
-  /** Byte length claimed and address, undefined for the GLB's own chunk. */
+  /** Claimed byte length, and address; undefined for the GLB's own chunk. */
   readonly buffers: readonly { readonly byteLength: number; readonly uri: string | undefined }[];
   readonly images: readonly JsonObject[];
   readonly textures: readonly GltfTexture[];
   readonly usesDraco: boolean;
 }
 
-/** Required extensions that change nothing of what is shown, or that are handled where they occur. */
+/** Required extensions that do not change what is shown, or that are handled elsewhere. */
 const HARMLESS =
   /^(KHR_draco_mesh_compression|KHR_mesh_quantization|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
 
-/** @throws ModelError for what is not supported, a plain Error for what is broken. */
+/** @throws ModelError for unsupported content, a plain Error for broken content. */
 export function readDocument(value: unknown): GltfDocument {
   const json = objectAt(value, 'the document');
   const version = textAt(optionalObject(json['asset'], 'asset')['version']);
   if (!version.startsWith('2.')) {
-    throw new ModelError('bad-model', `The model is glTF ${version || 'of no version'}; glTF 2 can be read.`);
+    throw new ModelError(
+      'bad-model',
+      `The model is glTF ${version || 'of no version'}; only glTF 2 is supported.`,
+    );
   }
   for (const required of listAt(json['extensionsRequired'], 'extensionsRequired')) {
     if (!HARMLESS.test(String(required))) throw unsupported(String(required));
@@ -74,7 +77,7 @@ export function readDocument(value: unknown): GltfDocument {
       scene: 0,
       scenes: [{ nodes: roots }],
       nodes,
-      // A mesh without triangles stays as an empty group, so that numbers keep their meaning.
+      // A mesh without triangles stays as an empty group, so that indices stay valid.
       meshes,
       skins,
       materials,
@@ -117,7 +120,7 @@ function readSkins(json: JsonObject, accessors: readonly Accessor[], used: Set<A
     const index = indexAt(skin['inverseBindMatrices'], accessors.length, `${what}.inverseBindMatrices`);
     const accessor = accessors[index];
     if (accessor?.components !== 16 || accessor.count < joints.length)
-      throw new Error(`${what} lacks matrices`);
+      throw new Error(`${what} has too few matrices`);
     used.add(accessor);
     return { joints, inverseBindMatrices: index };
   });
@@ -166,7 +169,7 @@ function readNodes(
   return { nodes, roots: [...new Set(roots)] };
 }
 
-/** A node that holds itself would make the parser wait for itself for ever. */
+/** Throws for a cycle of nodes, on which the parser would wait forever. */
 function requireTree(children: readonly (readonly number[])[]): void {
   const parents = new Map<number, number>();
   children.forEach((list, node) => {
@@ -183,7 +186,7 @@ function requireTree(children: readonly (readonly number[])[]): void {
       node !== undefined && !checked.has(node);
       node = parents.get(node)
     ) {
-      if (path.has(node)) throw new Error(`nodes[${String(node)}] holds itself`);
+      if (path.has(node)) throw new Error(`nodes[${String(node)}] contains itself`);
       path.add(node);
     }
     for (const node of path) checked.add(node);

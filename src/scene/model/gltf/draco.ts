@@ -1,12 +1,12 @@
-// Draco-compressed triangles, decoded on this thread by plain JavaScript: a strict CSP allows neither blob: workers
-// nor WebAssembly. A chunk of its own, with half a megabyte of decoder behind it. Must not know what uses it.
+// How are Draco-compressed triangles decoded? On the main thread in plain JavaScript: a strict CSP allows neither blob: workers nor
+// WebAssembly. A separate chunk with half a megabyte of decoder. Must not know what uses it.
 import { BufferAttribute, BufferGeometry } from 'three';
 import createDraco, { type Draco } from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
 
 type IdByName = Readonly<Record<string, number>>;
 
-/** What three's glTF loader asks of a Draco loader, and no more. */
-export interface DracoDoor {
+/** The methods of a Draco loader that three's glTF loader calls. */
+export interface DracoAdapter {
   preload(): void;
   decodeDracoFile(
     buffer: ArrayBuffer,
@@ -18,8 +18,8 @@ export interface DracoDoor {
   ): void;
 }
 
-/** A decoder with a heap of its own, freed with the object. Nothing it prints reaches the console. */
-export async function createDracoDoor(): Promise<DracoDoor> {
+/** A decoder with its own heap, freed with the object. Its console output is suppressed. */
+export async function createDracoAdapter(): Promise<DracoAdapter> {
   const silent = (): void => undefined;
   const draco = await createDraco({ print: silent, printErr: silent });
   return {
@@ -35,8 +35,8 @@ export async function createDracoDoor(): Promise<DracoDoor> {
 }
 
 /**
- * Decodes a mesh. Attributes are found by their Draco id and given under their name, as arrays of the named type.
- * @throws Error where the bytes are no Draco mesh or lack an attribute.
+ * Decodes a mesh. Attributes are looked up by their Draco id and returned by name, as arrays of the given type.
+ * @throws Error if the bytes are not a Draco mesh or an attribute is missing.
  */
 export function decodeMesh(
   draco: Draco,
@@ -48,7 +48,7 @@ export function decodeMesh(
   const mesh = new draco.Mesh();
   try {
     if (decoder.GetEncodedGeometryType(bytes) !== draco.TRIANGULAR_MESH)
-      throw new Error('it holds no Draco mesh');
+      throw new Error('it contains no Draco mesh');
     const status = decoder.DecodeArrayToMesh(bytes, bytes.byteLength, mesh);
     if (!status.ok() || mesh.ptr === 0) throw new Error(`its Draco data is broken (${status.error_msg()})`);
     const geometry = new BufferGeometry();
@@ -96,7 +96,7 @@ const arrayTypes = (
   Float32Array: { array: Float32Array, id: draco.DT_FLOAT32 },
 });
 
-/** Has the decoder write `count` numbers into its heap, and copies them out of it. */
+/** Lets the decoder write `count` numbers to its heap, and copies them. */
 function copyOut(
   draco: Draco,
   type: ArrayType,

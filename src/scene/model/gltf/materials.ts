@@ -1,16 +1,15 @@
-// The part of glTF materials that the equation knows: base colour, its texture, alpha. Indices are checked.
-// Knows the JSON only.
+// Which parts of a glTF material does the equation use? Base colour, its texture, alpha, sides. Indices are checked. Knows the JSON only.
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
 export interface GltfTexture {
-  /** Undefined where no image that can be read is given. */
+  /** Undefined if there is no image in a supported format. */
   readonly image: number | undefined;
-  /** The extension whose image cannot be read, if there is one. */
+  /** The unsupported extension that holds the image, if any. */
   readonly needs: string | undefined;
   readonly sampler: JsonObject;
 }
 
-/** Images in formats that browsers decode themselves, best first; the plain `source` is the fallback. */
+/** Image formats that browsers decode, best first; the plain `source` is the fallback. */
 const IMAGE_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'];
 
 export function readTextures(json: JsonObject, images: number): readonly GltfTexture[] {
@@ -40,6 +39,7 @@ export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]
     return {
       name: textAt(material['name']),
       alphaMode: textAt(material['alphaMode']) || 'OPAQUE',
+      doubleSided: material['doubleSided'] === true,
       alphaCutoff: numberAt(material['alphaCutoff'], `${what}.alphaCutoff`, 0.5),
       pbrMetallicRoughness: {
         baseColorFactor: numbersAt(metallic['baseColorFactor'] ?? glossy['diffuseFactor'], 4, what),
@@ -61,7 +61,7 @@ function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: 
   };
 }
 
-/** Sets of texture coordinates that three.js can tell apart. */
+/** Number of texture coordinate sets that three.js supports. */
 const UV_SETS = 4;
 
 function readTransform(transform: JsonObject, what: string): JsonObject {

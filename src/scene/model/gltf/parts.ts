@@ -1,8 +1,9 @@
-// From the scene that three's glTF loader made to a model's parts: attributes in the shaders' form, looks in the
-// equation's terms. Sources shared in the file stay shared. Must not know where the bytes came from.
+// How does the scene from three's glTF loader become a model's parts? Attributes as the shaders read them, looks in terms of the
+// equation. What the file shares stays shared. Must not know where the bytes came from.
 import {
   BufferAttribute,
   BufferGeometry,
+  DoubleSide,
   Mesh,
   NoColorSpace,
   SkinnedMesh,
@@ -16,7 +17,7 @@ import { ModelError, type ModelLook, type ModelPart } from '../model.js';
 import { encodedColors, floatPositions, floatUvs, unitNormals, type Attribute } from './attributes.js';
 import { posed } from './pose.js';
 
-/** Corners of triangles in one model; a copy with a normal for each then takes more than a GiB. */
+/** Most triangle corners in one model. A copy with a normal per corner would take more than 1 GiB beyond that. */
 const CORNER_LIMIT = 2 ** 26;
 
 export function collectParts(scene: Object3D): readonly ModelPart[] {
@@ -30,20 +31,20 @@ export function collectParts(scene: Object3D): readonly ModelPart[] {
     const { geometry, flat } = geometries.of(mesh, map);
     if (geometry.getAttribute('position').count === 0) return;
     const matrix = mesh.matrixWorld.clone();
-    if (!matrix.elements.every(Number.isFinite)) throw new Error('a node is moved beyond all numbers');
+    if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
     if (isSkinned(mesh)) matrix.identity();
     parts.push({ name: nameOf(mesh), geometry, matrix, look: lookOf(mesh.material, geometry, flat) });
   });
   if (parts.length === 0) throw new Error('it has no triangles');
-  // Last, for parts may share a map, whose channel each of them has asked for above.
-  for (const { look } of parts) if (look.map) readPlainly(look.map);
+  // Last, because parts can share a map and each has read its channel above.
+  for (const { look } of parts) if (look.map) readUndecoded(look.map);
   return parts;
 }
 
-// What `instanceof` narrows to has `any` in its type parameters.
+// `instanceof` alone would narrow to a type with `any` parameters.
 const isSkinned = (mesh: Mesh): mesh is SkinnedMesh => mesh instanceof SkinnedMesh;
 
-/** The file's name of the nearest node that has one; the loader's own names are made unique, and bent for it. */
+/** The original name of the nearest named node. The loader's own names are altered to be unique. */
 function nameOf(object: Object3D): string {
   for (let node: Object3D | null = object; node; node = node.parent) {
     const name: unknown = node.userData['name'];
@@ -56,7 +57,7 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
   const { color, opacity, transparent, alphaTest } = material;
   const encode = (linear: number): number => srgbEncode(Math.min(Math.max(linear, 0), 1));
   const map = geometry.hasAttribute('uv') ? material.map : null;
-  // Exporters mark opaque materials as blended; drawing those unsorted, without depth, would show their backs.
+  // Exporters often mark opaque materials as blended. Blending those, unsorted and without depth, would show their backs.
   const vertexAlpha = geometry.hasAttribute('color') && geometry.getAttribute('color').itemSize === 4;
   const blends = transparent && (opacity < 1 || map !== null || vertexAlpha);
   const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
@@ -66,18 +67,19 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
     alphaMode,
     alphaCutoff: alphaTest,
     map,
+    doubleSided: material.side === DoubleSide,
     flat,
   };
 }
 
-function readPlainly(map: Texture): void {
+function readUndecoded(map: Texture): void {
   map.colorSpace = NoColorSpace;
-  // The geometry's `uv` is the set that the map asks for.
+  // The geometry's `uv` already is the set that the map uses.
   map.channel = 0;
   if (map.matrixAutoUpdate) map.updateMatrix();
 }
 
-interface Made {
+interface BuiltGeometry {
   readonly geometry: BufferGeometry;
   readonly flat: boolean;
 }
@@ -85,22 +87,22 @@ interface Made {
 type Conversion = (source: Attribute) => BufferAttribute;
 
 class Geometries {
-  readonly #made = new Map<string, Made>();
+  readonly #cache = new Map<string, BuiltGeometry>();
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
   #corners = 0;
 
-  of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>, map: Texture | null): Made {
+  of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>, map: Texture | null): BuiltGeometry {
     const uv = map ? (map.channel === 0 ? 'uv' : `uv${String(map.channel)}`) : '';
     const skin = isSkinned(mesh) ? mesh.uuid : '';
     const key = `${mesh.geometry.uuid} ${uv} ${skin}`;
-    const present = this.#made.get(key);
+    const present = this.#cache.get(key);
     if (present) return present;
-    const made = this.#make(mesh, uv);
-    this.#made.set(key, made);
-    return made;
+    const built = this.#build(mesh, uv);
+    this.#cache.set(key, built);
+    return built;
   }
 
-  #make(mesh: Mesh, uv: string): Made {
+  #build(mesh: Mesh, uv: string): BuiltGeometry {
     const source = mesh.geometry;
     const geometry = new BufferGeometry();
     let position = this.#convert(source.getAttribute('position'), floatPositions);
@@ -143,14 +145,14 @@ class Geometries {
   }
 }
 
-/** Whole triangles of vertices that exist. Bytes become 16 bits, which every GPU reads at full speed. */
+/** Complete triangles of existing vertices. 8-bit indices become 16-bit, which every GPU reads at full speed. */
 function checkedIndex(index: BufferAttribute, vertices: number): BufferAttribute {
   const length = index.count - (index.count % 3);
   const values = vertices > 0xffff ? new Uint32Array(length) : new Uint16Array(length);
   for (let i = 0; i < length; i += 1) {
     const vertex = index.getX(i);
     if (!(vertex < vertices))
-      throw new Error(`a triangle names vertex ${String(vertex)} of ${String(vertices)}`);
+      throw new Error(`a triangle refers to vertex ${String(vertex)} of ${String(vertices)}`);
     values[i] = vertex;
   }
   return new BufferAttribute(values, 1);

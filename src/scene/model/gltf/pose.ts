@@ -1,5 +1,5 @@
-// A skinned mesh stands still here: its vertices are moved once to where the file's own pose puts them.
-// In: positions and normals of the mesh. Out: positions and normals in the model's space.
+// Where are the vertices of a skinned mesh? Skinned meshes are not animated: the file's pose is applied once, at load. In: positions
+// and normals of the mesh. Out: positions and normals in the model's space.
 import { BufferAttribute, Matrix4, type SkinnedMesh } from 'three';
 import { unitNormals } from './attributes.js';
 
@@ -8,12 +8,12 @@ export interface Posed {
   readonly normal: BufferAttribute | null;
 }
 
-/** Blends bone matrices in float64. Normals go by the cofactors of the blend, which hold for any scale, also zero. */
+/** Blends bone matrices in float64. Normals use the cofactors of the blend, which are right for any scale, including 0. */
 export function posed(mesh: SkinnedMesh, position: BufferAttribute, normal: BufferAttribute | null): Posed {
   const bones = boneMatrices(mesh);
   const indices = mesh.geometry.getAttribute('skinIndex');
   const weights = mesh.geometry.getAttribute('skinWeight');
-  if (Math.min(indices.count, weights.count) < position.count) throw new Error('a skin lacks weights');
+  if (Math.min(indices.count, weights.count) < position.count) throw new Error('a skin has too few weights');
   const positions = new Float32Array(position.count * 3);
   const normals = normal && new Float32Array(position.count * 3);
   const blend = new Array<number>(16);
@@ -36,10 +36,10 @@ export function posed(mesh: SkinnedMesh, position: BufferAttribute, normal: Buff
     const nx = normal.getX(i);
     const ny = normal.getY(i);
     const nz = normal.getZ(i);
-    const turn = Math.sign(a * (e * j - f * h) - d * (b * j - c * h) + g * (b * f - c * e)) || 1;
-    normals[i * 3] = turn * ((e * j - f * h) * nx + (c * h - b * j) * ny + (b * f - c * e) * nz);
-    normals[i * 3 + 1] = turn * ((f * g - d * j) * nx + (a * j - c * g) * ny + (c * d - a * f) * nz);
-    normals[i * 3 + 2] = turn * ((d * h - e * g) * nx + (b * g - a * h) * ny + (a * e - b * d) * nz);
+    const sign = Math.sign(a * (e * j - f * h) - d * (b * j - c * h) + g * (b * f - c * e)) || 1;
+    normals[i * 3] = sign * ((e * j - f * h) * nx + (c * h - b * j) * ny + (b * f - c * e) * nz);
+    normals[i * 3 + 1] = sign * ((f * g - d * j) * nx + (a * j - c * g) * ny + (c * d - a * f) * nz);
+    normals[i * 3 + 2] = sign * ((d * h - e * g) * nx + (b * g - a * h) * ny + (a * e - b * d) * nz);
   }
   return {
     position: new BufferAttribute(positions, 3),
@@ -56,7 +56,7 @@ type Sixteen = [
 
 function boneMatrices({ skeleton }: SkinnedMesh): readonly (readonly number[])[] {
   return skeleton.bones.map((bone, i) => {
-    // A joint need not be part of the scene that is shown.
+    // A joint can lie outside the scene that is shown.
     bone.updateWorldMatrix(true, false);
     const inverse = skeleton.boneInverses[i] ?? new Matrix4();
     return new Matrix4().multiplyMatrices(bone.matrixWorld, inverse).elements;

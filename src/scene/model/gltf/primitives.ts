@@ -1,4 +1,4 @@
-// The triangles of a glTF mesh: points and lines are left out, attributes that nothing shows too. Knows the JSON only.
+// Which primitives of a glTF mesh are drawn? Triangles only, with the attributes that are used. Knows the JSON only.
 import type { Accessor } from './accessors.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
 
@@ -14,11 +14,11 @@ export interface Primitive {
 
 export interface PrimitiveContext {
   readonly accessors: readonly Accessor[];
-  /** How many materials there are. */
+  /** Number of materials. */
   readonly materials: number;
-  /** How many buffer views there are. */
+  /** Number of buffer views. */
   readonly views: number;
-  /** Collects the accessors that will be read. */
+  /** Output: the accessors that will be read. */
   readonly used: Set<Accessor>;
 }
 
@@ -62,13 +62,13 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     attributes,
     indices,
     material: material === undefined ? undefined : indexAt(material, context.materials, 'material'),
-    // The decoder gives separate triangles, however they were listed before.
+    // The decoder returns separate triangles, whatever the mode was.
     mode: packed ? TRIANGLES : countAt(primitive['mode'], 'mode', TRIANGLES),
     extensions: packed ? { [DRACO]: packed } : {},
   };
 }
 
-/** @param wanted the primitive's attributes: what only the extension lists has no type to be decoded to. */
+/** @param wanted the primitive's attributes. One that only the extension lists has no accessor type, so it is ignored. */
 function readDraco(
   extension: JsonObject,
   wanted: JsonObject,
@@ -81,7 +81,7 @@ function readDraco(
   return { bufferView: indexAt(extension['bufferView'], context.views, DRACO), attributes };
 }
 
-/** How many corners the document claims; whether the bytes are there is checked with the accessors. */
+/** Claimed number of corners. Whether the bytes exist is checked with the accessors. */
 function cornersOf(primitive: Primitive, { accessors }: PrimitiveContext): number {
   return accessors[primitive.indices ?? primitive.attributes['POSITION'] ?? -1]?.count ?? 0;
 }

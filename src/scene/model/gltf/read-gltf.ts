@@ -1,5 +1,5 @@
-// glTF 2 and GLB through three's own loader, which is given only what is shown and no address to fetch: the document
-// is reduced and checked first, and bytes and images come from here by number. A chunk of its own.
+// How are glTF 2 and GLB read? By three's own loader, which gets a reduced and checked document and no addresses to fetch. Bytes and
+// images are provided by index. A separate chunk.
 import type { BufferGeometry, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
@@ -25,7 +25,7 @@ export const readGltf: ModelReader = async (source) => {
   const loader = new GLTFLoader();
   loader.register(() => plugin);
   try {
-    if (document.usesDraco) loader.setDRACOLoader(await dracoDoor());
+    if (document.usesDraco) loader.setDRACOLoader(await dracoAdapter());
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
@@ -36,14 +36,14 @@ export const readGltf: ModelReader = async (source) => {
   }
 };
 
-async function dracoDoor(): Promise<DracoLoader> {
+async function dracoAdapter(): Promise<DracoLoader> {
   const module = await import('./draco.js').catch((cause: unknown) => {
     throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
       cause,
     });
   });
-  // The loader calls two methods of it; the class has many more.
-  return (await module.createDracoDoor()) as unknown as DracoLoader;
+  // The loader calls only two methods of this class.
+  return (await module.createDracoAdapter()) as unknown as DracoLoader;
 }
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {

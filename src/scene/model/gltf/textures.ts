@@ -1,5 +1,5 @@
-// From an image's bytes to a texture with the file's sampler. Pixels stay as the file has them: no colour conversion,
-// no premultiplication, first row on top. Decoded by the browser from bytes, so that no blob: address is fetched.
+// How do an image's bytes become a texture with the file's sampler? The browser decodes them without colour conversion and without
+// premultiplication, first row on top. No blob: address is fetched, as a strict CSP requires.
 import {
   ClampToEdgeWrapping,
   LinearFilter,
@@ -35,7 +35,7 @@ const WRAP: Readonly<Record<number, Wrapping>> = {
 
 export interface GltfTextures {
   texture(index: number): Promise<Texture>;
-  /** Waits for images still being decoded, then closes every one. */
+  /** Waits for images that are being decoded, then closes all images. */
   close(): Promise<void>;
 }
 
@@ -50,7 +50,7 @@ export function gltfTextures(document: GltfDocument, bytes: GltfBytes): GltfText
         colorSpaceConversion: 'none',
       });
     } catch (cause) {
-      throw new Error(`images[${String(index)}] is no image that this browser can decode`, { cause });
+      throw new Error(`images[${String(index)}] cannot be decoded by this browser`, { cause });
     }
   };
 

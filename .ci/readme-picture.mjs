@@ -1,0 +1,72 @@
+// @ts-check
+// `npm run readme:picture`: draws the README's first snippet with the built package and stores it as the README's picture.
+// The picture shows exactly that markup; tests/visual/readme.spec.ts compares the two. Needs `npm run build` first.
+
+import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { join, normalize } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { chromium } from '@playwright/test';
+import { ensureBrowser, softwareGl } from './browser.mjs';
+import { outputFolder } from './output-folder.mjs';
+
+const repository = fileURLToPath(new URL('..', import.meta.url));
+
+/** Relative to the repository. */
+export const README_PICTURE = 'demo/assets/images/readme.png';
+
+/** Device pixels per CSS pixel of the picture. */
+export const README_PICTURE_SCALE = 1.5;
+
+/**
+ * The first block of HTML in the README, which follows its picture.
+ * @returns {string}
+ */
+export function readmeSnippet() {
+  const text = readFileSync(join(repository, 'README.md'), 'utf8');
+  const snippet = /!\[[^\]]+\]\(([^)]+)\)\n\n```html\n([^]*?)```/.exec(text);
+  if (snippet?.[1] !== README_PICTURE || snippet[2] === undefined)
+    throw new Error(`README.md must show ${README_PICTURE}, followed by a block of HTML`);
+  return snippet[2];
+}
+
+async function draw() {
+  const dist = outputFolder('dist');
+  if (!existsSync(join(dist, 'phong-viewer.standalone.js')))
+    throw new Error('dist/ is missing: run `npm run build` first');
+  const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>README</title><body>${readmeSnippet()}</body>`;
+  const server = createServer((request, response) => {
+    const path = normalize(join(dist, decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname)));
+    if (request.url === '/') response.setHeader('content-type', 'text/html').end(html);
+    else if (path.startsWith(dist) && existsSync(path) && statSync(path).isFile()) {
+      response.setHeader('content-type', 'text/javascript');
+      createReadStream(path).pipe(response);
+    } else response.writeHead(404).end();
+  });
+  await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
+  const address = server.address();
+  if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
+  try {
+    const page = await browser.newPage({
+      viewport: { width: 900, height: 600 },
+      deviceScaleFactor: README_PICTURE_SCALE,
+    });
+    await page.goto(`http://localhost:${String(address.port)}/`);
+    const viewer = page.locator('phong-viewer');
+    await viewer.evaluate(async (element) => {
+      await customElements.whenDefined('phong-viewer');
+      await /** @type {HTMLElement & { ready: Promise<void> }} */ (element).ready;
+    });
+    // The panel is fetched on its own.
+    await viewer.getByText('copy HTML').waitFor();
+    const file = join(repository, README_PICTURE);
+    await viewer.screenshot({ path: file });
+    console.log(`${README_PICTURE}: ${String(Math.round(statSync(file).size / 1024))} KiB`);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await draw();

@@ -1,0 +1,105 @@
+// Which elements belong to which viewer? Each light and mesh registers with the nearest enclosing <phong-viewer>, at any
+// depth and across shadow roots. A viewer that is not upgraded yet finds them when it is. Knows neither lights nor meshes.
+
+/** A viewer's response to its children. Called synchronously. */
+export interface ChildListener {
+  added(child: HTMLElement): void;
+  removed(child: HTMLElement): void;
+  /** A child is still there, but may have another place. */
+  moved(): void;
+}
+
+const registries = new WeakMap<Element, ChildRegistry>();
+
+export function registryOf(viewer: Element): ChildRegistry {
+  const known = registries.get(viewer);
+  if (known !== undefined) return known;
+  const registry = new ChildRegistry(viewer);
+  registries.set(viewer, registry);
+  return registry;
+}
+
+/** The registry of the nearest viewer around `element`; null outside any viewer. */
+export function registryAround(element: Element): ChildRegistry | null {
+  for (let inner: Element | null = element; inner !== null; inner = hostOf(inner)) {
+    const viewer = inner.closest('phong-viewer');
+    if (viewer !== null) return registryOf(viewer);
+  }
+  return null;
+}
+
+function hostOf(element: Element): Element | null {
+  const root = element.getRootNode();
+  return root instanceof ShadowRoot ? root.host : null;
+}
+
+export class ChildRegistry {
+  readonly #viewer: Element;
+  readonly #children = new Set<HTMLElement>();
+  #inOrder: readonly HTMLElement[] | null = null;
+  #listener: ChildListener | null = null;
+
+  constructor(viewer: Element) {
+    this.#viewer = viewer;
+  }
+
+  /** The viewer listens from its upgrade on. Children that came before are added now. */
+  listen(listener: ChildListener): void {
+    this.#listener = listener;
+    for (const child of this.inOrder) listener.added(child);
+  }
+
+  add(child: HTMLElement): void {
+    this.#inOrder = null;
+    if (this.#children.has(child)) {
+      this.#listener?.moved();
+    } else {
+      this.#children.add(child);
+      this.#listener?.added(child);
+    }
+  }
+
+  delete(child: HTMLElement): void {
+    if (!this.#children.delete(child)) return;
+    this.#inOrder = null;
+    this.#listener?.removed(child);
+  }
+
+  /** In document order. Sorted when it is asked for, in one pass over the viewer's tree; a new array after a change. */
+  get inOrder(): readonly HTMLElement[] {
+    this.#inOrder ??= sorted(this.#children, this.#viewer);
+    return this.#inOrder;
+  }
+}
+
+function sorted(children: ReadonlySet<HTMLElement>, viewer: Element): HTMLElement[] {
+  const list: HTMLElement[] = [];
+  const trees = shadowTrees(children, viewer);
+  const visit = (tree: Node): void => {
+    const walker = document.createTreeWalker(tree, NodeFilter.SHOW_ELEMENT);
+    while (walker.nextNode() !== null) {
+      const element = walker.currentNode as HTMLElement;
+      if (children.has(element)) list.push(element);
+      const inner = trees.get(element);
+      if (inner !== undefined) visit(inner);
+    }
+  };
+  const ownTree = trees.get(viewer);
+  if (ownTree !== undefined) visit(ownTree);
+  visit(viewer);
+  return list;
+}
+
+/** The shadow trees between the viewer and its children, by their hosts. Closed ones too. */
+function shadowTrees(children: ReadonlySet<HTMLElement>, viewer: Element): Map<Element, ShadowRoot> {
+  const trees = new Map<Element, ShadowRoot>();
+  const outermost = viewer.getRootNode();
+  for (const child of children) {
+    let root = child.getRootNode();
+    while (root !== outermost && root instanceof ShadowRoot && !trees.has(root.host)) {
+      trees.set(root.host, root);
+      root = root.host.getRootNode();
+    }
+  }
+  return trees;
+}

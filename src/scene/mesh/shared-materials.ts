@@ -1,0 +1,161 @@
+// Which material draws a mesh? Meshes of one picture that look alike share one, so that three.js changes neither program
+// nor values between them. Users are counted; a material nobody uses is freed after the next drawing, so that its program
+// can pass to the next one. Knows neither geometries nor places.
+import type { SurfaceValues } from '../../material/material-values.js';
+import type { PhongLighting } from '../../material/lighting.js';
+import {
+  type BaseLook,
+  DEFAULT_STYLE,
+  PhongMaterial,
+  type ShadingStyle,
+} from '../../material/phong-material.js';
+import type { Sides } from '../../material/back-faces.js';
+
+/** All that a mesh says about its material. Values are replaced when they change, never written to. */
+export interface Appearance {
+  readonly look: BaseLook;
+  readonly sides: Sides;
+  readonly surface: Readonly<SurfaceValues>;
+  /** Null: as the picture. */
+  readonly shading: ShadingStyle['shading'] | null;
+  readonly reflection: ShadingStyle['reflection'] | null;
+}
+
+interface Shared {
+  readonly material: PhongMaterial;
+  appearance: Appearance;
+  key: string;
+  users: number;
+}
+
+export class SharedMaterials {
+  readonly #lighting: PhongLighting;
+  readonly #byKey = new Map<string, Shared>();
+  readonly #byMaterial = new Map<PhongMaterial, Shared>();
+  readonly #unused = new Set<Shared>();
+  /** Acquired last: most meshes of a page look like the one before them. */
+  #last: Shared | null = null;
+  #style: ShadingStyle = DEFAULT_STYLE;
+
+  constructor(lighting: PhongLighting) {
+    this.#lighting = lighting;
+  }
+
+  /** The picture's style: what a mesh does not say for itself. */
+  get style(): ShadingStyle {
+    return this.#style;
+  }
+
+  set style(style: ShadingStyle) {
+    this.#style = style;
+    for (const { material, appearance } of this.#byMaterial.values())
+      material.setStyle(this.#styleOf(appearance));
+  }
+
+  /** A material for one more user, who gives it back by {@link release}. */
+  acquire(appearance: Appearance): PhongMaterial {
+    const last = this.#last;
+    const shared = last !== null && isSame(last.appearance, appearance) ? last : this.#find(appearance);
+    this.#last = shared;
+    shared.users += 1;
+    this.#unused.delete(shared);
+    return shared.material;
+  }
+
+  /** The material for a user of `material` who looks otherwise now. One that has no other user is rewritten in place. */
+  exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
+    const key = keyOf(appearance);
+    const shared = this.#byMaterial.get(material);
+    if (shared?.key === key) return material;
+    const rewritable =
+      shared?.users === 1 &&
+      !this.#byKey.has(key) &&
+      shared.appearance.look === appearance.look &&
+      shared.appearance.sides === appearance.sides;
+    if (rewritable) {
+      this.#byKey.delete(shared.key);
+      this.#byKey.set(key, shared);
+      shared.key = key;
+      this.#write(shared, appearance);
+      return material;
+    }
+    const next = this.acquire(appearance);
+    this.release(material);
+    return next;
+  }
+
+  release(material: PhongMaterial): void {
+    const shared = this.#byMaterial.get(material);
+    if (shared === undefined) return;
+    shared.users -= 1;
+    if (shared.users === 0) this.#unused.add(shared);
+  }
+
+  /** After a drawing: frees the materials without users. */
+  sweep(): void {
+    if (this.#unused.size === 0) return;
+    this.#last = null;
+    for (const { key, material } of this.#unused) {
+      this.#byKey.delete(key);
+      this.#byMaterial.delete(material);
+      material.dispose();
+    }
+    this.#unused.clear();
+  }
+
+  #find(appearance: Appearance): Shared {
+    const key = keyOf(appearance);
+    return this.#byKey.get(key) ?? this.#create(appearance, key);
+  }
+
+  #create(appearance: Appearance, key: string): Shared {
+    const material = new PhongMaterial(this.#lighting, appearance.look);
+    material.sides = appearance.sides;
+    const shared = { material, appearance, key, users: 0 };
+    this.#write(shared, appearance);
+    this.#byKey.set(key, shared);
+    this.#byMaterial.set(material, shared);
+    return shared;
+  }
+
+  #write(shared: Shared, appearance: Appearance): void {
+    shared.appearance = appearance;
+    shared.material.setStyle(this.#styleOf(appearance));
+    shared.material.setSurface(appearance.surface);
+  }
+
+  #styleOf({ shading, reflection }: Appearance): ShadingStyle {
+    const style = this.#style;
+    return { ...style, shading: shading ?? style.shading, reflection: reflection ?? style.reflection };
+  }
+}
+
+/** By identity: defaults are the same objects in all meshes. */
+const isSame = (a: Appearance, b: Appearance): boolean =>
+  a.look === b.look &&
+  a.sides === b.sides &&
+  a.shading === b.shading &&
+  a.reflection === b.reflection &&
+  a.surface.ka === b.surface.ka &&
+  a.surface.kd === b.surface.kd &&
+  a.surface.ks === b.surface.ks &&
+  a.surface.shininess === b.surface.shininess;
+
+function keyOf({ look, sides, surface, shading, reflection }: Appearance): string {
+  const { ka, kd, ks, shininess } = surface;
+  return [lookKeyOf(look), sides, ...ka, ...kd, ...ks, shininess, shading, reflection].join(' ');
+}
+
+const lookKeys = new WeakMap<BaseLook, string>();
+
+/** Files describe equal looks by objects of their own; textures are equal only to themselves. */
+function lookKeyOf(look: BaseLook): string {
+  let key = lookKeys.get(look);
+  if (key === undefined) {
+    const values = Object.entries(look).map(([name, value]: [string, unknown]) => [name, textOf(value)]);
+    lookKeys.set(look, (key = values.join(' ')));
+  }
+  return key;
+}
+
+const textOf = (value: unknown): string => (value as { uuid?: string } | null)?.uuid ?? String(value);

@@ -1,0 +1,58 @@
+// Which objects does the scene hold, in which order, and where are they? Meshes come first, in document order, because of
+// surfaces in one place the last one drawn shows; then the page author's own objects. Knows neither camera nor lights.
+import type { Object3D, Scene } from 'three';
+import type { SceneMesh } from './mesh/scene-mesh.js';
+
+export class SceneTree {
+  readonly scene: Scene;
+  readonly #meshes: Set<SceneMesh>;
+
+  /** `meshes` is filled from here, in the order in which they are drawn. */
+  constructor(scene: Scene, meshes: Set<SceneMesh>) {
+    this.scene = scene;
+    this.#meshes = meshes;
+  }
+
+  get meshes(): ReadonlySet<SceneMesh> {
+    return this.#meshes;
+  }
+
+  add(mesh: SceneMesh): void {
+    this.#meshes.add(mesh);
+    mesh.attach(this.scene);
+  }
+
+  remove(mesh: SceneMesh): void {
+    this.#meshes.delete(mesh);
+    mesh.dispose();
+  }
+
+  /** Meshes that are not in `ordered` come first, in the order in which they were added. */
+  arrange(ordered: readonly SceneMesh[]): void {
+    for (const mesh of ordered) {
+      if (this.#meshes.delete(mesh)) this.#meshes.add(mesh);
+    }
+  }
+
+  /**
+   * Brings order and world matrices in step, before drawing or measuring. A mesh that has not moved costs one call. A user's
+   * objects are computed again each time, as three.js does.
+   */
+  update(): void {
+    const { children } = this.scene;
+    let own = 0;
+    for (const { root } of this.#meshes) {
+      if (root === null || root.parent !== this.scene) continue;
+      if (children[own] !== root) this.#sort();
+      own += 1;
+    }
+    for (let i = 0; i < children.length; i++) children[i]!.updateMatrixWorld(i >= own);
+  }
+
+  #sort(): void {
+    const ranks = new Map<Object3D, number>();
+    for (const { root } of this.#meshes) if (root !== null) ranks.set(root, ranks.size);
+    const rank = (object: Object3D): number => ranks.get(object) ?? ranks.size;
+    this.scene.children.sort((a, b) => rank(a) - rank(b));
+  }
+}

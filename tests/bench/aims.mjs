@@ -1,0 +1,167 @@
+// @ts-check
+// The aims of the project's performance work, and where a result holds the figure for each. An aim is a most or, for frame rates,
+// a least.
+
+import { ratioOf, valueOf } from './results.mjs';
+import { SCRIPT_LIGHTS, SPHERE_LIGHTS } from './subjects.mjs';
+
+/**
+ * @typedef {object} Aim
+ * @property {string} label
+ * @property {string} subject
+ * @property {string} measure
+ * @property {string} [side] default: the first
+ * @property {'ratio' | 'value' | 'over usual'} [figure] default: ratio. `over usual`: milliseconds above the usual frame
+ * @property {{ software?: number, gpu?: number }} most `least` turns it round
+ * @property {boolean} [least]
+ */
+
+const FIRST = { gpu: [1.02, 1.02, 1, 1, 1, 1, 1], software: [1.3, 1.3, 1.15, 1, 0.9, 0.9, 0.9] };
+const SETTLED = {
+  gpu: [1.02, 1.02, 0.8, 0.65, 0.52, 0.52, 0.6],
+  software: [0.7, 0.4, 0.3, 0.25, 0.9, 0.9, 0.9],
+};
+/** How much longer than the usual frame the take-over may make one frame, in milliseconds. */
+export const TAKE_OVER_MS = { software: 400, gpu: 50 };
+export const SCRIPT_MOST = [2, 2.5, 4, 10];
+
+/** @param {number} x */
+const both = (x) => ({ software: x, gpu: x });
+/** @param {number} count */
+const sphere = (count) => `sphere, ${count === 1 ? '1 light' : `${count} lights`}`;
+/** @param {number} count */
+const script = (count) => `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`;
+
+/** @type {readonly Aim[]} */
+export const AIMS = [
+  ...SPHERE_LIGHTS.flatMap((count, i) => [
+    {
+      label: `${sphere(count)}, first frames`,
+      subject: sphere(count),
+      measure: 'first frames',
+      most: { gpu: FIRST.gpu[i] ?? NaN, software: FIRST.software[i] ?? NaN },
+    },
+    {
+      label: `${sphere(count)}, settled`,
+      subject: sphere(count),
+      measure: 'settled',
+      most: { gpu: SETTLED.gpu[i] ?? NaN, software: SETTLED.software[i] ?? NaN },
+    },
+  ]),
+  ...[...SPHERE_LIGHTS.filter((count) => count >= 8).map(sphere), 'sphere, 1,024 lights'].map(
+    (subject) =>
+      /** @type {const} */ ({
+        label: `${subject}, longest frame over usual`,
+        subject,
+        measure: 'longest frame',
+        figure: 'over usual',
+        most: TAKE_OVER_MS,
+      }),
+  ),
+  {
+    label: '64 spheres, 8 lights, settled',
+    subject: '64 spheres, 8 lights',
+    measure: 'settled',
+    most: both(0.75),
+  },
+  {
+    label: 'lights that come and go',
+    subject: 'lights that come and go',
+    measure: 'settled',
+    most: both(1.1),
+  },
+  { label: 'core to element, settled', subject: 'core, 8 lights', measure: 'settled', most: both(1.05) },
+  ...SCRIPT_LIGHTS.map((count, i) => ({
+    label: script(count),
+    subject: script(count),
+    measure: 'script per frame',
+    most: both(SCRIPT_MOST[i] ?? NaN),
+  })),
+  {
+    label: 'script, turning camera',
+    subject: 'script, turning camera',
+    measure: 'script per frame',
+    most: both(2),
+  },
+  {
+    label: 'script, 2,000 boxes',
+    subject: 'script, 2,000 boxes',
+    measure: 'script per frame',
+    most: both(1.5),
+  },
+  { label: 'start, 2,000 boxes', subject: 'start, 2,000 boxes', measure: 'first picture', most: both(1.5) },
+  {
+    label: 'connecting 5,000 lights, ms',
+    subject: 'connecting 5,000 lights',
+    measure: 'time',
+    figure: 'value',
+    most: both(1000),
+  },
+  {
+    label: 'toggling one of 5,000 lights, µs',
+    subject: 'script, toggling one of 5,000 lights',
+    measure: 'script per frame',
+    figure: 'value',
+    most: both(2000),
+  },
+  {
+    label: 'moving a mesh beside 1 M triangles, µs',
+    subject: 'script, mesh moved beside 1 M triangles',
+    measure: 'script per frame',
+    figure: 'value',
+    most: both(1000),
+  },
+  {
+    label: '20 turning viewers, frame rate to one viewer’s',
+    subject: '20 turning viewers',
+    measure: 'frame rate',
+    most: both(0.7),
+    least: true,
+  },
+  {
+    label: 'start, standalone',
+    subject: 'start',
+    measure: 'first picture',
+    side: 'standalone',
+    most: both(1.1),
+  },
+  { label: 'start, bundled', subject: 'start', measure: 'first picture', side: 'bundled', most: both(1.2) },
+  { label: 'heap, standalone', subject: 'start', measure: 'heap', side: 'standalone', most: both(1.15) },
+  { label: 'heap, bundled', subject: 'start', measure: 'heap', side: 'bundled', most: both(1.35) },
+  { label: 'bytes, standalone', subject: 'bytes', measure: 'brotli', side: 'standalone', most: both(0.8) },
+];
+
+/** @param {import('./results.mjs').BenchResult} result */
+export const stackKind = ({ stack }) => (stack.startsWith('software') ? 'software' : 'gpu');
+
+/**
+ * What a result says of an aim: median and quartiles, the aim on this stack, and whether it is met. Undefined where it was not
+ * measured, or where there is no aim for this kind of stack.
+ * @param {Aim} aim @param {import('./results.mjs').BenchResult} result
+ */
+export function judge(aim, result) {
+  const most = aim.most[stackKind(result)];
+  const measured = figureOf(aim, result);
+  if (most === undefined || measured === undefined) return undefined;
+  const met = aim.least === true ? measured.median >= most : measured.median <= most;
+  return { measured, most, met };
+}
+
+/** @param {Aim} aim @param {import('./results.mjs').BenchResult} result */
+function figureOf({ subject, measure, side, figure = 'ratio' }, { measures }) {
+  /** @param {string} name */
+  const find = (name) => measures.find((one) => one.subject === subject && one.measure === name);
+  const row = find(measure);
+  if (row === undefined) return undefined;
+  if (figure === 'ratio') return ratioOf(row, side);
+  if (figure === 'value') return valueOf(row, side);
+  const usual = find('usual frame');
+  if (usual === undefined) return undefined;
+  const [longest, plain] = [valueOf(row, side), valueOf(usual, side).median];
+  return {
+    ...longest,
+    median: longest.median - plain,
+    low: longest.low - plain,
+    high: longest.high - plain,
+  };
+}

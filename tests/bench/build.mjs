@@ -1,0 +1,87 @@
+// @ts-check
+// Builds the bench's pages into a folder, with the models they show, the standalone file, the sizes of what users download, and
+// the versions of everything. A machine without a network can measure with this folder alone.
+
+import { execFileSync } from 'node:child_process';
+import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { brotliCompressSync } from 'node:zlib';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+
+const here = fileURLToPath(new URL('.', import.meta.url));
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+
+/**
+ * @typedef {object} BuiltFrom
+ * @property {Record<string, string>} versions revision and packages
+ * @property {Record<string, number>} bytes brotli sizes of all scripts that a page loads for its first picture
+ */
+
+/** Empties `folder`. @param {string} folder */
+export async function buildPages(folder) {
+  const { build } = await import('vite');
+  execFileSync(process.execPath, [join(repository, '.ci/build.mjs')], {
+    cwd: repository,
+    stdio: ['ignore', 'ignore', 'inherit'],
+  });
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  process.env['PHONG_VIEWER_BENCH_OUT'] = folder;
+  for (const page of readdirSync(join(here, 'pages')).filter((name) => name.endsWith('.html'))) {
+    process.env['PHONG_VIEWER_BENCH_PAGE'] = page;
+    await build({ configFile: join(here, 'vite.config.ts'), logLevel: 'error' });
+  }
+  const dist = outputFolder('dist');
+  const standalone = 'phong-viewer.standalone.js';
+  cpSync(join(dist, standalone), join(folder, 'dist', standalone));
+  cpSync(join(dist, 'chunks'), join(folder, 'dist/chunks'), { recursive: true });
+  cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
+  /** @type {BuiltFrom} */
+  const about = {
+    versions: versions(),
+    bytes: {
+      standalone: brotliSize(join(folder, 'dist', standalone)),
+      bundled: pageSize(folder, 'start-element.html'),
+      three: pageSize(folder, 'start-three.html'),
+    },
+  };
+  writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about, null, 1));
+}
+
+/** @param {string} folder @returns {BuiltFrom} */
+export const builtFrom = (folder) => JSON.parse(readFileSync(join(folder, 'built-from.json'), 'utf8'));
+
+function versions() {
+  /** @param {string} name */
+  const version = (name) =>
+    JSON.parse(readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8')).version;
+  /** @param {string[]} args */
+  const git = (...args) => execFileSync('git', args, { cwd: repository, encoding: 'utf8' }).trim();
+  const changed = git('status', '--short', 'src', 'shaders') === '' ? '' : ' and changes';
+  return {
+    revision: git('rev-parse', '--short', 'HEAD') + changed,
+    three: version('three'),
+    lit: version('lit'),
+    vite: version('vite'),
+  };
+}
+
+/** @param {string} file */
+const brotliSize = (file) => brotliCompressSync(readFileSync(file)).length;
+
+/** All scripts that a page imports statically. @param {string} folder @param {string} page */
+function pageSize(folder, page) {
+  const found = new Set(
+    [...readFileSync(join(folder, page), 'utf8').matchAll(/(?:src|href)="\.\/(assets\/[^"]+\.js)"/g)].map(
+      ([, file = '']) => file,
+    ),
+  );
+  // A set's iteration reaches what is added on the way.
+  for (const file of found) {
+    const text = readFileSync(join(folder, file), 'utf8');
+    for (const [, name] of text.matchAll(/(?:^|[;}])import(?:[^"'();]*from)?\s*["']\.\/([^"']+\.js)["']/g))
+      found.add(`assets/${name}`);
+  }
+  return [...found].reduce((sum, file) => sum + brotliSize(join(folder, file)), 0);
+}

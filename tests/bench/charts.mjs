@@ -1,0 +1,230 @@
+// @ts-check
+// The charts of the report, drawn by Observable Plot as SVG files: four for each stack. Text of fixed size and colour, on white,
+// so that they are readable wherever the report is shown.
+
+import * as Plot from '@observablehq/plot';
+import { parseHTML } from 'linkedom';
+import { AIMS, SCRIPT_MOST, stackKind, TAKE_OVER_MS } from './aims.mjs';
+import { ratioOf, valueOf } from './results.mjs';
+import { median, pairedRatios } from './statistics.mjs';
+import { SCRIPT_LIGHTS, SPHERE_LIGHTS } from './subjects.mjs';
+
+/** @typedef {import('./results.mjs').BenchResult} BenchResult @typedef {{ x: number, y: number, series: string }} Point */
+
+/** Distinguishable to colour-blind readers (Okabe and Ito). */
+const COLORS = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#56b4e9', '#e69f00'];
+const WIDTH = 680;
+const HEIGHT = 400;
+
+/** All charts of a result, by the end of their file's name. Those without data are left out. @param {BenchResult} result @returns {Map<string, string>} */
+export function chartsOf(result) {
+  const charts = new Map();
+  /** @param {string} name @param {string | undefined} svg */
+  const add = (name, svg) => svg !== undefined && charts.set(name, svg);
+  add('sphere', sphereChart(result));
+  add('longest-frame', longestChart(result));
+  add('script', scriptChart(result));
+  add('fronts', frontsChart(result));
+  return charts;
+}
+
+/** @param {BenchResult} result */
+function sphereChart(result) {
+  /** @param {string} measure @returns {Point[]} */
+  const points = (measure) =>
+    perLight(result, SPHERE_LIGHTS, sphereName, measure, (row) => ratioOf(row)?.median, measure);
+  /** @param {string} measure @returns {Point[]} */
+  const aims = (measure) =>
+    SPHERE_LIGHTS.flatMap((count) => {
+      const aim = AIMS.find((one) => one.subject === sphereName(count) && one.measure === measure);
+      const y = aim?.most[stackKind(result)];
+      return y === undefined ? [] : [{ x: count, y, series: measure }];
+    });
+  return lines(
+    [...points('first frames'), ...points('settled')],
+    [...aims('first frames'), ...aims('settled')],
+    {
+      title: 'Frame time of the sphere, MeshPhongMaterial = 1 (dashed: aims)',
+      x: 'lights',
+      ticks: SPHERE_LIGHTS,
+      rule: 1,
+    },
+  );
+}
+
+/** @param {BenchResult} result */
+function longestChart(result) {
+  /** @param {string} side @param {string} series @returns {Point[]} */
+  const points = (side, series) =>
+    perLight(
+      result,
+      [...SPHERE_LIGHTS, 1024],
+      sphereName,
+      'longest frame',
+      (row) => (side in row.samples ? valueOf(row, side).median : undefined),
+      series,
+    );
+  return lines([...points('element', 'element'), ...points('three', 'MeshPhongMaterial')], [], {
+    title: `Longest frame in ms while a specialised program takes over (line: ${TAKE_OVER_MS[stackKind(result)]} ms)`,
+    x: 'lights',
+    ticks: [...SPHERE_LIGHTS, 1024],
+    rule: TAKE_OVER_MS[stackKind(result)],
+  });
+}
+
+/** @param {BenchResult} result */
+function scriptChart(result) {
+  /** @param {number} count */
+  const name = (count) => `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`;
+  /** @param {string} side @param {string} series @returns {Point[]} */
+  const points = (side, series) =>
+    perLight(result, SCRIPT_LIGHTS, name, 'script per frame', (row) => ratioOf(row, side)?.median, series);
+  const aims = SCRIPT_LIGHTS.map((x, i) => ({ x, y: SCRIPT_MOST[i] ?? NaN, series: 'element' }));
+  return lines([...points('element', 'element'), ...points('three', 'MeshPhongMaterial')], aims, {
+    title: 'Script per frame with moving lights, three’s unlit mesh = 1 (dashed: aims)',
+    x: 'lights',
+    ticks: SCRIPT_LIGHTS,
+    rule: 1,
+  });
+}
+
+/** @param {BenchResult} result */
+function frontsChart({ fronts }) {
+  if (fronts.length === 0) return undefined;
+  const points = fronts.flatMap(({ title, variants, base, errors, ms }) =>
+    variants.map((variant, i) => ({
+      front: title.replace(/ of mixed kinds/, ''),
+      variant,
+      time: median(pairedRatios(ms[i] ?? [], ms[base] ?? [])),
+      error: Math.max(errors[i]?.max ?? NaN, 1e-5),
+    })),
+  );
+  const variants = [...new Set(points.map(({ variant }) => variant))];
+  return svgOf({
+    ...frame('Light loops: largest error in 1/255, and time (as specified = 1)'),
+    marginLeft: 140,
+    marginRight: 230,
+    facet: { data: points, y: 'front' },
+    height: 130 * fronts.length + 80,
+    fy: { label: null, domain: [...new Set(points.map(({ front }) => front))] },
+    x: {
+      type: 'log',
+      label: 'largest error',
+      grid: true,
+      insetLeft: 12,
+      insetRight: 70,
+      ticks: 4,
+      tickFormat: String,
+    },
+    y: { label: null, domain: variants },
+    color: { domain: variants, range: COLORS },
+    marks: [
+      Plot.dot(points, { x: 'error', y: 'variant', fill: 'variant', r: 5 }),
+      Plot.text(points, {
+        x: 'error',
+        y: 'variant',
+        text: ({ time }) => `time ${time.toFixed(2)}`,
+        fill: 'variant',
+        textAnchor: 'start',
+        dx: 10,
+      }),
+    ],
+  });
+}
+
+const HALO = { stroke: 'white', strokeWidth: 4 };
+
+/**
+ * @param {readonly Point[]} points @param {readonly Point[]} aims
+ * @param {{ title: string, x: string, ticks: readonly number[], rule: number }} options
+ */
+function lines(points, aims, { title, x, ticks, rule }) {
+  if (points.length === 0) return undefined;
+  const series = [...new Set(points.map((point) => point.series))];
+  return svgOf({
+    ...frame(title),
+    x: { type: 'point', label: x, domain: [...ticks], tickFormat: String, padding: 0.3 },
+    y: { type: 'log', label: null, grid: true, ticks: 6, tickFormat: short, inset: 12 },
+    color: { domain: series, range: COLORS },
+    marks: [
+      Plot.ruleY([rule], { stroke: '#555' }),
+      Plot.line([...aims], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeDasharray: '5 4' }),
+      Plot.line([...points], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeWidth: 2 }),
+      Plot.dot([...points], { x: 'x', y: 'y', fill: 'series', r: 4 }),
+      Plot.text([...points], {
+        x: 'x',
+        y: 'y',
+        text: (/** @type {Point} */ point) => short(point.y),
+        dy: -11,
+        fill: 'series',
+        ...HALO,
+      }),
+      Plot.text(
+        [...points],
+        Plot.selectLast({
+          x: 'x',
+          y: 'y',
+          z: 'series',
+          text: 'series',
+          fill: 'series',
+          textAnchor: 'start',
+          dx: 10,
+          fontWeight: 'bold',
+          ...HALO,
+        }),
+      ),
+    ],
+  });
+}
+
+/** @param {string} title */
+const frame = (title) => ({
+  width: WIDTH,
+  height: HEIGHT,
+  marginTop: 40,
+  marginLeft: 60,
+  marginRight: 150,
+  marginBottom: 45,
+  ariaLabel: title,
+  style: { fontSize: '13px', fontFamily: 'sans-serif', color: '#222', background: 'white' },
+});
+
+/** @param {Plot.PlotOptions} options */
+function svgOf(options) {
+  const { document } = parseHTML('<!doctype html><html><body></body></html>');
+  const svg = Plot.plot({ ...options, document });
+  const title = document.createElementNS('http://www.w3.org/2000/svg', 'text');
+  for (const [key, value] of Object.entries({
+    x: '10',
+    y: '20',
+    'font-size': '15',
+    'font-weight': 'bold',
+    fill: '#222',
+    'text-anchor': 'start',
+  }))
+    title.setAttribute(key, value);
+  title.textContent = options.ariaLabel ?? '';
+  svg.append(title);
+  svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+  return svg.outerHTML;
+}
+
+/**
+ * One figure for each number of lights that was measured.
+ * @param {BenchResult} result @param {readonly number[]} counts @param {(count: number) => string} name @param {string} measure
+ * @param {(row: import('./results.mjs').Measure) => number | undefined} figure @param {string} series
+ * @returns {Point[]}
+ */
+function perLight({ measures }, counts, name, measure, figure, series) {
+  return counts.flatMap((x) => {
+    const row = measures.find((one) => one.subject === name(x) && one.measure === measure);
+    const y = row && figure(row);
+    return y === undefined ? [] : [{ x, y, series }];
+  });
+}
+
+/** @param {number} count */
+const sphereName = (count) => `sphere, ${count.toLocaleString('en')} ${count === 1 ? 'light' : 'lights'}`;
+
+/** @param {number} x */
+const short = (x) => (x >= 100 ? x.toFixed(0) : String(Number(x.toPrecision(2))));

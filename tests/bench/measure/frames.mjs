@@ -1,0 +1,159 @@
+// @ts-check
+// Frame times of one scene by all its sides, each on a page of its own in one fresh browser: the first frames, the longest frame
+// of the take-over by a specialised program, and settled. Also script per frame. The longest frame and the usual frame beside it
+// are wall time; the others are GPU time, in software CPU time of the GPU process.
+
+import { cpuSeconds, gpuProcess, isSoftware, mainThreadTime, openPage } from '../browser.mjs';
+import { interleaved } from '../statistics.mjs';
+
+/** Frames before the first sample: the very first ones compile. */
+const WARM_FRAMES = 2;
+/** With the warm ones, below the 20 frames after which a specialised program may be requested. */
+const FIRST_FRAMES = 8;
+/** Length of a settled sample, in milliseconds, and its most frames. */
+const SAMPLE = { ms: 60, most: 400 };
+const SCRIPT_SAMPLE = { ms: 150, most: 4000 };
+const SCRIPT_SIZE = /** @type {const} */ ([16, 16]);
+/** Frames until the browser has optimised the script. */
+const SCRIPT_WARM_MS = 1500;
+
+/**
+ * @typedef {import('../pages/frame.js').SideName} SideName
+ * @typedef {{ side: SideName, page: import('playwright-core').Page, check: () => void, facts: Awaited<ReturnType<import('../pages/frame.js').FrameBench['open']>> }} Opened
+ * @typedef {{ size: readonly [number, number], rounds: number, add: (measure: string, unit: string, values: Record<string, number>) => void }} Options
+ */
+
+/**
+ * One launch of a frame subject.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').FrameSubject} subject @param {number} launch @param {Options} options
+ */
+export async function measureFrames(lab, { scene, sides }, launch, { size, rounds, add }) {
+  const browser = await lab.launch();
+  const gpu = await gpuProcess(browser);
+  /** @type {Opened[]} */
+  const opened = [];
+  /** @type {Record<string, number>} */
+  const first = {};
+  /** @type {Record<string, number>} */
+  const longest = {};
+  /** @type {Record<string, number>} */
+  const usual = {};
+  // Every other launch backwards, so that no side always comes first.
+  for (const side of launch % 2 === 0 ? sides : [...sides].reverse()) {
+    const one = await openSide(browser, lab, scene, side, size);
+    opened.push(one);
+    await one.page.evaluate((n) => window.bench.draw(n), WARM_FRAMES);
+    first[side] = (await sample(one, gpu, FIRST_FRAMES)) / FIRST_FRAMES;
+    const settling = await one.page.evaluate(() => window.bench.settle());
+    longest[side] = settling.longest;
+    usual[side] = settling.usual;
+  }
+  assertAlike(opened);
+  const pages = sides.map((side) => /** @type {Opened} */ (opened.find((one) => one.side === side)));
+  /** @type {number[]} */
+  const counts = [];
+  for (const one of pages) counts.push(await framesFor((n) => sample(one, gpu, n), SAMPLE));
+  const settled = await interleaved([...pages.keys()], rounds, async (i) => {
+    const count = counts[i] ?? 1;
+    return (await sample(/** @type {Opened} */ (pages[i]), gpu, count)) / count;
+  });
+  for (const { check } of pages) check();
+  add('first frames', 'ms', inOrder(sides, first));
+  add('longest frame', 'ms', inOrder(sides, longest));
+  add('usual frame', 'ms', inOrder(sides, usual));
+  for (let round = 0; round < rounds; round++)
+    add('settled', 'ms', Object.fromEntries(sides.map((side, i) => [side, settled[i]?.[round] ?? NaN])));
+}
+
+/**
+ * One launch of a script subject. In microseconds of the page's main thread per frame.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').ScriptSubject} subject @param {Omit<Options, 'size'>} options
+ */
+export async function measureScript(lab, { scene, sides }, { rounds, add }) {
+  const browser = await lab.launch();
+  /** @type {((frames: number) => Promise<number>)[]} */
+  const samplers = [];
+  /** @type {number[]} */
+  const counts = [];
+  /** @type {(() => void)[]} */
+  const checks = [];
+  for (const side of sides) {
+    const { page, check } = await openSide(browser, lab, scene, side, SCRIPT_SIZE);
+    const cpuTime = await mainThreadTime(page);
+    samplers.push(async (frames) => {
+      const before = await cpuTime();
+      await page.evaluate((n) => window.bench.script(n), frames);
+      return (await cpuTime()) - before;
+    });
+    checks.push(check);
+  }
+  for (const one of samplers) {
+    for (const begin = Date.now(); Date.now() - begin < SCRIPT_WARM_MS;) await one(5);
+    counts.push(await framesFor(one, SCRIPT_SAMPLE));
+  }
+  const samples = await interleaved([...samplers.keys()], rounds, async (i) => {
+    const count = counts[i] ?? 1;
+    return (1000 * ((await samplers[i]?.(count)) ?? NaN)) / count;
+  });
+  for (const check of checks) check();
+  for (let round = 0; round < rounds; round++)
+    add(
+      'script per frame',
+      'µs',
+      Object.fromEntries(sides.map((side, i) => [side, samples[i]?.[round] ?? NaN])),
+    );
+}
+
+/**
+ * @param {import('playwright-core').Browser} browser @param {import('../browser.mjs').Lab} lab @param {string} scene @param {SideName} side
+ * @param {readonly [number, number]} size @returns {Promise<Opened>}
+ */
+async function openSide(browser, lab, scene, side, size) {
+  const { page, check } = await openPage(
+    browser,
+    `${lab.origin}/frame.html?scene=${scene}&side=${side}`,
+    size,
+  );
+  const facts = await page.evaluate(() => window.bench.open());
+  check();
+  if (facts.lit < 0.02) throw new Error(`${scene}, ${side}: the picture is empty`);
+  return { side, page, check, facts };
+}
+
+/** The sides have to draw the same number of samples of as many pixels. @param {readonly Opened[]} opened */
+function assertAlike(opened) {
+  const [one, ...others] = opened.map(({ facts }) => JSON.stringify(facts.canvas));
+  for (const other of others)
+    if (other !== one) throw new Error(`the sides' canvases differ: ${one} and ${other}`);
+  const shares = opened.map(({ facts }) => facts.lit);
+  if (Math.max(...shares) - Math.min(...shares) > 0.02)
+    throw new Error(
+      `the sides' pictures differ: shares ${shares.map((x) => x.toFixed(3)).join(', ')} are covered`,
+    );
+}
+
+/** Milliseconds that so many frames take: the GPU's, or CPU time of the GPU process. @param {Opened} one @param {number | null} gpu @param {number} frames */
+async function sample({ page, facts }, gpu, frames) {
+  if (!isSoftware(facts.renderer)) return page.evaluate((n) => window.bench.time(n), frames);
+  if (gpu === null) return page.evaluate((n) => window.bench.draw(n), frames);
+  const before = cpuSeconds(gpu);
+  await page.evaluate((n) => window.bench.draw(n), frames);
+  return (cpuSeconds(gpu) - before) * 1000;
+}
+
+/**
+ * So many frames that a sample is long enough.
+ * @param {(frames: number) => Promise<number>} time milliseconds of so many frames
+ * @param {{ ms: number, most: number }} wanted
+ */
+export async function framesFor(time, { ms, most }) {
+  let count = 1;
+  for (;;) {
+    const taken = Math.max(await time(count), 0.01);
+    if (taken >= ms || count >= most) return count;
+    count = Math.min(most, Math.ceil(count * Math.min(8, (1.3 * ms) / taken)));
+  }
+}
+
+/** @param {readonly SideName[]} sides @param {Record<string, number>} values */
+const inOrder = (sides, values) => Object.fromEntries(sides.map((side) => [side, values[side] ?? NaN]));

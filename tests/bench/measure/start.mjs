@@ -1,0 +1,141 @@
+// @ts-check
+// How long pages take from navigation to their first picture, and what they keep in memory then: a fresh browser for each page,
+// nothing cached, in turns.
+
+import { cpuSeconds, hasCpuTime, processesOf } from '../browser.mjs';
+
+const SIZE = { width: 1280, height: 800 };
+const PATIENCE_MS = 60_000;
+/** From the first picture until the heap is read: what the page prepares by then is part of it. */
+const REST_MS = 500;
+
+/**
+ * One launch of each page.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StartSubject} subject @param {number} launch
+ * @param {Pick<import('./frames.mjs').Options, 'rounds' | 'add'>} options
+ */
+export async function measureStart(lab, { pages }, launch, { rounds, add }) {
+  const sides = Object.keys(pages);
+  for (let round = 0; round < rounds; round++) {
+    /** @type {Record<string, Awaited<ReturnType<typeof startOf>>>} */
+    const starts = {};
+    for (const side of (launch + round) % 2 === 0 ? sides : [...sides].reverse())
+      starts[side] = await startOf(lab, pages[side] ?? '');
+    /** @param {(start: Awaited<ReturnType<typeof startOf>>) => number} figure */
+    const bySide = (figure) =>
+      Object.fromEntries(
+        sides.map((side) => [
+          side,
+          figure(/** @type {Awaited<ReturnType<typeof startOf>>} */ (starts[side])),
+        ]),
+      );
+    add(
+      'first picture',
+      'ms',
+      bySide(({ ms }) => ms),
+    );
+    if (hasCpuTime())
+      add(
+        'CPU time to the first picture',
+        'ms',
+        bySide(({ cpuMs }) => cpuMs),
+      );
+    add(
+      'heap',
+      'KiB',
+      bySide(({ heap }) => heap),
+    );
+  }
+}
+
+/** @param {import('../browser.mjs').Lab} lab @param {string} path */
+async function startOf(lab, path) {
+  const browser = await lab.launch();
+  await startGpuProcess(browser);
+  const page = await browser.newPage({ viewport: SIZE });
+  await page.addInitScript(watchFirstPicture);
+  const before = await busySeconds(browser);
+  await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
+  await page.waitForFunction(() => window.firstPicture !== undefined, undefined, {
+    polling: 20,
+    timeout: PATIENCE_MS,
+  });
+  const cpuMs = ((await busySeconds(browser)) - before) * 1000;
+  const ms = await page.evaluate(() => Number(window.firstPicture));
+  await page.waitForTimeout(REST_MS);
+  return { ms, cpuMs, heap: await heapOf(page) };
+}
+
+/** It belongs to the browser's start, not to the page's. @param {import('playwright-core').Browser} browser */
+async function startGpuProcess(browser) {
+  const page = await browser.newPage();
+  await page.evaluate(() => {
+    const gl = document.createElement('canvas').getContext('webgl2');
+    gl?.clear(gl.COLOR_BUFFER_BIT);
+    gl?.finish();
+  });
+  await page.close();
+}
+
+/** CPU time of all pages and of the GPU process. @param {import('playwright-core').Browser} browser */
+async function busySeconds(browser) {
+  if (!hasCpuTime()) return NaN;
+  const ids = [...(await processesOf(browser, 'renderer')), ...(await processesOf(browser, 'GPU'))];
+  return ids.reduce((sum, id) => sum + cpuSeconds(id), 0);
+}
+
+/** In KiB. @param {import('playwright-core').Page} page */
+async function heapOf(page) {
+  const session = await page.context().newCDPSession(page);
+  await session.send('HeapProfiler.collectGarbage');
+  await session.send('HeapProfiler.collectGarbage'); // frees what the first one's finalizers released
+  const { usedSize } = await session.send('Runtime.getHeapUsage');
+  await session.detach();
+  return usedSize / 1024;
+}
+
+/**
+ * Runs in the page before its own scripts. Notes when a picture is there: after the task that draws, a row of pixels near the
+ * canvas's centre is read back, and not all of it is transparent.
+ */
+function watchFirstPicture() {
+  const prototype = WebGL2RenderingContext.prototype;
+  const names = /** @type {const} */ ([
+    'drawElements',
+    'drawArrays',
+    'drawElementsInstanced',
+    'drawArraysInstanced',
+  ]);
+  const originals = names.map((name) => prototype[name]);
+  let waiting = false;
+  /** @param {WebGL2RenderingContext} gl */
+  const look = (gl) => {
+    waiting = false;
+    const target = gl.getParameter(gl.READ_FRAMEBUFFER_BINDING);
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, null);
+    const row = new Uint8Array(4 * gl.drawingBufferWidth);
+    gl.readPixels(
+      0,
+      Math.round(0.55 * gl.drawingBufferHeight),
+      gl.drawingBufferWidth,
+      1,
+      gl.RGBA,
+      gl.UNSIGNED_BYTE,
+      row,
+    );
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, target);
+    if (row.every((channel) => channel === 0)) return;
+    window.firstPicture = performance.now();
+    names.forEach((name, i) => Object.assign(prototype, { [name]: originals[i] }));
+  };
+  names.forEach((name, i) => {
+    Object.assign(prototype, {
+      /** @this {WebGL2RenderingContext} @param {unknown[]} args */
+      [name](...args) {
+        if (!waiting) queueMicrotask(() => look(this));
+        waiting = true;
+        return Reflect.apply(/** @type {(...args: unknown[]) => void} */ (originals[i]), this, args);
+      },
+    });
+  });
+}

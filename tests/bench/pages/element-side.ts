@@ -1,0 +1,84 @@
+// The element itself, as a page uses it, driven frame by frame.
+import { runFrame } from './page-hooks.js';
+import 'phong-viewer';
+import { glbOf } from '../glb.mjs';
+import {
+  extraLight,
+  FOV,
+  lightAt,
+  ORIGIN,
+  millionTriangles,
+  type SceneLight,
+  SURFACE,
+  swing,
+  thetaAt,
+} from './scenes.js';
+import type { OpenSide } from './side.js';
+import { pause } from './timing.js';
+
+export type Viewer = HTMLElementTagNameMap['phong-viewer'];
+export type LightElement = HTMLElementTagNameMap['phong-light'];
+
+export const lightElement = (values: SceneLight): LightElement =>
+  Object.assign(document.createElement('phong-light'), values);
+
+/** Runs frames until everything that was requested is drawn. */
+export async function drawUntilReady(viewer: Viewer): Promise<void> {
+  const state = { ready: false };
+  void viewer.ready.then(() => (state.ready = true));
+  while (!state.ready) {
+    runFrame();
+    await pause(2);
+  }
+}
+
+export const openElement: OpenSide = async (holder, scene) => {
+  const viewer = document.createElement('phong-viewer');
+  Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
+  Object.assign(viewer, { theta: 0, phi: 90, fov: FOV });
+  if (scene.autoFit !== true) Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
+  const lights = scene.lights.map(lightElement);
+  const { ka, kd, ks, shininess } = SURFACE;
+  const meshes = scene.meshes.map(({ shape, position = ORIGIN, scale = 1 }) => {
+    const mesh = document.createElement('phong-mesh');
+    if (shape === 'grid.glb') mesh.src = URL.createObjectURL(new Blob([glbOf(millionTriangles())]));
+    else if (shape.endsWith('.glb')) mesh.src = shape;
+    else mesh.geometry = shape as 'sphere' | 'box';
+    return Object.assign(mesh, { position, scale, ka, kd, ks, shininess });
+  });
+  viewer.append(...lights, ...meshes);
+  holder.append(viewer);
+  await drawUntilReady(viewer);
+
+  let extra: LightElement | null = null;
+  const change = (i: number): void => {
+    switch (scene.motion) {
+      case 'camera':
+        viewer.theta = thetaAt(i);
+        break;
+      case 'lights':
+        lights.forEach((light, k) => (light.position = lightAt(scene.lights[k]!, i)));
+        break;
+      case 'light count':
+        if (extra === null) viewer.append((extra = lightElement(scene.lights[extraLight(i)]!)));
+        else {
+          extra.remove();
+          extra = null;
+        }
+        break;
+      case 'toggle':
+        lights[lights.length >> 1]!.active = i % 2 === 0;
+        break;
+      case 'mesh':
+        meshes[0]!.position = [0.1 * swing(i), 0, 0];
+    }
+  };
+  return {
+    async frame(i) {
+      change(i);
+      await Promise.resolve(); // the element gathers changes until here
+      viewer.requestRender();
+      if (runFrame() === 0) throw new Error('the viewer asked for no frame');
+    },
+  };
+};

@@ -1,0 +1,176 @@
+// Plain three.js on a canvas like the element's: MeshPhongMaterial under the nearest lights that three.js has, or one unlit mesh.
+import {
+  AmbientLight,
+  BackSide,
+  BoxGeometry,
+  type BufferGeometry,
+  Color,
+  DirectionalLight,
+  type Light,
+  type Material,
+  MathUtils,
+  Mesh,
+  MeshBasicMaterial,
+  MeshPhongMaterial,
+  type Object3D,
+  PerspectiveCamera,
+  PointLight,
+  Scene,
+  SphereGeometry,
+  SRGBColorSpace,
+  SpotLight,
+  WebGLRenderer,
+} from 'three';
+import {
+  extraLight,
+  FOV,
+  lightAt,
+  ORIGIN,
+  type Scene as BenchScene,
+  type SceneLight,
+  SURFACE,
+  swing,
+  thetaAt,
+} from './scenes.js';
+import type { OpenSide, Side } from './side.js';
+
+const SHAPES: Readonly<Record<string, () => BufferGeometry>> = {
+  sphere: () => new SphereGeometry(0.5, 64, 32),
+  box: () => new BoxGeometry(),
+};
+
+/** The nearest light that three.js has. Its penumbra stands for `cutoff`, its decay for `attenuation`. */
+export function threeLight({ position: [x, y, z, w], diffuse, axis, aperture = 180 }: SceneLight): Light {
+  const [r, g, b] = diffuse;
+  const color = new Color().setRGB(r / 255, g / 255, b / 255, SRGBColorSpace);
+  if (w === 0) return placed(new DirectionalLight(color, Math.PI), [x, y, z]);
+  // Brightness falls with the square of the distance: as bright at the origin as the element's light.
+  const intensity = Math.PI * (x * x + y * y + z * z);
+  if (axis === undefined) return placed(new PointLight(color, intensity, 0, 2), [x, y, z]);
+  const spot = new SpotLight(color, intensity, 0, MathUtils.degToRad(aperture), 0.5, 2);
+  spot.target.position.set(x + axis[0], y + axis[1], z + axis[2]);
+  return placed(spot, [x, y, z]);
+}
+
+function placed<T extends Light>(light: T, [x, y, z]: readonly [number, number, number]): T {
+  light.position.set(x, y, z);
+  return light;
+}
+
+const targetOf = (light: Light): Object3D[] => (light instanceof SpotLight ? [light.target] : []);
+
+/** `antialias` and `alpha` as the element's own context. */
+export function threeRenderer(holder: HTMLElement): { renderer: WebGLRenderer; camera: PerspectiveCamera } {
+  const renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  renderer.setSize(holder.clientWidth, holder.clientHeight);
+  holder.append(renderer.domElement);
+  return {
+    renderer,
+    camera: new PerspectiveCamera(FOV, holder.clientWidth / holder.clientHeight, 0.05, 100),
+  };
+}
+
+export function phongMaterial(inside: boolean): MeshPhongMaterial {
+  const { kd, ks, shininess } = SURFACE;
+  const material = new MeshPhongMaterial({
+    color: new Color().setScalar(kd / 255).convertSRGBToLinear(),
+    specular: new Color().setScalar(ks / 255).convertSRGBToLinear(),
+    shininess,
+  });
+  if (inside) material.side = BackSide;
+  return material;
+}
+
+export async function threeMeshes(scene: BenchScene, material: Material): Promise<Mesh[]> {
+  const geometries = new Map<string, BufferGeometry>();
+  const meshes: Mesh[] = [];
+  for (const { shape, position = ORIGIN, scale = 1 } of scene.meshes) {
+    let geometry = geometries.get(shape);
+    if (geometry === undefined) {
+      geometry = shape.endsWith('.glb') ? await loadGeometry(shape, material) : SHAPES[shape]!();
+      geometries.set(shape, geometry);
+    }
+    const mesh = new Mesh(geometry, material);
+    mesh.position.set(...position);
+    mesh.scale.setScalar(scale);
+    meshes.push(mesh);
+  }
+  return meshes;
+}
+
+/** The first geometry of a model. `material` takes over which sides the model shows and whether it is blended. */
+async function loadGeometry(url: string, material: Material): Promise<BufferGeometry> {
+  const [{ GLTFLoader }, { DRACOLoader }] = await Promise.all([
+    import('three/addons/loaders/GLTFLoader.js'),
+    import('three/addons/loaders/DRACOLoader.js'),
+  ]);
+  const draco = new DRACOLoader();
+  const { scene } = await new GLTFLoader().setDRACOLoader(draco).loadAsync(url);
+  let found: Mesh<BufferGeometry, Material> | undefined;
+  scene.traverse((object) => {
+    if (object instanceof Mesh) found ??= object as Mesh<BufferGeometry, Material>;
+  });
+  if (found === undefined) throw new Error(`${url} has no mesh`);
+  material.side = found.material.side;
+  material.transparent = found.material.transparent;
+  return found.geometry;
+}
+
+const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promise<Side> => {
+  const { renderer, camera } = threeRenderer(holder);
+  const material = lit ? phongMaterial(bench.inside === true) : new MeshBasicMaterial();
+  const scene = new Scene();
+  const meshes = await threeMeshes(bench, material);
+  for (const mesh of meshes) scene.add(mesh);
+  const lights = lit ? bench.lights.map(threeLight) : [];
+  for (const light of lights) scene.add(light, ...targetOf(light));
+  const ambient = bench.lights.reduce((sum, light) => sum + light.ambient[0] / 255, 0);
+  if (lit && ambient > 0) scene.add(new AmbientLight(0xffffff, ambient));
+
+  let extra: Light | null = null;
+  const change = (i: number): void => {
+    switch (bench.motion) {
+      case 'lights':
+        lights.forEach((light, k) => {
+          const [x, y, z] = lightAt(bench.lights[k]!, i);
+          light.position.set(x, y, z);
+        });
+        break;
+      case 'light count':
+        if (extra === null) {
+          extra = threeLight(bench.lights[extraLight(i)]!);
+          scene.add(extra, ...targetOf(extra));
+        } else {
+          scene.remove(extra, ...targetOf(extra));
+          extra.dispose();
+          extra = null;
+        }
+        break;
+      case 'toggle':
+        for (const light of lights.slice(lights.length >> 1, (lights.length >> 1) + 1))
+          light.visible = i % 2 === 0;
+        break;
+      case 'mesh':
+        meshes[0]!.position.x = 0.1 * swing(i);
+        break;
+      case 'camera':
+    }
+  };
+  const draw = (i: number): void => {
+    const theta = bench.motion === 'camera' ? MathUtils.degToRad(thetaAt(i)) : 0;
+    camera.position.set(bench.radius * Math.sin(theta), 0, bench.radius * Math.cos(theta));
+    camera.lookAt(0, 0, 0);
+    renderer.render(scene, camera);
+  };
+  draw(0);
+  return {
+    async frame(i) {
+      change(i);
+      await Promise.resolve();
+      draw(i);
+    },
+  };
+};
+
+export const openThree: OpenSide = (holder, scene) => open(holder, scene, true);
+export const openUnlit: OpenSide = (holder, scene) => open(holder, scene, false);

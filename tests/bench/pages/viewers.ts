@@ -1,0 +1,44 @@
+// Turning viewers that fill the page, in so many columns and rows: viewers.html?columns=5&rows=4. They draw at the browser's
+// own frame rate.
+import 'phong-viewer';
+import { mixedLights } from './scenes.js';
+
+declare global {
+  interface Window {
+    /** Resolves once all viewers are drawn. */
+    viewersReady: Promise<unknown>;
+    /** Pictures a second of the slowest viewer, over so many milliseconds. */
+    frameRate: (ms: number) => Promise<number>;
+  }
+}
+
+const query = new URLSearchParams(location.search);
+const [columns, rows] = [Number(query.get('columns')), Number(query.get('rows'))];
+document.body.style.gridTemplate = `repeat(${String(rows)}, 1fr) / repeat(${String(columns)}, 1fr)`;
+
+const viewers = Array.from({ length: columns * rows }, () => {
+  const viewer = document.createElement('phong-viewer');
+  Object.assign(viewer, { geometry: 'sphere', autoRotate: 30 });
+  viewer.append(
+    ...mixedLights(3).map((light) => Object.assign(document.createElement('phong-light'), light)),
+  );
+  return viewer;
+});
+document.body.append(...viewers);
+
+window.viewersReady = Promise.all(viewers.map((viewer) => viewer.ready));
+window.frameRate = async (ms) => {
+  const counts = viewers.map(() => 0);
+  const listeners = viewers.map((viewer, i) => {
+    const count = (): void => {
+      counts[i]! += 1;
+    };
+    viewer.addEventListener('render', count);
+    return () => viewer.removeEventListener('render', count);
+  });
+  const start = performance.now();
+  await new Promise((resolve) => setTimeout(resolve, ms));
+  const seconds = (performance.now() - start) / 1000;
+  for (const remove of listeners) remove();
+  return Math.min(...counts) / seconds;
+};

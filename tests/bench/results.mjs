@@ -1,0 +1,68 @@
+// @ts-check
+// A result of the bench: samples of every subject by measure and side, one file for each stack. Says its shape, adds to it,
+// reads it and makes ratios of it.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pairedRatios, spread } from './statistics.mjs';
+
+/**
+ * @typedef {object} Measure
+ * @property {string} subject
+ * @property {string} measure such as `settled`
+ * @property {string} unit
+ * @property {Record<string, number[]>} samples by side, round by round; the last side is the base of ratios
+ *
+ * @typedef {object} FrontResult
+ * @property {string} subject
+ * @property {string} title
+ * @property {string[]} variants
+ * @property {number} base
+ * @property {import('./front/errors.js').ErrorFigures[]} errors
+ * @property {number[][]} ms [variant][round]
+ *
+ * @typedef {object} BenchResult
+ * @property {string} stack
+ * @property {Record<string, string>} machine
+ * @property {string} date
+ * @property {number} launches
+ * @property {readonly [number, number]} size of pictures, in pixels
+ * @property {Measure[]} measures
+ * @property {FrontResult[]} fronts
+ * @property {{ subject: string, message: string }[]} failures
+ */
+
+/**
+ * Adds one round's samples.
+ * @param {BenchResult} result @param {string} subject @param {string} measure @param {string} unit
+ * @param {Readonly<Record<string, number>>} values by side, the base last
+ */
+export function addSamples(result, subject, measure, unit, values) {
+  let row = result.measures.find((one) => one.subject === subject && one.measure === measure);
+  if (row === undefined) {
+    row = { subject, measure, unit, samples: {} };
+    result.measures.push(row);
+  }
+  for (const [side, value] of Object.entries(values))
+    (row.samples[side] ??= []).push(Number(value.toPrecision(4)));
+}
+
+/** Median and quartiles of one side. @param {Measure} measure @param {string} [side] default: the first */
+export const valueOf = ({ samples }, side = Object.keys(samples)[0] ?? '') => spread(samples[side] ?? []);
+
+/**
+ * Of a side to the base, in rounds that both were measured in; undefined where there is one side.
+ * @param {Measure} measure @param {string} [side] default: the first
+ */
+export function ratioOf({ samples }, side = Object.keys(samples)[0] ?? '') {
+  const base = Object.keys(samples).at(-1) ?? '';
+  if (base === side) return undefined;
+  return spread(pairedRatios(samples[side] ?? [], samples[base] ?? []));
+}
+
+/** All results of a folder, by stack. @param {string} folder @returns {BenchResult[]} */
+export const readResults = (folder) =>
+  readdirSync(folder)
+    .filter((file) => file.endsWith('.json'))
+    .sort()
+    .map((file) => JSON.parse(readFileSync(join(folder, file), 'utf8')));

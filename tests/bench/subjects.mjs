@@ -1,0 +1,87 @@
+// @ts-check
+// What `npm run bench` measures, by name. A subject has sides (the element, plain three.js, …) that are measured in turns; the
+// last side is the one that the others are divided by.
+
+/**
+ * @typedef {import('./pages/frame.js').SideName} SideName
+ *
+ * @typedef {object} FrameSubject frame times of one scene: first frames, take-over, settled
+ * @property {'frames'} kind
+ * @property {string} scene of pages/scenes.ts
+ * @property {readonly SideName[]} sides
+ *
+ * @typedef {object} ScriptSubject the page's own CPU time per frame, on a canvas so small that drawing costs nothing
+ * @property {'script'} kind
+ * @property {string} scene
+ * @property {readonly SideName[]} sides
+ *
+ * @typedef {object} StartSubject from navigation to the first picture, and the heap then
+ * @property {'start'} kind
+ * @property {Readonly<Record<string, string>>} pages by side
+ *
+ * @typedef {{ kind: 'viewers' } | { kind: 'connect' } | { kind: 'bytes' }} SingleSubject
+ * @typedef {{ kind: 'front', front: string }} FrontSubject
+ * @typedef {FrameSubject | ScriptSubject | StartSubject | SingleSubject | FrontSubject} Subject
+ */
+
+/** @type {readonly SideName[]} */
+const PAIR = ['element', 'three'];
+
+/** @param {string} scene @param {readonly SideName[]} [sides] @returns {FrameSubject} */
+const frames = (scene, sides = PAIR) => ({ kind: 'frames', scene, sides });
+/** @param {string} scene @param {readonly SideName[]} [sides] @returns {ScriptSubject} */
+const script = (scene, sides = PAIR) => ({ kind: 'script', scene, sides });
+
+/** @param {number} count */
+const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
+
+/** Lights of the sphere that fills the view, as in the table of aims. */
+export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
+export const SCRIPT_LIGHTS = [1, 8, 32, 128];
+
+/** @type {Readonly<Record<string, Subject>>} */
+export const SUBJECTS = {
+  ...Object.fromEntries(
+    SPHERE_LIGHTS.map((count) => [`sphere, ${lights(count)}`, frames(`sphere:${count}`)]),
+  ),
+  // Beyond what MeshPhongMaterial can draw.
+  'sphere, 1,024 lights': frames('sphere:1024', ['element']),
+  'box room, 8 lights': frames('room:8'),
+  'bunny, 3 lights': frames('bunny:3'),
+  '64 spheres, 8 lights': frames('spheres:8'),
+  '2,000 boxes, 3 lights': frames('boxes:3'),
+  'lights that come and go': frames('changing:8'),
+  '300 moving lights': frames('moving:300'),
+  'core, 8 lights': frames('sphere:8', ['core', 'element']),
+  ...Object.fromEntries(
+    SCRIPT_LIGHTS.map((count) => [
+      `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`,
+      script(`box-moving:${count}`, ['element', 'three', 'unlit']),
+    ]),
+  ),
+  'script, turning camera': script('box-turning:3', ['element', 'three', 'unlit']),
+  'script, 2,000 boxes': script('boxes:3'),
+  'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
+  'script, mesh moved beside 1 M triangles': script('beside-a-million:3', ['element']),
+  'connecting 5,000 lights': { kind: 'connect' },
+  '20 turning viewers': { kind: 'viewers' },
+  start: {
+    kind: 'start',
+    pages: { standalone: 'start-standalone.html', bundled: 'start-element.html', three: 'start-three.html' },
+  },
+  'start, 2,000 boxes': {
+    kind: 'start',
+    pages: { element: 'start-boxes-element.html', three: 'start-boxes-three.html' },
+  },
+  bytes: { kind: 'bytes' },
+  'front, 8 lights': { kind: 'front', front: '8 lights' },
+  'front, shininess 1,000': { kind: 'front', front: 'shininess 1000' },
+  'front, shininess 100,000': { kind: 'front', front: 'shininess 100000' },
+};
+
+/** Names of the subjects that contain any of the texts, in order; all of them without texts. @param {readonly string[]} texts */
+export function chosenSubjects(texts) {
+  const names = Object.keys(SUBJECTS);
+  if (texts.length === 0) return names;
+  return names.filter((name) => texts.some((text) => name === text || name.includes(text)));
+}

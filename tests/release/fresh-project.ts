@@ -1,0 +1,112 @@
+// Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/ as
+// `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
+
+import { execSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+
+export interface FreshProject {
+  readonly folder: string;
+  write(path: string, text: string): void;
+  /** Returns the command's output. Throws with all of it if the command fails. */
+  run(command: string): string;
+  /** Builds a page with this body by Vite. Returns the output folder. */
+  build(body: string): string;
+  remove(): void;
+}
+
+/** @param packages names of this repository's devDependencies, or `name@range`. */
+export function freshProject(packages: readonly string[]): FreshProject {
+  const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-fresh-'));
+  const project: FreshProject = {
+    folder,
+    write(path, text) {
+      mkdirSync(dirname(join(folder, path)), { recursive: true });
+      writeFileSync(join(folder, path), text);
+    },
+    run: (command) => run(command, folder),
+    build(body) {
+      const head = '<meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">';
+      project.write(
+        'index.html',
+        `<!doctype html><html lang="en"><head>${head}</head><body>${body}</body></html>`,
+      );
+      project.run('npx vite build --base ./ --logLevel warn');
+      return join(folder, 'dist');
+    },
+    remove: () => rmSync(folder, { recursive: true, force: true }),
+  };
+  project.write('package.json', JSON.stringify({ name: 'fresh', private: true, type: 'module' }));
+  const wanted = [pack(folder), ...packages.map(versioned)].map((name) => JSON.stringify(name));
+  project.run(`npm install --no-audit --no-fund ${wanted.join(' ')}`);
+  return project;
+}
+
+/** Compiler options of a strict project that also checks the types of libraries. */
+export const strictOptions = {
+  strict: true,
+  noEmit: true,
+  target: 'ES2022',
+  module: 'ESNext',
+  moduleResolution: 'bundler',
+  exactOptionalPropertyTypes: true,
+  skipLibCheck: false,
+  types: [],
+};
+
+/** The first block of code under a heading of the README, or of the page about core and the reference. */
+export function readmeSample(heading: string): string {
+  for (const page of ['README.md', 'src/CORE.md']) {
+    const text = readFileSync(join(repository, page), 'utf8');
+    const [, section = ''] = text.split(new RegExp(`\n##+ ${heading}\n`));
+    const sample = /```(?:js|jsx)\n([^]*?)```/.exec(section)?.[1];
+    if (sample !== undefined) return sample;
+  }
+  throw new Error(`No page has code under "${heading}"`);
+}
+
+/** The README's scripts that import the elements, in its order. */
+export function readmeScripts(): string[] {
+  const text = readFileSync(join(repository, 'README.md'), 'utf8');
+  const blocks = [...text.matchAll(/```(?:ts|js)\n([^]*?)```/g)].map(([, code = '']) => code);
+  return blocks.filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
+}
+
+/** Packs a copy, because PHONG_VIEWER_OUT may put dist/ elsewhere than beside package.json. */
+function pack(folder: string): string {
+  const staged = join(folder, 'packed');
+  mkdirSync(staged);
+  for (const name of ['package.json', 'README.md', 'LICENSE', 'CHANGELOG.md'])
+    if (existsSync(join(repository, name))) cpSync(join(repository, name), join(staged, name));
+  cpSync(outputFolder('dist'), join(staged, 'dist'), { recursive: true });
+  run(`npm pack --ignore-scripts --pack-destination ${JSON.stringify(folder)}`, staged);
+  rmSync(staged, { recursive: true });
+  const { version } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+    version: string;
+  };
+  return `./phong-viewer-${version}.tgz`;
+}
+
+function versioned(name: string): string {
+  if (name.lastIndexOf('@') > 0) return name;
+  const { devDependencies } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+    devDependencies: Readonly<Record<string, string>>;
+  };
+  const range = devDependencies[name];
+  if (range === undefined) throw new Error(`${name} is not a devDependency: add a range`);
+  return `${name}@${range}`;
+}
+
+function run(command: string, cwd: string): string {
+  try {
+    return execSync(command, { cwd, encoding: 'utf8', stdio: 'pipe', timeout: 240_000 });
+  } catch (error) {
+    const { stdout, stderr } = error as { stdout: string; stderr: string };
+    throw new Error(`${command}\n${stdout}\n${stderr}`, { cause: error });
+  }
+}

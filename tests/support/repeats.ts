@@ -1,0 +1,7 @@
+// How often does a random test repeat? As often as its claim says in a release run, a twentieth of it otherwise: the first
+// repetitions find nearly everything, and mutants run them thousands of times.
+
+const RELEASE = typeof process !== 'undefined' && process.env['PHONG_VIEWER_RELEASE'] !== undefined;
+
+/** Repetitions now, of a test that makes `count` of them in a release run. At least one. */
+export const repeats = (count: number): number => (RELEASE ? count : Math.ceil(count / 20));

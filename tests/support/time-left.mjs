@@ -1,0 +1,20 @@
+// @ts-check
+// A Playwright reporter that says, every 15 s, how many tests have ended and how much time is left.
+
+import { Progress } from './command-line.mjs';
+
+export default class TimeLeft {
+  #progress = new Progress({ oneLine: false });
+  #total = 0;
+  #done = 0;
+
+  /** @param {import('@playwright/test/reporter').FullConfig} _config @param {import('@playwright/test/reporter').Suite} suite */
+  onBegin(_config, suite) {
+    this.#total = suite.allTests().length;
+  }
+
+  onTestEnd() {
+    this.#done += 1;
+    this.#progress.show(this.#done, this.#total, `${this.#done} of ${this.#total} browser tests`);
+  }
+}

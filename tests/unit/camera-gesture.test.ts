@@ -1,0 +1,172 @@
+// Does a whole drag, from press to release, leave exactly the pose that the pure functions give, and nothing else?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { PointerGesture } from '../../src/camera/gesture.js';
+import { Orbit } from '../../src/camera/orbit.js';
+
+function setUp() {
+  const orbit = new Orbit();
+  const world = { width: 600, height: 400, fov: 45, orbit: true, zoom: true };
+  const gesture = new PointerGesture({
+    orbit,
+    size: () => ({ width: world.width, height: world.height }),
+    fov: () => world.fov,
+    radiusLimits: () => ({ min: 1e-3, max: 1e3 }),
+    allows: () => ({ orbit: world.orbit, zoom: world.zoom }),
+  });
+  return { orbit, gesture, world };
+}
+
+const place = fc.record({
+  x: fc.double({ min: -3000, max: 3000, noNaN: true }),
+  y: fc.double({ min: -3000, max: 3000, noNaN: true }),
+});
+
+describe('a drag', () => {
+  it('turns −36° for 60 of 600 px', () => {
+    const { orbit, gesture } = setUp();
+    gesture.press(1, 100, 100, 'turn');
+    expect(gesture.move(1, 160, 100)).toBe(true);
+    expect(orbit.theta).toBe(-6);
+  });
+
+  it('leaves no trace after 100,000 random moves that end where they began', () => {
+    const { orbit, gesture } = setUp();
+    orbit.set({ theta: 0.1 + 0.2, phi: 70 / 3, radius: Math.E, target: [0.1, 1 / 3, Math.PI] });
+    const { pose } = orbit;
+    let seed = 20_240_607;
+    const random = (): number => (seed = (seed * 48_271) % 2_147_483_647) / 2_147_483_647;
+    for (let drag = 0; drag < 1000; drag++) {
+      const [x, y] = [random() * 600, random() * 400];
+      gesture.press(1, x, y, random() < 0.5 ? 'turn' : 'shift');
+      for (let i = 0; i < 100; i++) gesture.move(1, random() * 4000 - 2000, random() * 4000 - 2000);
+      gesture.move(1, x, y);
+      expect(orbit.pose).toStrictEqual(pose);
+      gesture.lift(1);
+    }
+  });
+
+  it('comes back bit for bit to the anchor, also with two fingers and after reanchoring', () => {
+    fc.assert(
+      fc.property(fc.array(place), place, fc.array(place), place, (before, anew, after, other) => {
+        const { orbit, gesture } = setUp();
+        gesture.press(1, 10, 20, 'turn');
+        for (const { x, y } of before) gesture.move(1, x, y);
+        gesture.press(2, other.x, other.y, 'turn');
+        gesture.move(1, anew.x, anew.y);
+        gesture.reanchor();
+        const { pose } = orbit;
+        for (const { x, y } of after) gesture.move(x > 0 ? 1 : 2, x, y);
+        gesture.move(1, anew.x, anew.y);
+        gesture.move(2, other.x, other.y);
+        expect(orbit.pose).toStrictEqual(pose);
+      }),
+    );
+  });
+
+  it('continues from a property write, a resize or a new field of view during the drag', () => {
+    const { orbit, gesture, world } = setUp();
+    gesture.press(1, 0, 0, 'turn');
+    gesture.move(1, 60, 0);
+    orbit.set({ theta: 100 });
+    gesture.move(1, 120, 0);
+    expect(orbit.theta).toBe(64);
+    world.width = 1200;
+    gesture.move(1, 240, 0);
+    expect(orbit.theta).toBe(28);
+    gesture.reanchor();
+    gesture.move(1, 180, 0);
+    expect(orbit.theta).toBe(46);
+  });
+
+  it('moves nothing while orbit is off, and does not jump when it is on again', () => {
+    const { orbit, gesture, world } = setUp();
+    gesture.press(1, 0, 0, 'turn');
+    world.orbit = false;
+    expect(gesture.move(1, 300, 0)).toBe(false);
+    world.orbit = true;
+    gesture.move(1, 360, 0);
+    expect(orbit.theta).toBe(-6);
+  });
+
+  it('ignores coordinates that are not finite, and pointers that did not press', () => {
+    const { orbit, gesture } = setUp();
+    expect(gesture.press(1, NaN, 0, 'turn')).toBe(false);
+    expect(gesture.press(1, 0, 0, 'turn')).toBe(true);
+    for (const bad of [NaN, Infinity, -Infinity]) expect(gesture.move(1, bad, 0)).toBe(false);
+    expect(gesture.move(7, 100, 0)).toBe(false);
+    gesture.lift(7);
+    expect(gesture.active).toBe(true);
+    expect(orbit.version).toBe(0);
+  });
+
+  it('moves nothing on a picture without size, and continues once it has one', () => {
+    const { orbit, gesture, world } = setUp();
+    world.width = world.height = 0;
+    gesture.press(1, 0, 0, 'turn');
+    expect(gesture.move(1, 300, 0)).toBe(false);
+    world.width = world.height = 600;
+    gesture.move(1, 360, 0);
+    expect(orbit.theta).toBe(-6);
+  });
+
+  it('comes back from beyond a pole along the same way', () => {
+    const { orbit, gesture } = setUp();
+    gesture.press(1, 0, 0, 'turn');
+    gesture.move(1, 0, 1000);
+    expect(orbit.phi).toBe(0);
+    gesture.move(1, 0, 40);
+    expect(orbit.phi).toBe(52);
+  });
+});
+
+describe('two fingers', () => {
+  it('zoom by the ratio of their distances and shift by the travel of their middle', () => {
+    const { orbit, gesture } = setUp();
+    orbit.set({ theta: 0, phi: 90 });
+    gesture.press(1, 100, 100, 'turn');
+    gesture.press(2, 200, 100, 'turn');
+    gesture.move(1, 50, 100);
+    gesture.move(2, 250, 100);
+    expect(orbit.radius).toBe(2);
+    expect(orbit.target).toStrictEqual([0, 0, 0]);
+    gesture.move(1, 60, 100);
+    gesture.move(2, 260, 100);
+    expect(orbit.radius).toBe(2);
+    expect(orbit.target[0]).toBeCloseTo((-10 * 2 * 2 * Math.tan(Math.PI / 8)) / 400, 14);
+    expect(orbit.theta).toBe(0);
+  });
+
+  it('only shift without zoom, and only zoom without orbit', () => {
+    for (const what of ['zoom', 'orbit'] as const) {
+      const { orbit, gesture, world } = setUp();
+      world[what] = false;
+      gesture.press(1, 100, 100, 'turn');
+      gesture.press(2, 200, 100, 'turn');
+      gesture.move(2, 300, 100);
+      expect(orbit.radius === 4).toBe(what === 'zoom');
+      expect(orbit.target[0] === 0).toBe(what === 'orbit');
+    }
+  });
+
+  it('let the finger that stays continue to turn, from a new anchor', () => {
+    const { orbit, gesture } = setUp();
+    gesture.press(1, 100, 100, 'turn');
+    gesture.press(2, 200, 100, 'turn');
+    gesture.move(2, 300, 100);
+    gesture.lift(1);
+    const { pose } = orbit;
+    expect(gesture.move(2, 300, 100)).toBe(false);
+    gesture.move(2, 360, 100);
+    expect(orbit.pose).toStrictEqual({ ...pose, theta: -6 });
+  });
+
+  it('are all that count: a third is ignored', () => {
+    const { gesture } = setUp();
+    gesture.press(1, 0, 0, 'turn');
+    gesture.press(2, 1, 1, 'turn');
+    expect(gesture.press(3, 2, 2, 'turn')).toBe(false);
+    expect(gesture.pointers).toStrictEqual([1, 2]);
+  });
+});

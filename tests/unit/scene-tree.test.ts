@@ -1,0 +1,91 @@
+// In which order are a scene's objects drawn, and which world matrices are computed again?
+
+import { Mesh, Scene } from 'three';
+import { describe, expect, it, vi } from 'vitest';
+import { FieldStore } from '../../src/fields/field-store.js';
+import { PhongLighting } from '../../src/material/lighting.js';
+import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
+import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
+import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+import { SceneTree } from '../../src/scene/scene-tree.js';
+
+const quiet = (): void => undefined;
+
+function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: FieldStore<MeshValues>[] } {
+  const host: MeshHost = {
+    ...{ materials: new SharedMaterials(new PhongLighting()), crossOrigin: null, mayLoad: true },
+    ...{ changed: quiet, reshaped: quiet, progress: quiet, ended: quiet, dropped: quiet },
+  };
+  const tree = new SceneTree(new Scene(), new Set());
+  const stores = Array.from({ length: count }, () => new FieldStore(MESH_FIELDS));
+  const meshes = stores.map((store, i) => {
+    store.set('geometry', 'box');
+    store.set('name', String(i));
+    const mesh = new SceneMesh(store, host);
+    tree.add(mesh);
+    mesh.update();
+    return mesh;
+  });
+  tree.update();
+  return { tree, meshes, stores };
+}
+
+const names = ({ scene }: SceneTree): string => scene.children.map(({ name }) => name).join(' ');
+
+describe('the scene', () => {
+  it('holds one object for a mesh of one part, whose place is its own', () => {
+    const { tree, stores, meshes } = setUp(2);
+    stores[1]!.set('position', [1, 2, 3]);
+    stores[1]!.set('scale', [2, 0, 2]);
+    meshes[1]!.update();
+    tree.update();
+    expect(tree.scene.children).toHaveLength(2);
+    expect(tree.scene.children[1]).toMatchObject({ isMesh: true, name: '1' });
+    expect(tree.scene.children[1]!.matrixWorld.elements).toEqual([
+      2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 2, 3, 1,
+    ]);
+  });
+
+  it('draws meshes in document order, whenever they came or showed something else, and own objects last', () => {
+    const { tree, stores, meshes } = setUp(3);
+    const own = new Mesh();
+    own.name = 'own';
+    tree.scene.children.unshift(own);
+    own.parent = tree.scene;
+    tree.update();
+    expect(names(tree)).toBe('0 1 2 own');
+    tree.arrange([meshes[2]!, meshes[0]!]); // 1 is no child, as a viewer's own mesh
+    tree.update();
+    expect(names(tree)).toBe('1 2 0 own');
+    stores[2]!.set('geometry', 'sphere');
+    meshes[2]!.update();
+    tree.update();
+    expect(names(tree)).toBe('1 2 0 own');
+    tree.remove(meshes[2]!);
+    tree.update();
+    expect(names(tree)).toBe('1 0 own');
+  });
+
+  it('leaves objects out that the page has taken out of it', () => {
+    const { tree, meshes } = setUp(3);
+    tree.scene.remove(meshes[1]!.root!);
+    tree.update();
+    expect(names(tree)).toBe('0 2');
+  });
+
+  it('computes only the matrices of what has moved, and those of own objects', () => {
+    const { tree, stores, meshes } = setUp(3);
+    const own = new Mesh();
+    own.matrixAutoUpdate = false;
+    tree.scene.add(own);
+    tree.update();
+    const written = meshes.map(({ root }) => vi.spyOn(root!.matrixWorld, 'multiplyMatrices'));
+    stores[1]!.set('position', [5, 0, 0]);
+    meshes[1]!.update();
+    own.matrix.makeTranslation(1, 2, 3); // without matrixWorldNeedsUpdate, as three.js allows below a scene
+    tree.update();
+    expect(written.map(({ mock }) => mock.calls.length)).toEqual([0, 1, 0]);
+    expect(meshes[1]!.root!.matrixWorld.elements[12]).toBe(5);
+    expect(own.matrixWorld.elements[13]).toBe(2);
+  });
+});
