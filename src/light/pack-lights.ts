@@ -58,10 +58,10 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
   into.rows = HEADER.rows;
   into.sent = 0;
   into.active = 0;
+  for (const light of lights) if (light.active) byKind[kindOf(light)].push(light);
   for (const kind of KINDS) {
     const before = into.sent;
-    for (const light of lights) {
-      if (!light.active || kindOf(light) !== kind) continue;
+    for (const light of byKind[kind]) {
       into.active += 1;
       const factor = kind === 'directional' && isSpot(light) ? directionalDecay(light) : 1;
       if (factor === 0) continue;
@@ -69,11 +69,15 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
       if (shines(light, kind)) packLight(light, kind, factor, space, into);
     }
     into.counts[kind] = into.sent - before;
+    byKind[kind].length = 0; // holds on to no light that was removed
   }
   const { directional, point, spot } = into.counts;
   write(into.data, HEADER.counts * 4, directional, point, spot, 0);
   write(into.data, HEADER.ambient * 4, ambient[0], ambient[1], ambient[2], 0);
 }
+
+/** Reused from call to call; empty between them. */
+const byKind: Readonly<Record<LightKind, Values[]>> = { directional: [], point: [], spot: [] };
 
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
 function shines({ position, diffuse, specular, ambient }: Values, kind: LightKind): boolean {

@@ -30,13 +30,13 @@ export interface ShadingFrame {
 const MOST_INLINED = 16;
 
 /**
- * Most lights of a counted program: those that lengthen no frame by more than 50 ms on an H200, where linking runs in the
- * background (49 ms with 32 lights, 234 with 128) and where it blocks the GPU's queue (36 to 63 ms with 8, 111 with 32).
+ * Most lights of a counted program: those whose first draw lengthens no frame by more than 50 ms. On an H200 the longest frame
+ * is 26 to 41 ms with 8 lights, 44 with 16, 91 with 32, whether linking runs in the background (OpenGL) or not (Vulkan).
  */
-const MOST_COUNTED = { background: 32, blocking: 8 } as const;
+const MOST_COUNTED = 16;
 
-/** Rows of the uniform array in general programs: what WebGL 2 promises (224), then 1,000. Other uniforms need RESERVED. */
-const CAPACITIES = [200, 1000] as const;
+/** Rows of the uniform array in general programs: what WebGL 2 promises (224), then what GPUs have. Other uniforms need RESERVED. */
+const CAPACITIES = [200, 1000, 4000] as const;
 const RESERVED = 24;
 
 export class PhongLighting {
@@ -54,6 +54,8 @@ export class PhongLighting {
   #featureVersion = 0;
   #lightVersion = -1;
   #kindVersion = -1;
+  /** This frame packed the lights again. */
+  #repacked = false;
   /** A light turns with the eye. */
   #followsCamera = false;
   #capacity = 0;
@@ -125,7 +127,8 @@ export class PhongLighting {
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
     this.#declare();
-    if (this.#lightVersion === this.lights.version && !moved && !this.#followsCamera) return;
+    this.#repacked = this.#lightVersion !== this.lights.version || moved || this.#followsCamera;
+    if (!this.#repacked) return;
     this.#lightVersion = this.lights.version;
     setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
     setColumns(this.#cameraToShading, frame.right, frame.up, frame.back, eye);
@@ -181,11 +184,10 @@ export class PhongLighting {
     if (this.#device === null) return null;
     if (grid !== null) return 'grid';
     const { sent } = buffer.packed;
-    const { software, linksInBackground, capacities } = this.#device;
-    if (software) return sent <= MOST_INLINED ? 'inlined' : null;
-    if (this.#capacity >= capacities.length) return null;
-    const most = linksInBackground ? MOST_COUNTED.background : MOST_COUNTED.blocking;
-    return sent <= most ? 'counted' : null;
+    const { software, capacities } = this.#device;
+    // Inlined numbers that change in every frame would make a key each, for nothing.
+    if (software) return sent <= MOST_INLINED && !this.#repacked ? 'inlined' : null;
+    return sent <= MOST_COUNTED && this.#capacity < capacities.length ? 'counted' : null;
   }
 
   /** Counts a draw that sent these lights. */
@@ -222,8 +224,6 @@ interface Device {
   readonly renderer: WebGLRenderer;
   /** A software renderer. An unknown name means a GPU. */
   readonly software: boolean;
-  /** Linking does not block the GPU's queue. */
-  readonly linksInBackground: boolean;
   /** Rows of the uniform array, in steps. */
   readonly capacities: readonly number[];
 }
@@ -244,7 +244,6 @@ function deviceOf(renderer: WebGLRenderer): Device {
   const device = {
     renderer,
     software,
-    linksInBackground: renderer.extensions.has('KHR_parallel_shader_compile'),
     // SwiftShader draws 1.4 times as long with a uniform array, which it reads float by float.
     capacities: software ? [] : CAPACITIES.filter((rows) => rows <= most - RESERVED),
   };

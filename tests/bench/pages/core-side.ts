@@ -11,6 +11,7 @@ export const openCore: OpenSide = async (holder, bench) => {
   const lighting = new PhongLighting();
   for (const values of bench.lights) lighting.lights.add(new LightState(values));
   const material = new PhongMaterial(lighting);
+  material.sides = 'closed'; // as the element has it for a sphere
   const { ka, kd, ks, shininess } = SURFACE;
   material.setSurface({ ka: [ka, ka, ka], kd: [kd, kd, kd], ks: [ks, ks, ks], shininess });
   const scene = new Scene();
