@@ -147,7 +147,10 @@ function wrapGl(limits: Limits): void {
     const present = stages.get(program as object) ?? [];
     stages.set(program as object, [...present, shader as WebGLShader]);
   });
-  wrap('compileShader', ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1));
+  wrap(
+    'compileShader',
+    ([shader]) => (spent.compiles += isSpecialisedText(texts.get(shader as object)) ? 0 : 1),
+  );
   wrap('useProgram', ([program], self) => {
     if (program === null) current.delete(self);
     else current.set(self, program as WebGLProgram);
