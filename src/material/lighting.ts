@@ -54,8 +54,8 @@ export class PhongLighting {
   #featureVersion = 0;
   #lightVersion = -1;
   #kindVersion = -1;
-  /** This frame packed the lights again. */
-  #repacked = false;
+  /** This frame changed the packed lights. */
+  #changed = false;
   /** A light turns with the eye. */
   #followsCamera = false;
   #capacity = 0;
@@ -127,8 +127,8 @@ export class PhongLighting {
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
     this.#declare();
-    this.#repacked = this.#lightVersion !== this.lights.version || moved || this.#followsCamera;
-    if (!this.#repacked) return;
+    this.#changed = false;
+    if (this.#lightVersion === this.lights.version && !moved && !this.#followsCamera) return;
     this.#lightVersion = this.lights.version;
     setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
     setColumns(this.#cameraToShading, frame.right, frame.up, frame.back, eye);
@@ -137,8 +137,11 @@ export class PhongLighting {
       cameraToShading: this.#cameraToShading,
       linear: this.#linear,
     };
-    packLights(this.lights.values, space, this.#meshLights.all.packed);
+    const { all } = this.#meshLights;
+    const { version } = all;
+    packLights(this.lights.values, space, all.packed);
     this.#meshLights.changed();
+    this.#changed = all.version !== version;
   }
 
   /** The lights that `mesh` is drawn with. Its world matrix must be up to date. */
@@ -186,7 +189,7 @@ export class PhongLighting {
     const { sent } = buffer.packed;
     const { software, capacities } = this.#device;
     // Inlined numbers that change in every frame would make a key each, for nothing.
-    if (software) return sent <= MOST_INLINED && !this.#repacked ? 'inlined' : null;
+    if (software) return sent <= MOST_INLINED && !this.#changed ? 'inlined' : null;
     return sent <= MOST_COUNTED && this.#capacity < capacities.length ? 'counted' : null;
   }
 

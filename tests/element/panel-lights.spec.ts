@@ -334,7 +334,7 @@ test('builds the rows of hundreds of lights only when their folders are opened',
   // From far away, because this test does not look at pixels under three hundred lights.
   const viewer = await mount(scene(...many).replace('gui', 'gui radius="300"'));
   const lights = folderOf(viewer, 'Lights');
-  expect(await lights.locator('.lil-gui').count()).toBe(300);
+  await expect(lights.locator('.lil-gui')).toHaveCount(300);
   expect(await lights.locator('.lil-controller').count()).toBe(1);
   const folder = await opened(viewer, 'n150');
   await expect(field(folder, 'position x')).toHaveValue('1');
