@@ -35,8 +35,8 @@ const MOST_INLINED = 16;
  */
 const MOST_COUNTED = 16;
 
-/** Rows of the uniform array in general programs: what WebGL 2 promises (224), then what GPUs have. Other uniforms need RESERVED. */
-const CAPACITIES = [200, 1000, 4000] as const;
+/** Rows of the uniform array in general programs: what WebGL 2 promises (224), then 1,000. Other uniforms need RESERVED. */
+const CAPACITIES = [200, 1000] as const;
 const RESERVED = 24;
 
 export class PhongLighting {
