@@ -19,7 +19,7 @@ export interface FrontTable {
   readonly rows: readonly TableRow[];
 }
 
-/** Of a sample: long beside the cost of asking, short enough that nobody notices. */
+/** Duration of a sample: long beside the timer's own cost, short enough not to be noticed. */
 const SAMPLE_MS = 25;
 const MOST_FRAMES = 400;
 const LEAST_ROUNDS = 2;

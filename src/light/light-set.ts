@@ -16,12 +16,12 @@ export class LightSet {
     this.#changed = changed;
   }
 
-  /** Goes up with every change: whoever packed an older version packs again. */
+  /** Increments with every change. Lights packed for an older version are out of date. */
   get version(): number {
     return this.#version;
   }
 
-  /** Goes up with every change but of places: whoever only asks what lights need of a program need not look again after a move. */
+  /** Increments with every change but of positions: a move does not change the code that lights need. */
   get kindVersion(): number {
     return this.#kindVersion;
   }

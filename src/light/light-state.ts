@@ -1,5 +1,5 @@
-// What one light is: its values in HTML's units, their domains and the one table of defaults. Elements, the panel
-// and plain JavaScript all write here. Knows neither the DOM nor three.js, nor how a light is packed or shaded.
+// One light's values in HTML's units, with their domains and defaults. Elements, the panel and plain JavaScript all write
+// here. Knows neither the DOM nor three.js, nor how a light is packed or shaded.
 import { FieldStore } from '../fields/field-store.js';
 import {
   booleanField,
@@ -66,7 +66,7 @@ export const LIGHT_FIELDS: { readonly [K in keyof LightValues]: Field<LightValue
   space: choiceField<LightSpace>('world', LIGHT_SPACES),
 };
 
-/** One light. Reading is free; every write is checked and tells whoever listens: its set. */
+/** One light. Every write is checked and notifies the listener, its LightSet. */
 export class LightState extends FieldStore<LightValues> {
   /** Throws as {@link FieldStore.set} does. Values that are not given have their defaults. */
   constructor(values: Partial<LightValues> = {}) {

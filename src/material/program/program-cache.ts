@@ -145,7 +145,7 @@ export class ProgramCache {
     const linked = gl.getProgramParameter(program.program, gl.LINK_STATUS) === true;
     compilingPrograms.delete(program);
     if (!linked) {
-      // Disposing takes it out of three.js's list: nobody else can report it.
+      // Disposing removes it from three.js's list, so the link check cannot report it later.
       reportLinkFailure(gl, program.program);
       disposeOf(entry);
     }

@@ -1,5 +1,5 @@
 // Which material draws a mesh? Meshes of one picture that look alike share one, so that three.js changes neither program
-// nor values between them. Users are counted; a material nobody uses is freed after the next drawing, so that its program
+// nor values between them. Users are counted; a material without users is freed after the next drawing, so that its program
 // can pass to the next one. Knows neither geometries nor places.
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { PhongLighting } from '../../material/lighting.js';
