@@ -106,7 +106,7 @@ function coneFeatures({ aperture, cutoff }: Values): number {
   // A power below 1 is steep behind the light, one above LARGEST_COSINE_POWER at the axis.
   const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_COSINE_POWER);
   const chords = gentle && (open || isBlunt(aperture)) ? 0 : LIGHT_FEATURES.chords;
-  const side = packedLimit(aperture) < 0 ? LIGHT_FEATURES.wide : LIGHT_FEATURES.narrow;
+  const side = isOnFarSide(aperture) ? LIGHT_FEATURES.wide : LIGHT_FEATURES.narrow;
   const cone = (open ? 0 : side) + chords;
   if (cutoff < LEAST_EXPONENT) return cone;
   if (isIntegerPower(cutoff)) return cone + (cutoff << LIGHT_FEATURES.powerShift);
@@ -150,10 +150,11 @@ const farLimit = (aperture: number): number => -(Math.sin(radians(180 - aperture
  * The limit for float32. A fragment exactly on the axis can be 1e-6 rad off it there (inversesqrt may be 2 ULP off), so a
  * cone of no width must be that wide to hold its axis. An edge that a cosine finds is compared on the far side.
  */
-export function packedLimit(aperture: number): number {
-  const limit = isBlunt(aperture) ? farLimit(aperture) : coneLimit(aperture);
-  return limit < 0 ? limit : Math.max(limit, LEAST_LIMIT);
-}
+export const packedLimit = (aperture: number): number =>
+  isOnFarSide(aperture) ? farLimit(aperture) : Math.max(coneLimit(aperture), LEAST_LIMIT);
+
+/** The packed limit is compared on the far side of the axis, and negative. */
+const isOnFarSide = (aperture: number): boolean => isBlunt(aperture) || (aperture > 90 && aperture < 180);
 
 /** sin² of half of 1e-6 rad. */
 const LEAST_LIMIT = 2.5e-13;

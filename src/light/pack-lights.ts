@@ -102,7 +102,7 @@ function packLight(
   const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
   const { position, attenuation } = light;
   if (kind === 'directional') {
-    writeDirection(matrix, data, at + ROWS.directional.direction * 4, position);
+    writeDirection(matrix, data, at + ROWS.directional.direction * 4, position, 0);
     writeColor(data, at + ROWS.directional.diffuse * 4, light.diffuse, factor, linear, 0);
     writeColor(data, at + ROWS.directional.specular * 4, light.specular, factor, linear, 0);
   } else {
@@ -121,8 +121,7 @@ function packLight(
     writeColor(data, at + ROWS.point.specular * 4, light.specular, 1, linear, attenuation[2]);
   }
   if (kind === 'spot') {
-    const axis = normalize(light.axis);
-    writeThrough(matrix, data, at + ROWS.spot.axis * 4, axis[0], axis[1], axis[2], 0, light.cutoff);
+    writeDirection(matrix, data, at + ROWS.spot.axis * 4, light.axis, light.cutoff);
     writeColor(data, at + ROWS.spot.ambient * 4, light.ambient, 1, linear, packedLimit(light.aperture));
   }
   into.features[into.sent] = featuresOf(light, kind);
@@ -166,14 +165,14 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
   return dot(sum, sum) / 4;
 }
 
-/** L, unit: scaled by its largest component first, so that a denormal vector still has its direction. */
-function writeDirection(m: Mat4, data: Float32Array, at: number, position: Vec4): void {
-  const largest = Math.max(Math.abs(position[0]), Math.abs(position[1]), Math.abs(position[2]));
-  const x = position[0] / largest;
-  const y = position[1] / largest;
-  const z = position[2] / largest;
+/** A unit vector along v, not zero: scaled by its largest component first, so that a denormal vector has its direction too. */
+function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3 | Vec4, scalar: number): void {
+  const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
+  const x = v[0] / largest;
+  const y = v[1] / largest;
+  const z = v[2] / largest;
   const unit = 1 / Math.sqrt(x * x + y * y + z * z);
-  writeThrough(m, data, at, x * unit, y * unit, z * unit, 0, 0);
+  writeThrough(m, data, at, x * unit, y * unit, z * unit, 0, scalar);
 }
 
 /** A position (w = 1) or a direction (w = 0) through a matrix, and a scalar in w. */
