@@ -169,7 +169,7 @@ export function reportLinkFailure(
   const shaders = gl.getAttachedShaders(program) ?? [];
   const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
   const text = logs.filter((log) => log !== null && log !== '').join('\n');
-  reportError(new Error(`phong-viewer: a program does not link: ${text}`));
+  reportError(new Error(`PhongMaterial: a program does not link: ${text}`));
 }
 
 /** What a material needs to draw with a variant. */
