@@ -61,6 +61,8 @@ export class PhongLighting {
   #capacity = 0;
   #device: Device | null = null;
   #uploads = 0;
+  /** The version of each buffer that was last sent. */
+  readonly #uploaded = new WeakMap<LightBuffer, number>();
   readonly #worldToShading = identity();
   readonly #cameraToShading = identity();
 
@@ -174,9 +176,9 @@ export class PhongLighting {
     }
     const { rows } = this.packed;
     const { capacities } = this.#device;
-    if (this.#capacity < capacities.length && rows > (capacities[this.#capacity] ?? Infinity)) {
-      while (this.#capacity < capacities.length && rows > (capacities[this.#capacity] ?? Infinity))
-        this.#capacity += 1; // and never shrinks: lights that come and go compile once
+    // Never shrinks: lights that come and go compile once.
+    while (rows > (capacities[this.#capacity] ?? Infinity)) {
+      this.#capacity += 1;
       this.#featureVersion += 1;
     }
     return capacities[this.#capacity] ?? 0;
@@ -199,8 +201,6 @@ export class PhongLighting {
     this.#uploaded.set(buffer, buffer.version);
     this.#uploads += 1;
   }
-
-  readonly #uploaded = new WeakMap<LightBuffer, number>();
 
   /** Frees what the GPU holds; drawing again sends it again. */
   dispose(): void {

@@ -8,6 +8,8 @@ import type { Vec3 } from '../math/vector.js';
 import { LightBuffer } from './light-buffer.js';
 
 interface Subset {
+  /** Its place in the map: the mask as text. */
+  readonly key: string;
   readonly buffer: LightBuffer;
   /** The version of all lights that it was selected from. */
   version: number;
@@ -103,9 +105,9 @@ export class MeshLights {
     choice.buffer = choice.subset.buffer;
   }
 
-  #subsetOf(mask: Uint8Array): KeyedSubset {
+  #subsetOf(mask: Uint8Array): Subset {
     const key = asText.decode(mask);
-    let subset = this.#subsets.get(key) as KeyedSubset | undefined;
+    let subset = this.#subsets.get(key);
     if (subset === undefined) {
       subset = { key, buffer: new LightBuffer(), version: -1, frame: 0 };
       this.#subsets.set(key, subset);
@@ -119,16 +121,12 @@ export class MeshLights {
   }
 }
 
-interface KeyedSubset extends Subset {
-  readonly key: string;
-}
-
 /** What was found for one mesh. */
 class Choice {
   readonly #mesh: Mesh;
   buffer: LightBuffer;
   /** Null: all lights. */
-  subset: KeyedSubset | null = null;
+  subset: Subset | null = null;
   mask = new Uint8Array(0);
   /** The version of the lights that this was found for. */
   version = -1;
