@@ -23,6 +23,9 @@ export const PART_LIMIT = 10_000;
 /** Most nodes of a model's tree, with or without meshes. Each takes about 2 kB while the model is read. */
 export const NODE_LIMIT = 50_000;
 
+/** Most values in a model's JSON, counted by its brackets and commas. A parsed value takes up to 200 bytes while the model is read. */
+export const JSON_LIMIT = 2 ** 21;
+
 /** Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024 × 1024. */
 export const PIXEL_LIMIT = 2 ** 26;
 
@@ -41,6 +44,7 @@ export interface ModelClaims {
   readonly values?: number;
   readonly parts?: number;
   readonly nodes?: number;
+  readonly json?: number;
   readonly pixels?: number;
 }
 
@@ -50,10 +54,12 @@ export class ModelBudget {
   #values = 0;
   #parts = 0;
   #nodes = 0;
+  #json = 0;
   #pixels = 0;
 
   /** @throws ModelError `too-large` past a limit. Call before allocating. */
-  add({ corners = 0, values = 0, parts = 0, nodes = 0, pixels = 0 }: ModelClaims): void {
+  add({ corners = 0, values = 0, parts = 0, nodes = 0, json = 0, pixels = 0 }: ModelClaims): void {
+    require((this.#json += json), JSON_LIMIT, 'values in its JSON');
     require((this.#nodes += nodes), NODE_LIMIT, 'nodes');
     require((this.#parts += parts), PART_LIMIT, 'draws');
     require((this.#corners += corners), CORNER_LIMIT, 'triangle corners');

@@ -16,8 +16,8 @@ import { gltfTextures, type GltfTextures } from './textures.js';
 type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
 
 export const readGltf: ModelReader = async (source) => {
-  const { json, body } = openContainer(source.bytes);
   const budget = new ModelBudget();
+  const { json, body } = openContainer(source.bytes, budget);
   const document = readDocument(json, budget);
   const bytes = gltfBytes(document, body, source);
   const textures = gltfTextures(document, bytes, budget);
