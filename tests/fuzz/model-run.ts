@@ -8,7 +8,7 @@ import { expect, type Mount } from '../support/test.js';
 import { hostileFile, triangleGlb } from './models.js';
 
 /** Most that the page's process and the GPU's may grow by, together, whatever a file claims. */
-const GROWTH_LIMIT_MB = 1000;
+export const GROWTH_LIMIT_MB = 1000;
 
 /** A file that is neither shown nor refused by then hangs. Files that are refused take milliseconds. */
 const HANG_MS = 30_000;
@@ -70,7 +70,7 @@ export async function fuzzModels(
 }
 
 /** The type of the event that ends the load, or the code of the error. */
-function load(viewer: Locator, src: string): Promise<string> {
+export function load(viewer: Locator, src: string): Promise<string> {
   return viewer.evaluate(
     (element: PhongViewer, [address, patience]) =>
       new Promise<string>((resolve) => {
@@ -100,7 +100,7 @@ function pictureOf(viewer: Locator): Promise<string> {
 }
 
 /** Resident memory of the browser's renderer and GPU processes, in MB, looked at 40 times a second. */
-class MemoryWatch {
+export class MemoryWatch {
   readonly #processes: readonly number[];
   #timer: NodeJS.Timeout | undefined;
   #base = 0;

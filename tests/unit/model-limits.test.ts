@@ -211,17 +211,26 @@ describe('images', () => {
 
 describe('Draco data', () => {
   it('that claim more than the accessors are refused before they are decoded', async () => {
-    for (const claim of [
-      [50e6, 3],
-      [1, 30e6],
+    for (const [faces, points] of [
+      [9, 3],
+      [1, 7],
     ] as const) {
-      const file = dracoGlb(claim[0], claim[1], { faces: 1, points: 3 });
-      expect(await outcome(file)).toMatch(/^bad-model: .*its Draco data claims \d+ triangles/);
+      const file = dracoGlb(faces, points, { faces: 1, points: 3 });
+      expect(await outcome(file)).toMatch(/^bad-model: .*its Draco data claims \d triangles/);
     }
+    expect(await outcome(dracoGlb(50e6, 3, { faces: 1, points: 3 }))).toMatch(/^too-large/);
   });
 
   it('that agree with accessors beyond the limits are too-large', async () => {
     expect(await outcome(dracoGlb(50e6, 25e6, { faces: 50e6, points: 25e6 }))).toMatch(/^too-large/);
+    expect(await outcome(dracoGlb(1.2e6, 6e5, { faces: 1.2e6, points: 6e5 }))).toMatch(/in one Draco mesh/);
+    expect(await outcome(dracoGlb(1.2e6, 6e5, { faces: 8e5, points: 4e5 }))).toMatch(/in one Draco mesh/);
+  });
+
+  it('that end after their header are broken', async () => {
+    expect(await outcome(dracoGlb(1e6, 5e5, { faces: 1e6, points: 5e5 }))).toMatch(
+      /^bad-model: .*Draco data/,
+    );
   });
 });
 

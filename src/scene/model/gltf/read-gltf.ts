@@ -31,28 +31,29 @@ export const readGltf: ModelReader = async (source) => {
     },
     loadTexture: (index) => textures.texture(index),
   };
+  const slices = new Slices(source.signal);
   const loader = new GLTFLoader();
   loader.register(() => plugin);
   try {
-    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter());
+    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return modelOf(await collectParts(scene, new Slices(source.signal)), textures);
+    return modelOf(await collectParts(scene, slices), textures);
   } catch (error) {
     void textures.close();
     throw error;
   }
 };
 
-async function dracoAdapter(): Promise<DracoLoader> {
+async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
   const module = await import('./draco.js').catch((cause: unknown) => {
     throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
       cause,
     });
   });
   // The loader calls only two methods of this class.
-  return (await module.createDracoAdapter()) as unknown as DracoLoader;
+  return (await module.createDracoAdapter(() => slices.pause())) as unknown as DracoLoader;
 }
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
