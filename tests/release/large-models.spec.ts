@@ -57,22 +57,20 @@ for (const [what, make] of [
   ['two images of 32 megapixels', () => textured(2, 8192, 4096)],
   ['64 images of a megapixel', () => textured(64, 1024, 1024)],
 ] as const) {
-  test(`@release ${what} load, and the page and the GPU process grow by less than 1 GB`, async ({
+  test(`@release ${what} loads, and the page and the GPU process grow by less than 1 GB`, async ({
     browser,
-    page,
+    site,
     mount,
   }) => {
     test.setTimeout(600_000);
-    let bytes = triangleGlb();
-    await page.route('**/large/*', (route) => route.fulfill({ body: bytes }));
-    const viewer = await mount('<phong-viewer src="/large/base.glb"></phong-viewer>', {
+    const viewer = await mount(`<phong-viewer src="${site.file(triangleGlb())}"></phong-viewer>`, {
       width: 300,
       height: 200,
     });
     const memory = await MemoryWatch.of(browser);
-    bytes = make();
+    const address = site.file(make());
     memory.start();
-    expect(await load(viewer, '/large/model.glb')).toBe('load');
+    expect(await load(viewer, `${address}?large`)).toBe('load');
     await viewer.evaluate(
       async (element: PhongViewer) => (await element.toBlob({ width: 30, height: 20 })).size,
     );
