@@ -170,7 +170,8 @@ class Geometries {
     if (!index && !strip && !fan && length === count) return null;
     // 8-bit indices become 16-bit, which every GPU reads at full speed.
     const Type = vertices > 0xffff ? Uint32Array : Uint16Array;
-    const ready = !strip && !fan && length === count && index?.array instanceof Type;
+    const plain = index instanceof BufferAttribute && index.array instanceof Type;
+    const ready = plain && !strip && !fan && length === count;
     const corners = ready ? (index.array as InstanceType<typeof Type>) : new Type(length);
     await this.#slices.over(length, (from, to) => {
       for (let i = from; i < to; i += 1) {
