@@ -2,6 +2,7 @@
 // parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full
 // colour). Knows neither the DOM nor the purpose of a value.
 import type { Vec3, Vec4 } from '../math/vector.js';
+import { clip } from './clip.js';
 
 /** How a value is written as text; selects the element's parser and formatter. */
 export type FieldKind = 'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words';
@@ -41,11 +42,21 @@ function rangeWords({ min, max, above, integer }: Range): string {
   return kind;
 }
 
-function show(value: unknown): string {
-  if (typeof value === 'string') return JSON.stringify(value);
-  if (Array.isArray(value)) return `[${value.map(show).join(', ')}]`;
+/** Items of a list that a message repeats. */
+const ITEMS_SHOWN = 5;
+
+/** A value in a message, clipped. Lists in lists, which may contain themselves, are objects. */
+export function show(value: unknown): string {
+  if (!Array.isArray(value)) return showItem(value);
+  const rest = value.length > ITEMS_SHOWN ? ', …' : '';
+  return `[${value.slice(0, ITEMS_SHOWN).map(showItem).join(', ')}${rest}]`;
+}
+
+function showItem(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(clip(value));
+  if (typeof value === 'function') return 'a function';
   if (typeof value === 'object' && value !== null) return 'an object';
-  return String(value);
+  return clip(String(value));
 }
 
 const wrong = (expected: string, value: unknown): TypeError =>
