@@ -48,7 +48,8 @@ test.describe('belong to the nearest viewer', () => {
     same(await pixels(viewer), await shown(page, scene(red)));
   });
 
-  test('where viewers are nested', async ({ page, mount }) => {
+  test('where viewers are nested', async ({ page, mount, consoleGuard }) => {
+    consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
     const inner = scene(green, box).replace('<phong-viewer', '<phong-viewer id="inner"');
     const outer = await mount(scene(red, inner), size);
     expect(await names(outer)).toEqual(['red']);
@@ -59,6 +60,50 @@ test.describe('belong to the nearest viewer', () => {
     });
     expect(await names(outer)).toEqual(['red', 'green']);
     expect(await names(page.locator('#inner'))).toEqual(['box']);
+  });
+});
+
+test.describe('do not belong to a viewer', () => {
+  test('in the content of its slots, unless that holds a viewer of its own', async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    const warnings = consoleGuard.allow(/is inside an element with a slot/, 2);
+    const slotted = `<div slot="error"><p>${green}${box}</p>${scene(red).replace('<phong-viewer', '<phong-viewer id="inner"')}</div>`;
+    const viewer = await mount(scene(slotted, red.replace('"red"', '"own"')), size);
+    expect(await names(viewer)).toEqual(['own']);
+    expect(await names(page.locator('#inner'))).toEqual(['red']);
+    // From there and back.
+    await page.evaluate(() => document.querySelector('phong-viewer')!.append(document.querySelector('[slot] phong-light')!)); // prettier-ignore
+    expect(await names(viewer)).toEqual(['own', 'green']);
+    await page.evaluate(() =>
+      document.querySelector('[slot]')!.prepend(document.querySelector('phong-light')!),
+    );
+    expect(await names(viewer)).toEqual(['own', 'green']);
+    await page.evaluate(() => document.querySelector('[slot]')!.append(...document.querySelector('phong-viewer')!.lights)); // prettier-ignore
+    expect(await names(viewer)).toEqual([]);
+    expect([...warnings].sort()).toEqual([
+      'warning: <phong-light name="green"> is inside an element with a slot, so it has no effect. Move it out of that element.',
+      'warning: <phong-mesh name="box"> is inside an element with a slot, so it has no effect. Move it out of that element.',
+    ]);
+  });
+
+  test('out of the document and in an element that merely has a host', async ({ page, mount }) => {
+    await mount('<main></main>', size);
+    const found = await page.evaluate(() => {
+      const link = document.createElement('a');
+      link.href = 'https://example.test/';
+      link.append(document.createElement('phong-light'));
+      const fragment = document.createDocumentFragment();
+      fragment.append(document.createElement('phong-mesh'));
+      const viewer = document.createElement('phong-viewer');
+      viewer.append(...link.children, fragment);
+      const before = [viewer.lights.length, viewer.meshes.length];
+      link.append(...viewer.children);
+      return [...before, viewer.lights.length, viewer.meshes.length, (link.firstChild as Element & { name: string }).name]; // prettier-ignore
+    });
+    expect(found).toEqual([1, 1, 0, 0, 'light 1']);
   });
 });
 
