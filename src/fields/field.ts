@@ -14,6 +14,8 @@ export interface Field<T> {
   readonly word?: string;
   /** The meaning of the empty attribute, if it has one: `crossorigin` alone means `anonymous`. */
   readonly empty?: T;
+  /** The words to choose from, if the value is one of several. */
+  readonly choices?: readonly string[];
   /** The default: used if nothing, or nothing valid, is given. Frozen. */
   readonly fallback: T;
   /** The domain as a noun phrase, for warnings and errors: "a number from 0 to 180". */
@@ -180,6 +182,7 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
   const expected = `one of ${choices.map((c) => (c === '' ? '(empty)' : c)).join(', ')}`;
   return {
     kind: 'choice',
+    choices,
     fallback,
     expected,
     check(value) {

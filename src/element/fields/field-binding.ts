@@ -2,6 +2,7 @@
 // default. Properties are checked; a bad value throws. Knows no particular element.
 import { show } from '../../fields/field.js';
 import type { FieldStore } from '../../fields/field-store.js';
+import { nearest } from '../../fields/nearest.js';
 import { attributeOf, parseText } from './attribute-text.js';
 
 /** For each set of fields, its keys by attribute name. */
@@ -107,9 +108,11 @@ export class FieldBinding<V extends object> {
 
   /** One warning per element, attribute and value. */
   #warn(key: keyof V & string, value: unknown): void {
-    const { expected, fallback } = this.store.fields[key];
+    const { expected, fallback, choices } = this.store.fields[key];
     const instead = (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
-    const message = `${this.#tag} ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.`;
+    const meant = typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
+    const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
+    const message = `${this.#tag} ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
     if (this.#warned.has(message)) return;
     if (this.#warned.size >= WARNINGS_KEPT) this.#warned.clear();
     this.#warned.add(message);
