@@ -34,7 +34,7 @@ declare global {
   }
 }
 
-/** Runs in the page, after `installWatch`. */
+/** Runs in the page, after `installWatch` and `installTrees`. */
 export function installDeeds(): void {
   const watch = window.walkWatch;
   const { viewers, frame } = watch;
@@ -95,6 +95,7 @@ export function installDeeds(): void {
   }
   type Deed = (viewer: PhongViewer, step: Step) => void | Promise<void>;
   const DEEDS: Readonly<Record<string, Deed>> = {
+    ...window.walkTrees.deeds,
     'set attribute': (viewer, step) => targetOf(viewer, step)?.setAttribute(step.key, step.value),
     'remove attribute': (viewer, step) => targetOf(viewer, step)?.removeAttribute(step.key),
     'set property': (viewer, step) => assign(targetOf(viewer, step), step.key, step.value),
@@ -190,6 +191,7 @@ export function installDeeds(): void {
       const done = DEEDS[step.what]?.(viewer!, step);
       if (done !== undefined) await done;
     }
+    for (const fault of window.walkTrees.faults()) console.error(fault);
   }
 
   window.walkDeeds = {
