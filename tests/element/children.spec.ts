@@ -129,6 +129,25 @@ test.describe('are found', () => {
     same(await pixels(page.locator('phong-viewer')), wanted);
   });
 
+  test('in shadow trees by a viewer that is defined later', async ({ page, site, mount }) => {
+    const wanted = await pixels(await mount(scene(green, box, red), size));
+    await page.goto(site.page(scene('<div></div>', red), { css: 'phong-viewer { display: block; width: 60px; height: 40px }' })); // prettier-ignore
+    await page.evaluate(
+      async ([inner, outer]) => {
+        const deeper = document.createElement('div');
+        deeper.attachShadow({ mode: 'closed' }).innerHTML = inner;
+        document.querySelector('div')!.attachShadow({ mode: 'closed' }).innerHTML = outer;
+        document.querySelector('div')!.append(deeper);
+        const address = '/dist/phong-viewer.standalone.js';
+        await import(address);
+      },
+      [box, green] as const,
+    );
+    await allReady(page);
+    expect(await names(page.locator('phong-viewer'))).toEqual(['green', 'red', 'box']);
+    same(await pixels(page.locator('phong-viewer')), wanted);
+  });
+
   test('in a viewer that was never in the document, and come and go there', async ({ page, mount }) => {
     await mount('<main></main>', size);
     const counts = await page.evaluate(() => {
@@ -194,6 +213,35 @@ test.describe('moves', () => {
     expect(await names(viewer)).toEqual(['green', 'red', 'box']);
     expect(events).toEqual([]);
     expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
+  });
+
+  test('with moveBefore of a wrapper or of the viewer keep models, camera and panel', async ({
+    page,
+    mount,
+  }) => {
+    const model = '<phong-mesh name="model" src="/fixtures/models/textured.glb"></phong-mesh>';
+    const markup = `<main></main>${scene(`<p></p><div>${model}${red}</div>`, green).replace('geometry', 'gui geometry')}`;
+    const viewer = await mount(markup, size);
+    await expect(viewer.locator('[part=panel] > *')).not.toHaveCount(0);
+    await viewer.evaluate((element: PhongViewer) => (element.theta = 77));
+    const requests: string[] = [];
+    page.on('request', (request) => requests.push(request.url()));
+    const kept = await viewer.evaluate(async (element: PhongViewer) => {
+      const state = (): unknown[] => [
+        ...element.scene.children.map(({ uuid }) => uuid),
+        element.shadowRoot?.querySelector('[part=panel]')?.firstElementChild,
+        element.camera.theta,
+        element.loaded,
+      ];
+      const before = state();
+      element.querySelector('p')!.moveBefore(element.querySelector('div')!, null);
+      document.querySelector('main')!.moveBefore(element, null);
+      await element.ready;
+      return state().every((part, i) => part === before[i]);
+    });
+    expect(kept).toBe(true);
+    expect(await names(viewer)).toEqual(['red', 'green', 'model']);
+    expect(requests).toEqual([]);
   });
 
   test('from one viewer to another take effect in both', async ({ page, mount }) => {

@@ -209,6 +209,14 @@ test.describe('a viewer whose end tag is missing', () => {
   });
 });
 
+test('a slot that a self-closed light swallowed is named', async ({ page, mount, consoleGuard }) => {
+  const warnings = consoleGuard.allow(/^warning: <p slot/, 1);
+  await mount(scene('<phong-light /><p slot="error">It failed.</p>'), size);
+  expect(await reported(page, warnings, 1)).toEqual([
+    '<p slot="error"> is inside a <phong-light>, so it is not shown. Write </phong-light> before it.',
+  ]);
+});
+
 test.describe('the code that knows mistakes', () => {
   const mistake = scene(light('difuse="red"'));
   const chunkOf = (site: Site): RegExp => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);

@@ -39,6 +39,14 @@ function diagnoseContent(viewer: Element): void {
     const meant = nearest(tag, TAGS) ?? 'phong-light> or <phong-mesh';
     warn(`<${clip(tag)}> inside a <phong-viewer>: there is no such element. Did you mean <${meant}>?`);
   }
+  const misplaced = viewer.querySelector(':is(phong-light, phong-mesh) > [slot]:not([slot=""])');
+  if (misplaced !== null) {
+    const { localName, slot, parentElement } = misplaced;
+    warn(
+      `<${clip(localName)} slot="${clip(slot)}"> is inside a <${parentElement?.localName ?? ''}>, so it is not shown. ` +
+        `Write </${parentElement?.localName ?? ''}> before it.`,
+    );
+  }
   const hidden = hiddenContent(viewer);
   if (hidden !== null)
     warn(

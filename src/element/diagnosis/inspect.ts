@@ -50,7 +50,7 @@ function isSuspect(element: Element): boolean {
   if (strayAttributes(element).length > 0) return true;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
-    element.querySelector(':not(phong-light, phong-mesh, [slot], [slot] *)') !== null ||
+    element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
     Array.from(element.childNodes).some((node) => node instanceof Text && node.data.trim() !== '')
   );
 }
