@@ -24,8 +24,10 @@ const HIDING = /["'\\]|\/\*/;
  * than four nested parentheses, or with strings, escapes or comments.
  */
 export function cssColor(text: string): Vec3 | null {
+  // Before trimming: V8 keeps the whole of a text for the sake of a part.
+  if (text.length > LONGEST) return null;
   const key = text.trim().toLowerCase();
-  if (key.length > LONGEST || HIDING.test(key) || depthOf(key) > DEEPEST) return null;
+  if (HIDING.test(key) || depthOf(key) > DEEPEST) return null;
   let color = known.get(key);
   if (color === undefined) {
     color = key.includes('currentcolor') ? null : parsed(key);
