@@ -194,6 +194,9 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
   };
 }
 
+/** Words that a list may repeat. An empty list of length 2^32 - 1 would take 32 GB once it is spread. */
+const MOST_WORDS = 1000;
+
 /** Any subset of the choices, in the choices' order, each once. */
 export function subsetField<T extends string>(choices: readonly T[]): Field<readonly T[]> {
   const expected = `any of ${choices.join(', ')}`;
@@ -203,7 +206,8 @@ export function subsetField<T extends string>(choices: readonly T[]): Field<read
     expected,
     check(value) {
       // Spread first: holes become undefined, which is no word.
-      const words: readonly unknown[] | null = Array.isArray(value) ? [...(value as unknown[])] : null;
+      const words: readonly unknown[] | null =
+        Array.isArray(value) && value.length <= MOST_WORDS ? [...(value as unknown[])] : null;
       if (words?.every((word) => typeof word === 'string') !== true) throw wrong(expected, value);
       const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
       if (stray !== undefined) throw new RangeError(`expected ${expected}, got ${show(stray)}`);

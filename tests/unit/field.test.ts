@@ -301,6 +301,11 @@ describe('the error repeats what was given', () => {
       for (const value of values) expect(() => field.check(value)).toThrow(TypeError);
   });
 
+  it('at once, however long a list claims to be', () => {
+    for (const field of [kinds.vector, kinds.color, kinds.subset])
+      expect(messageOf(field, new Array(2 ** 32 - 1)).length).toBeLessThan(800);
+  });
+
   it('and says where a list goes on', () => {
     expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, …]');
     expect(messageOf(kinds.vector, [1, [2], 3])).toContain('got [1, an object, 3]');
