@@ -15,6 +15,6 @@ export function clip(text: string, longest = LONGEST): string {
 /** A whole message. Texts inside that were not clipped are recognised as words that are too long. */
 export const clipMessage = (message: string): string =>
   clip(
-    message.replace(/\S{101,}/g, (word) => clip(word)),
+    message.replace(/\S+/g, (word) => clip(word)),
     LONGEST_MESSAGE,
   );

@@ -72,9 +72,10 @@ function lonely(element: Element): string {
 /** The first content of a viewer that a reader of the page should see, in words; null for none. */
 function hiddenContent(viewer: Element): string | null {
   const walker = document.createTreeWalker(viewer, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT, (node) => {
-    if (node instanceof Element && (node.matches(UNSEEN) || isSlotted(node, viewer)))
+    const element = elementOf(node);
+    if (element !== null && (element.matches(UNSEEN) || isSlotted(element, viewer)))
       return NodeFilter.FILTER_REJECT;
-    const shown = node instanceof Element ? node.matches(SHOWN) : node.nodeValue?.trim() !== '';
+    const shown = element === null ? node.nodeValue?.trim() !== '' : element.matches(SHOWN);
     return shown ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
   });
   // A viewer inside another is always a mistake. Other content before the end tag can be meant for browsers without
@@ -85,10 +86,14 @@ function hiddenContent(viewer: Element): string | null {
     first ??= node;
   }
   if (first === null || !endsItsParent(viewer)) return null;
-  return first instanceof Element
-    ? `<${first.localName}>`
+  return elementOf(first) !== null
+    ? `<${first.nodeName.toLowerCase()}>`
     : `the text "${clip(first.nodeValue?.trim().replace(/\s+/g, ' ') ?? '')}"`;
 }
+
+/** Not by `instanceof`: another window has classes of its own. */
+const elementOf = (node: Node | null): Element | null =>
+  node?.nodeType === Node.ELEMENT_NODE ? (node as Element) : null;
 
 const UNSEEN = 'script,style,template,noscript';
 
@@ -101,7 +106,7 @@ const isSlotted = (node: Element, viewer: Element): boolean =>
 /** Nothing follows but what scripts insert. Not even white space: the parser puts that inside an unclosed element. */
 function endsItsParent(viewer: Element): boolean {
   let next = viewer.nextSibling;
-  while (next instanceof Element && next.matches(`${UNSEEN},link`)) next = next.nextSibling;
+  while (elementOf(next)?.matches(`${UNSEEN},link`) === true) next = next?.nextSibling ?? null;
   return next === null;
 }
 

@@ -51,6 +51,8 @@ function isSuspect(element: Element): boolean {
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
-    Array.from(element.childNodes).some((node) => node instanceof Text && node.data.trim() !== '')
+    Array.from(element.childNodes).some(
+      (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',
+    )
   );
 }
