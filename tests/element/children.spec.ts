@@ -49,7 +49,7 @@ test.describe('belong to the nearest viewer', () => {
   });
 
   test('where viewers are nested', async ({ page, mount, consoleGuard }) => {
-    consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
+    const warnings = consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
     const inner = scene(green, box).replace('<phong-viewer', '<phong-viewer id="inner"');
     const outer = await mount(scene(red, inner), size);
     expect(await names(outer)).toEqual(['red']);
@@ -60,6 +60,7 @@ test.describe('belong to the nearest viewer', () => {
     });
     expect(await names(outer)).toEqual(['red', 'green']);
     expect(await names(page.locator('#inner'))).toEqual(['box']);
+    await expect.poll(() => warnings.length).toBe(1);
   });
 });
 
@@ -83,7 +84,7 @@ test.describe('do not belong to a viewer', () => {
     expect(await names(viewer)).toEqual(['own', 'green']);
     await page.evaluate(() => document.querySelector('[slot]')!.append(...document.querySelector('phong-viewer')!.lights)); // prettier-ignore
     expect(await names(viewer)).toEqual([]);
-    expect([...warnings].sort()).toEqual([
+    await expect.poll(() => [...warnings].sort()).toEqual([
       'warning: <phong-light name="green"> is inside an element with a slot, so it has no effect. Move it out of that element.',
       'warning: <phong-mesh name="box"> is inside an element with a slot, so it has no effect. Move it out of that element.',
     ]);
