@@ -84,10 +84,12 @@ test.describe('do not belong to a viewer', () => {
     expect(await names(viewer)).toEqual(['own', 'green']);
     await page.evaluate(() => document.querySelector('[slot]')!.append(...document.querySelector('phong-viewer')!.lights)); // prettier-ignore
     expect(await names(viewer)).toEqual([]);
-    await expect.poll(() => [...warnings].sort()).toEqual([
-      'warning: <phong-light name="green"> is inside an element with a slot, so it has no effect. Move it out of that element.',
-      'warning: <phong-mesh name="box"> is inside an element with a slot, so it has no effect. Move it out of that element.',
-    ]);
+    await expect
+      .poll(() => [...warnings].sort())
+      .toEqual([
+        'warning: <phong-light name="green"> is inside an element with a slot, so it has no effect. Move it out of that element.',
+        'warning: <phong-mesh name="box"> is inside an element with a slot, so it has no effect. Move it out of that element.',
+      ]);
   });
 
   test('out of the document and in an element that merely has a host', async ({ page, mount }) => {
