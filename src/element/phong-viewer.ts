@@ -234,7 +234,7 @@ export class PhongViewer extends LitElement {
     this.#binding.upgrade();
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
-    this.#children.refresh();
+    this.#children.connected();
     this.#failure.contextRestored(); // or missing once more
     this.#viewport.attach();
   }

@@ -1,5 +1,6 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
 // are read nor how anything is drawn.
+import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
@@ -23,7 +24,7 @@ export interface ViewerErrorDetail {
 }
 
 export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
-  const message = error instanceof Error ? error.message : String(error);
+  const message = clipMessage(error instanceof Error ? error.message : String(error));
   return { code: codeOf(error), message, url: url?.href ?? null };
 }
 

@@ -1,6 +1,7 @@
 // Which parts of a glTF document are shown? The nodes and meshes of its scene, base colours and their textures. Everything else (other
 // scenes, cameras, lights, animation, morph targets, other textures, extras) is removed before anything is loaded. Every index and
 // size that the parser will use is checked here. Knows the JSON only, no bytes.
+import { clip } from '../../../fields/clip.js';
 import { ModelError } from '../model.js';
 import {
   readAccessors,
@@ -45,7 +46,7 @@ export function readDocument(value: unknown): GltfDocument {
   if (!version.startsWith('2.')) {
     throw new ModelError(
       'bad-model',
-      `The model is glTF ${version || 'of no version'}; only glTF 2 is supported.`,
+      `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`,
     );
   }
   for (const required of listAt(json['extensionsRequired'], 'extensionsRequired')) {
@@ -100,7 +101,7 @@ export function readDocument(value: unknown): GltfDocument {
 export function unsupported(extension: string): ModelError {
   return new ModelError(
     'bad-model',
-    `The model needs the glTF extension ${extension}, which is not supported. Save it without that extension.`,
+    `The model needs the glTF extension ${clip(extension)}, which is not supported. Save it without that extension.`,
   );
 }
 
