@@ -128,7 +128,11 @@ export function coefficientsOf(surface: Surface, linear = false): Record<'ka' | 
   const { baseColor = WHITE, metalness = 0, lobeScale = 1, unlit = false } = surface;
   if (unlit) return { ka: BLACK, kd: BLACK, ks: BLACK };
   const base = decoded(baseColor, linear);
-  const k = (c255: Vec3): Vec3 => decoded(scale(c255, 1 / 255), linear);
+  const k = (c255: Vec3): Vec3 =>
+    decoded(
+      map(c255, (c) => c / 255),
+      linear,
+    );
   return {
     ka: multiply(k(surface.ka), base),
     kd: scale(multiply(k(surface.kd), base), 1 - metalness),

@@ -7,6 +7,8 @@ import type { Vec3 } from '../../math/vector.js';
 export interface Model {
   /** At least one. */
   readonly parts: readonly ModelPart[];
+  /** What the file says and the equation has no place for, by the file's own names. */
+  readonly dropped?: ReadonlySet<string>;
   /** Frees geometries and textures and closes their images. A second call does nothing. */
   dispose(): void;
 }
@@ -49,6 +51,10 @@ export interface ModelLook extends Partial<FileSurface> {
   readonly ks?: Vec3;
   readonly shininess?: number;
 }
+
+/** All textures of a look. */
+export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: ModelLook): Texture[] =>
+  [map, emissiveMap, metalRoughMap, normalMap].flatMap((texture) => texture ?? []);
 
 export type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
 
