@@ -35,6 +35,7 @@ function App() {
         style={{ display: 'block', width: 300, height: 200 }}
         alt="A sphere"
         geometry="sphere"
+        kd={255}
         theta={0}
         phi="90"
         oncamera-change={(event) => setSource(event.detail.source)}
