@@ -3,9 +3,8 @@
 
 in vec3 position;
 in vec3 normal;
-uniform mat4 modelViewMatrix;
-uniform mat4 projectionMatrix;
 uniform mat4 uModelToShading;
+uniform mat4 uShadingToClip;
 uniform mat3 uNormalToShading;
 #ifdef HAS_UV
 in vec2 uv;
@@ -100,5 +99,5 @@ void main() {
   vNormal = N;
 #endif
 #endif
-  gl_Position = projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
+  gl_Position = uShadingToClip * vec4(p, 1.0);
 }

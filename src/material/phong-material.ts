@@ -108,6 +108,7 @@ export class PhongMaterial extends RawShaderMaterial {
   #variant: Variant | null = null;
   readonly #model = new Matrix4();
   #placed: Mesh | null = null;
+  #aim = 0;
   readonly #uniforms;
 
   /** What `look` leaves out is as in a file that says nothing. */
@@ -118,6 +119,7 @@ export class PhongMaterial extends RawShaderMaterial {
       uModelToShading: { value: new Matrix4() },
       uNormalToShading: { value: new Matrix3() },
       uEye: lighting.eye,
+      uShadingToClip: lighting.clip,
       uKa: { value: new Vector3() },
       uKd: { value: new Vector3() },
       uKs: { value: new Vector3() },
@@ -204,8 +206,10 @@ export class PhongMaterial extends RawShaderMaterial {
       uLightTextureScale.value.copy(lights.textureScale);
     }
     const sameMesh = this.#place(mesh);
-    // three.js sends a material's uniforms once per frame; meshes after the first need theirs sent again.
-    this.uniformsNeedUpdate = !sameMesh || uLightRows.needsUpdate;
+    const aim = this.#lighting.aim(camera);
+    // three.js sends a material's uniforms once per frame; meshes and cameras after the first need theirs sent again.
+    this.uniformsNeedUpdate = !sameMesh || aim !== this.#aim || uLightRows.needsUpdate;
+    this.#aim = aim;
   }
 
   /** Frees the material's programs; drawing makes them again. */
