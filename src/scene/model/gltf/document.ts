@@ -32,6 +32,8 @@ export interface GltfDocument {
   readonly buffers: readonly { readonly byteLength: number; readonly uri: string | undefined }[];
   readonly images: readonly JsonObject[];
   readonly textures: readonly GltfTexture[];
+  /** What the equation has no place for, by the file's own names. */
+  readonly dropped: ReadonlySet<string>;
   readonly usesDraco: boolean;
 }
 
@@ -57,7 +59,7 @@ export function readDocument(value: unknown): GltfDocument {
   const accessors = readAccessors(json, bufferViews);
   const images = objectsAt(json['images'], 'images');
   const textures = readTextures(json, images.length);
-  const materials = readMaterials(json, textures);
+  const { definitions: materials, dropped } = readMaterials(json, textures);
   const used = new Set<Accessor>();
   const meshes = objectsAt(json['meshes'], 'meshes').map((mesh) => ({
     name: textAt(mesh['name']),
@@ -94,6 +96,7 @@ export function readDocument(value: unknown): GltfDocument {
     })),
     images,
     textures,
+    dropped,
     usesDraco,
   };
 }

@@ -13,9 +13,11 @@ import {
 } from 'three';
 import { srgbEncode } from '../../../math/color.js';
 import { flatGeometry } from '../../../material/flat-geometry.js';
-import { ModelError, type ModelLook, type ModelPart } from '../model.js';
+import { mapsOfLook, ModelError, type ModelLook, type ModelPart } from '../model.js';
 import { encodedColors, floatPositions, floatUvs, unitNormals, type Attribute } from './attributes.js';
 import { posed } from './pose.js';
+import { mapsOf, surfaceOf, uvNameOf } from './surfaces.js';
+import { addTangents } from './tangents.js';
 
 /** Most triangle corners in one model. A copy with a normal per corner would take more than 1 GiB beyond that. */
 const CORNER_LIMIT = 2 ** 26;
@@ -27,8 +29,7 @@ export function collectParts(scene: Object3D): readonly ModelPart[] {
   scene.traverse((object) => {
     if (!(object instanceof Mesh)) return;
     const mesh = object as Mesh<BufferGeometry, MeshStandardMaterial>;
-    const { map } = mesh.material;
-    const { geometry, flat } = geometries.of(mesh, map);
+    const { geometry, flat } = geometries.of(mesh);
     if (geometry.getAttribute('position').count === 0) return;
     const matrix = mesh.matrixWorld.clone();
     if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
@@ -37,7 +38,7 @@ export function collectParts(scene: Object3D): readonly ModelPart[] {
   });
   if (parts.length === 0) throw new Error('it has no triangles');
   // Last, because parts can share a map and each has read its channel above.
-  for (const { look } of parts) if (look.map) readUndecoded(look.map);
+  for (const { look } of parts) for (const map of mapsOfLook(look)) readUndecoded(map);
   return parts;
 }
 
@@ -56,7 +57,8 @@ function nameOf(object: Object3D): string {
 function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: boolean): ModelLook {
   const { color, opacity, transparent, alphaTest } = material;
   const encode = (linear: number): number => srgbEncode(Math.min(Math.max(linear, 0), 1));
-  const map = geometry.hasAttribute('uv') ? material.map : null;
+  const maps = mapsOf(material, geometry);
+  const { map } = maps;
   // Exporters often mark opaque materials as blended. Blending those, unsorted and without depth, would show their backs.
   const vertexAlpha = geometry.hasAttribute('color') && geometry.getAttribute('color').itemSize === 4;
   const blends = transparent && (opacity < 1 || map !== null || vertexAlpha);
@@ -66,16 +68,15 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
     opacity: alphaMode === 'opaque' ? 1 : Math.min(Math.max(opacity, 0), 1),
     alphaMode,
     alphaCutoff: alphaTest,
-    map,
     doubleSided: material.side === DoubleSide,
     flat,
+    ...maps,
+    ...surfaceOf(material),
   };
 }
 
 function readUndecoded(map: Texture): void {
   map.colorSpace = NoColorSpace;
-  // The geometry's `uv` already is the set that the map uses.
-  map.channel = 0;
   if (map.matrixAutoUpdate) map.updateMatrix();
 }
 
@@ -91,18 +92,23 @@ class Geometries {
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
   #corners = 0;
 
-  of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>, map: Texture | null): BuiltGeometry {
-    const uv = map ? (map.channel === 0 ? 'uv' : `uv${String(map.channel)}`) : '';
+  of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): BuiltGeometry {
+    const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
+    const uvs = [
+      ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
+    ];
+    const tangents = normalMap === null ? '' : uvNameOf(normalMap);
     const skin = isSkinned(mesh) ? mesh.uuid : '';
-    const key = `${mesh.geometry.uuid} ${uv} ${skin}`;
+    const key = [mesh.geometry.uuid, ...uvs, 'tangents', tangents, skin].join(' ');
     const present = this.#cache.get(key);
     if (present) return present;
-    const built = this.#build(mesh, uv);
+    const built = this.#build(mesh, uvs);
+    if (tangents !== '') addTangents(built.geometry, mesh.geometry, tangents);
     this.#cache.set(key, built);
     return built;
   }
 
-  #build(mesh: Mesh, uv: string): BuiltGeometry {
+  #build(mesh: Mesh, uvs: readonly string[]): BuiltGeometry {
     const source = mesh.geometry;
     const geometry = new BufferGeometry();
     let position = this.#convert(source.getAttribute('position'), floatPositions);
@@ -119,9 +125,7 @@ class Geometries {
     if (source.hasAttribute('color')) {
       geometry.setAttribute('color', this.#convert(source.getAttribute('color'), encodedColors));
     }
-    if (uv !== '' && source.hasAttribute(uv)) {
-      geometry.setAttribute('uv', this.#convert(source.getAttribute(uv), floatUvs));
-    }
+    for (const uv of uvs) geometry.setAttribute(uv, this.#convert(source.getAttribute(uv), floatUvs));
     for (const [name, attribute] of Object.entries(geometry.attributes)) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }

@@ -22,7 +22,7 @@ export interface PrimitiveContext {
   readonly used: Set<Accessor>;
 }
 
-const ATTRIBUTES = /^(POSITION|NORMAL|TEXCOORD_[0-3]|COLOR_0|JOINTS_0|WEIGHTS_0)$/;
+const ATTRIBUTES = /^(POSITION|NORMAL|TANGENT|TEXCOORD_[0-3]|COLOR_0|JOINTS_0|WEIGHTS_0)$/;
 const TRIANGLES = 4;
 const FAN = 6;
 

@@ -3,7 +3,7 @@
 import type { BufferGeometry, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
-import { ModelError, type Model, type ModelPart } from '../model.js';
+import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
@@ -29,7 +29,7 @@ export const readGltf: ModelReader = async (source) => {
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return modelOf(collectParts(scene), textures);
+    return { ...modelOf(collectParts(scene), textures), dropped: document.dropped };
   } catch (error) {
     void textures.close();
     throw error;
@@ -48,7 +48,7 @@ async function dracoAdapter(): Promise<DracoLoader> {
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
   const geometries = new Set<BufferGeometry>(parts.map(({ geometry }) => geometry));
-  const maps = new Set<Texture>(parts.flatMap(({ look }) => look.map ?? []));
+  const maps = new Set<Texture>(parts.flatMap(({ look }) => mapsOfLook(look)));
   let disposed = false;
   return {
     parts,
