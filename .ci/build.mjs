@@ -11,7 +11,7 @@ import { outputFolder } from './output-folder.mjs';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(repository);
 
-for (const mode of ['index', 'core', 'reference'])
+for (const mode of ['index', 'core', 'reference', 'react'])
   await build({ configFile: join(repository, 'vite.lib.config.ts'), mode, logLevel: 'warn' });
 await build({ configFile: join(repository, 'vite.standalone.config.ts'), logLevel: 'warn' });
 runNode(

@@ -37,6 +37,7 @@ export const layers = {
     lazy: ['gui', 'reference'],
     types: ['three'],
   },
+  react: { layers: ['index', 'element'], packages: ['react'] },
 };
 
 /**
