@@ -31,7 +31,7 @@ test.describe('the packed package', () => {
   const intended = [
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
     /^dist\/(index|core|reference|react)\.js(\.map)?$/,
-    /^dist\/phong-viewer\.standalone\.js$/,
+    /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
@@ -107,12 +107,12 @@ test.describe('dist/', () => {
     expect(strays.map(({ path }) => path)).toEqual([]);
   });
 
-  test('keeps three, Lit, lil-gui and React out of the ES modules and inside the standalone file', () => {
+  test('keeps three, Lit, lil-gui and React out of the ES modules and inside the files for pages without a bundler', () => {
     const statement = /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
     const imports = (text: string): string[] => Array.from(text.matchAll(statement), (match) => match[1]!);
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
-      if (path.includes('standalone') || path.startsWith('chunks')) expect(bare, path).toEqual([]);
+      if (/^(phong-viewer\.|chunks)/.test(path)) expect(bare, path).toEqual([]);
       else for (const name of bare) expect(name, path).toMatch(/^(three|lit|@lit\/|lil-gui|react$)/);
     }
   });
