@@ -1,12 +1,13 @@
 /**
- * `phong-viewer/react`: the elements as typed components for React 19, on the server and on the client. Values are written as
- * the text of attributes: React omits arrays and `false` from server-rendered markup and does not set them when it hydrates.
+ * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client. Values are
+ * written as the text of attributes: React omits arrays and `false` from a server's markup and does not set them when it hydrates.
  * Knows neither the values' names nor their domains.
  */
 import {
   createElement,
-  type ReactElement,
-  type Ref,
+  forwardRef,
+  type ForwardRefExoticComponent,
+  useEffect,
   useImperativeHandle,
   useLayoutEffect,
   useRef,
@@ -25,13 +26,13 @@ export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.Ph
 export type PhongViewerProps = ComponentProps<elements.PhongViewerProps, elements.PhongViewerEventMap>;
 
 /** `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default. */
-export const PhongLight: (props: PhongLightProps) => ReactElement = component(
+export const PhongLight: ForwardRefExoticComponent<PhongLightProps> = component(
   'phong-light',
   elements.PhongLight.observedAttributes,
 );
 
 /** `<phong-mesh>`, as {@link PhongLight}, with the events `onLoad` and `onError`. */
-export const PhongMesh: (props: PhongMeshProps) => ReactElement = component(
+export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
   'phong-mesh',
   elements.PhongMesh.observedAttributes,
 );
@@ -40,7 +41,7 @@ export const PhongMesh: (props: PhongMeshProps) => ReactElement = component(
  * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange` and
  * `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
  */
-export const PhongViewer: (props: PhongViewerProps) => ReactElement = component(
+export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(
   'phong-viewer',
   elements.PhongViewer.observedAttributes,
 );
@@ -58,9 +59,12 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
 );
 
 /** Props that are neither a value nor an event of the element are left to React. */
-function component<P extends object>(tag: string, attributes: readonly string[]): (props: P) => ReactElement {
+function component<P extends object>(
+  tag: string,
+  attributes: readonly string[],
+): ForwardRefExoticComponent<P> {
   const isValue = new Set(attributes);
-  const Component = ({ ref, ...props }: P & { readonly ref?: Ref<unknown> }): ReactElement => {
+  const Component = forwardRef<unknown, object>((props, ref) => {
     const element = useRef<HTMLElement>(null);
     const rendered: Record<string, unknown> = { ref: element };
     const handlers: [type: string, handler: EventListener][] = [];
@@ -71,11 +75,11 @@ function component<P extends object>(tag: string, attributes: readonly string[])
       if (type !== undefined) {
         if (typeof value === 'function') handlers.push([type, value as EventListener]);
       } else if (text !== undefined) rendered[attributeProp(attribute)] = text;
-      else rendered[name] = value;
+      // React 18 knows no className on custom elements.
+      else rendered[name === 'className' ? 'class' : name] = value;
     }
-    useImperativeHandle(ref, () => element.current);
-    // Runs in the task that inserts or hydrates the element, before its events.
-    useLayoutEffect(() => {
+    useImperativeHandle(ref, () => element.current, []);
+    useClientEffect(() => {
       const target = element.current;
       for (const [type, handler] of handlers) target?.addEventListener(type, handler);
       return () => {
@@ -83,17 +87,21 @@ function component<P extends object>(tag: string, attributes: readonly string[])
       };
     });
     return createElement(tag, rendered);
-  };
+  });
   Component.displayName = tag;
-  return Component;
+  return Component as ForwardRefExoticComponent<P>;
 }
+
+const onServer = typeof document === 'undefined';
+
+/** Runs in the task that inserts or hydrates an element, before its events. React 18 warns of layout effects on servers. */
+const useClientEffect = onServer ? useEffect : useLayoutEffect;
 
 /**
  * The prop that React writes as this attribute. Where an element has a property of a prop's exact name, React would write the
  * property, which throws for a bad value and leaves the server's attribute as it was. Attribute names ignore case.
  */
-const attributeProp = (attribute: string): string =>
-  typeof document === 'undefined' ? attribute : attribute.toUpperCase();
+const attributeProp = (attribute: string): string => (onServer ? attribute : attribute.toUpperCase());
 
 /** Lists become words separated by spaces. Null removes the attribute; undefined: the value has no text (a file). */
 function attributeText(value: unknown): string | null | undefined {
