@@ -13,6 +13,10 @@ const size = { width: 60, height: 40 };
 const sized = 'style="display: block; width: 600px; height: 400px"';
 const classic = '<script src="phong-viewer.classic.js"></script>';
 
+const scene =
+  `<phong-viewer ${sized} geometry="sphere" ka="255"><phong-light ambient="200 100 50" diffuse="0" specular="0">` +
+  '</phong-light></phong-viewer>';
+
 let folder: string;
 
 test.beforeEach(() => {
@@ -33,9 +37,6 @@ for (const place of ['before', 'after'] as const) {
   test(`a page opened from disk shows the picture, with the script ${place} the element`, async ({
     page,
   }) => {
-    const scene =
-      `<phong-viewer ${sized} geometry="sphere" ka="255"><phong-light ambient="200 100 50" diffuse="0" ` +
-      'specular="0"></phong-light></phong-viewer>';
     await page.goto(handout(place === 'before' ? classic + scene : scene + classic));
     await allReady(page);
     const picture = await pixels(page.locator('phong-viewer'), size);
@@ -125,13 +126,24 @@ test('the classic script works under a strict policy too, where it draws what th
   site,
   mount,
 }) => {
-  const scene = '<phong-viewer geometry="box" theta="20" gui><phong-light></phong-light></phong-viewer>';
-  const expected = await pixels(await mount(scene), size);
-  await page.goto(site.page(scene, { head: '<script src="/dist/phong-viewer.classic.js"></script>' }));
+  const markup = '<phong-viewer geometry="box" theta="20" gui><phong-light></phong-light></phong-viewer>';
+  const expected = await pixels(await mount(markup), size);
+  await page.goto(site.page(markup, { head: '<script src="/dist/phong-viewer.classic.js"></script>' }));
   await allReady(page);
   const viewer = page.locator('phong-viewer');
   await expect(viewer.getByText('Controls')).toBeVisible();
   expect(compare(await pixels(viewer, size), expected).max).toBe(0);
+});
+
+test('the classic script works in a sandboxed frame, where learning platforms put pages', async ({
+  page,
+  site,
+}) => {
+  const inner = site.page(scene, { csp: '', head: '<script src="/dist/phong-viewer.classic.js"></script>' });
+  await page.goto(site.page(`<iframe sandbox="allow-scripts" src="${inner}"></iframe>`, { csp: '' }));
+  const viewer = page.frameLocator('iframe').locator('phong-viewer');
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  expect(pixelAt(await pixels(viewer, size), 30, 20)).toEqual([200, 100, 50, 255]);
 });
 
 test('the classic script imports nothing and is ASCII after its notice', () => {

@@ -97,7 +97,7 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
 /** What can be done where fetching an address gave no answer. */
 const adviceFor = (url: URL): string =>
   url.protocol === 'file:'
-    ? 'A page opened from disk may not read files: serve their folder, by `npx serve` or `python3 -m http.server`.'
+    ? 'A page opened from disk may not read files: serve the folder, with `npx serve` or `python3 -m http.server`.'
     : 'Is the server reachable, and does it send CORS headers if it is another origin than the page?';
 
 /** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
