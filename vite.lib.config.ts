@@ -40,8 +40,9 @@ export default defineConfig(({ mode }) => ({
   plugins: [
     dracoDecoder(),
     strippedGlsl(),
-    besideIndex,
-    licences({ listed: false, directive: mode === 'react' ? clientDirective : '' }),
+    ...(mode === 'react'
+      ? [besideIndex, licences({ listed: false, directive: clientDirective })]
+      : [licences({ listed: false })]),
   ],
   build: {
     outDir: outputFolder('dist'),
