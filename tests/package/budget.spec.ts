@@ -57,6 +57,16 @@ test('a bundled app is not larger than measured, and smaller with the standalone
   expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(108_000);
 });
 
+test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
+  // Measured: 237 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(240_000);
+});
+
+test("the React components add little to the elements' own code", () => {
+  // Measured: 0.64 kB.
+  expect(sentSize(['react.js'])).toBeLessThan(1024);
+});
+
 test('core and reference are one file each, and the latter needs no three.js', async ({ page, site }) => {
   const requests = new Requests(page);
   const { csp = '', head = '' } = usages.modules;
