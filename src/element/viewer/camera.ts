@@ -36,14 +36,13 @@ const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', '
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;
   readonly #turntable = new Turntable();
-  readonly #reducedMotion: MediaQueryList | null;
+  #reducedMotion: MediaQueryList | null = null;
+  #inView = false;
   #input: OrbitInput | null = null;
   #source: CameraSource = 'script';
 
   constructor(host: CameraHost) {
     this.#host = host;
-    this.#reducedMotion =
-      typeof matchMedia === 'function' ? matchMedia('(prefers-reduced-motion: reduce)') : null;
   }
 
   /** Takes input from `surface`: the picture without the panel. */
@@ -54,12 +53,14 @@ export class ViewerCamera implements ReactiveController {
 
   hostConnected(): void {
     this.#input?.connect();
+    const view = this.#host.viewport.holder.ownerDocument.defaultView;
+    this.#reducedMotion = view?.matchMedia('(prefers-reduced-motion: reduce)') ?? null;
     this.#reducedMotion?.addEventListener('change', this.#startTurning);
   }
 
   hostDisconnected(): void {
     this.#input?.disconnect();
-    this.#turntable.rest();
+    this.inView = false;
     this.#reducedMotion?.removeEventListener('change', this.#startTurning);
   }
 
@@ -141,14 +142,21 @@ export class ViewerCamera implements ReactiveController {
     return true;
   }
 
-  /** The picture is out of view. Time that passes there does not turn the scene. */
-  rest(): void {
-    this.#turntable.rest();
+  /** Whether the picture is in view. Time that passes elsewhere does not turn the scene. */
+  set inView(inView: boolean) {
+    this.#inView = inView;
+    if (inView) this.#startTurning();
+    else this.#turntable.rest();
   }
 
   get turning(): boolean {
     const { autoRotate } = this.#host.values;
-    return autoRotate !== 0 && this.#reducedMotion?.matches !== true && this.#input?.dragging !== true;
+    return (
+      autoRotate !== 0 &&
+      this.#inView &&
+      this.#reducedMotion?.matches !== true &&
+      this.#input?.dragging !== true
+    );
   }
 
   readonly #startTurning = (): void => {
