@@ -30,8 +30,12 @@ export function registryAround(element: Element): ChildRegistry | null {
 
 function hostOf(element: Element): Element | null {
   const root = element.getRootNode();
-  return root instanceof ShadowRoot ? root.host : null;
+  return isShadowRoot(root) ? root.host : null;
 }
+
+/** Not by `instanceof`: in another document the root has the class of that document's window. Links have a `host` too. */
+const isShadowRoot = (root: Node): root is ShadowRoot =>
+  root.nodeType === Node.DOCUMENT_FRAGMENT_NODE && 'host' in root;
 
 export class ChildRegistry {
   readonly #viewer: Element;
@@ -96,7 +100,7 @@ function shadowTrees(children: ReadonlySet<HTMLElement>, viewer: Element): Map<E
   const outermost = viewer.getRootNode();
   for (const child of children) {
     let root = child.getRootNode();
-    while (root !== outermost && root instanceof ShadowRoot && !trees.has(root.host)) {
+    while (root !== outermost && isShadowRoot(root) && !trees.has(root.host)) {
       trees.set(root.host, root);
       root = root.host.getRootNode();
     }
