@@ -110,7 +110,6 @@ export class PhongViewer extends LitElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    size: () => this.#holder.getBoundingClientRect(),
     moved: (source) => this.#cameraMoved(source),
   });
   readonly #visibility = new Visibility(this, this.#holder, (view) => {

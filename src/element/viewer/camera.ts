@@ -7,6 +7,7 @@ import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { pictureBox } from '../page/picture-box.js';
 import type { CameraValues, ViewerValues } from '../fields/viewer-fields.js';
 
 /** What moved the camera. */
@@ -26,8 +27,6 @@ export interface CameraState {
 export interface CameraHost {
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
-  /** CSS pixels. */
-  readonly size: () => { readonly width: number; readonly height: number };
   moved(source: CameraSource): void;
 }
 
@@ -47,7 +46,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** Takes input from `surface`: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
-    this.#input = new OrbitInput(surface, this.#inputHost());
+    this.#input = new OrbitInput(surface, this.#inputHost(surface));
     this.#input.connect();
   }
 
@@ -168,11 +167,12 @@ export class ViewerCamera implements ReactiveController {
     this.#host.moved(source);
   }
 
-  #inputHost(): OrbitInputHost {
-    const { viewport, values, size } = this.#host;
+  #inputHost(surface: HTMLElement): OrbitInputHost {
+    const { viewport, values } = this.#host;
+    const corners = surface.getElementsByClassName('corner');
     return {
       orbit: viewport.orbit,
-      size,
+      size: () => pictureBox(surface, corners),
       fov: () => viewport.fov,
       radiusLimits: () => viewport.zoomLimits,
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
