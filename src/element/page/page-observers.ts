@@ -43,6 +43,18 @@ export class PageObservers {
     return this.view.screen.height;
   }
 
+  /**
+   * Alone, `scrollMargin` widens the window, iframes and scroll containers alike, in all browsers that have it. The others, and
+   * iframes of other origins, only let the own document's view be widened, as their root.
+   */
+  get #surroundings(): IntersectionObserverInit {
+    const { view } = this;
+    const margin = `${String(this.margin)}px`;
+    const isKnown = 'scrollMargin' in view.IntersectionObserver.prototype;
+    const isForeign = view.parent !== view && view.frameElement === null;
+    return isKnown && !isForeign ? { scrollMargin: margin } : { root: view.document, rootMargin: margin };
+  }
+
   watch(element: Element, watcher: Watcher): void {
     this.#observers ??= this.#open();
     this.#watched.set(element, watcher);
@@ -80,17 +92,17 @@ export class PageObservers {
     // Nobody is left to clean up for when the window that runs this code closes.
     if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
-    const margin = `${String(this.margin)}px`;
-    // With the document as the root, a margin also works in iframes. `scrollMargin` widens scroll containers inside the page as
-    // well; browsers without it ignore it.
-    const wide = { root: view.document, rootMargin: margin, scrollMargin: margin };
     return {
-      intersection: new view.IntersectionObserver((entries) => {
-        for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
-      }),
+      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold tells.
+      intersection: new view.IntersectionObserver(
+        (entries) => {
+          for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
+        },
+        { threshold: [0, 1e-6] },
+      ),
       surroundings: new view.IntersectionObserver((entries) => {
         for (const entry of entries) this.#watched.get(entry.target)?.neared(entry);
-      }, wide),
+      }, this.#surroundings),
       resize: new view.ResizeObserver((entries) => {
         for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
       }),

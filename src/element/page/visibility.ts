@@ -78,17 +78,9 @@ export class Visibility implements ReactiveController, Watcher {
   /** Measures now, by layout: observers report only after a frame. */
   look(): void {
     if (this.#page === null) return;
-    const { view, margin } = this.#page;
-    const box = this.#element.getBoundingClientRect();
-    const within = (distance: number): boolean =>
-      box.width > 0 &&
-      box.height > 0 &&
-      box.bottom > -distance &&
-      box.right > -distance &&
-      box.top < view.innerHeight + distance &&
-      box.left < view.innerWidth + distance;
-    this.#inView = within(0);
-    this.#near = within(margin);
+    const distance = distanceFromView(this.#element);
+    this.#inView = distance < 0;
+    this.#near = distance < this.#page.margin;
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     this.shown();
   }
@@ -102,7 +94,7 @@ export class Visibility implements ReactiveController, Watcher {
   }
 
   intersected(entry: IntersectionObserverEntry): void {
-    this.#inView = entry.isIntersecting;
+    this.#inView = entry.isIntersecting && entry.intersectionRatio > 0;
     this.shown();
   }
 
@@ -180,6 +172,35 @@ function isPainted(element: Element): boolean {
   return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
 }
 
+/**
+ * How far an element is out of view: of the scroll containers and windows around it, the largest gap counts. CSS pixels; negative
+ * in view, Infinity without a size.
+ */
+function distanceFromView(element: Element): number {
+  const view = element.ownerDocument.defaultView;
+  const place = element.getBoundingClientRect();
+  if (view === null || place.width === 0 || place.height === 0) return Infinity;
+  let distance = gap(place, { top: 0, left: 0, bottom: view.innerHeight, right: view.innerWidth });
+  let { position } = view.getComputedStyle(element);
+  for (let box = parentOf(element); box !== null && position !== 'fixed'; box = parentOf(box)) {
+    const style = view.getComputedStyle(box);
+    if (position === 'absolute' && style.position === 'static') continue; // not its containing block: clips nothing
+    ({ position } = style);
+    if (style.overflow !== 'visible' && !isPage(box))
+      distance = Math.max(distance, gap(place, box.getBoundingClientRect()));
+  }
+  return view.frameElement === null ? distance : Math.max(distance, distanceFromView(view.frameElement));
+}
+
+/** The overflow of these is the window's. */
+const isPage = (box: Element): boolean =>
+  box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
+
+type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
+
+const gap = (a: Edges, b: Edges): number =>
+  Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
+
 /** In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. A margin around it would. */
 function isCollapsed(element: Element): boolean {
   const view = element.ownerDocument.defaultView;
@@ -191,4 +212,7 @@ function isCollapsed(element: Element): boolean {
 }
 
 const parentOf = (element: Element): Element | null =>
-  element.parentElement ?? (element.getRootNode() as Partial<ShadowRoot>).host ?? null;
+  element.assignedSlot ??
+  element.parentElement ??
+  (element.getRootNode() as Partial<ShadowRoot>).host ??
+  null;
