@@ -6,14 +6,14 @@ import { pinch, shift, turn } from './drag.js';
 import type { RadiusLimits, View } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
-/** The picture's box and where it is turned to by CSS transforms. */
+/** The picture's box, and the directions of its axes on the page. */
 export interface PictureBox {
   /** Before transforms, CSS pixels. */
   readonly width: number;
   readonly height: number;
   /**
-   * The travel of a pointer, in client coordinates, that follows the box's own axes by one pixel: x and y for a pixel to the
-   * right, x and y for a pixel down. Default: 1, 0, 0, 1.
+   * Client coordinates of one of the box's own pixels: x and y of a pixel to the right, x and y of a pixel down. CSS transforms
+   * of the box or its parents change them. Default: 1, 0, 0, 1.
    */
   readonly axes?: PictureAxes;
 }

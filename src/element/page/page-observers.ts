@@ -89,7 +89,7 @@ export class PageObservers {
     const { signal } = listeners;
     view.document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
     view.addEventListener('beforeprint', () => this.#notify('printed'), { signal });
-    // Nobody is left to clean up for when the window that runs this code closes.
+    // Not for the window that runs this code: nothing is left to clean up when it closes.
     if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
     return {

@@ -7,7 +7,7 @@ import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Viewport } from '../../scene/viewport.js';
-import { pictureBox } from '../page/picture-box.js';
+import { PictureCorners } from '../page/picture-box.js';
 import type { CameraValues, ViewerValues } from '../fields/viewer-fields.js';
 
 /** What moved the camera. */
@@ -169,10 +169,10 @@ export class ViewerCamera implements ReactiveController {
 
   #inputHost(surface: HTMLElement): OrbitInputHost {
     const { viewport, values } = this.#host;
-    const corners = surface.getElementsByClassName('corner');
+    const corners = new PictureCorners(surface);
     return {
       orbit: viewport.orbit,
-      size: () => pictureBox(surface, corners),
+      size: () => corners.box,
       fov: () => viewport.fov,
       radiusLimits: () => viewport.zoomLimits,
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),

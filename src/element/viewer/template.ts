@@ -23,7 +23,7 @@ export function viewerTemplate({ label, poster, fixed, notice, holder }: ViewerL
       role=${label === '' ? nothing : 'img'}
       aria-label=${label === '' ? nothing : label}
     >
-      ${holder}<i class="corner"></i><i class="corner right"></i><i class="corner low"></i>
+      ${holder}
     </div>
     ${poster === '' ? nothing : html`<img class="poster" part="poster" src=${poster} alt="" />`}
     ${
