@@ -254,7 +254,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
   'phong-viewer': [
     text('alt', ''),
     text('poster', ''),
-    choice('loading', 'eager', 'eager', 'lazy'),
+    choice('loading', 'auto', 'auto', 'eager', 'lazy'),
     crossOrigin,
     ...shape,
     { ...number('theta', 30, -1e300, 1e300), outside: notFinite, refused: [[NaN, 'RangeError'], ['x', 'TypeError']] }, // prettier-ignore

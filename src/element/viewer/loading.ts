@@ -52,7 +52,7 @@ export class ViewerLoading implements MeshHost {
   readonly #progress = new LoadProgress();
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
-  #seen = false;
+  #near = false;
 
   constructor(host: LoadingHost) {
     this.#host = host;
@@ -69,7 +69,7 @@ export class ViewerLoading implements MeshHost {
   }
 
   get mayLoad(): boolean {
-    return this.#seen || this.#host.store.values.loading !== 'lazy';
+    return this.#near || this.#host.store.values.loading !== 'lazy';
   }
 
   changed(): void {
@@ -116,10 +116,10 @@ export class ViewerLoading implements MeshHost {
     return !this.pending && this.#meshes().some((mesh) => mesh.showsModel);
   }
 
-  /** The viewer is visible: lazy loading begins. */
-  seen(): void {
-    if (this.#seen) return;
-    this.#seen = true;
+  /** The viewer is in view or near it: lazy loading begins. */
+  neared(): void {
+    if (this.#near) return;
+    this.#near = true;
     if (this.#host.store.values.loading === 'lazy') this.update();
   }
 

@@ -16,7 +16,7 @@ import type { Appearance, SharedMaterials } from './shared-materials.js';
 export interface MeshHost {
   readonly materials: SharedMaterials;
   readonly crossOrigin: CrossOrigin;
-  /** False while a lazy viewer has not been seen. */
+  /** False while a lazy viewer has not come near the view. */
   readonly mayLoad: boolean;
   /** The mesh looks different: draw again. */
   changed(): void;
