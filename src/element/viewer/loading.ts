@@ -1,5 +1,6 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
 // are read nor how anything is drawn.
+import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
@@ -23,7 +24,7 @@ export interface ViewerErrorDetail {
 }
 
 export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
-  const message = error instanceof Error ? error.message : String(error);
+  const message = clipMessage(error instanceof Error ? error.message : String(error));
   return { code: codeOf(error), message, url: url?.href ?? null };
 }
 
@@ -51,7 +52,7 @@ export class ViewerLoading implements MeshHost {
   readonly #progress = new LoadProgress();
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
-  #seen = false;
+  #near = false;
 
   constructor(host: LoadingHost) {
     this.#host = host;
@@ -68,7 +69,7 @@ export class ViewerLoading implements MeshHost {
   }
 
   get mayLoad(): boolean {
-    return this.#seen || this.#host.store.values.loading !== 'lazy';
+    return this.#near || this.#host.store.values.loading !== 'lazy';
   }
 
   changed(): void {
@@ -115,10 +116,10 @@ export class ViewerLoading implements MeshHost {
     return !this.pending && this.#meshes().some((mesh) => mesh.showsModel);
   }
 
-  /** The viewer is visible: lazy loading begins. */
-  seen(): void {
-    if (this.#seen) return;
-    this.#seen = true;
+  /** The viewer is in view or near it: lazy loading begins. */
+  neared(): void {
+    if (this.#near) return;
+    this.#near = true;
     if (this.#host.store.values.loading === 'lazy') this.update();
   }
 

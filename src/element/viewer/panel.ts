@@ -34,8 +34,8 @@ export class ViewerPanel {
       console.warn('<phong-viewer>: the code of the control panel could not be fetched; it is not shown.');
       return;
     }
-    const root = place.getRootNode();
-    if (!this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
+    const root = this.#viewer.shadowRoot;
+    if (!this.#wanted || this.#panel !== null || root === null) return;
     this.#panel = code.createPanel(this.#viewer, place, root);
   }
 

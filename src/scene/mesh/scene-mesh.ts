@@ -3,7 +3,7 @@
 import { Group, Matrix4, Mesh, type Object3D } from 'three';
 import { flatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { PhongMaterial, ShadingStyle } from '../../material/phong-material.js';
+import type { BaseLook, PhongMaterial, ShadingStyle } from '../../material/phong-material.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
@@ -16,7 +16,7 @@ import type { Appearance, SharedMaterials } from './shared-materials.js';
 export interface MeshHost {
   readonly materials: SharedMaterials;
   readonly crossOrigin: CrossOrigin;
-  /** False while a lazy viewer has not been seen. */
+  /** False while a lazy viewer has not come near the view. */
   readonly mayLoad: boolean;
   /** The mesh looks different: draw again. */
   changed(): void;
@@ -35,6 +35,7 @@ interface Part {
   readonly mesh: Mesh;
   readonly source: ContentPart;
   material: PhongMaterial;
+  look: BaseLook;
   surface: SurfaceValues;
 }
 
@@ -108,9 +109,11 @@ export class SceneMesh {
     this.#reflection = reflection;
     for (const part of this.#parts) {
       const surface = this.#surfaceOf(part.source);
-      if (restyled || !sameSurface(surface, part.surface)) {
+      const look = this.#lookOf(part.source);
+      if (restyled || look !== part.look || !sameSurface(surface, part.surface)) {
         part.surface = surface;
-        part.material = materials.exchange(part.material, this.#appearanceOf(part.source, surface));
+        part.look = look;
+        part.material = materials.exchange(part.material, this.#appearanceOf(part));
         part.mesh.material = part.material;
       }
       const { geometry } = part.source;
@@ -138,7 +141,14 @@ export class SceneMesh {
     return surface as SurfaceValues;
   }
 
-  #appearanceOf({ look, sides }: ContentPart, surface: SurfaceValues): Appearance {
+  /** An exponent that the author gives replaces the file's roughness. */
+  #lookOf({ look }: ContentPart): BaseLook {
+    const state = this.#state as FieldStore<ShapeValues>;
+    return state.given('shininess') ? withoutRoughness(look) : look;
+  }
+
+  #appearanceOf({ source, look, surface }: Pick<Part, 'source' | 'look' | 'surface'>): Appearance {
+    const { sides } = source;
     return { look, sides, surface, shading: this.#shading, reflection: this.#reflection };
   }
 
@@ -230,11 +240,12 @@ export class SceneMesh {
     this.#reflection = reflection;
     this.#parts = content.parts.map((source) => {
       const surface = this.#surfaceOf(source);
-      const material = materials.acquire(this.#appearanceOf(source, surface));
+      const look = this.#lookOf(source);
+      const material = materials.acquire(this.#appearanceOf({ source, look, surface }));
       const mesh = new Mesh(source.geometry, material);
       mesh.name = source.name;
       mesh.matrixAutoUpdate = false;
-      return { mesh, material, surface, source };
+      return { mesh, material, look, surface, source };
     });
     // After the new ones are acquired: equal looks keep their material, and so their program.
     for (const { material } of before) materials.release(material);
@@ -262,6 +273,16 @@ function rootOf(parts: readonly Part[]): Object3D | null {
 }
 
 const IDENTITY = /* @__PURE__ */ new Matrix4();
+
+const smooth = new WeakMap<BaseLook, BaseLook>();
+
+/** The same object each time: materials are compared by it. */
+function withoutRoughness(look: BaseLook): BaseLook {
+  if (look.roughness === null) return look;
+  const known = smooth.get(look) ?? { ...look, roughness: null };
+  smooth.set(look, known);
+  return known;
+}
 
 const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
   a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;

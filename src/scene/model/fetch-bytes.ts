@@ -81,12 +81,7 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
         { cause },
       );
     }
-    throw new ModelError(
-      'load-failed',
-      `${url.href} could not be fetched. Is the server reachable, and does it send CORS headers ` +
-        'if it is another origin than the page?',
-      { cause },
-    );
+    throw new ModelError('load-failed', `${url.href} could not be fetched. ${adviceFor(url)}`, { cause });
   } finally {
     policy.stop();
   }
@@ -98,6 +93,12 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
       '. Check the address.',
   );
 }
+
+/** What can be done where fetching an address gave no answer. */
+const adviceFor = (url: URL): string =>
+  url.protocol === 'file:'
+    ? 'A page opened from disk may not read files: serve the folder, with `npx serve` or `python3 -m http.server`.'
+    : 'Is the server reachable, and does it send CORS headers if it is another origin than the page?';
 
 /** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
 function expectedLength(response: Response): number {

@@ -4,7 +4,7 @@ import type { BufferGeometry, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
-import { ModelError, type Model, type ModelPart } from '../model.js';
+import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
@@ -39,7 +39,7 @@ export const readGltf: ModelReader = async (source) => {
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return modelOf(await collectParts(scene, slices), textures);
+    return { ...modelOf(await collectParts(scene, slices), textures), dropped: document.dropped };
   } catch (error) {
     void textures.close();
     throw error;
@@ -58,7 +58,7 @@ async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
   const geometries = new Set<BufferGeometry>(parts.map(({ geometry }) => geometry));
-  const maps = new Set<Texture>(parts.flatMap(({ look }) => look.map ?? []));
+  const maps = new Set<Texture>(parts.flatMap(({ look }) => mapsOfLook(look)));
   let disposed = false;
   return {
     parts,
