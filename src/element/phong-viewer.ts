@@ -4,6 +4,7 @@ import { LitElement, type PropertyValues } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
+import { lazyCode } from '../scene/lazy-code.js';
 import { Viewport } from '../scene/viewport.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
@@ -27,6 +28,9 @@ import type { ViewerStats } from './viewer/stats.js';
 import { viewerTemplate } from './viewer/template.js';
 import { sceneMarkup } from './viewer/to-html.js';
 import { pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
+
+const pictureCode = /* @__PURE__ */ lazyCode(() => import('./viewer/picture-blob.js'), 'toBlob');
+const shadeAtCode = /* @__PURE__ */ lazyCode(() => import('./viewer/shade-at.js'), 'shadeAt');
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -200,7 +204,7 @@ export class PhongViewer extends LitElement {
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
     const picture = pictureOf(this.#viewport, options);
-    return (await import('./viewer/picture-blob.js')).pictureBlob(picture, options);
+    return (await pictureCode()).pictureBlob(picture, options);
   }
 
   /**
@@ -215,7 +219,7 @@ export class PhongViewer extends LitElement {
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
-    const { shadeAt } = await import('./viewer/shade-at.js');
+    const { shadeAt } = await shadeAtCode();
     return shadeAt(snapshot, x, y);
   }
 
