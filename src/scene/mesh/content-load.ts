@@ -50,7 +50,13 @@ export class ContentLoad {
       this.#await(url, (signal) => this.#loadModel(url, src, signal));
       return;
     }
-    const content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+    let content: Content | Promise<Content>;
+    try {
+      content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+    } catch (error) {
+      this.fail(null, error);
+      return;
+    }
     if (content instanceof Promise) this.#await(null, () => content);
     else owner.arrived(content, null, false);
   }
