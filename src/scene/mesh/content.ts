@@ -4,10 +4,10 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import type { Sides } from '../../material/back-faces.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import { requestModel } from '../model/fetch-bytes.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import { lazyCode } from '../lazy-code.js';
 import type { LoadOptions } from '../model/load-model.js';
+import { requestFile } from '../model/request-file.js';
 
 /** A geometry and how it looks, as far as its file or shape says. */
 export interface ContentPart {
@@ -50,6 +50,6 @@ const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.
 
 /** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
 export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const request = requestModel(url, options);
+  const request = url.protocol === 'data:' ? null : requestFile(url, 'follow', options);
   return (await modelCode()).modelContent(url, options, request);
 }

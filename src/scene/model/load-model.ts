@@ -1,13 +1,14 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
 // Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
 import { isOutOfMemory } from '../out-of-memory.js';
-import { type CrossOrigin, requestModel } from './fetch-bytes.js';
+import { byteFetcher } from './fetch-bytes.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
 import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
+import type { CrossOrigin, FileRequest } from './request-file.js';
 
 export { ModelError, type Model, type ModelErrorCode, type ModelLook, type ModelPart } from './model.js';
-export type { CrossOrigin } from './fetch-bytes.js';
+export type { CrossOrigin } from './request-file.js';
 
 export interface LoadOptions {
   /** Aborts the load; the promise then rejects with the signal's reason. */
@@ -20,17 +21,18 @@ export interface LoadOptions {
 
 /**
  * Loads the model at `url` and the files it refers to. `data:` addresses are decoded, not fetched.
+ * @param request of the file at `url`, if it was requested already.
  * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
  */
 export async function loadModel(
   url: URL,
   options: LoadOptions,
-  request = requestModel(url, options),
+  request: FileRequest | null = null,
 ): Promise<Model> {
   const { signal, crossOrigin } = options;
-  const { fetchBytes } = request;
+  const fetchBytes = byteFetcher(options);
   try {
-    const bytes = await request.bytes;
+    const bytes = await fetchBytes(url, 'follow', request);
     const source: ModelSource = {
       url,
       bytes,

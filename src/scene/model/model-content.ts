@@ -2,11 +2,15 @@
 // fetched with the first one. Knows neither materials nor elements.
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { Content } from '../mesh/content.js';
-import type { ModelRequest } from './fetch-bytes.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
+import type { FileRequest } from './request-file.js';
 
 /** The model at `url`; see {@link loadModel}. */
-export async function modelContent(url: URL, options: LoadOptions, request: ModelRequest): Promise<Content> {
+export async function modelContent(
+  url: URL,
+  options: LoadOptions,
+  request: FileRequest | null,
+): Promise<Content> {
   const model = await loadModel(url, options, request);
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
