@@ -6,6 +6,7 @@ import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import { lazyCode } from '../lazy-code.js';
+import { isDataUri } from '../model/data-uri.js';
 import type { LoadOptions } from '../model/load-model.js';
 import { requestFile } from '../model/request-file.js';
 
@@ -50,6 +51,6 @@ const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.
 
 /** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
 export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const request = url.protocol === 'data:' ? null : requestFile(url, 'follow', options);
+  const request = isDataUri(url.href) ? null : requestFile(url, 'follow', options);
   return (await modelCode()).modelContent(url, options, request);
 }

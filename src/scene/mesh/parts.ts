@@ -5,6 +5,7 @@ import { flatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
 import { extremePointsOf } from '../extreme-points.js';
+import { VALUE_LIMIT } from '../model/limits.js';
 import { ModelError } from '../model/model.js';
 import { type Content, type ContentPart, NOTHING } from './content.js';
 import type { ShapeValues } from './mesh-fields.js';
@@ -42,10 +43,7 @@ export function geometriesOf(parts: readonly ContentPart[], flat: boolean): Buff
   });
 }
 
-/** Most floats in the flat copies of one model: 448 MiB, enough for 5 million triangles. The GPU holds as much. */
-const FLAT_LIMIT = 7 * 2 ** 24;
-
-/** Flat shading gives every corner values of its own. */
+/** Flat shading gives every corner values of its own. They may be as many as those of a file. */
 function checkFlat(parts: readonly ContentPart[]): void {
   let values = 0;
   for (const { attributes, index } of new Set(parts.map(({ geometry }) => geometry))) {
@@ -55,7 +53,7 @@ function checkFlat(parts: readonly ContentPart[]): void {
     const corners = index?.count ?? attributes['position']?.count ?? 0;
     values += corners * floats.reduce((sum, size) => sum + size, 3);
   }
-  if (values > FLAT_LIMIT)
+  if (values > VALUE_LIMIT)
     throw new ModelError('too-large', 'The model has too many triangles for shading="flat".');
 }
 
