@@ -30,6 +30,11 @@ export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null 
   return found;
 }
 
+/** `copy` has the vertices of `geometry`: it is not read for itself. */
+export function shareExtremePoints(geometry: BufferGeometry, copy: BufferGeometry): void {
+  known.set(copy, extremePointsOf(geometry));
+}
+
 /** The vertices have changed. */
 export function forgetExtremePoints(geometry: BufferGeometry): void {
   known.delete(geometry);
@@ -56,9 +61,14 @@ function findExtremePoints(geometry: BufferGeometry): ExtremePoints | null {
   return { points: distinct(vertices, chosen), center, radius: Math.sqrt(farthest) };
 }
 
-/** x, y, z of all vertices that are numbers. */
-function verticesOf(geometry: BufferGeometry): Float64Array {
+type Vertices = Float64Array | Float32Array;
+
+/** x, y, z of all vertices that are numbers. Plain finite floats are not copied: 15 million vertices would take 360 MB. */
+function verticesOf(geometry: BufferGeometry): Vertices {
   const position = geometry.getAttribute('position');
+  const { array } = position;
+  const plain = 'isBufferAttribute' in position && position.itemSize === 3 && array instanceof Float32Array;
+  if (plain && array.every(Number.isFinite)) return array;
   const vertices = new Float64Array(3 * position.count);
   let end = 0;
   for (let i = 0; i < position.count; i++) {
@@ -75,7 +85,7 @@ type Box = [minX: number, minY: number, minZ: number, maxX: number, maxY: number
 
 const emptyBox = (): Box => [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 
-function extend(box: Box, vertices: Float64Array, first: number, end: number): void {
+function extend(box: Box, vertices: Vertices, first: number, end: number): void {
   let [minX, minY, minZ, maxX, maxY, maxZ] = box;
   for (let i = first; i < end; i += 3) {
     const [x, y, z] = [vertices[i]!, vertices[i + 1]!, vertices[i + 2]!];
@@ -95,7 +105,7 @@ function extend(box: Box, vertices: Float64Array, first: number, end: number): v
 }
 
 /** Where in `vertices` the farthest along each direction and against it begin. */
-function supports(vertices: Float64Array, box: Readonly<Box>): Set<number> {
+function supports(vertices: Vertices, box: Readonly<Box>): Set<number> {
   const directions = directionsFor(box);
   const least = new Float64Array(PAIRS).fill(Infinity);
   const most = new Float64Array(PAIRS).fill(-Infinity);
@@ -132,7 +142,7 @@ function* blockStarts(length: number): Iterable<number> {
   }
 }
 
-function blockBox(vertices: Float64Array, first: number, end: number): Box {
+function blockBox(vertices: Vertices, first: number, end: number): Box {
   const box = emptyBox();
   extend(box, vertices, first, end);
   return box;
@@ -161,7 +171,7 @@ function* spiral(count: number): Iterable<number> {
 }
 
 /** The places of the chosen vertices, each once: faces of their own normals repeat their corners. */
-function distinct(vertices: Float64Array, chosen: Iterable<number>): Float64Array {
+function distinct(vertices: Vertices, chosen: Iterable<number>): Float64Array {
   const places = new Map<string, readonly number[]>();
   for (const i of chosen) {
     const place = [...vertices.subarray(i, i + 3)];
