@@ -152,6 +152,31 @@ for (const [what, message, code] of [
   });
 }
 
+test('a broken object of the page’s author is not blamed on the mesh that came with it', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/uncaught: .*broken/);
+  const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+  const events = await record(viewer, 'error');
+  await viewer.evaluate((element: PhongViewer) => {
+    element.geometry = 'box';
+    element.scene.onBeforeRender = () => {
+      throw new Error('broken');
+    };
+    return element.ready;
+  });
+  await nextFrame(page);
+  expect(await events.take()).toEqual([]);
+  await viewer.evaluate((element: PhongViewer) => {
+    element.scene.onBeforeRender = () => undefined;
+    element.requestRender();
+    return element.ready;
+  });
+  expect(await shows(viewer)).toBe(true);
+});
+
 test('a viewer that was removed aborts its downloads and requests them again when it is back', async ({
   page,
   mount,
