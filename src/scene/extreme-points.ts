@@ -1,6 +1,6 @@
 // Which vertices of a geometry decide how large it is, wherever it is placed? Reads all vertices once and keeps those that
 // lie farthest along some hundred directions, in the geometry's own space. Knows neither matrices nor scenes.
-import type { BufferGeometry } from 'three';
+import { BufferAttribute, type BufferGeometry, type InterleavedBufferAttribute } from 'three';
 import type { Vec3 } from '../math/vector.js';
 
 export interface ExtremePoints {
@@ -41,7 +41,15 @@ export function forgetExtremePoints(geometry: BufferGeometry): void {
 }
 
 function findExtremePoints(geometry: BufferGeometry): ExtremePoints | null {
-  const vertices = verticesOf(geometry);
+  const position = geometry.getAttribute('position');
+  const plain =
+    position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
+  // Most geometries have only finite numbers, and are read without a copy.
+  const found = plain ? extremesOf(position.array as Float32Array) : null;
+  return found && Number.isFinite(found.radius) ? found : extremesOf(finiteVertices(position));
+}
+
+function extremesOf(vertices: Vertices): ExtremePoints | null {
   const box = emptyBox();
   extend(box, vertices, 0, vertices.length);
   const [minX, minY, minZ, maxX, maxY, maxZ] = box;
@@ -49,26 +57,22 @@ function findExtremePoints(geometry: BufferGeometry): ExtremePoints | null {
   const center: Vec3 = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2];
   let farthest = 0;
   for (let i = 0; i < vertices.length; i += 3) {
-    const [dx, dy, dz] = [
-      vertices[i]! - center[0],
-      vertices[i + 1]! - center[1],
-      vertices[i + 2]! - center[2],
-    ];
+    const dx = vertices[i]! - center[0];
+    const dy = vertices[i + 1]! - center[1];
+    const dz = vertices[i + 2]! - center[2];
     farthest = Math.max(farthest, dx * dx + dy * dy + dz * dz);
   }
+  const radius = Math.sqrt(farthest);
   const count = vertices.length / 3;
   const chosen = count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : supports(vertices, box);
-  return { points: distinct(vertices, chosen), center, radius: Math.sqrt(farthest) };
+  return { points: distinct(vertices, chosen), center, radius };
 }
 
-type Vertices = Float64Array | Float32Array;
+/** x, y, z of each vertex, one after the other. */
+type Vertices = Float32Array | Float64Array;
 
-/** x, y, z of all vertices that are numbers. Plain finite floats are not copied: 15 million vertices would take 360 MB. */
-function verticesOf(geometry: BufferGeometry): Vertices {
-  const position = geometry.getAttribute('position');
-  const { array } = position;
-  const plain = 'isBufferAttribute' in position && position.itemSize === 3 && array instanceof Float32Array;
-  if (plain && array.every(Number.isFinite)) return array;
+/** The vertices that are numbers. */
+function finiteVertices(position: BufferAttribute | InterleavedBufferAttribute): Vertices {
   const vertices = new Float64Array(3 * position.count);
   let end = 0;
   for (let i = 0; i < position.count; i++) {
