@@ -28,7 +28,7 @@ export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail 
   const code = codeOf(error);
   let message = error instanceof Error ? error.message : String(error);
   if (code === 'too-large' && !(error instanceof ModelError))
-    message = 'The browser has not enough memory to show this.';
+    message = 'There is not enough memory to show this.';
   return { code, message, url: url?.href ?? null };
 }
 

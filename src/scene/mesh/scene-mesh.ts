@@ -298,7 +298,7 @@ export class SceneMesh {
 }
 
 function undrawable(cause: unknown): ModelError {
-  return new ModelError('bad-model', `It could not be drawn: ${String(cause)}`, { cause });
+  return new ModelError('bad-model', `Drawing failed: ${String(cause)}`, { cause });
 }
 
 const ZERO: Vec3 = [0, 0, 0];
