@@ -219,7 +219,7 @@ describe('failures', () => {
     ['/fixtures/missing-buffer.gltf', 'load-failed', /nowhere\.bin.*404/],
     ['/fixtures/nothing.glb', 'load-failed', /404/],
     ['/page.glb', 'bad-model', /web page/],
-    ['/huge.glb', 'too-large', /1 GiB/],
+    ['/huge.glb', 'too-large', /256 MiB/],
     ['/breaks.glb', 'load-failed', /connection broke/],
   ] as const)('of %s are %s', async (path, code, message) => {
     const error = await failure(path);

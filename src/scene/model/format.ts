@@ -1,5 +1,6 @@
 // Which loader reads these bytes? The content decides, then the file extension. A new format is one more row in the table; its loader
 // is a separate chunk, fetched with the first file that needs it.
+import { lazyCode } from '../lazy-code.js';
 import { ModelError, type Model } from './model.js';
 
 export interface ModelSource {
@@ -20,12 +21,14 @@ interface Format {
   readonly reader: () => Promise<ModelReader>;
 }
 
+const gltfCode = lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models');
+
 const FORMATS: readonly Format[] = [
   {
     name: 'glTF',
     extensions: ['glb', 'gltf'],
     matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
-    reader: async () => (await import('./gltf/read-gltf.js')).readGltf,
+    reader: async () => (await gltfCode()).readGltf,
   },
 ];
 

@@ -2,6 +2,7 @@
 // images are provided by index. A separate chunk.
 import type { BufferGeometry, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
+import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
 import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
@@ -46,8 +47,10 @@ export const readGltf: ModelReader = async (source) => {
   }
 };
 
+const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
+
 async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
-  const module = await import('./draco.js').catch((cause: unknown) => {
+  const module = await decoderCode().catch((cause: unknown) => {
     throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
       cause,
     });
