@@ -82,10 +82,7 @@ export class PhongViewer extends LitElement {
     afterFrame: () => this.#readiness.check(),
     fitted: () => this.#cameraMoved('auto'),
     contextMissing: (error) => this.#failure.contextMissing(error),
-    contextLost: () => {
-      this.#failure.contextLost();
-      this.#readiness.check();
-    },
+    contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
   });
   readonly #loading = new ViewerLoading({
@@ -235,7 +232,6 @@ export class PhongViewer extends LitElement {
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.refresh();
-    this.#failure.contextRestored(); // or missing once more
     this.#viewport.attach();
   }
 

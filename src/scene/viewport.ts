@@ -16,7 +16,7 @@ import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -72,6 +72,8 @@ export class Viewport implements StageClient, Framed {
   attach(): void {
     stage.add(this);
     this.#attached = true;
+    if (stage.lost) this.#events.contextLost();
+    else this.#events.contextRestored();
     this.invalidate();
   }
 
@@ -208,17 +210,15 @@ export class Viewport implements StageClient, Framed {
     this.#dirty = false;
     try {
       this.#bringInStep();
-      stage.draw(this, (renderer) => {
+      const isDrawn = stage.draw(this, (renderer) => {
         this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
         this.#painter.paint(renderer, this.#view);
       });
       this.materials.sweep();
-      this.#frames += 1;
-      this.#events.drawn();
-    } catch (error) {
-      if (!(error instanceof NoWebGL2Error)) throw error;
-      this.#attached = false; // until it is attached again
-      this.#events.contextMissing(error);
+      if (isDrawn) {
+        this.#frames += 1;
+        this.#events.drawn();
+      } else this.#dirty = true; // drawn once there is a context
     } finally {
       this.#events.afterFrame();
     }
@@ -270,14 +270,22 @@ export class Viewport implements StageClient, Framed {
   }
 
   contextLost(): void {
+    this.#dirty = true;
     frameLoop.cancel(this);
     this.#releaseGpu();
     this.#events.contextLost();
+    this.#events.afterFrame();
   }
 
   contextRestored(): void {
-    this.invalidate();
+    this.#wake();
     this.#events.contextRestored();
+  }
+
+  contextMissing(error: NoWebGL2Error): void {
+    frameLoop.cancel(this);
+    this.#events.contextMissing(error);
+    this.#events.afterFrame();
   }
 
   /** Order, matrices and camera of the scene as they are now. */
