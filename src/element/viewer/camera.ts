@@ -48,7 +48,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** Takes input from `surface`: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
-    this.#input = new OrbitInput(surface, this.#inputHost());
+    this.#input = new OrbitInput(surface, this.#inputHost((surface.getRootNode() as ShadowRoot).host));
     this.#input.connect();
   }
 
@@ -160,11 +160,13 @@ export class ViewerCamera implements ReactiveController {
     this.#host.moved(source);
   }
 
-  #inputHost(): OrbitInputHost {
+  /** `viewer` is the element, the panel included. */
+  #inputHost(viewer: Element): OrbitInputHost {
     const { viewport, values, size } = this.#host;
     return {
       orbit: viewport.orbit,
       size,
+      focusArea: viewer,
       fov: () => viewport.fov,
       radiusLimits: () => viewport.zoomLimits,
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
