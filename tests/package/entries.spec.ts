@@ -113,7 +113,7 @@ test.describe('dist/', () => {
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
       if (path.includes('standalone') || path.startsWith('chunks')) expect(bare, path).toEqual([]);
-      else for (const name of bare) expect(name, path).toMatch(/^(three|lit|@lit\/|lil-gui)/);
+      else for (const name of bare) expect(name, path).toMatch(/^(three|@lit\/|lil-gui)/);
     }
   });
 

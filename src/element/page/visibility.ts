@@ -1,6 +1,6 @@
 // Is an element visible, and how many device pixels does it cover? Measures once when asked, then follows the page's
 // observers; nothing polls. Knows nothing of what the element shows.
-import type { ReactiveController } from 'lit';
+import type { ReactiveController } from '@lit/reactive-element';
 import { pageObservers, type Watcher } from './page-observers.js';
 
 export interface ElementView {

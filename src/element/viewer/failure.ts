@@ -1,6 +1,6 @@
 // What has failed and still does: reported once by an event, shown as a message until it works again. Knows nothing of
 // how the message is shown.
-import type { ReactiveControllerHost } from 'lit';
+import type { ReactiveControllerHost } from '@lit/reactive-element';
 import type { EventQueue } from './event-queue.js';
 import { errorDetail, type ViewerErrorDetail } from './loading.js';
 
