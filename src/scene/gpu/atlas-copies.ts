@@ -29,7 +29,7 @@ export class AtlasCopies {
    * that follow each other, and no intermediate canvas or bitmap was faster (src/decisions/one-context.md).
    */
   show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: Place): void {
-    const canvas = this.#canvases.get(client) ?? document.createElement('canvas');
+    const canvas = this.#canvases.get(client) ?? this.#newCanvas(client);
     this.#canvases.delete(client);
     this.#canvases.set(client, canvas);
     this.#fresh.add(client);
@@ -42,6 +42,15 @@ export class AtlasCopies {
     context.globalCompositeOperation = 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
     if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);
+  }
+
+  /** A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL context. */
+  #newCanvas(client: CopyClient): HTMLCanvasElement {
+    const canvas = document.createElement('canvas');
+    canvas.addEventListener('contextrestored', () => {
+      if (this.#canvases.get(client) === canvas) client.invalidate();
+    });
+    return canvas;
   }
 
   /** Releases one copy's pixels now. Garbage collection would release them late. */

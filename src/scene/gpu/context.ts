@@ -1,6 +1,6 @@
 // The page's WebGL 2 context and three.js's renderer on it. Knows nothing of what is drawn.
 import { getConsoleFunction, setConsoleFunction, WebGLRenderer } from 'three';
-import type { AtlasLimit, Size } from './atlas.js';
+import type { Size } from './atlas.js';
 
 /** The browser gave no WebGL 2 context. */
 export class NoWebGL2Error extends Error {
@@ -84,8 +84,8 @@ interface Ordered {
   readonly z: number;
 }
 
-/** The largest drawing that the GPU says it can make. Whether there is memory for it shows when the canvas has that size. */
-export function limitOf(gl: WebGL2RenderingContext): AtlasLimit {
+/** Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when the canvas has that size. */
+export function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
   const sides = [
@@ -93,7 +93,19 @@ export function limitOf(gl: WebGL2RenderingContext): AtlasLimit {
     gl.getParameter(gl.MAX_RENDERBUFFER_SIZE),
     gl.getParameter(gl.MAX_TEXTURE_SIZE),
   ];
-  return { side: Math.min(...sides.map(Number)), area: Infinity };
+  return Math.min(...sides.map(Number));
+}
+
+/**
+ * Whether 2D canvases get the pixels of a restored context. After a crash of the GPU process they get none in Chromium (156),
+ * however often the context draws: only a new canvas helps. Overwrites one drawing.
+ */
+export function canBeCopied(gl: WebGL2RenderingContext): boolean {
+  gl.clearColor(1, 1, 1, 1);
+  gl.clear(gl.COLOR_BUFFER_BIT);
+  const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+  copy?.drawImage(gl.canvas, 0, 0);
+  return copy?.getImageData(0, 0, 1, 1).data[3] === 255;
 }
 
 /** Releases the context now. Browsers allow few, and garbage collection would release it late. */

@@ -2,7 +2,15 @@
 // with the last picture. Sizes its canvas. Knows nothing of pictures or where they lie.
 import type { WebGLRenderer } from 'three';
 import type { AtlasLimit, Size } from './atlas.js';
-import { closeContext, limitOf, type NoWebGL2Error, openContext, rendererOf, SAFE_SIDE } from './context.js';
+import {
+  canBeCopied,
+  closeContext,
+  largestSideOf,
+  type NoWebGL2Error,
+  openContext,
+  rendererOf,
+  SAFE_SIDE,
+} from './context.js';
 import { LinkCheck } from './link-check.js';
 
 export interface ContextEvents {
@@ -48,7 +56,7 @@ export class SharedContext {
     return this.#state === 'lost' || this.#state === 'refused';
   }
 
-  /** Of one drawing. The area shrinks to what the browser really gives. Infinite before the context is open. */
+  /** Of one drawing. The area shrinks to what the browser really gives. Infinite before the first context is open. */
   get limit(): AtlasLimit {
     return this.#limit;
   }
@@ -113,14 +121,8 @@ export class SharedContext {
   /** Releases everything. {@link open} can follow. */
   close(): void {
     document.removeEventListener('visibilitychange', this.#onVisible);
-    this.#state = 'closed';
-    const gl = this.#gl;
-    if (gl === null) return;
-    this.#gl = null;
-    gl.canvas.removeEventListener('webglcontextlost', this.#onLost);
-    gl.canvas.removeEventListener('webglcontextrestored', this.#onRestored);
-    this.#disposeRenderer();
-    closeContext(gl);
+    this.#limit = NO_LIMIT;
+    this.#release();
   }
 
   /** Makes a renderer, unless the context is lost already. */
@@ -128,7 +130,7 @@ export class SharedContext {
     this.#state = 'open';
     document.removeEventListener('visibilitychange', this.#onVisible);
     try {
-      this.#limit = limitOf(gl);
+      this.#limit = { ...this.#limit, side: largestSideOf(gl) };
       this.#renderer = rendererOf(gl);
       this.#linkCheck = new LinkCheck(this.#renderer);
     } catch (error) {
@@ -142,6 +144,17 @@ export class SharedContext {
     this.#events.lost();
     // Now, while the context is lost: deleting these objects on the restored context would be an error.
     this.#disposeRenderer();
+  }
+
+  #release(): void {
+    this.#state = 'closed';
+    const gl = this.#gl;
+    if (gl === null) return;
+    this.#gl = null;
+    gl.canvas.removeEventListener('webglcontextlost', this.#onLost);
+    gl.canvas.removeEventListener('webglcontextrestored', this.#onRestored);
+    this.#disposeRenderer();
+    closeContext(gl);
   }
 
   #disposeRenderer(): void {
@@ -165,10 +178,10 @@ export class SharedContext {
     event.stopImmediatePropagation();
     if (this.#gl === null) return;
     const { canvas } = this.#gl;
-    const wasLarge = canvas.width * canvas.height > SAFE_SIDE ** 2;
-    this.#start(this.#gl);
     // The size may be why the context was lost, and the same size would lose it again.
-    if (wasLarge) this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
+    if (canvas.width * canvas.height > SAFE_SIDE ** 2) this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
+    if (this.#gl.isContextLost() || canBeCopied(this.#gl)) this.#start(this.#gl);
+    else this.#release(); // the next drawing opens another
     if (!this.unavailable) this.#events.restored();
   };
 }

@@ -132,6 +132,9 @@ class Stage {
     picture.height = height;
     const context = picture.getContext('2d');
     if (context === null || !hasMemory(context, width, height)) {
+      // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory for
+      // this many pixels.
+      if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
@@ -143,9 +146,7 @@ class Stage {
       if (!this.#context.noticeLoss()) throw error;
     }
     // Also when it was lost between two tiles: their pictures would be empty.
-    if (this.#context.noticeLoss()) {
-      throw new Error('the graphics context is lost: there is no picture until the browser restores it');
-    }
+    if (this.#context.noticeLoss()) throw contextLost();
     return picture;
   }
 
@@ -308,6 +309,9 @@ export interface Region {
   readonly width: number;
   readonly height: number;
 }
+
+const contextLost = (): Error =>
+  new Error('the graphics context is lost: there is no picture until the browser restores it');
 
 /** Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn pixel shows it. */
 function hasMemory(context: CanvasRenderingContext2D, width: number, height: number): boolean {
