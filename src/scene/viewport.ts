@@ -82,10 +82,7 @@ export class Viewport implements StageClient, Framed {
     this.#visible = undefined;
     frameLoop.cancel(this);
     stage.remove(this);
-    // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
-    queueMicrotask(() => {
-      if (!this.#attached) this.#releaseGpu();
-    });
+    this.#releaseUnlessAttached();
   }
 
   get fov(): number {
@@ -239,6 +236,7 @@ export class Viewport implements StageClient, Framed {
   /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
   capture(width: number, height: number): HTMLCanvasElement {
     this.#bringInStep();
+    this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
       this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height, part);
       this.#painter.paint(renderer, this.#view);
@@ -292,6 +290,13 @@ export class Viewport implements StageClient, Framed {
   #bringInStep(): void {
     this.settle();
     this.#tree.update();
+  }
+
+  /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
+  #releaseUnlessAttached(): void {
+    queueMicrotask(() => {
+      if (!this.#attached) this.#releaseGpu();
+    });
   }
 
   /** Drawing sends everything to the GPU again. */

@@ -17,7 +17,7 @@ interface Faults {
   /** Programs that exist now: created and neither deleted nor lost. */
   readonly programs: number;
   lose(): void;
-  /** Restores the context if it is lost. `webglcontextlost` must have been dispatched. */
+  /** Restores the context if it is lost. `webglcontextlost` must have been dispatched: the browser refuses it before. */
   restore(): void;
 }
 
@@ -56,7 +56,9 @@ function wrapContexts(): void {
     get programs() {
       return [...programs.values()].filter(isOpen).length;
     },
-    lose: () => newest?.loss?.loseContext(),
+    lose: () => {
+      if (newest !== null && !isLost.call(newest.context)) newest.loss?.loseContext();
+    },
     restore: () => {
       if (newest !== null && isLost.call(newest.context)) newest.loss?.restoreContext();
     },

@@ -108,7 +108,9 @@ export function canBeCopied(gl: WebGL2RenderingContext): boolean {
   return copy?.getImageData(0, 0, 1, 1).data[3] === 255;
 }
 
-/** Releases the context now. Browsers allow few, and garbage collection would release it late. */
+/** Releases the context now, or as soon as it is restored. Browsers allow few, and garbage collection would release it late. */
 export function closeContext(gl: WebGL2RenderingContext): void {
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
+  const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
+  gl.canvas.addEventListener('webglcontextrestored', close, { once: true });
+  close();
 }

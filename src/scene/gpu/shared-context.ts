@@ -180,7 +180,8 @@ export class SharedContext {
     const { canvas } = this.#gl;
     // The size may be why the context was lost, and the same size would lose it again.
     if (canvas.width * canvas.height > SAFE_SIDE ** 2) this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
-    if (this.#gl.isContextLost() || canBeCopied(this.#gl)) this.#start(this.#gl);
+    // A context that has been lost again comes back by another event.
+    if (canBeCopied(this.#gl) || this.#gl.isContextLost()) this.#start(this.#gl);
     else this.#release(); // the next drawing opens another
     if (!this.unavailable) this.#events.restored();
   };

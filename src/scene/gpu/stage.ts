@@ -5,6 +5,7 @@ import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
 import { type AtlasLayout, layOutAtlas, type Place, type Size } from './atlas.js';
 import { NoWebGL2Error, SAFE_SIDE } from './context.js';
+import { newTarget } from './capture-target.js';
 import { SharedContext } from './shared-context.js';
 
 export { NoWebGL2Error } from './context.js';
@@ -127,11 +128,8 @@ class Stage {
     { width, height }: Size,
     render: (renderer: WebGLRenderer, part: Region) => void,
   ): HTMLCanvasElement {
-    const picture = document.createElement('canvas');
-    picture.width = width;
-    picture.height = height;
-    const context = picture.getContext('2d');
-    if (context === null || !hasMemory(context, width, height)) {
+    const target = newTarget(width, height);
+    if (target === null) {
       // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory for
       // this many pixels.
       if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
@@ -141,17 +139,17 @@ class Stage {
     try {
       const firstTile = { width: Math.min(width, SAFE_SIDE), height: Math.min(height, SAFE_SIDE) };
       const renderer = this.#context.open(firstTile);
-      if (renderer !== null) this.#drawTiles(renderer, context, render);
+      if (renderer !== null) this.#drawTiles(renderer, target, render);
     } catch (error) {
       if (!this.#context.noticeLoss()) throw error;
     }
     // Also when it was lost between two tiles: their pictures would be empty.
     if (this.#context.noticeLoss()) throw contextLost();
-    return picture;
+    return target.canvas;
   }
 
   #drawAlone(client: StageClient, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
-    this.#showDrawn();
+    this.#beforeOverwriting();
     // The second time only if the browser gave less: the client's size has become smaller then.
     if (!this.#context.resize(client)) this.#context.resize(client);
     const { width, height } = client;
@@ -174,7 +172,7 @@ class Stage {
     target: CanvasRenderingContext2D,
     render: (renderer: WebGLRenderer, part: Region) => void,
   ): void {
-    this.#showDrawn(); // the capture overwrites it
+    this.#beforeOverwriting();
     const { width, height } = target.canvas;
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
@@ -209,7 +207,7 @@ class Stage {
     const reserved = this.#places.get(client);
     this.#places.delete(client); // a second drawing needs a cleared place
     if (reserved?.width === client.width && reserved.height === client.height) return reserved;
-    this.#showDrawn();
+    this.#beforeOverwriting();
     let { pictures, atlas } = this.#layOut(client);
     if (!this.#makeRoom(renderer, atlas)) {
       ({ pictures, atlas } = this.#layOut(client)); // in less room
@@ -246,6 +244,12 @@ class Stage {
     const both = { width: Math.max(width, canvas.width), height: Math.max(height, canvas.height) };
     const isSmall = both.width * both.height <= Math.min(this.#context.limit.area, screenPixels());
     return this.#context.resize(!fits && isSmall ? both : { width, height });
+  }
+
+  /** Throws if the context turns out to be lost: its renderer must not upload anything any more. */
+  #beforeOverwriting(): void {
+    this.#showDrawn();
+    if (this.#context.unavailable) throw contextLost();
   }
 
   /** Copies what has been drawn into the pictures' own canvases. */
@@ -312,20 +316,6 @@ export interface Region {
 
 const contextLost = (): Error =>
   new Error('the graphics context is lost: there is no picture until the browser restores it');
-
-/** Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn pixel shows it. */
-function hasMemory(context: CanvasRenderingContext2D, width: number, height: number): boolean {
-  if (context.canvas.width !== width || context.canvas.height !== height) return false;
-  const corner = [width - 1, height - 1, 1, 1] as const;
-  try {
-    context.fillRect(...corner);
-    const drawn = context.getImageData(...corner).data[3] === 255;
-    context.clearRect(...corner);
-    return drawn;
-  } catch {
-    return false;
-  }
-}
 
 /** The page's stage. */
 export const stage = new Stage();
