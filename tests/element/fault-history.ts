@@ -86,7 +86,6 @@ class FaultPlayer {
     await nextFrame(page);
     const fresh = await page.screenshot();
     const { max } = compare(decodePng(lived), decodePng(fresh));
-    if (max > 1) { const fs = await import('node:fs'); fs.writeFileSync('/tmp/ctx-lived.png', lived); fs.writeFileSync('/tmp/ctx-fresh.png', fresh); }
     // One code between programs for these lights and general ones.
     if (max > 1) faults.push(`the page differs from a new one by ${max} codes:\n${markup.join('\n')}`);
     return faults.filter((fault) => fault !== '').join('\n');

@@ -103,7 +103,7 @@ export class SharedContext {
 
   /**
    * Gives the canvas of an open context exactly this size. False: the browser has no memory for that and gave a smaller
-   * drawing buffer. {@link limit} is lower from then on.
+   * drawing buffer. {@link limit} is lower from then on, and the canvas has one pixel.
    */
   resize({ width, height }: Size): boolean {
     const renderer = this.#renderer;
@@ -115,6 +115,7 @@ export class SharedContext {
     if (drawingBufferWidth >= width && drawingBufferHeight >= height) return true;
     const area = drawingBufferWidth * drawingBufferHeight; // 0 if the context has been lost
     if (area > 0) this.#limit = { ...this.#limit, area: Math.min(this.#limit.area, area) };
+    renderer.setSize(1, 1, false); // the canvas never differs from its drawing buffer
     return false;
   }
 
@@ -180,6 +181,7 @@ export class SharedContext {
     const { canvas } = this.#gl;
     // The size may be why the context was lost, and the same size would lose it again.
     if (canvas.width * canvas.height > SAFE_SIDE ** 2) this.#limit = { ...this.#limit, area: SAFE_SIDE ** 2 };
+    canvas.width = canvas.height = 1; // its buffer may be smaller than the canvas
     // A context that has been lost again comes back by another event.
     if (canBeCopied(this.#gl) || this.#gl.isContextLost()) this.#start(this.#gl);
     else this.#release(); // the next drawing opens another
