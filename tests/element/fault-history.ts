@@ -14,8 +14,8 @@ import { nextFrame } from './support.js';
 
 const SIZE = { width: 120, height: 90, css: 'phong-viewer { float: left }' };
 
-/** What faults make the browser and the element say. A context that the page has closed cannot be restored. */
-const EXPECTED = /restoreContext: |Failed to load resource|ERR_FAILED|could not be (fetched|loaded)/;
+/** What faults make the browser and the element say. */
+const EXPECTED = /Failed to load resource|ERR_FAILED|could not be (fetched|loaded)/;
 
 class FaultPlayer {
   readonly #page: Page;

@@ -16,8 +16,9 @@ interface Faults {
   readonly asked: number;
   /** Programs that exist now: created and neither deleted nor lost. */
   readonly programs: number;
+  /** Loses the newest context that is open. */
   lose(): void;
-  /** Restores the context if it is lost. `webglcontextlost` must have been dispatched: the browser refuses it before. */
+  /** Restores the lost contexts whose `webglcontextlost` was dispatched and prevented. Browsers refuse others. */
   restore(): void;
 }
 
@@ -38,8 +39,10 @@ function wrapContexts(): void {
   const gl = WebGL2RenderingContext.prototype;
   const isLost = gl.isContextLost;
   const getExtension = gl.getExtension;
-  let newest: { context: WebGL2RenderingContext; loss: WEBGL_lose_context | null } | null = null;
-  const contexts: WeakRef<WebGL2RenderingContext>[] = [];
+  /** All that were ever opened, by the package or to read a texture. */
+  const contexts: { context: WebGL2RenderingContext; loss: WEBGL_lose_context | null }[] = [];
+  /** Lost, and the page has asked to have them back. */
+  const restorable = new Set<WEBGL_lose_context>();
   const programs = new Map<WeakRef<object>, WeakRef<WebGL2RenderingContext>>();
   const isOpen = (weak: WeakRef<WebGL2RenderingContext> | undefined): boolean => {
     const context = weak?.deref();
@@ -51,16 +54,17 @@ function wrapContexts(): void {
     callsLeft: Infinity,
     asked: 0,
     get open() {
-      return contexts.filter(isOpen).length;
+      return contexts.filter(({ context }) => !isLost.call(context)).length;
     },
     get programs() {
       return [...programs.values()].filter(isOpen).length;
     },
     lose: () => {
-      if (newest !== null && !isLost.call(newest.context)) newest.loss?.loseContext();
+      contexts.findLast(({ context }) => !isLost.call(context))?.loss?.loseContext();
     },
     restore: () => {
-      if (newest !== null && isLost.call(newest.context)) newest.loss?.restoreContext();
+      for (const loss of restorable) loss.restoreContext();
+      restorable.clear();
     },
   };
   window.faults = faults;
@@ -91,11 +95,13 @@ function wrapContexts(): void {
     if (faults.opening === 'throws') throw new Error('getContext is not allowed here');
     const context = Reflect.apply(getContext, this, given) as WebGL2RenderingContext | null;
     if (context === null) return null;
-    newest = {
-      context,
-      loss: Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null,
-    };
-    contexts.push(new WeakRef(context));
+    const loss = Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null;
+    contexts.push({ context, loss });
+    this.addEventListener('webglcontextlost', (event) => {
+      setTimeout(() => {
+        if (event.defaultPrevented && loss !== null) restorable.add(loss);
+      });
+    });
     if (faults.opening === 'lost') faults.lose();
     return context;
   } as typeof getContext;
