@@ -51,7 +51,7 @@ export default defineConfig({
       'three',
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/geometries/TeapotGeometry.js',
-      'lit',
+      '@lit/reactive-element',
       'lil-gui',
     ],
   },

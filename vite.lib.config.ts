@@ -13,7 +13,7 @@ const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, im
 // Text imported with a query is inlined, and so is the Draco decoder: a user's bundler would find no export in it.
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier) return false;
-  return /^(three|lit|@lit\/[^/]+|lil-gui|react)(\/|$)/.test(specifier);
+  return /^(three|@lit\/reactive-element|lil-gui|react)(\/|$)/.test(specifier);
 }
 
 /** dist/react.js imports dist/index.js, so that a page has one copy of the elements. */

@@ -1,6 +1,6 @@
 // <phong-viewer>: the element. It translates attributes and children into state for the picture, input into camera moves,
 // and what happens into events. It computes no light and draws nothing itself.
-import { LitElement, type PropertyValues } from 'lit';
+import { type PropertyValues, ReactiveElement } from '@lit/reactive-element';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
@@ -25,7 +25,7 @@ import type { PictureOptions } from './viewer/picture-blob.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
-import { viewerTemplate } from './viewer/template.js';
+import { ViewerTree } from './viewer/template.js';
 import { sceneMarkup } from './viewer/to-html.js';
 import { lazy, pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
@@ -46,7 +46,7 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart notice - the element's own message when something fails
  * @csspart panel - the control panel's place
  */
-export class PhongViewer extends LitElement {
+export class PhongViewer extends ReactiveElement {
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), 'aria-label'];
@@ -84,10 +84,7 @@ export class PhongViewer extends LitElement {
     afterFrame: () => this.#readiness.check(),
     fitted: () => this.#cameraMoved('auto'),
     contextMissing: (error) => this.#failure.contextMissing(error),
-    contextLost: () => {
-      this.#failure.contextLost();
-      this.#readiness.check();
-    },
+    contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
   });
   readonly #loading: ViewerLoading = new ViewerLoading({
@@ -126,6 +123,8 @@ export class PhongViewer extends LitElement {
     this.#camera.inView = view.visible;
     this.#readiness.check();
   });
+  /** Null before the element is connected for the first time. */
+  #tree: ViewerTree | null = null;
   /** The poster has been replaced by a picture. */
   #revealed = false;
 
@@ -237,7 +236,6 @@ export class PhongViewer extends LitElement {
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();
-    this.#failure.contextRestored(); // or missing once more
     this.#viewport.attach();
   }
 
@@ -257,20 +255,22 @@ export class PhongViewer extends LitElement {
     if (!this.#binding.attributeChanged(name, text)) this.requestUpdate();
   }
 
-  protected override render(): unknown {
+  protected override createRenderRoot(): HTMLElement | DocumentFragment {
+    const root = super.createRenderRoot();
+    this.#tree = new ViewerTree(root, this.#holder);
+    this.#camera.listenTo(this.#tree.surface);
+    return root;
+  }
+
+  protected override update(changed: PropertyValues): void {
+    super.update(changed);
     const { alt, poster, orbit } = this.#store.values;
-    return viewerTemplate({
+    this.#tree?.update({
       label: this.getAttribute('aria-label') ?? alt,
       poster: this.#revealed ? '' : poster,
       fixed: !orbit,
       notice: this.#failure.message,
-      holder: this.#holder,
     });
-  }
-
-  protected override firstUpdated(): void {
-    const surface = this.#part('.surface');
-    if (surface !== null) this.#camera.listenTo(surface);
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -291,7 +291,7 @@ export class PhongViewer extends LitElement {
     this.#loading.apply(changed);
     if (changed.has('loading')) this.#visibility.shown();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
-    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#part('.panel'));
+    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#tree?.panel ?? null);
     this.#panel.changed('viewer');
   }
 
@@ -315,11 +315,6 @@ export class PhongViewer extends LitElement {
     if (this.#revealed || this.#loading.pending || this.#failure.message !== null) return;
     this.#revealed = true;
     if (this.#store.values.poster !== '') this.requestUpdate();
-  }
-
-  /** Not by Lit's refs: those are empty while the element is out of the document. */
-  #part(selector: string): HTMLElement | null {
-    return this.shadowRoot?.querySelector<HTMLElement>(selector) ?? null;
   }
 
   #cameraMoved(source: CameraSource): void {
