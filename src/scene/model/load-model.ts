@@ -15,6 +15,8 @@ export interface LoadOptions {
   readonly onProgress?: (loaded: number, total: number) => void;
   /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
   readonly crossOrigin: CrossOrigin;
+  /** The format, as a word such as `obj` or a media type. Empty, the default: as content, extension and server tell. */
+  readonly type?: string;
 }
 
 /**
@@ -29,15 +31,26 @@ export async function loadModel(
   const { signal, crossOrigin } = options;
   const { fetchBytes } = request;
   const bytes = await request.bytes;
-  const format = formatOf(url, bytes);
+  const format = formatOf(url, bytes, options);
+  const missing: string[] = [];
+  const linked: ModelSource['linked'] = async (uri) => {
+    const anywhere = crossOrigin !== null;
+    // A redirect could lead out of the folder. If any address is allowed, it does no harm.
+    return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
+  };
   const source: ModelSource = {
     url,
     bytes,
     signal,
-    linked: async (uri) => {
-      const anywhere = crossOrigin !== null;
-      // A redirect could lead out of the folder. If any address is allowed, it does no harm.
-      return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
+    linked,
+    optional: async (uri) => {
+      try {
+        return await linked(uri);
+      } catch (error) {
+        if (!(error instanceof ModelError && error.code === 'load-failed')) throw error;
+        missing.push(error.message);
+        return null;
+      }
     },
   };
   const read = await format.reader().catch((cause: unknown) => {
@@ -47,7 +60,9 @@ export async function loadModel(
   });
   signal.throwIfAborted();
   try {
-    return await read(source);
+    const model = await read(source);
+    if (missing.length > 0) warnOfMissing(url, missing);
+    return model;
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
@@ -56,4 +71,16 @@ export async function loadModel(
       cause,
     });
   }
+}
+
+/** A material library can name thousands of images. */
+const MOST_LISTED = 10;
+
+function warnOfMissing(url: URL, messages: readonly string[]): void {
+  const more = messages.length - MOST_LISTED;
+  console.warn(
+    `${nameOf(url)} is shown without ${String(messages.length)} of the files that it names. ` +
+      messages.slice(0, MOST_LISTED).join(' ') +
+      (more > 0 ? ` And ${String(more)} more.` : ''),
+  );
 }
