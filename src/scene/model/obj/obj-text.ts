@@ -53,6 +53,7 @@ class ObjReader {
   readonly #lists = new CornerLists();
   readonly #runs: ObjRun[] = [];
   readonly #libraries: string[] = [];
+  #begun = false;
   #lineStart = 0;
   #object = '';
   #group = '';
@@ -85,8 +86,8 @@ class ObjReader {
   /** False at the end. */
   readLine(): boolean {
     const scanner = this.#scanner;
-    // A word of a vertex line may be left: the rest of the line is skipped.
-    if (!(this.#lineStart === 0 && scanner.at === 0 ? scanner.nextWord() : scanner.nextLine())) return false;
+    if (!(this.#begun ? scanner.nextLine() : scanner.nextWord())) return false;
+    this.#begun = true;
     this.#lineStart = scanner.at;
     if (scanner.peek() === HASH) return true;
     switch (scanner.word()) {

@@ -31,10 +31,13 @@ export class TextScanner {
     return this.at >= this.#bytes.length;
   }
 
-  /** Goes to the first word of the next line that has one, from wherever it is in a line. False at the end of the file. */
+  /**
+   * Goes to the first word of the next line that has one, from wherever it is in a line. What is left of a line is skipped without
+   * looking for a backslash: comments may end with one. False at the end of the file.
+   */
   nextLine(): boolean {
     const bytes = this.#bytes;
-    while (this.at < bytes.length && !this.atLineEnd()) this.at += 1;
+    while (this.at < bytes.length && !isLineEnd(bytes[this.at] ?? NOTHING)) this.at += 1;
     return this.nextWord();
   }
 

@@ -1,0 +1,69 @@
+// What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its numbers.
+import { vi } from 'vitest';
+import { loadModel, ModelError, type LoadOptions, type Model } from '../../src/scene/model/load-model.js';
+
+type FileContent = string | Uint8Array<ArrayBuffer>;
+
+const bytesOf = (content: FileContent): Uint8Array<ArrayBuffer> =>
+  typeof content === 'string' ? new TextEncoder().encode(content) : content;
+
+/** Loads the first of these files; the others are beside it. */
+export function loadFiles(
+  files: Readonly<Record<string, FileContent>>,
+  options: Partial<LoadOptions> = {},
+): Promise<Model> {
+  const base = 'https://shop.example/models/';
+  const [first = ''] = Object.keys(files);
+  const fetchBytes = (url: URL): Promise<Uint8Array<ArrayBuffer>> => {
+    const content = files[decodeURIComponent(url.href.slice(base.length))];
+    return content === undefined
+      ? Promise.reject(new ModelError('load-failed', `${url.href} is not there.`))
+      : Promise.resolve(bytesOf(content));
+  };
+  const url = new URL(first, base);
+  return loadModel(
+    url,
+    { signal: new AbortController().signal, crossOrigin: null, ...options },
+    { bytes: fetchBytes(url), fetchBytes },
+  );
+}
+
+/** The error that loading these files ends with. */
+export async function failureOf(
+  files: Readonly<Record<string, FileContent>>,
+  options: Partial<LoadOptions> = {},
+): Promise<ModelError> {
+  const result: unknown = await loadFiles(files, options).catch((error: unknown) => error);
+  if (result instanceof ModelError) return result;
+  throw result instanceof Error ? result : new Error('it loaded');
+}
+
+/** An attribute of a part as plain numbers, rounded to what float32 holds. */
+export const numbersOf = (model: Model, name: string, part = 0): number[] =>
+  Array.from(
+    model.parts[part]?.geometry.getAttribute(name).array ?? [],
+    (value) => Math.round(value * 1e6) / 1e6 + 0,
+  );
+
+export const indexOf = (model: Model, part = 0): number[] =>
+  Array.from(model.parts[part]?.geometry.index?.array ?? []);
+
+/** An attribute in the order of the corners, an item each. */
+export function cornersOf(model: Model, name: string, part = 0): number[][] {
+  const size = model.parts[part]?.geometry.getAttribute(name).itemSize ?? 0;
+  const values = numbersOf(model, name, part);
+  return indexOf(model, part).map((vertex) => values.slice(vertex * size, (vertex + 1) * size));
+}
+
+/** Node has no createImageBitmap: decodes whatever begins like a PNG to an image of 2 × 2 pixels. */
+export function standInImages(): { readonly closed: () => number; readonly decoded: () => number } {
+  let decoded = 0;
+  let closed = 0;
+  vi.stubGlobal('createImageBitmap', async (blob: Blob) => {
+    const head = new Uint8Array(await blob.arrayBuffer());
+    if (head[0] !== 0x89) throw new Error('no PNG');
+    decoded += 1;
+    return { width: 2, height: 2, close: () => (closed += 1) };
+  });
+  return { closed: () => closed, decoded: () => decoded };
+}
