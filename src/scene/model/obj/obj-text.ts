@@ -1,11 +1,11 @@
 // What does the text of an OBJ file say? Vertices, polygons as triangles, and which object and material each belongs to. Lines, points,
 // curves and surfaces are skipped. Knows no materials but their names.
-import { CORNER_LIMIT } from '../limits.js';
+import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import type { Pauses } from '../text/pauses.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { CornerLists, FACETED, NONE, setItem, UNSTATED } from '../triangles/corner-lists.js';
-import { requirePolygon, triangulate } from '../triangles/triangulate.js';
+import { requirePolygon, Triangulator } from '../triangles/triangulate.js';
 
 /** Consecutive triangles of one object with one material. */
 export interface ObjRun {
@@ -24,12 +24,12 @@ export interface ObjText {
   readonly libraries: readonly string[];
 }
 
-/** Most changes of object or material. Each costs memory, and a file that has more is no longer a drawing of parts. */
-const RUN_LIMIT = 1_000_000;
+/** Most changes of object or material: drawings of plants have tens of thousands of objects. More would block the page. */
+const RUN_LIMIT = 2 ** 17;
 /** Material libraries that are read. Files have one, seldom two. */
 const LIBRARY_LIMIT = 16;
 /** Lines between two looks at the clock, minus 1. */
-const LINE_MASK = 0x3ff;
+const LINE_MASK = 0x3f;
 
 const SLASH = 47;
 const HASH = 35;
@@ -51,8 +51,10 @@ export async function readObjText(bytes: Uint8Array, pauses: Pauses): Promise<Ob
 class ObjReader {
   readonly #scanner: TextScanner;
   readonly #lists = new CornerLists();
+  readonly #triangulator = new Triangulator(this.#lists.places);
   readonly #runs: ObjRun[] = [];
   readonly #libraries: string[] = [];
+  readonly #materials = new Set<string>();
   #begun = false;
   #lineStart = 0;
   #object = '';
@@ -189,7 +191,7 @@ class ObjReader {
       const most = CORNER_LIMIT.toLocaleString('en');
       throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
     }
-    triangulate(lists.places, v, this.#emit);
+    this.#triangulator.cut(v, this.#emit);
   }
 
   readonly #emit = (a: number, b: number, c: number): void => {
@@ -240,7 +242,15 @@ class ObjReader {
       if (this.#runs.length >= RUN_LIMIT) {
         throw new ModelError(
           'too-large',
-          'The model changes its object or material more than a million times.',
+          `The model changes its object or material more than ${RUN_LIMIT.toLocaleString('en')} times.`,
+        );
+      }
+      this.#materials.add(this.#material);
+      // At least one draw each.
+      if (this.#materials.size > PART_LIMIT) {
+        throw new ModelError(
+          'too-large',
+          `The model has more than ${PART_LIMIT.toLocaleString('en')} materials.`,
         );
       }
       const object = this.#object === '' ? this.#group : this.#object;

@@ -8,7 +8,7 @@ import { PAUSE_MASK, Pauses } from '../text/pauses.js';
 import { CornerLists } from '../triangles/corner-lists.js';
 import { indexedGeometry } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
-import { requirePolygon, triangulate } from '../triangles/triangulate.js';
+import { requirePolygon, Triangulator } from '../triangles/triangulate.js';
 import { readPlyHeader, type PlyElement, type PlyProperty, type PlyType } from './ply-header.js';
 import { plyValues, type PlyValues } from './ply-values.js';
 
@@ -163,6 +163,7 @@ const clamped = (value: number): number => (value > 0 ? Math.min(value, 1) : 0);
 
 function faceReader(lists: CornerLists): ListTaker {
   const polygon: number[] = [];
+  const triangulator = new Triangulator(lists.places);
   const emit = (a: number, b: number, c: number): void => {
     pushTriangle(lists, polygon[a] ?? 0, polygon[b] ?? 0, polygon[c] ?? 0);
   };
@@ -173,7 +174,7 @@ function faceReader(lists: CornerLists): ListTaker {
       polygon.push(vertex);
     },
     end: () => {
-      if (polygon.length > 2) triangulate(lists.places, polygon, emit);
+      triangulator.cut(polygon, emit);
       polygon.length = 0;
     },
   };

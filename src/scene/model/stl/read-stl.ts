@@ -51,7 +51,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, pauses: Pauses): Promi
   // Before anything is allocated.
   new ModelBudget().add({ corners: 3 * count });
   const header = headerColor(view);
-  const places = new Places();
+  const places = new Places(3 * count);
   const colors = new Growing(Float32Array);
   let colored = false;
   for (let i = 0; i < count; i += 1) {
@@ -118,7 +118,8 @@ async function partOf(solid: StlSolid, budget: ModelBudget, pauses: Pauses): Pro
   const corners = places.count;
   budget.add({ parts: 1, corners, values: corners * (colors === null ? 6 : 9) });
   const geometry = new BufferGeometry();
-  const positions = places.array.slice(0, 3 * corners);
+  const filled = places.array.length === 3 * corners;
+  const positions = filled ? places.array : places.array.slice(0, 3 * corners);
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', new BufferAttribute(await faceNormals(positions, pauses), 3));
   if (colors !== null) {

@@ -68,7 +68,9 @@ export class TextScanner {
     if (this.atLineEnd()) return '';
     const start = this.at;
     this.#skipToken();
-    return latin1.decode(this.#bytes.subarray(start, Math.min(this.at, start + most)));
+    return this.at - start <= 2
+      ? shortWord(this.#bytes[start], this.#bytes[start + 1], this.at - start)
+      : this.#text(start, most);
   }
 
   /** The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before the line's end. */
@@ -169,11 +171,16 @@ export class TextScanner {
     return line;
   }
 
+  /** From `start` to the next byte. */
+  #text(start: number, most: number): string {
+    return latin1.decode(this.#bytes.subarray(start, Math.min(this.at, start + most)));
+  }
+
   #slowNumber(): number {
     const start = this.at;
     this.#skipToken();
     if (this.at - start > NUMBER_LENGTH) return NaN;
-    const text = latin1.decode(this.#bytes.subarray(start, this.at));
+    const text = this.#text(start, NUMBER_LENGTH);
     // `Number` also reads 0x10, Infinity and more.
     return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
   }
@@ -200,6 +207,19 @@ export class TextScanner {
       }
     }
   }
+}
+
+/** Most lines begin with a word of one or two letters. Decoding each would make as much garbage as the file is long. */
+const shortWords = new Map<number, string>();
+
+function shortWord(first = 0, second = 0, length = 1): string {
+  const key = length === 1 ? first : 256 * second + first;
+  let word = shortWords.get(key);
+  if (word === undefined) {
+    word = length === 1 ? String.fromCharCode(first) : String.fromCharCode(first, second);
+    shortWords.set(key, word);
+  }
+  return word;
 }
 
 const isLineEnd = (byte: number): boolean => byte === LF || byte === CR;

@@ -15,9 +15,10 @@ export class Growing<A extends NumberArray> {
   array: A;
   length = 0;
 
-  constructor(make: new (length: number) => A) {
+  /** @param capacity the length it will probably have. */
+  constructor(make: new (length: number) => A, capacity = FIRST_LENGTH) {
     this.#make = make;
-    this.array = new make(FIRST_LENGTH);
+    this.array = new make(capacity);
   }
 
   push(value: number): void {
@@ -27,7 +28,7 @@ export class Growing<A extends NumberArray> {
   }
 
   #grow(): void {
-    const larger = new this.#make(this.array.length * 2);
+    const larger = new this.#make(Math.max(this.array.length * 2, FIRST_LENGTH));
     larger.set(this.array);
     this.array = larger;
   }

@@ -39,23 +39,32 @@ export async function indexedGeometry(
   const colored = lists.colors.length > 0;
   budget.add({ values: length * (6 + (withUvs ? 2 : 0) + (colored ? 3 : 0)) });
   const geometry = new BufferGeometry();
-  geometry.setAttribute('position', gathered(lists.places.array, vertices.positions, length, 3));
-  geometry.setAttribute('normal', gathered(lists.normals.array, vertices.normals, length, 3));
-  if (withUvs) geometry.setAttribute('uv', gathered(lists.uvs.array, vertices.uvs, length, 2));
-  if (colored) geometry.setAttribute('color', gathered(lists.colors.array, vertices.positions, length, 3));
-  geometry.setIndex(new BufferAttribute(length > 0xffff ? index : Uint16Array.from(index), 1));
+  const set = async (
+    name: string,
+    source: Float32Array,
+    numbers: Growing<Int32Array>,
+    size: number,
+  ): Promise<void> => {
+    geometry.setAttribute(name, await gathered(source, numbers, size, pauses));
+  };
+  await set('position', lists.places.array, vertices.positions, 3);
+  await set('normal', lists.normals.array, vertices.normals, 3);
+  if (withUvs) await set('uv', lists.uvs.array, vertices.uvs, 2);
+  if (colored) await set('color', lists.colors.array, vertices.positions, 3);
+  geometry.setIndex(new BufferAttribute(length > 0xffff ? index : new Uint16Array(index), 1));
   return geometry;
 }
 
 /** Items of `source` by their numbers; zeros for {@link NONE}. */
-function gathered(
+async function gathered(
   source: Float32Array,
-  { array: numbers }: Growing<Int32Array>,
-  count: number,
+  { array: numbers, length: count }: Growing<Int32Array>,
   size: number,
-): BufferAttribute {
+  pauses: Pauses,
+): Promise<BufferAttribute> {
   const values = new Float32Array(count * size);
   for (let i = 0; i < count; i += 1) {
+    if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
     const from = (numbers[i] ?? NONE) * size;
     if (from < 0) continue;
     for (let c = 0; c < size; c += 1) values[i * size + c] = source[from + c] ?? 0;

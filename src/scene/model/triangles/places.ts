@@ -12,8 +12,13 @@ import { Growing } from './growing.js';
 const FAR_OUT = 1024;
 
 export class Places {
-  readonly #values = new Growing(Float32Array);
+  readonly #values: Growing<Float32Array>;
   #origin: readonly [number, number, number] | null = null;
+
+  /** @param capacity the number of vertices, if it is known; at most what a model can have. */
+  constructor(capacity?: number) {
+    this.#values = new Growing(Float32Array, capacity === undefined ? undefined : 3 * capacity);
+  }
 
   get count(): number {
     return this.#values.length / 3;

@@ -56,7 +56,10 @@ export async function smoothNormals(lists: CornerLists, pauses: Pauses): Promise
   }
   // In the order of corners, because the list may end early.
   const byCorner = new Int32Array(count).fill(NONE);
-  around.forEach((corner, i) => (byCorner[corner] = chosen[i] ?? NONE));
+  for (let i = 0; i < around.length; i += 1) {
+    if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    byCorner[around[i] ?? 0] = chosen[i] ?? NONE;
+  }
   for (let corner = 0; corner < count; corner += 1) {
     if ((corner & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
     const own = byCorner[corner] ?? NONE;

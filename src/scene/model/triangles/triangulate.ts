@@ -1,6 +1,7 @@
 // Which triangles make up a polygon? A fan for convex ones; ears are cut off others. Works on vertex numbers, calls back for each
 // triangle. Knows no format.
 import { ModelError } from '../model.js';
+import { faceVector, type FaceVector } from './face-normal.js';
 import type { Places } from './places.js';
 
 /** Most corners of a polygon. Real ones have hundreds; each takes memory before the triangles do. */
@@ -14,30 +15,80 @@ export function requirePolygon(corners: number): void {
 }
 
 /** Corners of the largest polygon whose ears are cut, which takes up to n³ steps. Larger ones become fans. */
-const EAR_LIMIT = 300;
+const EAR_LIMIT = 256;
 
-/**
- * @param vertices the polygon's vertices in order. With one that is not among the places yet it becomes a fan.
- * @param emit called with indices into `vertices`, three per triangle.
- */
-export function triangulate(
-  places: Places,
-  vertices: readonly number[],
-  emit: (a: number, b: number, c: number) => void,
-): void {
-  const count = vertices.length;
-  if (count > 3 && count <= EAR_LIMIT && vertices.every((vertex) => vertex < places.count)) {
-    const flat = flattened(places.array, vertices, count);
-    if (!isConvex(flat, count)) {
-      cutEars(flat, count, emit);
+/** Steps of cutting ears in one model, after which polygons become fans: less than a second. */
+const STEP_LIMIT = 2 ** 27;
+
+type Emit = (a: number, b: number, c: number) => void;
+
+/** Cuts the polygons of one model. */
+export class Triangulator {
+  readonly #places: Places;
+  #steps = 0;
+
+  constructor(places: Places) {
+    this.#places = places;
+  }
+
+  /**
+   * @param vertices the polygon's vertices in order. With one that is not among the places yet it becomes a fan.
+   * @param emit called with indices into `vertices`, three per triangle.
+   */
+  cut(vertices: readonly number[], emit: Emit): void {
+    const count = vertices.length;
+    if (count > 3 && count <= EAR_LIMIT && this.#steps < STEP_LIMIT && !this.#isConvex(vertices)) {
+      this.#cutEars(flattened(this.#places.array, vertices), count, emit);
       return;
     }
+    for (let i = 2; i < count; i += 1) emit(0, i - 1, i);
   }
-  for (let i = 2; i < count; i += 1) emit(0, i - 1, i);
+
+  /** Whether every corner turns the same way. Also true if a vertex is missing: nothing is better than a fan then. */
+  #isConvex(vertices: readonly number[]): boolean {
+    const { array, count } = this.#places;
+    const size = vertices.length;
+    let [nx, ny, nz] = [0, 0, 0];
+    for (let i = 0; i < size; i += 1) {
+      const a = vertices[i] ?? 0;
+      if (a >= count) return true;
+      const b = vertices[i + 1 === size ? 0 : i + 1] ?? 0;
+      faceVector(array, 3 * (vertices[0] ?? 0), 3 * a, 3 * b, turned);
+      nx += turned.x;
+      ny += turned.y;
+      nz += turned.z;
+    }
+    for (let i = 0; i < size; i += 1) {
+      const a = vertices[i] ?? 0;
+      const b = vertices[(i + 1) % size] ?? 0;
+      const c = vertices[(i + 2) % size] ?? 0;
+      faceVector(array, 3 * b, 3 * c, 3 * a, turned);
+      if (turned.x * nx + turned.y * ny + turned.z * nz < 0) return false;
+    }
+    return true;
+  }
+
+  #cutEars(flat: Float64Array, count: number, emit: Emit): void {
+    const rest = Array.from({ length: count }, (_, i) => i);
+    const at = (i: number): number => rest[i % rest.length] ?? 0;
+    while (rest.length > 3) {
+      let ear = rest.findIndex((b, i) => {
+        this.#steps += rest.length;
+        return isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1));
+      });
+      if (ear < 0) ear = 1; // it crosses itself: any triangle will do
+      emit(at(ear + rest.length - 1), at(ear), at(ear + 1));
+      rest.splice(ear, 1);
+    }
+    emit(at(0), at(1), at(2));
+  }
 }
 
+const turned: FaceVector = { x: 0, y: 0, z: 0 };
+
 /** x y of each corner in the plane of the coordinate axes that the polygon faces most, counter-clockwise. */
-function flattened(positions: Float32Array, vertices: readonly number[], count: number): Float64Array {
+function flattened(positions: Float32Array, vertices: readonly number[]): Float64Array {
+  const count = vertices.length;
   const at = (i: number, axis: number): number => positions[3 * (vertices[i] ?? 0) + axis] ?? NaN;
   // Newell's normal: twice the areas of the projections.
   const normal = [0, 0, 0];
@@ -68,25 +119,6 @@ function turn(flat: Float64Array, a: number, b: number, c: number): number {
     ((flat[2 * b] ?? 0) - x) * ((flat[2 * c + 1] ?? 0) - y) -
     ((flat[2 * b + 1] ?? 0) - y) * ((flat[2 * c] ?? 0) - x)
   );
-}
-
-function isConvex(flat: Float64Array, count: number): boolean {
-  for (let i = 0; i < count; i += 1) {
-    if (turn(flat, i, (i + 1) % count, (i + 2) % count) < 0) return false;
-  }
-  return true;
-}
-
-function cutEars(flat: Float64Array, count: number, emit: (a: number, b: number, c: number) => void): void {
-  const rest = Array.from({ length: count }, (_, i) => i);
-  const at = (i: number): number => rest[i % rest.length] ?? 0;
-  while (rest.length > 3) {
-    let ear = rest.findIndex((b, i) => isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1)));
-    if (ear < 0) ear = 1; // it crosses itself: any triangle will do
-    emit(at(ear + rest.length - 1), at(ear), at(ear + 1));
-    rest.splice(ear, 1);
-  }
-  emit(at(0), at(1), at(2));
 }
 
 function isEar(flat: Float64Array, rest: readonly number[], a: number, b: number, c: number): boolean {
