@@ -8,7 +8,7 @@ import { Viewport } from '../scene/viewport.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
-import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
+import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
 import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
@@ -26,7 +26,7 @@ import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { viewerTemplate } from './viewer/template.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { lazy, pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -55,7 +55,7 @@ export class PhongViewer extends LitElement {
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
   readonly #binding = new FieldBinding<ViewerValues>(this, this.#store, (key) => {
     this.#camera.assigned(key);
-    if (key === 'src') this.requestUpdate('src'); // the same address again retries what failed
+    if (RETRY_KEYS.has(key)) this.requestUpdate(key);
   });
 
   readonly #holder = document.createElement('div');
@@ -75,6 +75,8 @@ export class PhongViewer extends LitElement {
       this.#children.sort();
       return this.#camera.frame(now);
     },
+    painted: () => this.#loading.drawn(),
+    undrawable: (error): boolean => this.#loading.undrawable(error),
     drawn: () => {
       this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));
@@ -88,7 +90,7 @@ export class PhongViewer extends LitElement {
     },
     contextRestored: () => this.#failure.contextRestored(),
   });
-  readonly #loading = new ViewerLoading({
+  readonly #loading: ViewerLoading = new ViewerLoading({
     store: this.#store,
     viewport: this.#viewport,
     events: this.#events,
@@ -133,8 +135,7 @@ export class PhongViewer extends LitElement {
     super();
     this.#holder.className = 'holder';
     this.#store.listen((key) => this.requestUpdate(key));
-    this.addController(this.#camera);
-    this.addController(this.#visibility);
+    for (const part of [this.#camera, this.#visibility, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
   }
 
@@ -154,8 +155,9 @@ export class PhongViewer extends LitElement {
     return this.#camera.state;
   }
 
-  /** All requested models are there. */
+  /** Everything requested is there, and shapes have been drawn. False while nothing is requested. */
   get loaded(): boolean {
+    this.#update();
     return this.#loading.loaded;
   }
 
@@ -200,7 +202,7 @@ export class PhongViewer extends LitElement {
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
     const picture = pictureOf(this.#viewport, options);
-    return (await import('./viewer/picture-blob.js')).pictureBlob(picture, options);
+    return (await lazy.picture()).pictureBlob(picture, options);
   }
 
   /**
@@ -215,8 +217,7 @@ export class PhongViewer extends LitElement {
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
-    const { shadeAt } = await import('./viewer/shade-at.js');
-    return shadeAt(snapshot, x, y);
+    return (await lazy.shadeAt()).shadeAt(snapshot, x, y);
   }
 
   /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
@@ -286,7 +287,7 @@ export class PhongViewer extends LitElement {
       viewport.style = { shading, reflection, terms, antialias };
     }
     if (changed.has('src')) this.#readiness.supersede();
-    if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();
+    this.#loading.apply(changed);
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#part('.panel'));
     this.#panel.changed('viewer');

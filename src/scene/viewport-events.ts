@@ -5,6 +5,10 @@ export interface ViewportEvents {
   needsLayout(): void;
   /** Before each frame; true asks for another one. `now` in milliseconds, as animation frames have it. */
   beforeFrame(now: number): boolean;
+  /** The scene as it is has been drawn without an exception. */
+  painted(): void;
+  /** Drawing has thrown. True if new content was taken back, so that drawing again may succeed. */
+  undrawable(error: unknown): boolean;
   drawn(): void;
   /** After {@link drawn}, and also where drawing threw: no more frames come by themselves. */
   afterFrame(): void;

@@ -212,13 +212,19 @@ export class Viewport implements StageClient, Framed {
         this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
         this.#painter.paint(renderer, this.#view);
       });
+      this.#events.painted();
       this.materials.sweep();
       this.#frames += 1;
       this.#events.drawn();
     } catch (error) {
-      if (!(error instanceof NoWebGL2Error)) throw error;
-      this.#attached = false; // until it is attached again
-      this.#events.contextMissing(error);
+      if (error instanceof NoWebGL2Error) {
+        this.#attached = false; // until it is attached again
+        this.#events.contextMissing(error);
+      } else if (this.#events.undrawable(error)) {
+        this.redraw();
+      } else {
+        throw error;
+      }
     } finally {
       this.#events.afterFrame();
     }

@@ -49,7 +49,7 @@ const uses: readonly Use[] = [
     chunks: [],
   },
   { what: 'a sphere', use: set({ geometry: 'sphere' }), chunks: [] },
-  { what: 'a torus', use: set({ geometry: 'torus' }), chunks: ['fit', 'solids'] },
+  { what: 'a torus', use: set({ geometry: 'torus' }), chunks: ['solids'] },
   { what: 'a pyramid', use: set({ geometry: 'pyramid' }), chunks: [] },
   { what: 'a teapot', use: set({ geometry: 'teapot' }), chunks: ['teapot'] },
   {

@@ -4,7 +4,7 @@ import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { ModelError, type Model } from '../../src/scene/model/model.js';
 import { repeats } from '../support/repeats.js';
-import { loadFiles, standInImages } from './model-files.js';
+import { loadFiles, png, standInImages } from './model-files.js';
 
 /** Others: PHONG_VIEWER_SEED=1000. */
 const seed = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -141,13 +141,13 @@ describe('every file is a model or a ModelError', () => {
   }
 
   it(`where the material library is damaged (seed ${seed})`, async () => {
-    const png = { 'x.png': new Uint8Array([0x89]) };
+    const images = { 'x.png': png() };
     await fc.assert(
       fc.asyncProperty(fc.array(change, { minLength: 1, maxLength: 6 }), async (changes) => {
         await requireOutcome({
           'a.obj': encoder.encode(objText),
           'a.mtl': changed(encoder.encode(mtlText), changes),
-          ...png,
+          ...images,
         });
       }),
       { seed, numRuns: repeats(10_000) },

@@ -2,7 +2,16 @@
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { Model, ModelLook } from '../../src/scene/model/model.js';
-import { cornersOf, failureOf, indexOf, loadFiles, numbersOf, standInImages } from './model-files.js';
+import {
+  cornersOf,
+  failureOf,
+  indexOf,
+  loadFiles,
+  numbersOf,
+  png,
+  pngHeader,
+  standInImages,
+} from './model-files.js';
 
 const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
 const obj = (text: string): Promise<Model> => loadFiles({ 'a.obj': text });
@@ -187,9 +196,8 @@ describe('the materials of an OBJ file', () => {
   it('have a texture with straight texels, its rows from the top, its scale, offset and borders as written', async () => {
     const images = standInImages();
     const mtl = 'newmtl m\nmap_Kd -s 2 3 1 -o 0.25 0.5 -clamp on -bm 1 pictures\\oak wood #2.png\n';
-    const png = new Uint8Array([0x89, 0x50]);
     const text = `mtllib lib/a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 0.75\nusemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1 2 3\n`;
-    const files = { 'a.obj': text, 'lib/a.mtl': `${mtl}newmtl n\nmap_Kd pictures/oak wood #2.png`, 'lib/pictures/oak wood #2.png': png }; // prettier-ignore
+    const files = { 'a.obj': text, 'lib/a.mtl': `${mtl}newmtl n\nmap_Kd pictures/oak wood #2.png`, 'lib/pictures/oak wood #2.png': png() }; // prettier-ignore
     const model = await loadFiles(files);
     const map = model.parts[0]?.look.map as Texture;
     expect(map).toMatchObject({ flipY: false, colorSpace: NoColorSpace, wrapS: ClampToEdgeWrapping });
@@ -219,10 +227,19 @@ describe('the materials of an OBJ file', () => {
     const error = await failureOf({
       'a.obj': text,
       'a.mtl': mtl,
-      'x.png': new Uint8Array([0x89]),
-      'y.png': 'no picture',
+      'x.png': png(),
+      'y.png': pngHeader(),
     });
     expect(error.message).toMatch(/y\.png cannot be decoded/);
+    expect(images.closed()).toBe(1);
+    const noImage = await failureOf({
+      'a.obj': text,
+      'a.mtl': 'newmtl m\nmap_Kd z.png',
+      'z.png': 'no picture',
+    });
+    expect(noImage.message).toMatch(/z\.png is no PNG/);
+    const tooLarge = await failureOf({ 'a.obj': text, 'a.mtl': mtl, 'x.png': png(8192, 4096), 'y.png': png(8192, 4097) }); // prettier-ignore
+    expect(tooLarge.code).toBe('too-large');
     expect(images.closed()).toBe(images.decoded());
   });
 });

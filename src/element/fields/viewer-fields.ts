@@ -104,5 +104,8 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   gui: presenceField(),
 };
 
+/** Assigning the same value again retries what failed. */
+export const RETRY_KEYS: ReadonlySet<string> = new Set(['src', 'geometry', 'gui']);
+
 /** Values that the viewer's own mesh, or the loading of all meshes, depends on. */
 export const LOADING_KEYS: readonly string[] = [...Object.keys(SHAPE_FIELDS), 'loading', 'crossOrigin'];

@@ -5,6 +5,7 @@ import type { LightValues } from '../../light/light-state.js';
 import { srgbDecode } from '../../math/color.js';
 import { add, map, multiply, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { LightShare } from '../../reference/index.js';
+import { lazyCode } from '../../scene/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
 import { pick } from '../../scene/snapshot/pick.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
@@ -56,6 +57,8 @@ export interface FragmentExplanation {
   readonly color: Vec3;
 }
 
+const referenceCode = lazyCode(() => import('../../reference/index.js'), 'shadeAt');
+
 /** Rejects with TypeError or RangeError unless x and y are finite numbers. */
 export async function shadeAt(
   { scene, width, height, lights }: ViewerSnapshot,
@@ -69,7 +72,7 @@ export async function shadeAt(
   const { object, owner, phong } = hit.drawn;
   const { surface, style, linear } = phong;
   const subject: Subject = { hit, corners: cornersOf(hit), surface, style, linear };
-  const { shade } = await import('../../reference/index.js');
+  const { shade } = await referenceCode();
   const shaded = shadeHit(
     shade,
     subject,

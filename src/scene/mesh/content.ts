@@ -6,6 +6,7 @@ import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { requestModel } from '../model/fetch-bytes.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
+import { lazyCode } from '../lazy-code.js';
 import type { LoadOptions } from '../model/load-model.js';
 
 /** A geometry and how it looks, as far as its file or shape says. */
@@ -45,8 +46,10 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
 
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
 
+const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.js'), 'models');
+
 /** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
 export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
   const request = requestModel(url, options);
-  return (await import('../model/model-content.js')).modelContent(url, options, request);
+  return (await modelCode()).modelContent(url, options, request);
 }

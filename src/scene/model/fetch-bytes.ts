@@ -1,10 +1,14 @@
 // How are a model's files downloaded? With progress, abort, a size limit, and errors that a page's author understands. Must not know
 // what the bytes mean.
 import { decodeDataUri, isDataUri } from './data-uri.js';
+import { BYTE_LIMIT } from './limits.js';
 import { ModelError } from './model.js';
 
-/** Largest size of one model in bytes, all its files together. Browsers' largest buffers are about twice this. */
-export const BYTE_LIMIT = 2 ** 30;
+/**
+ * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough for a server
+ * that has to wake up first; a page that stays open for hours should not hold its connections for good.
+ */
+export const SILENCE_LIMIT_MS = 60_000;
 
 export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
 
@@ -37,42 +41,95 @@ export function byteFetcher(transfer: Transfer): FetchBytes {
   let total = 0;
   let known = true;
   return async (url, redirect) => {
-    const { signal } = transfer;
-    signal.throwIfAborted();
+    transfer.signal.throwIfAborted();
     if (isDataUri(url.href)) return decodeDataUri(url.href).bytes;
-    const response = await open(url, redirect, transfer);
-    const expected = expectedLength(response);
-    if (expected === 0) known = false;
-    total += expected;
-    if (total > BYTE_LIMIT) throw await tooLarge(url, response);
-    const chunks: Uint8Array[] = [];
-    let size = 0;
-    const reader = response.body?.getReader();
-    for (let chunk = await read(url, signal, reader); chunk; chunk = await read(url, signal, reader)) {
-      chunks.push(chunk);
-      size += chunk.byteLength;
-      loaded += chunk.byteLength;
-      if (loaded > BYTE_LIMIT) {
-        await reader?.cancel();
-        throw await tooLarge(url, null);
+    const download = new Download(url, transfer.signal);
+    try {
+      const response = await open(download, redirect, transfer);
+      const expected = expectedLength(response);
+      if (expected === 0) known = false;
+      total += expected;
+      if (total > BYTE_LIMIT) throw tooLarge(url);
+      const chunks: Uint8Array[] = [];
+      let size = 0;
+      const reader = response.body?.getReader();
+      for (let chunk = await read(download, reader); chunk; chunk = await read(download, reader)) {
+        chunks.push(chunk);
+        size += chunk.byteLength;
+        loaded += chunk.byteLength;
+        // A compressed file counts as what it unpacks to. It is not unpacked any further.
+        if (loaded > BYTE_LIMIT) throw tooLarge(url);
+        transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
       }
-      transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
+      return joined(chunks, size);
+    } finally {
+      download.end();
     }
-    return joined(chunks, size);
   };
 }
 
-async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Promise<Response> {
-  const { signal, crossOrigin } = transfer;
+/** One request. Ends when the load is aborted, and after {@link SILENCE_LIMIT_MS} without data. */
+class Download {
+  readonly url: URL;
+  readonly #load: AbortSignal;
+  readonly #request = new AbortController();
+  #timer: ReturnType<typeof setTimeout> | undefined;
+  #silent = false;
+
+  constructor(url: URL, load: AbortSignal) {
+    this.url = url;
+    this.#load = load;
+    load.addEventListener('abort', this.end);
+    this.heard();
+  }
+
+  get signal(): AbortSignal {
+    return this.#request.signal;
+  }
+
+  /** The server has sent something. */
+  heard(): void {
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#silent = true;
+      this.end();
+    }, SILENCE_LIMIT_MS);
+  }
+
+  /** Ends the request, and with it the connection if the file is not complete. */
+  readonly end = (): void => {
+    clearTimeout(this.#timer);
+    this.#load.removeEventListener('abort', this.end);
+    this.#request.abort();
+  };
+
+  /** Throws if that is why the request has failed. */
+  throwIfEnded(): void {
+    this.#load.throwIfAborted();
+    if (!this.#silent) return;
+    const seconds = String(SILENCE_LIMIT_MS / 1000);
+    throw new ModelError(
+      'load-failed',
+      `${this.url.href} was given up: the server sent nothing for ${seconds} seconds.`,
+    );
+  }
+}
+
+async function open(
+  download: Download,
+  redirect: RequestRedirect,
+  { crossOrigin }: Transfer,
+): Promise<Response> {
+  const { url, signal } = download;
   const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
   const policy = watchPolicy(url);
   let response: Response;
   try {
     response = await fetch(url, { signal, redirect, credentials });
   } catch (cause) {
-    signal.throwIfAborted();
+    download.throwIfEnded();
     const directive = await policy.refusal();
-    signal.throwIfAborted();
+    download.throwIfEnded();
     if (directive !== null) {
       throw new ModelError(
         'csp',
@@ -90,8 +147,8 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
   } finally {
     policy.stop();
   }
+  download.heard();
   if (response.ok) return response;
-  await response.body?.cancel();
   throw new ModelError(
     'load-failed',
     `${url.href} could not be fetched: the server answered ${String(response.status)} ${response.statusText}`.trim() +
@@ -106,24 +163,27 @@ function expectedLength(response: Response): number {
   return Number.isFinite(length) && length > 0 ? length : 0;
 }
 
-async function tooLarge(url: URL, response: Response | null): Promise<ModelError> {
-  await response?.body?.cancel();
+function tooLarge(url: URL): ModelError {
+  const limit = String(BYTE_LIMIT / 2 ** 20);
   return new ModelError(
     'too-large',
-    `${url.href} makes the model larger than 1 GiB, the most that can be loaded.`,
+    `${url.href} makes the model larger than ${limit} MiB, the most that can be loaded.`,
   );
 }
 
 async function read(
-  url: URL,
-  signal: AbortSignal,
+  download: Download,
   reader: ReadableStreamDefaultReader<Uint8Array> | undefined,
 ): Promise<Uint8Array | undefined> {
   try {
-    return (await reader?.read())?.value;
+    const value = (await reader?.read())?.value;
+    download.heard();
+    return value;
   } catch (cause) {
-    signal.throwIfAborted();
-    throw new ModelError('load-failed', `The connection broke while ${url.href} was read.`, { cause });
+    download.throwIfEnded();
+    throw new ModelError('load-failed', `The connection broke while ${download.url.href} was read.`, {
+      cause,
+    });
   }
 }
 

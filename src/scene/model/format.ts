@@ -1,6 +1,7 @@
 // Which reader fits these bytes? The content decides, then the element's `type`, the file extension and the media type. A new format is
 // one more row in the table; its reader is a separate chunk, fetched with the first file that needs it.
 import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
+import { lazyCode } from '../lazy-code.js';
 import { ModelError, type Model } from './model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
@@ -27,34 +28,39 @@ export interface Format {
   readonly reader: () => Promise<ModelReader>;
 }
 
+const gltfCode = lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models');
+const plyCode = lazyCode(() => import('./ply/read-ply.js'), 'PLY files');
+const stlCode = lazyCode(() => import('./stl/read-stl.js'), 'STL files');
+const objCode = lazyCode(() => import('./obj/read-obj.js'), 'OBJ files');
+
 const FORMATS: readonly Format[] = [
   {
     name: 'glTF',
     extensions: ['glb', 'gltf'],
     types: ['gltf', 'glb', 'model/gltf-binary', 'model/gltf+json'],
     matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
-    reader: async () => (await import('./gltf/read-gltf.js')).readGltf,
+    reader: async () => (await gltfCode()).readGltf,
   },
   {
     name: 'PLY',
     extensions: ['ply'],
     types: ['ply', 'model/ply', 'application/ply', 'application/x-ply', 'text/ply'],
     matches: (bytes) => startsWith(bytes, 'ply\n') || startsWith(bytes, 'ply\r'),
-    reader: async () => (await import('./ply/read-ply.js')).readPly,
+    reader: async () => (await plyCode()).readPly,
   },
   {
     name: 'STL',
     extensions: ['stl'],
     types: ['stl', 'model/stl', 'model/x.stl-binary', 'model/x.stl-ascii', 'application/sla'],
     matches: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
-    reader: async () => (await import('./stl/read-stl.js')).readStl,
+    reader: async () => (await stlCode()).readStl,
   },
   {
     name: 'OBJ',
     extensions: ['obj'],
     types: ['obj', 'model/obj', 'application/x-obj', 'text/prs.wavefront-obj'],
     matches: isObj,
-    reader: async () => (await import('./obj/read-obj.js')).readObj,
+    reader: async () => (await objCode()).readObj,
   },
 ];
 

@@ -20,6 +20,9 @@ export const VALUE_LIMIT = 7 * 2 ** 24;
 /** Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few frames per second. */
 export const PART_LIMIT = 10_000;
 
+/** Most nodes of a model's tree, with or without meshes. Each takes about 2 kB while the model is read. */
+export const NODE_LIMIT = 50_000;
+
 /** Most pixels in all images of a model: one image of 8192 × 8192. A pixel takes 4 bytes in the page and 5.3 on the GPU, with mipmaps. */
 export const PIXEL_LIMIT = 2 ** 26;
 
@@ -31,6 +34,7 @@ export interface ModelClaims {
   readonly corners?: number;
   readonly values?: number;
   readonly parts?: number;
+  readonly nodes?: number;
   readonly pixels?: number;
 }
 
@@ -39,11 +43,13 @@ export class ModelBudget {
   #corners = 0;
   #values = 0;
   #parts = 0;
+  #nodes = 0;
   #pixels = 0;
 
   /** @throws ModelError `too-large` past a limit. Call before allocating. */
-  add({ corners = 0, values = 0, parts = 0, pixels = 0 }: ModelClaims): void {
+  add({ corners = 0, values = 0, parts = 0, nodes = 0, pixels = 0 }: ModelClaims): void {
     require((this.#parts += parts), PART_LIMIT, 'draws');
+    require((this.#nodes += nodes), NODE_LIMIT, 'nodes');
     require((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
     require((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
     require((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');

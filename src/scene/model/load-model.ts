@@ -1,5 +1,6 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
 // Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
+import { isOutOfMemory } from '../out-of-memory.js';
 import { type CrossOrigin, requestModel } from './fetch-bytes.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
 import { linkedUrl } from './linked-url.js';
@@ -30,46 +31,41 @@ export async function loadModel(
 ): Promise<Model> {
   const { signal, crossOrigin } = options;
   const { fetchBytes } = request;
-  const bytes = await request.bytes;
-  const format = formatOf(url, bytes, options);
   const missing: string[] = [];
   const linked: ModelSource['linked'] = async (uri) => {
     const anywhere = crossOrigin !== null;
     // A redirect could lead out of the folder. If any address is allowed, it does no harm.
     return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
   };
-  const source: ModelSource = {
-    url,
-    bytes,
-    signal,
-    linked,
-    optional: async (uri) => {
-      try {
-        return await linked(uri);
-      } catch (error) {
-        if (!(error instanceof ModelError && error.code === 'load-failed')) throw error;
-        missing.push(error.message);
-        return null;
-      }
-    },
+  const optional: ModelSource['optional'] = async (uri) => {
+    try {
+      return await linked(uri);
+    } catch (error) {
+      if (!(error instanceof ModelError && error.code === 'load-failed')) throw error;
+      missing.push(error.message);
+      return null;
+    }
   };
-  const read = await format.reader().catch((cause: unknown) => {
-    throw new ModelError('load-failed', `The code that reads ${format.name} files could not be fetched.`, {
-      cause,
-    });
-  });
-  signal.throwIfAborted();
   try {
-    const model = await read(source);
+    const bytes = await request.bytes;
+    const format = formatOf(url, bytes, options);
+    const read = await format.reader().catch((cause: unknown) => {
+      const message = `The code that reads ${format.name} files could not be fetched.`;
+      throw new ModelError('load-failed', message, { cause });
+    });
+    signal.throwIfAborted();
+    const model = await read({ url, bytes, signal, linked, optional });
     if (missing.length > 0) warnOfMissing(url, missing);
     return model;
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
+    if (isOutOfMemory(cause)) {
+      const message = `The browser has not enough memory to read ${nameOf(url)}.`;
+      throw new ModelError('too-large', message, { cause });
+    }
     const reason = cause instanceof Error ? cause.message : String(cause);
-    throw new ModelError('bad-model', `${nameOf(url)} is not a readable ${format.name} file: ${reason}`, {
-      cause,
-    });
+    throw new ModelError('bad-model', `${nameOf(url)} is not a readable model: ${reason}`, { cause });
   }
 }
 

@@ -1,8 +1,8 @@
 // Which bytes belong to a glTF document's buffers, buffer views and images? Each is fetched or decoded once, on first use. Must not
 // know what they mean.
 import { decodeDataUri, isDataUri } from '../data-uri.js';
-import { BYTE_LIMIT } from '../fetch-bytes.js';
 import type { ModelSource } from '../format.js';
+import { BYTE_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
@@ -59,7 +59,7 @@ export function gltfBytes(
       const size = bytes.byteLength + (document.bufferViews[index]?.byteStride ?? 0);
       copied += size;
       // Views may overlap, so a small file can claim any size.
-      if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 1 GiB.');
+      if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 256 MiB.');
       const copy = new Uint8Array(size);
       copy.set(bytes);
       return copy.buffer;

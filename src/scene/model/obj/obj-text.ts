@@ -2,7 +2,7 @@
 // curves and surfaces are skipped. Knows no materials but their names.
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
-import type { Pauses } from '../text/pauses.js';
+import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { CornerLists, FACETED, NONE, setItem, UNSTATED } from '../triangles/corner-lists.js';
 import { requirePolygon, Triangulator } from '../triangles/triangulate.js';
@@ -35,15 +35,15 @@ const SLASH = 47;
 const HASH = 35;
 
 /** @throws Error that names the line, for broken text; ModelError `too-large`. */
-export async function readObjText(bytes: Uint8Array, pauses: Pauses): Promise<ObjText> {
+export async function readObjText(bytes: Uint8Array, slices: Slices): Promise<ObjText> {
   const reader = new ObjReader(bytes);
   try {
     for (let line = 0; reader.readLine(); line += 1) {
-      if ((line & LINE_MASK) === 0 && pauses.due) await pauses.pause();
+      if ((line & LINE_MASK) === 0 && slices.due) await slices.pause();
     }
     return reader.finish();
   } catch (cause) {
-    if (!(cause instanceof Error) || cause instanceof ModelError || pauses.aborted) throw cause;
+    if (!(cause instanceof Error) || cause instanceof ModelError || cause.name === 'AbortError') throw cause;
     throw new Error(`line ${String(reader.line)}: ${cause.message}`, { cause });
   }
 }

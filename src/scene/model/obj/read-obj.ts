@@ -4,7 +4,7 @@ import type { ModelReader, ModelSource } from '../format.js';
 import { ModelBudget } from '../limits.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
-import { Pauses } from '../text/pauses.js';
+import { Slices } from '../slices.js';
 import { indexedGeometry, type CornerRange } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
 import { addressOf, MapTextures } from './map-textures.js';
@@ -12,11 +12,11 @@ import { readMtl, type MtlMaterial } from './mtl.js';
 import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
 export const readObj: ModelReader = async (source) => {
-  const pauses = new Pauses(source.signal);
-  const text = await readObjText(source.bytes, pauses);
+  const slices = new Slices(source.signal);
+  const text = await readObjText(source.bytes, slices);
   if (text.runs.length === 0) throw new Error('it has no faces');
   const materials = await readLibraries(text, source);
-  await smoothNormals(text.lists, pauses);
+  await smoothNormals(text.lists, slices);
   const budget = new ModelBudget();
   const textures = new MapTextures(source, budget);
   try {
@@ -24,7 +24,7 @@ export const readObj: ModelReader = async (source) => {
     for (const { name, material, ranges } of groupsOf(text.runs)) {
       const definition = materials.get(material) ?? NO_MATERIAL;
       const withUvs = definition.map !== null && text.lists.uvs.length > 0;
-      const geometry = await indexedGeometry(text.lists, ranges, withUvs, budget, pauses);
+      const geometry = await indexedGeometry(text.lists, ranges, withUvs, budget, slices);
       const map = withUvs ? await textures.of(definition.map) : null;
       parts.push({ name, geometry, matrix: text.lists.places.matrix, look: lookOf(definition, map) });
     }

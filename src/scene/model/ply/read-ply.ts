@@ -4,7 +4,7 @@ import type { ModelReader } from '../format.js';
 import { CORNER_LIMIT, ModelBudget } from '../limits.js';
 import { ModelError } from '../model.js';
 import { ownedModel } from '../owned-model.js';
-import { PAUSE_MASK, Pauses } from '../text/pauses.js';
+import { PAUSE_MASK, Slices } from '../slices.js';
 import { CornerLists } from '../triangles/corner-lists.js';
 import { indexedGeometry } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
@@ -13,7 +13,7 @@ import { readPlyHeader, type PlyElement, type PlyProperty, type PlyType } from '
 import { plyValues, type PlyValues } from './ply-values.js';
 
 export const readPly: ModelReader = async ({ bytes, signal }) => {
-  const pauses = new Pauses(signal);
+  const slices = new Slices(signal);
   const header = readPlyHeader(bytes);
   requireFaces(header.elements);
   const values = plyValues(bytes, header);
@@ -22,7 +22,7 @@ export const readPly: ModelReader = async ({ bytes, signal }) => {
     if (element.properties.length === 0) continue;
     const row = rowReader(element, values, lists);
     for (let i = 0; i < element.count; i += 1) {
-      if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+      if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
       row();
     }
   }
@@ -33,10 +33,10 @@ export const readPly: ModelReader = async ({ bytes, signal }) => {
     lists.cornerNormals.array = Int32Array.from(lists.corners.array);
     lists.cornerNormals.length = lists.corners.length;
   } else {
-    await smoothNormals(lists, pauses);
+    await smoothNormals(lists, slices);
   }
   const ranges = [{ start: 0, end: lists.corners.length }];
-  const geometry = await indexedGeometry(lists, ranges, false, new ModelBudget(), pauses);
+  const geometry = await indexedGeometry(lists, ranges, false, new ModelBudget(), slices);
   const look = {
     baseColor: [1, 1, 1],
     opacity: 1,

@@ -2,24 +2,24 @@
 // or stale, and the order of the corners is what the format defines. Colours of the two 15-bit conventions. A separate chunk.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../math/vector.js';
+import { faceNormals } from '../face-normals.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
-import { PAUSE_MASK, Pauses } from '../text/pauses.js';
-import { faceVector, type FaceVector } from '../triangles/face-normal.js';
+import { PAUSE_MASK, Slices } from '../slices.js';
 import { Growing } from '../triangles/growing.js';
 import { Places } from '../triangles/places.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
 export const readStl: ModelReader = async ({ bytes, signal }) => {
-  const pauses = new Pauses(signal);
+  const slices = new Slices(signal);
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
-  const solids = asText ? await readStlText(bytes, pauses) : [await readBinary(bytes, pauses)];
+  const solids = asText ? await readStlText(bytes, slices) : [await readBinary(bytes, slices)];
   const budget = new ModelBudget();
   const parts: ModelPart[] = [];
-  for (const solid of solids) parts.push(await partOf(solid, budget, pauses));
+  for (const solid of solids) parts.push(await partOf(solid, budget, slices));
   if (parts.length === 0) throw new Error('it has no triangles');
   return ownedModel(parts);
 };
@@ -37,7 +37,7 @@ export interface StlSolid {
   readonly opacity: number;
 }
 
-async function readBinary(bytes: Uint8Array<ArrayBuffer>, pauses: Pauses): Promise<StlSolid> {
+async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promise<StlSolid> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.byteLength < STL_HEADER) throw new Error('it ends inside its header');
   const count = view.getUint32(STL_HEADER - 4, true);
@@ -55,7 +55,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, pauses: Pauses): Promi
   const colors = new Growing(Float32Array);
   let colored = false;
   for (let i = 0; i < count; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const at = STL_HEADER + i * STL_TRIANGLE;
     for (let corner = at + 12; corner < at + 48; corner += 12) {
       places.push(
@@ -113,7 +113,7 @@ function triangleColor(bits: number, magics: boolean): Vec3 | null {
   return magics ? channels : [channels[2], channels[1], channels[0]];
 }
 
-async function partOf(solid: StlSolid, budget: ModelBudget, pauses: Pauses): Promise<ModelPart> {
+async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Promise<ModelPart> {
   const { name, places, colors, color, opacity } = solid;
   const corners = places.count;
   budget.add({ parts: 1, corners, values: corners * (colors === null ? 6 : 9) });
@@ -121,7 +121,7 @@ async function partOf(solid: StlSolid, budget: ModelBudget, pauses: Pauses): Pro
   const filled = places.array.length === 3 * corners;
   const positions = filled ? places.array : places.array.slice(0, 3 * corners);
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
-  geometry.setAttribute('normal', new BufferAttribute(await faceNormals(positions, pauses), 3));
+  geometry.setAttribute('normal', await faceNormals(positions, slices));
   if (colors !== null) {
     const perCorner = new Float32Array(3 * corners);
     for (let i = 0; i < perCorner.length; i += 1)
@@ -138,20 +138,4 @@ async function partOf(solid: StlSolid, budget: ModelBudget, pauses: Pauses): Pro
     flat: true,
   };
   return { name, geometry, matrix: places.matrix, look };
-}
-
-async function faceNormals(positions: Float32Array, pauses: Pauses): Promise<Float32Array> {
-  const normals = new Float32Array(positions.length);
-  const face: FaceVector = { x: 0, y: 0, z: 0 };
-  for (let at = 0; at < positions.length; at += 9) {
-    if ((at & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
-    const length = faceVector(positions, at, at + 3, at + 6, face);
-    if (!(length > 0)) continue;
-    for (let corner = at; corner < at + 9; corner += 3) {
-      normals[corner] = face.x / length;
-      normals[corner + 1] = face.y / length;
-      normals[corner + 2] = face.z / length;
-    }
-  }
-  return normals;
 }

@@ -2,13 +2,13 @@
 // are skipped. Words may be upper case, and anywhere on a line.
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
-import { PAUSE_MASK, type Pauses } from '../text/pauses.js';
+import { PAUSE_MASK, type Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
 import { Places } from '../triangles/places.js';
 import type { StlSolid } from './read-stl.js';
 
 /** @throws Error that names the line, for broken text; ModelError `too-large`. */
-export async function readStlText(bytes: Uint8Array, pauses: Pauses): Promise<readonly StlSolid[]> {
+export async function readStlText(bytes: Uint8Array, slices: Slices): Promise<readonly StlSolid[]> {
   const scanner = new TextScanner(bytes);
   const solids: StlSolid[] = [];
   let name = '';
@@ -24,7 +24,7 @@ export async function readStlText(bytes: Uint8Array, pauses: Pauses): Promise<re
     places = new Places();
   };
   for (let words = 0; scanner.nextWord(); words += 1) {
-    if ((words & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((words & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const at = scanner.at;
     switch (scanner.word(16).toLowerCase()) {
       case 'solid':

@@ -1,7 +1,7 @@
 // How do corners become a geometry that the GPU reads? Corners that agree in everything share a vertex. Knows no format.
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { ModelBudget } from '../limits.js';
-import { PAUSE_MASK, type Pauses } from '../text/pauses.js';
+import { PAUSE_MASK, type Slices } from '../slices.js';
 import { itemAt, NONE, type CornerLists } from './corner-lists.js';
 import { Growing } from './growing.js';
 
@@ -17,7 +17,7 @@ export async function indexedGeometry(
   ranges: readonly CornerRange[],
   withUvs: boolean,
   budget: ModelBudget,
-  pauses: Pauses,
+  slices: Slices,
 ): Promise<BufferGeometry> {
   const count = ranges.reduce((sum, { start, end }) => sum + end - start, 0);
   budget.add({ parts: 1, corners: count, values: count });
@@ -26,7 +26,7 @@ export async function indexedGeometry(
   let next = 0;
   for (const { start, end } of ranges) {
     for (let corner = start; corner < end; corner += 1) {
-      if ((corner & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+      if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
       index[next] = vertices.numberOf(
         lists.corners.array[corner] ?? 0,
         withUvs ? itemAt(lists.cornerUvs, corner) : NONE,
@@ -45,7 +45,7 @@ export async function indexedGeometry(
     numbers: Growing<Int32Array>,
     size: number,
   ): Promise<void> => {
-    geometry.setAttribute(name, await gathered(source, numbers, size, pauses));
+    geometry.setAttribute(name, await gathered(source, numbers, size, slices));
   };
   await set('position', lists.places.array, vertices.positions, 3);
   await set('normal', lists.normals.array, vertices.normals, 3);
@@ -60,11 +60,11 @@ async function gathered(
   source: Float32Array,
   { array: numbers, length: count }: Growing<Int32Array>,
   size: number,
-  pauses: Pauses,
+  slices: Slices,
 ): Promise<BufferAttribute> {
   const values = new Float32Array(count * size);
   for (let i = 0; i < count; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const from = (numbers[i] ?? NONE) * size;
     if (from < 0) continue;
     for (let c = 0; c < size; c += 1) values[i * size + c] = source[from + c] ?? 0;

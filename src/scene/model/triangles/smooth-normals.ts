@@ -1,6 +1,6 @@
 // Which normals do corners get that have none in the file? The mean of the faces around a vertex that are smoothed together, weighted by
 // their angles there, so that it does not depend on how polygons are cut into triangles. Computed in float64. Knows no format.
-import { PAUSE_MASK, type Pauses } from '../text/pauses.js';
+import { PAUSE_MASK, type Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, setItem, UNSTATED, type CornerLists } from './corner-lists.js';
 import { faceVector, type FaceVector } from './face-normal.js';
 
@@ -14,12 +14,12 @@ const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
 const FAN_LIMIT = 256;
 
 /** Appends normals to `lists.normals` and sets them in `lists.cornerNormals`. */
-export async function smoothNormals(lists: CornerLists, pauses: Pauses): Promise<void> {
+export async function smoothNormals(lists: CornerLists, slices: Slices): Promise<void> {
   const { corners, cornerNormals } = lists;
   const count = corners.length;
-  const { starts, around } = await cornersByVertex(lists, pauses);
+  const { starts, around } = await cornersByVertex(lists, slices);
   if (around.length === 0) return;
-  const { normals, angles } = await measuredFaces(lists, pauses);
+  const { normals, angles } = await measuredFaces(lists, slices);
   const chosen = new Int32Array(around.length).fill(NONE);
   const sum: FaceVector = { x: 0, y: 0, z: 0 };
   const { groups } = lists;
@@ -34,7 +34,7 @@ export async function smoothNormals(lists: CornerLists, pauses: Pauses): Promise
   };
 
   for (let vertex = 0; vertex + 1 < starts.length; vertex += 1) {
-    if ((vertex & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((vertex & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const start = starts[vertex] ?? 0;
     const end = starts[vertex + 1] ?? 0;
     const first = lists.normals.length / 3;
@@ -57,11 +57,11 @@ export async function smoothNormals(lists: CornerLists, pauses: Pauses): Promise
   // In the order of corners, because the list may end early.
   const byCorner = new Int32Array(count).fill(NONE);
   for (let i = 0; i < around.length; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     byCorner[around[i] ?? 0] = chosen[i] ?? NONE;
   }
   for (let corner = 0; corner < count; corner += 1) {
-    if ((corner & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const own = byCorner[corner] ?? NONE;
     if (corner >= cornerNormals.length) setItem(cornerNormals, corner, own);
     else if (own !== NONE) cornerNormals.array[corner] = own;
@@ -73,13 +73,13 @@ const triangleOf = (corner: number): number => Math.floor(corner / 3);
 /** The corners without a normal, sorted by vertex: those of vertex i are from `starts[i]` to `starts[i + 1]`. */
 async function cornersByVertex(
   lists: CornerLists,
-  pauses: Pauses,
+  slices: Slices,
 ): Promise<{ readonly starts: Uint32Array; readonly around: Uint32Array }> {
   const { corners, cornerNormals, places } = lists;
   const starts = new Uint32Array(places.count + 1);
   let missing = 0;
   for (let corner = 0; corner < corners.length; corner += 1) {
-    if ((corner & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     if (itemAt(cornerNormals, corner) !== NONE) continue;
     const vertex = corners.array[corner] ?? 0;
     starts[vertex] = (starts[vertex] ?? 0) + 1;
@@ -92,7 +92,7 @@ async function cornersByVertex(
   }
   // `starts` holds the ends now. Filling from the last corner down moves them to the starts.
   for (let corner = corners.length - 1; corner >= 0; corner -= 1) {
-    if ((corner & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     if (itemAt(cornerNormals, corner) !== NONE) continue;
     const vertex = corners.array[corner] ?? 0;
     const place = (starts[vertex] ?? 0) - 1;
@@ -109,14 +109,14 @@ interface Faces {
   readonly angles: Float32Array;
 }
 
-async function measuredFaces({ corners, places }: CornerLists, pauses: Pauses): Promise<Faces> {
+async function measuredFaces({ corners, places }: CornerLists, slices: Slices): Promise<Faces> {
   const count = corners.length / 3;
   const normals = new Float32Array(3 * count);
   const angles = new Float32Array(3 * count);
   const position = places.array;
   const face: FaceVector = { x: 0, y: 0, z: 0 };
   for (let i = 0; i < count; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && pauses.due) await pauses.pause();
+    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const a = 3 * (corners.array[3 * i] ?? 0);
     const b = 3 * (corners.array[3 * i + 1] ?? 0);
     const c = 3 * (corners.array[3 * i + 2] ?? 0);

@@ -1,0 +1,126 @@
+// Which content do a mesh's values name, and is it there? One load at a time: a newer one replaces it. Knows neither materials nor
+// how content is shown.
+import type { CrossOrigin } from '../model/load-model.js';
+import { type Content, modelContent, NOTHING, shapeContent } from './content.js';
+import type { ShapeValues } from './mesh-fields.js';
+
+export type ContentName = Pick<ShapeValues, 'src' | 'geometry' | 'segments'>;
+
+export interface ContentOwner {
+  readonly crossOrigin: CrossOrigin;
+  /** Whether models may be fetched now. */
+  readonly mayLoad: boolean;
+  progress(loaded: number, total: number): void;
+  /** `late` unless it was there at once. `url` is null for a shape. */
+  arrived(content: Content, url: URL | null, late: boolean): void;
+  failed(url: URL | null, error: unknown): void;
+  /** A load in progress was cancelled, or one that failed is no longer wanted. */
+  dropped(): void;
+}
+
+export class ContentLoad {
+  readonly #owner: ContentOwner;
+  #loading: AbortController | null = null;
+  #failed = false;
+  /** What was requested last; null for nothing. */
+  #request: string | null = null;
+
+  constructor(owner: ContentOwner) {
+    this.#owner = owner;
+  }
+
+  get pending(): boolean {
+    return this.#loading !== null;
+  }
+
+  /** What these values name was requested, and has arrived. */
+  has(name: ContentName): boolean {
+    return !this.pending && !this.#failed && this.#request === this.#keyOf(name);
+  }
+
+  /** Requests what the values name, unless it was requested last. */
+  request({ src, geometry, segments }: ContentName): void {
+    const owner = this.#owner;
+    const key = this.#keyOf({ src, geometry, segments });
+    if (key === this.#request || (src !== '' && !owner.mayLoad)) return;
+    this.drop();
+    this.#request = key;
+    if (src !== '') {
+      const url = addressOf(src);
+      this.#await(url, (signal) => this.#loadModel(url, src, signal));
+      return;
+    }
+    let content: Content | Promise<Content>;
+    try {
+      content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+    } catch (error) {
+      this.fail(null, error);
+      return;
+    }
+    if (content instanceof Promise) this.#await(null, () => content);
+    else owner.arrived(content, null, false);
+  }
+
+  /** What has arrived cannot be used. */
+  fail(url: URL | null, error: unknown): void {
+    this.#failed = true;
+    this.#owner.failed(url, error);
+  }
+
+  /** After a failure, the next {@link request} may be for the same. */
+  retry(): void {
+    if (this.#failed) this.#request = null;
+  }
+
+  /** Cancels a load in progress. The next {@link request} may be for the same. */
+  suspend(): void {
+    if (this.pending) this.drop();
+  }
+
+  drop(): void {
+    const dropped = this.pending || this.#failed;
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#failed = false;
+    this.#request = null;
+    if (dropped) this.#owner.dropped();
+  }
+
+  #keyOf({ src, geometry, segments }: ContentName): string {
+    if (src === '') return `${geometry ?? ''} ${String(segments)}`;
+    return `src ${src} ${this.#owner.crossOrigin ?? ''}`;
+  }
+
+  async #loadModel(url: URL | null, src: string, signal: AbortSignal): Promise<Content> {
+    if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
+    const { crossOrigin } = this.#owner;
+    const onProgress = (loaded: number, total: number): void => {
+      this.#owner.progress(loaded, total);
+    };
+    return modelContent(url, { signal, onProgress, crossOrigin });
+  }
+
+  #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
+    const loading = new AbortController();
+    this.#loading = loading;
+    load(loading.signal).then(
+      (content) => {
+        if (this.#loading !== loading) {
+          content.dispose();
+          return;
+        }
+        this.#loading = null;
+        this.#owner.arrived(content, url, true);
+      },
+      (error: unknown) => {
+        if (this.#loading !== loading) return;
+        this.#loading = null;
+        this.fail(url, error);
+      },
+    );
+  }
+}
+
+function addressOf(src: string): URL | null {
+  return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
+}

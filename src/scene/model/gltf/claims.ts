@@ -1,0 +1,94 @@
+// What will a glTF document cost when it is drawn? Counts draws, corners and numbers of what its scene shows, from the JSON alone, before
+// anything is allocated. Must agree with parts.ts about what is shared and what is copied.
+import type { ModelBudget } from '../limits.js';
+import type { Accessor } from './accessors.js';
+import type { Primitive } from './primitives.js';
+
+/** Nodes inside nodes. Beyond it three.js, which visits children by recursion, would overflow the stack in some browsers. */
+const DEPTH_LIMIT = 1000;
+
+export interface ClaimedNode {
+  readonly children: readonly number[];
+  /** Primitives of its mesh. */
+  readonly primitives: readonly Primitive[];
+  readonly skin: ClaimedSkin | undefined;
+}
+
+/** Compared by identity. */
+export interface ClaimedSkin {
+  readonly joints: readonly number[];
+}
+
+/**
+ * Visits the nodes below `roots`, which must be trees.
+ * @returns the largest claims of what each Draco buffer view holds.
+ * @throws ModelError `too-large` past a limit, a plain Error if nodes are nested too deeply.
+ */
+export function countClaims(
+  nodes: readonly ClaimedNode[],
+  roots: readonly number[],
+  budget: ModelBudget,
+): ReadonlyMap<number, DracoClaims> {
+  const geometries = new Map<ClaimedSkin | undefined, Set<string>>();
+  const attributes = new Set<Accessor>();
+  const packed = new Map<number, DracoClaims>();
+  for (const { primitives, skin } of visited(nodes, roots, budget)) {
+    for (const primitive of primitives) {
+      const { corners, vertices } = primitive;
+      budget.add({ parts: 1, corners });
+      const known = geometries.get(skin) ?? new Set();
+      if (known.has(primitive.key)) continue;
+      // A joint has a matrix in the file and one in its pose.
+      if (!geometries.has(skin)) budget.add({ values: (skin?.joints.length ?? 0) * 32 });
+      geometries.set(skin, known.add(primitive.key));
+      budget.add({ values: ownValues(primitive, skin !== undefined) });
+      for (const { accessor, items } of primitive.attributes) {
+        if (attributes.has(accessor)) continue;
+        attributes.add(accessor);
+        budget.add({ values: accessor.count * items + Math.ceil(accessor.ownBytes / 4) });
+      }
+      if (primitive.packed !== undefined) {
+        const most = packed.get(primitive.packed) ?? primitive;
+        packed.set(primitive.packed, {
+          corners: Math.max(most.corners, corners),
+          vertices: Math.max(most.vertices, vertices),
+        });
+      }
+    }
+  }
+  return packed;
+}
+
+export interface DracoClaims {
+  readonly corners: number;
+  readonly vertices: number;
+}
+
+/** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
+function ownValues({ attributes, order, corners, vertices }: Primitive, skinned: boolean): number {
+  const flat = attributes.every(({ name }) => name !== 'NORMAL');
+  const items = attributes.reduce((sum, attribute) => sum + attribute.items, flat ? 3 : 0);
+  // Strips, and vertices that do not fill the last triangle, get an index.
+  const index = order || corners !== vertices ? corners + Math.ceil((order?.ownBytes ?? 0) / 4) : 0;
+  const separate = flat || usesFew(corners, vertices);
+  return index + (separate ? corners * items : skinned ? vertices * 6 : 0);
+}
+
+/** Whether a primitive uses so few of its vertices that it gets a copy of its own. */
+export const usesFew = (corners: number, vertices: number): boolean => corners * 2 < vertices;
+
+function* visited(
+  nodes: readonly ClaimedNode[],
+  roots: readonly number[],
+  budget: ModelBudget,
+): Iterable<ClaimedNode> {
+  let level: readonly number[] = roots;
+  for (let depth = 0; level.length > 0; depth += 1) {
+    if (depth > DEPTH_LIMIT)
+      throw new Error(`its nodes are nested deeper than ${String(DEPTH_LIMIT)} levels`);
+    budget.add({ nodes: level.length });
+    const here = level.flatMap((index) => nodes[index] ?? []);
+    yield* here;
+    level = here.flatMap(({ children }) => children);
+  }
+}
