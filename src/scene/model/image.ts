@@ -1,7 +1,7 @@
 // How do an image file's bytes become pixels? The browser decodes them without colour conversion and without premultiplication, first row on
 // top. No blob: address is fetched, as a strict CSP requires. Knows no model format.
 import { imageSize, type ImageSize } from './image-size.js';
-import { IMAGE_SIDE_LIMIT } from './limits.js';
+import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
 
 /** Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its result. */
 const PIXELS_AT_ONCE = 2 ** 24;
@@ -20,7 +20,7 @@ export function claimedSize({ bytes }: ImageFile): ImageSize {
 }
 
 /**
- * Decodes an image, scaled down if a side is longer than 8192 pixels. Count its pixels first ({@link claimedSize}).
+ * Decodes an image, scaled down if it is larger than the limits of one image. Count its pixels first ({@link claimedSize}).
  * @throws if this browser cannot decode it.
  */
 export async function decodeImage({ bytes, type }: ImageFile, size: ImageSize): Promise<ImageBitmap> {
@@ -40,11 +40,14 @@ export async function decodeImage({ bytes, type }: ImageFile, size: ImageSize): 
 }
 
 function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {
-  const factor = IMAGE_SIDE_LIMIT / Math.max(width, height);
+  const factor = Math.min(
+    IMAGE_SIDE_LIMIT / Math.max(width, height),
+    Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)),
+  );
   if (factor >= 1) return {};
   return {
-    resizeWidth: Math.max(Math.round(width * factor), 1),
-    resizeHeight: Math.max(Math.round(height * factor), 1),
+    resizeWidth: Math.max(Math.floor(width * factor), 1),
+    resizeHeight: Math.max(Math.floor(height * factor), 1),
     resizeQuality: 'medium',
   };
 }

@@ -12,10 +12,10 @@ export const BYTE_LIMIT = 2 ** 28;
 export const CORNER_LIMIT = 2 ** 24;
 
 /**
- * Most 4-byte values in a model's vertices and indices, each geometry counted once as it is drawn: 448 MiB in the page, and as much
- * on the GPU. Enough for 5 million triangles with a position and a normal per corner.
+ * Most 4-byte values in a model's vertices and indices, each geometry counted once as it is drawn: 400 MB in the page, and as much on the
+ * GPU. Enough for 5 million triangles with a position and a normal per corner.
  */
-export const VALUE_LIMIT = 7 * 2 ** 24;
+export const VALUE_LIMIT = 100_000_000;
 
 /** Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few frames per second. */
 export const PART_LIMIT = 10_000;
@@ -23,11 +23,17 @@ export const PART_LIMIT = 10_000;
 /** Most nodes of a model's tree, with or without meshes. Each takes about 2 kB while the model is read. */
 export const NODE_LIMIT = 50_000;
 
-/** Most pixels in all images of a model: one image of 8192 × 8192. A pixel takes 4 bytes in the page and 5.3 on the GPU, with mipmaps. */
+/** Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024 × 1024. */
 export const PIXEL_LIMIT = 2 ** 26;
 
 /** Longest side of an image as it is shown; larger ones are scaled down. All but old phones have textures of this size. */
 export const IMAGE_SIDE_LIMIT = 8192;
+
+/** Most pixels of an image as it is shown; larger ones are scaled down. While it is uploaded, its memory is needed four times. */
+export const IMAGE_PIXEL_LIMIT = 2 ** 25;
+
+/** Most bytes that a model may take in the page and the GPU process together, by the estimate in {@link ModelBudget}. */
+export const MEMORY_LIMIT = 950_000_000;
 
 /** What a model claims, in the units of the limits above. */
 export interface ModelClaims {
@@ -48,11 +54,23 @@ export class ModelBudget {
 
   /** @throws ModelError `too-large` past a limit. Call before allocating. */
   add({ corners = 0, values = 0, parts = 0, nodes = 0, pixels = 0 }: ModelClaims): void {
-    require((this.#parts += parts), PART_LIMIT, 'draws');
     require((this.#nodes += nodes), NODE_LIMIT, 'nodes');
+    require((this.#parts += parts), PART_LIMIT, 'draws');
     require((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
     require((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
     require((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');
+    require(this.#memory, MEMORY_LIMIT, 'bytes in memory');
+  }
+
+  /**
+   * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes 4 bytes in the
+   * page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12 kB, a node 2 kB.
+   */
+  get #memory(): number {
+    const uploading = Math.min(this.#pixels, IMAGE_PIXEL_LIMIT);
+    return Math.ceil(
+      8 * this.#values + 9.4 * this.#pixels + 8 * uploading + 12_000 * this.#parts + 2_000 * this.#nodes,
+    );
   }
 }
 

@@ -67,11 +67,16 @@ export interface DracoClaims {
 /** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
 function ownValues({ attributes, order, corners, vertices }: Primitive, skinned: boolean): number {
   const flat = attributes.every(({ name }) => name !== 'NORMAL');
-  const items = attributes.reduce((sum, attribute) => sum + attribute.items, flat ? 3 : 0);
   // Strips, and vertices that do not fill the last triangle, get an index.
-  const index = order || corners !== vertices ? corners + Math.ceil((order?.ownBytes ?? 0) / 4) : 0;
-  const separate = flat || usesFew(corners, vertices);
-  return index + (separate ? corners * items : skinned ? vertices * 6 : 0);
+  const indexed = order !== undefined || corners !== vertices;
+  const separate = indexed && (flat || usesFew(corners, vertices));
+  const items = attributes.reduce((sum, attribute) => sum + attribute.items, 0);
+  return (
+    Math.ceil((order?.ownBytes ?? 0) / 4) +
+    (separate ? corners * items : indexed ? corners : 0) +
+    (flat ? corners * 3 : 0) +
+    (skinned ? (separate ? corners : vertices) * 6 : 0)
+  );
 }
 
 /** Whether a primitive uses so few of its vertices that it gets a copy of its own. */

@@ -13,6 +13,7 @@ import {
   type Texture,
 } from 'three';
 import { srgbEncode } from '../../../math/color.js';
+import { setBounds } from '../bounds.js';
 import { faceNormals } from '../face-normals.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import type { Slices } from '../slices.js';
@@ -141,6 +142,7 @@ class Geometries {
       geometry.setAttribute('normal', await faceNormals(array, this.#slices));
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
+    await setBounds(geometry, this.#slices);
     return { geometry, flat };
   }
 
