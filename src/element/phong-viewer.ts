@@ -58,7 +58,7 @@ export class PhongViewer extends LitElement {
     if (RETRY_KEYS.has(key)) this.requestUpdate(key);
   });
 
-  readonly #holder = document.createElement('div');
+  readonly #holder = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
   readonly #failure = new ViewerFailure(this, this.#events);
@@ -91,6 +91,7 @@ export class PhongViewer extends LitElement {
     contextRestored: () => this.#failure.contextRestored(),
   });
   readonly #loading: ViewerLoading = new ViewerLoading({
+    viewer: this,
     store: this.#store,
     viewport: this.#viewport,
     events: this.#events,
@@ -133,7 +134,6 @@ export class PhongViewer extends LitElement {
 
   constructor() {
     super();
-    this.#holder.className = 'holder';
     this.#store.listen((key) => this.requestUpdate(key));
     for (const part of [this.#camera, this.#visibility, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);

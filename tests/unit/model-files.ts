@@ -24,7 +24,7 @@ export function loadFiles(
   return loadModel(
     url,
     { signal: new AbortController().signal, crossOrigin: null, ...options },
-    { bytes: fetchBytes(url), fetchBytes },
+    { bytes: fetchBytes(url), fetchBytes, mediaType: () => '' },
   );
 }
 

@@ -25,27 +25,43 @@ export type FetchBytes = (url: URL, redirect: RequestRedirect) => Promise<Uint8A
 export interface ModelRequest {
   readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
   readonly fetchBytes: FetchBytes;
+  /** The media type that came with the bytes, once they are there; empty if none did. */
+  readonly mediaType: () => string;
 }
 
 /** Requests a model's file at once, in parallel with the code that reads it. */
 export function requestModel(url: URL, transfer: Transfer): ModelRequest {
-  const fetchBytes = byteFetcher(transfer);
+  let mediaType = '';
+  const fetchBytes = byteFetcher(transfer, (type) => {
+    mediaType ||= type;
+  });
   const bytes = fetchBytes(url, 'follow');
   bytes.catch(() => undefined); // the code that awaits it reports the error
-  return { bytes, fetchBytes };
+  return { bytes, fetchBytes, mediaType: () => mediaType };
 }
 
-/** A download function for the files of one model, which share size limit and progress. */
-export function byteFetcher(transfer: Transfer): FetchBytes {
+/**
+ * A download function for the files of one model, which share size limit and progress.
+ * @param onType called with the media type of each file that arrives; empty if it has none.
+ */
+export function byteFetcher(
+  transfer: Transfer,
+  onType: (type: string) => void = () => undefined,
+): FetchBytes {
   let loaded = 0;
   let total = 0;
   let known = true;
   return async (url, redirect) => {
     transfer.signal.throwIfAborted();
-    if (isDataUri(url.href)) return decodeDataUri(url.href).bytes;
+    if (isDataUri(url.href)) {
+      const { type, bytes } = decodeDataUri(url.href);
+      onType(type);
+      return bytes;
+    }
     const download = new Download(url, transfer.signal);
     try {
       const response = await open(download, redirect, transfer);
+      onType(response.headers.get('content-type') ?? '');
       const expected = expectedLength(response);
       if (expected === 0) known = false;
       total += expected;

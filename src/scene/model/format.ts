@@ -70,15 +70,20 @@ export interface FormatHints {
   readonly type?: string;
   /** The media type that came with the file; empty for none. */
   readonly mediaType?: string;
-  /** The file's own name, if the address does not tell it. */
-  readonly name?: string;
 }
 
-/** The format of a file. Throws a `bad-model` error that says what the file seems to be. */
-export function formatOf(url: URL, bytes: Uint8Array, hints: FormatHints = {}): Format {
-  const { type = '', mediaType = '', name = nameOf(url) } = hints;
+/**
+ * The format of a file.
+ * @param name its address or name, for messages and for the extension.
+ * @throws ModelError `bad-model` that says what the file seems to be.
+ */
+export function formatOf(
+  name: string,
+  bytes: Uint8Array,
+  { type = '', mediaType = '' }: FormatHints = {},
+): Format {
   if (bytes.byteLength === 0) throw new ModelError('bad-model', `${name} is empty.`);
-  const extension = /\.([a-z0-9]+)$/i.exec(hints.name ?? url.pathname)?.[1]?.toLowerCase() ?? '';
+  const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(name)?.[1]?.toLowerCase() ?? '';
   const byType = (written: string): Format | undefined =>
     FORMATS.find(({ types }) => types.includes(essence(written)));
   const byContent = FORMATS.find(({ matches }) => matches(bytes));

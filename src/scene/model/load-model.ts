@@ -1,7 +1,8 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
 // Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
 import { isOutOfMemory } from '../out-of-memory.js';
-import { type CrossOrigin, requestModel } from './fetch-bytes.js';
+import { type CrossOrigin, type ModelRequest, requestModel } from './fetch-bytes.js';
+import type { FileRequest } from './file-group.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
 import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
@@ -27,12 +28,14 @@ export interface LoadOptions {
 export async function loadModel(
   url: URL,
   options: LoadOptions,
-  request = requestModel(url, options),
+  request: ModelRequest | FileRequest = requestModel(url, options),
 ): Promise<Model> {
-  const { signal, crossOrigin } = options;
-  const { fetchBytes } = request;
+  const { signal, crossOrigin, type = '' } = options;
+  const name = 'name' in request ? request.name : nameOf(url);
   const missing: string[] = [];
   const linked: ModelSource['linked'] = async (uri) => {
+    if ('linked' in request) return request.linked(uri);
+    const { fetchBytes } = request;
     const anywhere = crossOrigin !== null;
     // A redirect could lead out of the folder. If any address is allowed, it does no harm.
     return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
@@ -48,34 +51,39 @@ export async function loadModel(
   };
   try {
     const bytes = await request.bytes;
-    const format = formatOf(url, bytes, options);
+    const format = formatOf(name, bytes, { type, mediaType: request.mediaType() });
     const read = await format.reader().catch((cause: unknown) => {
       const message = `The code that reads ${format.name} files could not be fetched.`;
       throw new ModelError('load-failed', message, { cause });
     });
     signal.throwIfAborted();
     const model = await read({ url, bytes, signal, linked, optional });
-    if (missing.length > 0) warnOfMissing(url, missing);
+    if (missing.length === 0) return model;
+    if ('complete' in request && request.complete) {
+      model.dispose();
+      throw new ModelError('load-failed', missing.at(-1) ?? '');
+    }
+    warnOfMissing(name, missing);
     return model;
   } catch (cause) {
     signal.throwIfAborted();
     if (cause instanceof ModelError) throw cause;
     if (isOutOfMemory(cause)) {
-      const message = `The browser has not enough memory to read ${nameOf(url)}.`;
+      const message = `The browser has not enough memory to read ${name}.`;
       throw new ModelError('too-large', message, { cause });
     }
     const reason = cause instanceof Error ? cause.message : String(cause);
-    throw new ModelError('bad-model', `${nameOf(url)} is not a readable model: ${reason}`, { cause });
+    throw new ModelError('bad-model', `${name} is not a readable model: ${reason}`, { cause });
   }
 }
 
 /** A material library can name thousands of images. */
 const MOST_LISTED = 10;
 
-function warnOfMissing(url: URL, messages: readonly string[]): void {
+function warnOfMissing(name: string, messages: readonly string[]): void {
   const more = messages.length - MOST_LISTED;
   console.warn(
-    `${nameOf(url)} is shown without ${String(messages.length)} of the files that it names. ` +
+    `${name} is shown without ${String(messages.length)} of the files that it names. ` +
       messages.slice(0, MOST_LISTED).join(' ') +
       (more > 0 ? ` And ${String(more)} more.` : ''),
   );
