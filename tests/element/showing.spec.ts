@@ -233,12 +233,9 @@ test('a removed viewer fetches nothing that is written to it, until it is back',
 });
 
 test('a server that says nothing is given up after a minute', async ({ page, mount }) => {
+  const viewer = await mount(`<phong-viewer src="${QUAD}"></phong-viewer>`, SIZE);
   await page.clock.install();
   await page.route(/bunny/, () => undefined);
-  const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', {
-    ...SIZE,
-    waitForReady: false,
-  });
   const events = await record(viewer, 'error', 'load');
   const asked = page.waitForRequest(/bunny/);
   await assign(viewer, { src: BUNNY });
@@ -249,6 +246,7 @@ test('a server that says nothing is given up after a minute', async ({ page, mou
   await expect
     .poll(async () => (await events.take()).map(({ detail }) => detail))
     .toMatchObject([{ code: 'load-failed' }]);
+  await expect(viewer.locator('[part=notice]')).toContainText('no data came for 60 seconds');
 });
 
 test('a failed mesh that keeps moving is not requested again; naming the same file again does', async ({

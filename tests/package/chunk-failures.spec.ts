@@ -1,7 +1,10 @@
 // What happens when a part of the package cannot be fetched? A clear sentence, nothing stuck, and the next use on the same viewer
 // fetches it. From the standalone file and from the ES modules.
 
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
 import type { Page } from '@playwright/test';
+import { outputFolder } from '../../.ci/output-folder.mjs';
 import type { PhongViewer } from '../../src/index.js';
 import { allReady, expect, test } from '../support/test.js';
 import { usages } from './requests.js';
@@ -135,4 +138,18 @@ test('a later attempt of the standalone file uses another address, which every b
   });
   expect(outcome).toEqual(['error', 'blob', 'blob']);
   expect(asked).toEqual(['', '?1']);
+});
+
+test('no chunk is both a first use and a part of another one, which could not be fetched again', () => {
+  const folder = join(outputFolder('dist'), 'chunks');
+  const files = readdirSync(folder).filter((name) => name.endsWith('.js'));
+  const codes = [...files.map((name) => join('chunks', name)), 'phong-viewer.standalone.js'].map((path) =>
+    readFileSync(join(outputFolder('dist'), path), 'utf8'),
+  );
+  const imported = (pattern: RegExp): Set<string> =>
+    new Set(codes.flatMap((code) => [...code.matchAll(pattern)].map(([, name]) => name ?? '')));
+  const asParts = imported(/\bfrom\s*["'`]\.\/([^"'`]+)/g);
+  const asUses = imported(/\bimport\(\s*[`'"]\.\/(?:chunks\/)?([^`'"]+)/g);
+  expect(asUses.size).toBeGreaterThan(7);
+  expect([...asUses].filter((name) => asParts.has(name))).toEqual([]);
 });

@@ -14,18 +14,14 @@ export function loadFiles(
 ): Promise<Model> {
   const base = 'https://shop.example/models/';
   const [first = ''] = Object.keys(files);
-  const fetchBytes = (url: URL): Promise<Uint8Array<ArrayBuffer>> => {
-    const content = files[decodeURIComponent(url.href.slice(base.length))];
-    return content === undefined
-      ? Promise.reject(new ModelError('load-failed', `${url.href} is not there.`))
-      : Promise.resolve(bytesOf(content));
-  };
+  vi.spyOn(globalThis, 'fetch').mockImplementation((input) => {
+    const content = files[decodeURIComponent((input as URL).href.slice(base.length))];
+    return Promise.resolve(
+      content === undefined ? new Response(null, { status: 404 }) : new Response(bytesOf(content)),
+    );
+  });
   const url = new URL(first, base);
-  return loadModel(
-    url,
-    { signal: new AbortController().signal, crossOrigin: null, ...options },
-    { bytes: fetchBytes(url), fetchBytes, mediaType: () => '' },
-  );
+  return loadModel(url, { signal: new AbortController().signal, crossOrigin: null, ...options });
 }
 
 /** The error that loading these files ends with. */

@@ -217,7 +217,7 @@ describe('the materials of an OBJ file', () => {
     const model = await loadFiles({ 'a.obj': text, 'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n' });
     expect(model.parts[0]?.look).toMatchObject({ kd: [1, 0, 0], map: null });
     expect(warnings).toHaveLength(1);
-    expect(warnings[0]).toMatch(/a\.obj is shown without 2 of the files.*a\.mtl is not there.*x\.png/);
+    expect(warnings[0]).toMatch(/a\.obj is shown without 2 of the files.*a\.mtl could not be fetched.*404.*x\.png/);
   });
 
   it('are an error where an image is broken, and nothing stays open', async () => {

@@ -121,6 +121,7 @@ export class ContentLoad {
       (error: unknown) => {
         if (this.#loading !== loading) return;
         this.#loading = null;
+        loading.abort(); // ends what is still being downloaded
         this.fail(url, error);
       },
     );

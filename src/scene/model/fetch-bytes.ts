@@ -1,8 +1,9 @@
-// How are a model's files downloaded? With progress, abort, a size limit, and errors that a page's author understands. Must not know
-// what the bytes mean.
+// How are a model's files downloaded? With progress, abort, limits of size and silence, and errors that a page's author understands.
+// Must not know what the bytes mean.
 import { decodeDataUri, isDataUri } from './data-uri.js';
 import { BYTE_LIMIT } from './limits.js';
 import { ModelError } from './model.js';
+import { type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
 
 /**
  * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough for a server
@@ -10,142 +11,76 @@ import { ModelError } from './model.js';
  */
 export const SILENCE_LIMIT_MS = 60_000;
 
-export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
-
 export interface Transfer {
+  /** To be aborted after a failure too: that ends the other requests of the model. */
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
   /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: ((loaded: number, total: number) => void) | undefined;
 }
 
-export type FetchBytes = (url: URL, redirect: RequestRedirect) => Promise<Uint8Array<ArrayBuffer>>;
-
-/** A model's file being downloaded, and the download function for the files that it refers to. */
-export interface ModelRequest {
-  readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
-  readonly fetchBytes: FetchBytes;
-  /** The media type that came with the bytes, once they are there; empty if none did. */
-  readonly mediaType: () => string;
-}
-
-/** Requests a model's file at once, in parallel with the code that reads it. */
-export function requestModel(url: URL, transfer: Transfer): ModelRequest {
-  let mediaType = '';
-  const fetchBytes = byteFetcher(transfer, (type) => {
-    mediaType ||= type;
-  });
-  const bytes = fetchBytes(url, 'follow');
-  bytes.catch(() => undefined); // the code that awaits it reports the error
-  return { bytes, fetchBytes, mediaType: () => mediaType };
-}
+/** Downloads a file; `request` if it was requested already. */
+export type FetchBytes = (
+  url: URL,
+  redirect: RequestRedirect,
+  request?: FileRequest | null,
+) => Promise<Uint8Array<ArrayBuffer>>;
 
 /**
  * A download function for the files of one model, which share size limit and progress.
- * @param onType called with the media type of each file that arrives; empty if it has none.
+ * @param onType called with the media type of each file; empty if none came with it.
  */
 export function byteFetcher(
   transfer: Transfer,
   onType: (type: string) => void = () => undefined,
 ): FetchBytes {
+  const { signal } = transfer;
   let loaded = 0;
   let total = 0;
   let known = true;
-  return async (url, redirect) => {
-    transfer.signal.throwIfAborted();
+  return async (url, redirect, request) => {
+    signal.throwIfAborted();
     if (isDataUri(url.href)) {
       const { type, bytes } = decodeDataUri(url.href);
       onType(type);
       return bytes;
     }
-    const download = new Download(url, transfer.signal);
-    try {
-      const response = await open(download, redirect, transfer);
-      onType(response.headers.get('content-type') ?? '');
-      const expected = expectedLength(response);
-      if (expected === 0) known = false;
-      total += expected;
-      if (total > BYTE_LIMIT) throw tooLarge(url);
-      const chunks: Uint8Array[] = [];
-      let size = 0;
-      const reader = response.body?.getReader();
-      for (let chunk = await read(download, reader); chunk; chunk = await read(download, reader)) {
-        chunks.push(chunk);
-        size += chunk.byteLength;
-        loaded += chunk.byteLength;
-        // A compressed file counts as what it unpacks to. It is not unpacked any further.
-        if (loaded > BYTE_LIMIT) throw tooLarge(url);
-        transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
-      }
-      return joined(chunks, size);
-    } finally {
-      download.end();
+    const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
+    onType(response.headers.get('content-type') ?? '');
+    const expected = expectedLength(response);
+    if (expected === 0) known = false;
+    total += expected;
+    if (total > BYTE_LIMIT) {
+      await response.body?.cancel();
+      throw tooLarge(url);
     }
+    const chunks: Uint8Array[] = [];
+    let size = 0;
+    const reader = response.body?.getReader();
+    for (let chunk = await read(url, signal, reader); chunk; chunk = await read(url, signal, reader)) {
+      chunks.push(chunk);
+      size += chunk.byteLength;
+      loaded += chunk.byteLength;
+      // A compressed file counts as what it unpacks to. The rest of it is not unpacked.
+      if (loaded > BYTE_LIMIT) {
+        await reader?.cancel();
+        throw tooLarge(url);
+      }
+      transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
+    }
+    return joined(chunks, size);
   };
 }
 
-/** One request. Ends when the load is aborted, and after {@link SILENCE_LIMIT_MS} without data. */
-class Download {
-  readonly url: URL;
-  readonly #load: AbortSignal;
-  readonly #request = new AbortController();
-  #timer: ReturnType<typeof setTimeout> | undefined;
-  #silent = false;
-
-  constructor(url: URL, load: AbortSignal) {
-    this.url = url;
-    this.#load = load;
-    load.addEventListener('abort', this.end);
-    this.heard();
-  }
-
-  get signal(): AbortSignal {
-    return this.#request.signal;
-  }
-
-  /** The server has sent something. */
-  heard(): void {
-    clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => {
-      this.#silent = true;
-      this.end();
-    }, SILENCE_LIMIT_MS);
-  }
-
-  /** Ends the request, and with it the connection if the file is not complete. */
-  readonly end = (): void => {
-    clearTimeout(this.#timer);
-    this.#load.removeEventListener('abort', this.end);
-    this.#request.abort();
-  };
-
-  /** Throws if that is why the request has failed. */
-  throwIfEnded(): void {
-    this.#load.throwIfAborted();
-    if (!this.#silent) return;
-    const seconds = String(SILENCE_LIMIT_MS / 1000);
-    throw new ModelError(
-      'load-failed',
-      `${this.url.href} was given up: the server sent nothing for ${seconds} seconds.`,
-    );
-  }
-}
-
-async function open(
-  download: Download,
-  redirect: RequestRedirect,
-  { crossOrigin }: Transfer,
-): Promise<Response> {
-  const { url, signal } = download;
-  const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
-  const policy = watchPolicy(url);
+async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url, { signal, redirect, credentials });
+    response = await inTime(url, request.response);
   } catch (cause) {
-    download.throwIfEnded();
-    const directive = await policy.refusal();
-    download.throwIfEnded();
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    const directive = await Promise.race([request.refusal, later(POLICY_EVENT_WAIT_MS)]);
+    signal.throwIfAborted();
     if (directive !== null) {
       throw new ModelError(
         'csp',
@@ -161,16 +96,26 @@ async function open(
       { cause },
     );
   } finally {
-    policy.stop();
+    request.stop();
   }
-  download.heard();
   if (response.ok) return response;
+  await response.body?.cancel();
   throw new ModelError(
     'load-failed',
     `${url.href} could not be fetched: the server answered ${String(response.status)} ${response.statusText}`.trim() +
       '. Check the address.',
   );
 }
+
+// The event of a refusal is queued and can arrive after the fetch has rejected.
+const POLICY_EVENT_WAIT_MS = 100;
+
+const later = (milliseconds: number): Promise<null> =>
+  new Promise((resolve) => {
+    setTimeout(() => {
+      resolve(null);
+    }, milliseconds);
+  });
 
 /** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
 function expectedLength(response: Response): number {
@@ -180,26 +125,39 @@ function expectedLength(response: Response): number {
 }
 
 function tooLarge(url: URL): ModelError {
-  const limit = String(BYTE_LIMIT / 2 ** 20);
-  return new ModelError(
-    'too-large',
-    `${url.href} makes the model larger than ${limit} MiB, the most that can be loaded.`,
-  );
+  const most = String(BYTE_LIMIT / 2 ** 20);
+  const message = `${url.href} makes the model larger than ${most} MiB, the most that can be loaded.`;
+  return new ModelError('too-large', message);
 }
 
 async function read(
-  download: Download,
+  url: URL,
+  signal: AbortSignal,
   reader: ReadableStreamDefaultReader<Uint8Array> | undefined,
 ): Promise<Uint8Array | undefined> {
+  if (reader === undefined) return undefined;
   try {
-    const value = (await reader?.read())?.value;
-    download.heard();
-    return value;
+    return (await inTime(url, reader.read())).value;
   } catch (cause) {
-    download.throwIfEnded();
-    throw new ModelError('load-failed', `The connection broke while ${download.url.href} was read.`, {
-      cause,
-    });
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    throw new ModelError('load-failed', `The connection broke while ${url.href} was read.`, { cause });
+  }
+}
+
+/** What the server sends next. Rejects if that takes longer than {@link SILENCE_LIMIT_MS}. */
+async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const silence = new Promise<never>((_, reject) => {
+    timer = setTimeout(() => {
+      const seconds = String(SILENCE_LIMIT_MS / 1000);
+      reject(new ModelError('load-failed', `${url.href} was given up: no data came for ${seconds} seconds.`));
+    }, SILENCE_LIMIT_MS);
+  });
+  try {
+    return await Promise.race([next, silence]);
+  } finally {
+    clearTimeout(timer);
   }
 }
 
@@ -211,40 +169,4 @@ function joined(chunks: readonly Uint8Array[], size: number): Uint8Array<ArrayBu
     at += chunk.byteLength;
   }
   return bytes;
-}
-
-// A fetch refused by CSP rejects like a network failure. The event that tells them apart is queued and can arrive later.
-const POLICY_EVENT_WAIT_MS = 100;
-
-interface PolicyWatch {
-  /** The directive that refused the fetch, or null. */
-  refusal(): Promise<string | null>;
-  stop(): void;
-}
-
-function watchPolicy(url: URL): PolicyWatch {
-  if (typeof document === 'undefined') return { refusal: () => Promise.resolve(null), stop: () => undefined };
-  let report: (directive: string) => void = () => undefined;
-  const directive = new Promise<string>((resolve) => {
-    report = resolve;
-  });
-  const address = url.href.split('#', 1)[0];
-  const listener = (event: SecurityPolicyViolationEvent): void => {
-    const mine = event.blockedURI === address || event.blockedURI === url.origin;
-    if (event.disposition === 'enforce' && mine) report(event.effectiveDirective);
-  };
-  document.addEventListener('securitypolicyviolation', listener);
-  return {
-    refusal: () => {
-      const late = new Promise<null>((resolve) => {
-        setTimeout(() => {
-          resolve(null);
-        }, POLICY_EVENT_WAIT_MS);
-      });
-      return Promise.race([directive, late]);
-    },
-    stop: () => {
-      document.removeEventListener('securitypolicyviolation', listener);
-    },
-  };
 }

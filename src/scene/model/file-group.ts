@@ -1,5 +1,6 @@
 // Which files belong to a model that comes from the user's disk, and what do they hold? Files dropped together are found by the paths that
 // the model names; nothing is fetched. Must not know how they were chosen.
+import { fileName } from '../mesh/file-name.js';
 import { BYTE_LIMIT } from './limits.js';
 import { ModelError } from './model.js';
 
@@ -19,20 +20,22 @@ export function setFileGroup(model: Blob, group: FileGroup): void {
   groups.set(model, group);
 }
 
-/** A model's file being read. */
-export interface FileRequest {
-  readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
+/** Where a model's bytes come from. */
+export interface OpenedModel {
+  /** Its address or name, for messages and for the extension. */
+  readonly name: string;
+  readonly read: () => Promise<Uint8Array<ArrayBuffer>>;
   /** Reads a file that the model names. */
   readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
+  /** The media type that came with the bytes, once they are there; empty if none did. */
   readonly mediaType: () => string;
-  /** The model's own name. */
-  readonly name: string;
-  /** It came with other files, so that none should be missing, not even one that it could be shown without. */
+  /** No file may be missing, not even one that the model could be shown without. */
   readonly complete: boolean;
 }
 
-/** Reads a file, and the files of its group that it names. @param name its own name. */
-export function requestFile(model: Blob, name: string): FileRequest {
+/** A file, and the files of its group that it names. */
+export function openFile(model: Blob): OpenedModel {
+  const name = fileName(model);
   const group = groups.get(model) ?? { files: new Map([[name, model]]), path: name, problem: null };
   const missing = new Set<string>();
   let read = 0;
@@ -58,17 +61,13 @@ export function requestFile(model: Blob, name: string): FileRequest {
     }
   };
 
-  const start = async (): Promise<Uint8Array<ArrayBuffer>> => {
-    if (group.problem) throw group.problem;
-    return bytesOf(model);
-  };
-  const bytes = start();
-  bytes.catch(() => undefined); // the code that awaits it reports the error
-
   return {
-    bytes,
-    mediaType: () => model.type,
     name,
+    read: async () => {
+      if (group.problem) throw group.problem;
+      return bytesOf(model);
+    },
+    mediaType: () => model.type,
     complete: group.files.size > 1,
     linked: async (uri) => {
       const file = fileNamed(uri, group);

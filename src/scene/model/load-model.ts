@@ -1,14 +1,15 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
 // Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
 import { isOutOfMemory } from '../out-of-memory.js';
-import { type CrossOrigin, type ModelRequest, requestModel } from './fetch-bytes.js';
-import type { FileRequest } from './file-group.js';
+import { byteFetcher } from './fetch-bytes.js';
+import { openFile, type OpenedModel } from './file-group.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
 import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
+import type { CrossOrigin, FileRequest } from './request-file.js';
 
 export { ModelError, type Model, type ModelErrorCode, type ModelLook, type ModelPart } from './model.js';
-export type { CrossOrigin } from './fetch-bytes.js';
+export type { CrossOrigin } from './request-file.js';
 
 export interface LoadOptions {
   /** Aborts the load; the promise then rejects with the signal's reason. */
@@ -22,24 +23,21 @@ export interface LoadOptions {
 }
 
 /**
- * Loads the model at `url` and the files it refers to. `data:` addresses are decoded, not fetched.
+ * Loads a model and the files it refers to. `data:` addresses are decoded, not fetched.
+ * @param from the request of the file at `url`, if it was requested already; or a file, whose `url` is for messages only.
  * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
  */
 export async function loadModel(
   url: URL,
   options: LoadOptions,
-  request: ModelRequest | FileRequest = requestModel(url, options),
+  from: FileRequest | Blob | null = null,
 ): Promise<Model> {
-  const { signal, crossOrigin, type = '' } = options;
-  const name = 'name' in request ? request.name : nameOf(url);
+  const { signal, type = '' } = options;
+  const isRequest = from === null || 'response' in from;
+  const { name, read, linked, mediaType, complete } = isRequest
+    ? openAddress(url, options, from)
+    : openFile(from);
   const missing: string[] = [];
-  const linked: ModelSource['linked'] = async (uri) => {
-    if ('linked' in request) return request.linked(uri);
-    const { fetchBytes } = request;
-    const anywhere = crossOrigin !== null;
-    // A redirect could lead out of the folder. If any address is allowed, it does no harm.
-    return fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error');
-  };
   const optional: ModelSource['optional'] = async (uri) => {
     try {
       return await linked(uri);
@@ -50,20 +48,21 @@ export async function loadModel(
     }
   };
   try {
-    const bytes = await request.bytes;
-    const format = formatOf(name, bytes, { type, mediaType: request.mediaType() });
-    const read = await format.reader().catch((cause: unknown) => {
+    const bytes = await read();
+    const format = formatOf(name, bytes, { type, mediaType: mediaType() });
+    const readModel = await format.reader().catch((cause: unknown) => {
       const message = `The code that reads ${format.name} files could not be fetched.`;
       throw new ModelError('load-failed', message, { cause });
     });
     signal.throwIfAborted();
-    const model = await read({ url, bytes, signal, linked, optional });
-    if (missing.length === 0) return model;
-    if ('complete' in request && request.complete) {
-      model.dispose();
-      throw new ModelError('load-failed', missing.at(-1) ?? '');
+    const model = await readModel({ url, bytes, signal, linked, optional });
+    if (missing.length > 0) {
+      if (complete) {
+        model.dispose();
+        throw new ModelError('load-failed', missing.at(-1) ?? '');
+      }
+      warnOfMissing(name, missing);
     }
-    warnOfMissing(name, missing);
     return model;
   } catch (cause) {
     signal.throwIfAborted();
@@ -75,6 +74,22 @@ export async function loadModel(
     const reason = cause instanceof Error ? cause.message : String(cause);
     throw new ModelError('bad-model', `${name} is not a readable model: ${reason}`, { cause });
   }
+}
+
+function openAddress(url: URL, options: LoadOptions, request: FileRequest | null): OpenedModel {
+  let mediaType = '';
+  const fetchBytes = byteFetcher(options, (type) => {
+    mediaType ||= type; // the first file is the model
+  });
+  const anywhere = options.crossOrigin !== null;
+  return {
+    name: nameOf(url),
+    read: () => fetchBytes(url, 'follow', request),
+    // A redirect could lead out of the folder. If any address is allowed, it does no harm.
+    linked: async (uri) => fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error'),
+    mediaType: () => mediaType,
+    complete: false,
+  };
 }
 
 /** A material library can name thousands of images. */

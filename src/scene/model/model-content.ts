@@ -2,22 +2,18 @@
 // fetched with the first one. Knows neither materials nor elements.
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { Content } from '../mesh/content.js';
-import { fileName } from '../mesh/file-name.js';
-import type { ModelRequest } from './fetch-bytes.js';
-import { requestFile } from './file-group.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
+import type { FileRequest } from './request-file.js';
 
 export { droppedModel } from './dropped-files.js';
 
-/** The model at `url`, or in `file`; see {@link loadModel}. One of `request` and `file` is null. */
+/** The model at `url`; see {@link loadModel}. */
 export async function modelContent(
   url: URL,
   options: LoadOptions,
-  request: ModelRequest | null,
-  file: Blob | null,
+  from: FileRequest | Blob | null,
 ): Promise<Content> {
-  const opened = file === null ? request : requestFile(file, fileName(file));
-  const model = await loadModel(url, options, opened ?? undefined);
+  const model = await loadModel(url, options, from);
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
       name,
