@@ -249,3 +249,71 @@ writeJson(
   quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'),
 );
 writeJson('missing-buffer.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'nowhere.bin'));
+
+// -- OBJ, STL, PLY -------------------------------------------------------------------------------------------------------
+
+// Two squares side by side, facing +z: a plain one, and one with the texture. Its four corners show the four texels.
+write(
+  'quads.obj',
+  `mtllib quads.mtl
+v -1 -0.5 0
+v 0 -0.5 0
+v 0 0.5 0
+v -1 0.5 0
+v 1 -0.5 0
+v 1 0.5 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+vn 0 0 1
+usemtl plain
+f 1//1 2//1 3//1 4//1
+usemtl picture
+f 2/1/1 5/2/1 6/3/1 3/4/1
+`,
+);
+write(
+  'quads.mtl',
+  `newmtl plain
+Ka 0.1 0.2 0.3
+Kd 0.8 0.4 0.2
+Ks 0.5 0.25 0.125
+Ns 20
+newmtl picture
+Kd 1 1 1
+Ks 0 0 0
+map_Kd beside/textures/four colours.png
+`,
+);
+{
+  // A square of two triangles, red and blue by the convention of VisCAM.
+  const bytes = Buffer.alloc(84 + 2 * 50);
+  bytes.writeUInt32LE(2, 80);
+  const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0];
+  corners.forEach((value, i) => bytes.writeFloatLE(value, 84 + 12 + 4 * i + (i >= 9 ? 14 : 0)));
+  bytes.writeUInt16LE(0x8000 | (31 << 10), 84 + 48);
+  bytes.writeUInt16LE(0x8000 | 31, 84 + 98);
+  write('coloured.stl', bytes);
+}
+write(
+  'coloured.ply',
+  `ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property uchar red
+property uchar green
+property uchar blue
+element face 1
+property list uchar int vertex_indices
+end_header
+-0.5 -0.5 0 255 0 0
+0.5 -0.5 0 0 255 0
+0.5 0.5 0 0 0 255
+-0.5 0.5 0 255 255 255
+4 0 1 2 3
+`,
+);
