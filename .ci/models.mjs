@@ -4,6 +4,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
+import { MeshoptEncoder } from 'meshoptimizer';
 import bunny from '@pmndrs/assets/models/bunny.glb.js';
 
 const fixtures = fileURLToPath(new URL('../tests/fixtures/models/', import.meta.url));
@@ -205,6 +206,37 @@ write('beside/textures/four colours.png', texture);
   write('mask.glb', glb(document({ ...quadParts, material: masked, more, packed }), packed.bytes));
 }
 
+{
+  // The same square as in no-normals.glb. The second buffer is where the unpacked bytes would be.
+  await MeshoptEncoder.ready;
+  const encoded = [
+    MeshoptEncoder.encodeGltfBuffer(quad.positions, 4, 12, 'ATTRIBUTES'),
+    MeshoptEncoder.encodeGltfBuffer(quad.indices, 6, 2, 'TRIANGLES'),
+  ].map((bytes) => Buffer.from(bytes));
+  const packed = pack(encoded);
+  const accessors = [accessor(0, 'VEC3', 4), accessor(1, 'SCALAR', 6, USHORT)];
+  const json = document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed });
+  const kinds = [
+    { count: 4, byteStride: 12, mode: 'ATTRIBUTES' },
+    { count: 6, byteStride: 2, mode: 'TRIANGLES' },
+  ];
+  json.bufferViews = packed.bufferViews.map((view, i) => {
+    const { count, byteStride } = kinds[i];
+    const extensions = { EXT_meshopt_compression: { ...view, ...kinds[i] } };
+    return { buffer: 1, byteOffset: 48 * i, byteLength: count * byteStride, extensions };
+  });
+  const fallback = { EXT_meshopt_compression: { fallback: true } };
+  json.buffers.push({ byteLength: 60, extensions: fallback });
+  json.extensionsUsed = json.extensionsRequired = ['EXT_meshopt_compression'];
+  write('meshopt.glb', glb(json, packed.bytes));
+  const broken = structuredClone(json);
+  broken.bufferViews[0].extensions.EXT_meshopt_compression.count = 5;
+  write('meshopt-claims.glb', glb(broken, packed.bytes));
+  const damaged = Buffer.from(packed.bytes);
+  damaged.fill(255, 0, 8);
+  write('meshopt-damaged.glb', glb(json, damaged));
+}
+
 // -- broken or refused -------------------------------------------------------------------------------------------------
 
 {
@@ -222,9 +254,9 @@ write('beside/textures/four colours.png', texture);
   const loop = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
   loop.nodes = [{ children: [1] }, { mesh: 0, children: [0] }];
   write('node-loop.glb', glb(loop, packed.bytes));
-  const meshopt = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
-  meshopt.extensionsUsed = meshopt.extensionsRequired = ['EXT_meshopt_compression'];
-  write('meshopt.glb', glb(meshopt, packed.bytes));
+  const unknown = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
+  unknown.extensionsUsed = unknown.extensionsRequired = ['EXT_mesh_of_tomorrow'];
+  write('unknown-extension.glb', glb(unknown, packed.bytes));
   const points = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), packed });
   points.meshes[0].primitives[0].mode = 0;
   write('points-only.glb', glb(points, packed.bytes));

@@ -3,7 +3,7 @@
 
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixelAt, pixels, test } from '../support/test.js';
+import { compare, expect, pixelAt, pixels, strictPolicy, test } from '../support/test.js';
 import { assign, type PhongMesh, type PhongViewer, record, settled } from './support.js';
 
 const size = { width: 400, height: 200 };
@@ -185,6 +185,22 @@ test('a lone OBJ file is shown without the files that it names, with a warning t
   await filesIn(page, ['quads.obj']);
   expect((await outcomeOf(viewer, () => setFile(viewer))).type).toBe('load');
   expectNear(await colorAt(viewer, -0.5, 0), [0, 255, 0]);
+});
+
+test('a model compressed by meshopt needs WebAssembly, and an error says how to allow it', async ({
+  mount,
+  consoleGuard,
+}) => {
+  const source = `src="${model('meshopt.glb')}"`;
+  const allowed = strictPolicy.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'");
+  const shown = await mount(viewerOf(source), { ...size, csp: allowed });
+  const picture = await pixels(shown);
+  await assign(shown, { src: model('no-normals.glb') });
+  await settled(shown);
+  expect(compare(await pixels(shown), picture).max).toBe(0);
+  consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
+  const refused = await mount(viewerOf(source), size);
+  await expect(refused.locator('[part=notice]')).toContainText("Add 'wasm-unsafe-eval' to script-src");
 });
 
 test.describe('a droppable viewer', () => {

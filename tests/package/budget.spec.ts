@@ -15,7 +15,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 107_520, modules: 37_888 } as const;
+const budgets = { standalone: 108_288, modules: 38_400 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -45,16 +45,16 @@ test('the standalone file is smaller than a bundle of plain three.js with its Ph
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.00. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.01);
+  // Measured: 1.014. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.02);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 156 kB, because bundlers keep three's shader chunks, and 107 kB.
-  expect(await bundled('index.js')).toBeLessThan(157_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(107_500);
+  // Measured: 157 kB, because bundlers keep three's shader chunks, and 108 kB.
+  expect(await bundled('index.js')).toBeLessThan(157_500);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(108_500);
 });
 
 test('core and reference are one file each, and the latter needs no three.js', async ({ page, site }) => {
