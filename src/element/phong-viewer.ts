@@ -76,7 +76,7 @@ export class PhongViewer extends LitElement {
       return this.#camera.frame(now);
     },
     painted: () => this.#loading.drawn(),
-    undrawable: (error): boolean => this.#loading.undrawable(error),
+    undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
     drawn: () => {
       this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));

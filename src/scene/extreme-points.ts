@@ -30,6 +30,11 @@ export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null 
   return found;
 }
 
+/** `copy` has the vertices of `geometry`: it is not read for itself. */
+export function shareExtremePoints(geometry: BufferGeometry, copy: BufferGeometry): void {
+  known.set(copy, extremePointsOf(geometry));
+}
+
 /** The vertices have changed. */
 export function forgetExtremePoints(geometry: BufferGeometry): void {
   known.delete(geometry);

@@ -7,8 +7,8 @@ export interface ViewportEvents {
   beforeFrame(now: number): boolean;
   /** The scene as it is has been drawn without an exception. */
   painted(): void;
-  /** Drawing has thrown. True if new content was taken back, so that drawing again may succeed. */
-  undrawable(error: unknown): boolean;
+  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
+  undrawable(error: unknown, draw: () => void): boolean;
   drawn(): void;
   /** After {@link drawn}, and also where drawing threw: no more frames come by themselves. */
   afterFrame(): void;

@@ -207,11 +207,7 @@ export class Viewport implements StageClient, Framed {
     // Before drawing: if that throws, it is tried again only after the next change.
     this.#dirty = false;
     try {
-      this.#bringInStep();
-      stage.draw(this, (renderer) => {
-        this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
-        this.#painter.paint(renderer, this.#view);
-      });
+      this.#paint();
       this.#events.painted();
       this.materials.sweep();
       this.#frames += 1;
@@ -220,7 +216,7 @@ export class Viewport implements StageClient, Framed {
       if (error instanceof NoWebGL2Error) {
         this.#attached = false; // until it is attached again
         this.#events.contextMissing(error);
-      } else if (this.#events.undrawable(error)) {
+      } else if (this.#events.undrawable(error, this.#paint)) {
         this.redraw();
       } else {
         throw error;
@@ -285,6 +281,14 @@ export class Viewport implements StageClient, Framed {
     this.invalidate();
     this.#events.contextRestored();
   }
+
+  readonly #paint = (): void => {
+    this.#bringInStep();
+    stage.draw(this, (renderer) => {
+      this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
+      this.#painter.paint(renderer, this.#view);
+    });
+  };
 
   /** Order, matrices and camera of the scene as they are now. */
   #bringInStep(): void {

@@ -215,10 +215,7 @@ const crossOrigin: Row = {
 const geometries = ['box', 'sphere', 'cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
 const shape: readonly Row[] = [
   text('src', ''),
-  {
-    ...choice('type', '', 'obj', 'glb', 'model/stl'),
-    outside: [],
-  },
+  choice('type', null, 'obj', 'glb', 'model/stl'),
   choice('geometry', null, ...geometries),
   {
     ...number('segments', null, 1, 512),

@@ -84,6 +84,27 @@ describe('attributes', () => {
     ).rejects.toThrow(/vertex 3 of 3/);
   });
 
+  it('may have indices that lie apart', async () => {
+    const model = await gltf(
+      [new Float32Array(TRIANGLE), new Uint16Array([2, 9, 1, 9, 0, 9])],
+      [
+        { bufferView: 0, type: 'VEC3', count: 3, componentType: FLOAT },
+        { bufferView: 1, type: 'SCALAR', count: 3, componentType: 5123 },
+      ],
+      { ...mesh({ POSITION: 0, NORMAL: 0 }, { indices: 1 }), strides: [12, 4] },
+    );
+    expect(Array.from(model.parts[0]?.geometry.index?.array ?? [])).toEqual([2, 1, 0]);
+  });
+
+  it('may come as a fan, whose triangles share the first vertex', async () => {
+    const model = await gltf(
+      [new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0])],
+      [{ bufferView: 0, type: 'VEC3', count: 4, componentType: FLOAT }],
+      mesh({ POSITION: 0, NORMAL: 0 }, { mode: 6 }),
+    );
+    expect(Array.from(model.parts[0]?.geometry.index?.array ?? [])).toEqual([1, 2, 0, 2, 3, 0]);
+  });
+
   it('may come as a strip, whose every second triangle is turned round', async () => {
     const model = await gltf(
       [new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0])],

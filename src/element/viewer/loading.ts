@@ -104,12 +104,28 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.#undrawn.clear();
   }
 
-  /** Drawing has thrown. Takes new content back; false if there is none, so that something else must be wrong. */
-  undrawable(error: unknown): boolean {
+  /** Drawing has thrown. Takes new content back, unless `draw` throws without it too: then something else is wrong. */
+  undrawable(error: unknown, draw: () => void): boolean {
     const meshes = [...this.#undrawn];
+    if (meshes.length === 0) return false;
+    const show = (visible: boolean): void => {
+      for (const { root } of meshes) if (root !== null) root.visible = visible;
+    };
+    show(false);
+    try {
+      draw();
+    } catch {
+      return false;
+    } finally {
+      show(true);
+    }
     this.#undrawn.clear();
     for (const mesh of meshes) mesh.revert(error);
-    return meshes.length > 0;
+    return true;
+  }
+
+  removed(mesh: SceneMesh): void {
+    this.#undrawn.delete(mesh);
   }
 
   progress(mesh: SceneMesh, loaded: number, total: number): void {

@@ -30,7 +30,7 @@ export class ViewerPanel {
     }
     if (loadPanel === null || place === null) return;
     const code = await loadPanel().catch((error: unknown) => {
-      console.warn(`<phong-viewer gui>: ${String(error)}`);
+      console.warn(`<phong-viewer gui>: ${(error as Error).message}`);
     });
     if (code === undefined) return;
     const root = place.getRootNode();

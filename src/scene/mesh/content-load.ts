@@ -103,7 +103,11 @@ export class ContentLoad {
     const onProgress = (loaded: number, total: number): void => {
       this.#owner.progress(loaded, total);
     };
-    return modelContent(url, { signal, onProgress, crossOrigin, type }, typeof src === 'string' ? null : src);
+    return modelContent(
+      url,
+      { signal, onProgress, crossOrigin, type: type ?? '' },
+      typeof src === 'string' ? null : src,
+    );
   }
 
   #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {

@@ -20,8 +20,8 @@ import { GEOMETRIES, type GeometryName } from './shapes/shapes.js';
 export interface ShapeValues extends SurfaceValues {
   /** URL of a model, relative to the page, or a `Blob` or `File` that holds one (property only); empty for none. */
   src: string | Blob;
-  /** Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default empty. */
-  type: ModelType;
+  /** Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default null. */
+  type: ModelType | null;
   /** A built-in shape; null for none. */
   geometry: GeometryName | null;
   /** Segments around the shape, 1–512; null for the shape's default. */
@@ -30,7 +30,6 @@ export interface ShapeValues extends SurfaceValues {
 
 /** Words and media types for the formats of models. */
 const MODEL_TYPES = [
-  '',
   'gltf',
   'glb',
   'obj',
@@ -78,7 +77,7 @@ function isBlob(value: unknown): value is Blob {
 export const SHAPE_FIELDS: Fields<ShapeValues> = {
   ...SURFACE_FIELDS,
   src: sourceField,
-  type: choiceField<ModelType>('', MODEL_TYPES),
+  type: optional(choiceField<ModelType>('gltf', MODEL_TYPES)),
   geometry: optional(choiceField<GeometryName>('box', GEOMETRIES)),
   segments: optional(numberField(1, { min: 1, max: 512, integer: true })),
 };

@@ -4,7 +4,7 @@ import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
-import { extremePointsOf } from '../extreme-points.js';
+import { extremePointsOf, shareExtremePoints } from '../extreme-points.js';
 import { VALUE_LIMIT } from '../model/limits.js';
 import { ModelError } from '../model/model.js';
 import { type Content, type ContentPart, NOTHING } from './content.js';
@@ -37,9 +37,11 @@ export const EMPTY: Shown = { content: NOTHING, parts: [], root: null, url: null
 export function geometriesOf(parts: readonly ContentPart[], flat: boolean): BufferGeometry[] {
   if (flat) checkFlat(parts);
   return parts.map(({ geometry }) => {
-    const shown = flat ? flatGeometry(geometry) : geometry;
-    extremePointsOf(shown);
-    return shown;
+    extremePointsOf(geometry);
+    if (!flat) return geometry;
+    const copy = flatGeometry(geometry);
+    shareExtremePoints(geometry, copy);
+    return copy;
   });
 }
 

@@ -36,6 +36,8 @@ export interface MeshHost {
   progress(mesh: SceneMesh, loaded: number, total: number): void;
   /** The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content before is kept. */
   shown(mesh: SceneMesh): boolean;
+  /** The mesh was removed from the scene. */
+  removed(mesh: SceneMesh): void;
   /**
    * A load has ended, or what it brought cannot be shown; `error` is null on success. Not called for loads that a newer one
    * replaced.
@@ -155,7 +157,6 @@ export class SceneMesh {
 
   /** The present content could not be drawn: goes back to what was shown before. */
   revert(error: unknown): void {
-    if (this.#parent === null) return; // removed meanwhile
     const failed = this.#shown;
     this.#replace(this.#before ?? EMPTY);
     this.#before = null;
@@ -219,6 +220,7 @@ export class SceneMesh {
   /** Ends any load and frees everything. */
   dispose(): void {
     this.#load.drop();
+    this.#host.removed(this);
     this.#parent = null;
     const before = this.#shown;
     this.#replace(EMPTY);

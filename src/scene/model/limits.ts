@@ -12,6 +12,12 @@ export const BYTE_LIMIT = 2 ** 28;
 export const CORNER_LIMIT = 2 ** 24;
 
 /**
+ * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder runs on the main thread, where that takes up to a
+ * second, and needs 350 bytes per triangle. A larger model can have several such meshes.
+ */
+export const DRACO_LIMIT = 3 * 2 ** 20;
+
+/**
  * Most 4-byte values in a model's vertices and indices, each geometry counted once as it is drawn: 400 MB in the page, and as much on the
  * GPU. Enough for 5 million triangles with a position and a normal per corner.
  */
@@ -20,8 +26,11 @@ export const VALUE_LIMIT = 100_000_000;
 /** Most draws of a model. Each costs 10 to 30 µs of script per frame, so this many leave a few frames per second. */
 export const PART_LIMIT = 10_000;
 
-/** Most nodes of a model's tree, with or without meshes. Each takes about 2 kB while the model is read. */
-export const NODE_LIMIT = 50_000;
+/** Most nodes of a model's tree, with or without meshes. Each takes 2 kB and 20 µs while the model is read. */
+export const NODE_LIMIT = 30_000;
+
+/** Most values in a model's JSON, counted by its brackets and commas. A parsed value takes up to 200 bytes while the model is read. */
+export const JSON_LIMIT = 2 ** 21;
 
 /** Most pixels in all images of a model, as its files claim: one image of 8192 × 8192, or 64 of 1024 × 1024. */
 export const PIXEL_LIMIT = 2 ** 26;
@@ -41,6 +50,7 @@ export interface ModelClaims {
   readonly values?: number;
   readonly parts?: number;
   readonly nodes?: number;
+  readonly json?: number;
   readonly pixels?: number;
 }
 
@@ -50,16 +60,18 @@ export class ModelBudget {
   #values = 0;
   #parts = 0;
   #nodes = 0;
+  #json = 0;
   #pixels = 0;
 
   /** @throws ModelError `too-large` past a limit. Call before allocating. */
-  add({ corners = 0, values = 0, parts = 0, nodes = 0, pixels = 0 }: ModelClaims): void {
-    require((this.#nodes += nodes), NODE_LIMIT, 'nodes');
-    require((this.#parts += parts), PART_LIMIT, 'draws');
-    require((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
-    require((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
-    require((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');
-    require(this.#memory, MEMORY_LIMIT, 'bytes in memory');
+  add({ corners = 0, values = 0, parts = 0, nodes = 0, json = 0, pixels = 0 }: ModelClaims): void {
+    requireAtMost((this.#json += json), JSON_LIMIT, 'values in its JSON');
+    requireAtMost((this.#nodes += nodes), NODE_LIMIT, 'nodes');
+    requireAtMost((this.#parts += parts), PART_LIMIT, 'draws');
+    requireAtMost((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
+    requireAtMost((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
+    requireAtMost((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');
+    requireAtMost(this.#memory, MEMORY_LIMIT, 'bytes in memory');
   }
 
   /**
@@ -74,7 +86,8 @@ export class ModelBudget {
   }
 }
 
-function require(claimed: number, limit: number, what: string): void {
+/** @throws ModelError `too-large` if a model claims more than the limit of something. */
+export function requireAtMost(claimed: number, limit: number, what: string): void {
   if (claimed <= limit) return;
   const [count, most] = [claimed, limit].map((value) => value.toLocaleString('en'));
   throw new ModelError(

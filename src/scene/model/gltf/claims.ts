@@ -1,6 +1,6 @@
 // What will a glTF document cost when it is drawn? Counts draws, corners and numbers of what its scene shows, from the JSON alone, before
 // anything is allocated. Must agree with parts.ts about what is shared and what is copied.
-import type { ModelBudget } from '../limits.js';
+import { DRACO_LIMIT, requireAtMost, type ModelBudget } from '../limits.js';
 import type { Accessor } from './accessors.js';
 import type { Primitive } from './primitives.js';
 
@@ -45,9 +45,11 @@ export function countClaims(
       for (const { accessor, items } of primitive.attributes) {
         if (attributes.has(accessor)) continue;
         attributes.add(accessor);
-        budget.add({ values: accessor.count * items + Math.ceil(accessor.ownBytes / 4) });
+        const own = primitive.packed === undefined ? accessor.ownBytes : 0;
+        budget.add({ values: accessor.count * items + Math.ceil(own / 4) });
       }
       if (primitive.packed !== undefined) {
+        requireAtMost(Math.max(corners, vertices), DRACO_LIMIT, 'corners in one Draco mesh');
         const most = packed.get(primitive.packed) ?? primitive;
         packed.set(primitive.packed, {
           corners: Math.max(most.corners, corners),
@@ -65,14 +67,14 @@ export interface DracoClaims {
 }
 
 /** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
-function ownValues({ attributes, order, corners, vertices }: Primitive, skinned: boolean): number {
+function ownValues({ attributes, order, corners, vertices, packed }: Primitive, skinned: boolean): number {
   const flat = attributes.every(({ name }) => name !== 'NORMAL');
   // Strips, and vertices that do not fill the last triangle, get an index.
   const indexed = order !== undefined || corners !== vertices;
   const separate = indexed && (flat || usesFew(corners, vertices));
   const items = attributes.reduce((sum, attribute) => sum + attribute.items, 0);
   return (
-    Math.ceil((order?.ownBytes ?? 0) / 4) +
+    (packed === undefined ? Math.ceil((order?.ownBytes ?? 0) / 4) : 0) +
     (separate ? corners * items : indexed ? corners : 0) +
     (flat ? corners * 3 : 0) +
     (skinned ? (separate ? corners : vertices) * 6 : 0)

@@ -1,16 +1,15 @@
 // How large is a mesh in Draco data? Read from its header and compared with the document's claims before the decoder allocates for it.
 // Follows the Draco bitstream specification 2.2, sections 3.2 to 5, and its differences in older versions. Must not know how it is decoded.
+import { DRACO_LIMIT, requireAtMost } from '../limits.js';
 import type { DracoClaims } from './claims.js';
 
-/**
- * Encoders merge or split vertices, and some do not update the accessors. Twice their count is more than any that we have seen; a
- * compressed file cannot grow further than that past the limits.
- */
+/** Encoders merge or split vertices, and some do not update the accessors. None that we have seen comes near twice their count. */
 const TOLERANCE = 2;
 
 /** Throws if the header says more than the document, or is no header of a mesh. */
 export function checkDracoHeader(bytes: Uint8Array, { corners, vertices }: DracoClaims): void {
   const { faces, points } = meshSize(bytes);
+  requireAtMost(Math.max(faces * 3, points), DRACO_LIMIT, 'corners in one Draco mesh');
   if (faces * 3 <= corners * TOLERANCE && points <= vertices * TOLERANCE) return;
   throw new Error(
     `its Draco data claims ${String(faces)} triangles and ${String(points)} vertices, ` +

@@ -169,7 +169,10 @@ class Geometries {
     const length = strip || fan ? CORNERS.strip(count) : CORNERS.list(count);
     if (!index && !strip && !fan && length === count) return null;
     // 8-bit indices become 16-bit, which every GPU reads at full speed.
-    const corners = vertices > 0xffff ? new Uint32Array(length) : new Uint16Array(length);
+    const Type = vertices > 0xffff ? Uint32Array : Uint16Array;
+    const plain = index instanceof BufferAttribute && index.array instanceof Type;
+    const ready = plain && !strip && !fan && length === count;
+    const corners = ready ? (index.array as InstanceType<typeof Type>) : new Type(length);
     await this.#slices.over(length, (from, to) => {
       for (let i = from; i < to; i += 1) {
         const at = strip ? stripCorner(i) : fan ? fanCorner(i) : i;

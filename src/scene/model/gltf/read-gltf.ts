@@ -17,8 +17,8 @@ import { gltfTextures, type GltfTextures } from './textures.js';
 type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
 
 export const readGltf: ModelReader = async (source) => {
-  const { json, body } = openContainer(source.bytes);
   const budget = new ModelBudget();
+  const { json, body } = openContainer(source.bytes, budget);
   const document = readDocument(json, budget);
   const bytes = gltfBytes(document, body, source);
   const textures = gltfTextures(document, bytes, budget);
@@ -32,14 +32,15 @@ export const readGltf: ModelReader = async (source) => {
     },
     loadTexture: (index) => textures.texture(index),
   };
+  const slices = new Slices(source.signal);
   const loader = new GLTFLoader();
   loader.register(() => plugin);
   try {
-    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter());
+    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return modelOf(await collectParts(scene, new Slices(source.signal)), textures);
+    return modelOf(await collectParts(scene, slices), textures);
   } catch (error) {
     void textures.close();
     throw error;
@@ -48,14 +49,14 @@ export const readGltf: ModelReader = async (source) => {
 
 const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
 
-async function dracoAdapter(): Promise<DracoLoader> {
+async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
   const module = await decoderCode().catch((cause: unknown) => {
     throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
       cause,
     });
   });
   // The loader calls only two methods of this class.
-  return (await module.createDracoAdapter()) as unknown as DracoLoader;
+  return (await module.createDracoAdapter(() => slices.pause())) as unknown as DracoLoader;
 }
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
