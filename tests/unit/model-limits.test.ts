@@ -92,6 +92,11 @@ describe('accessors count as what they become', () => {
     expect(await outcome(triangleGlb({ accessors, meshes, nodes, scenes }))).toMatch(/^too-large/);
   });
 
+  it('and one accessor counts for each attribute that is made of it', async () => {
+    const attributes = { POSITION: 0, NORMAL: 0, COLOR_0: 0, TEXCOORD_0: 0 };
+    expect(await outcome(zerosGlb(10e6, { attributes }))).toMatch(/^too-large/);
+  });
+
   it('and primitives that use few of shared vertices get copies of those', async () => {
     const count = 3000;
     const accessors = [

@@ -71,7 +71,7 @@ export class ModelBudget {
     requireAtMost((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
     requireAtMost((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
     requireAtMost((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');
-    requireAtMost(this.#memory, MEMORY_LIMIT, 'bytes in memory');
+    requireAtMost(this.#memory, MEMORY_LIMIT, 'bytes in memory (vertices and images)');
   }
 
   /**

@@ -30,7 +30,7 @@ export function countClaims(
   budget: ModelBudget,
 ): ReadonlyMap<number, DracoClaims> {
   const geometries = new Map<ClaimedSkin | undefined, Set<string>>();
-  const attributes = new Set<Accessor>();
+  const converted = new Map<string, Set<Accessor>>();
   const packed = new Map<number, DracoClaims>();
   for (const { primitives, skin } of visited(nodes, roots, budget)) {
     for (const primitive of primitives) {
@@ -42,9 +42,10 @@ export function countClaims(
       if (!geometries.has(skin)) budget.add({ values: (skin?.joints.length ?? 0) * 32 });
       geometries.set(skin, known.add(primitive.key));
       budget.add({ values: ownValues(primitive, skin !== undefined) });
-      for (const { accessor, items } of primitive.attributes) {
-        if (attributes.has(accessor)) continue;
-        attributes.add(accessor);
+      for (const { name, accessor, items } of primitive.attributes) {
+        const sources = converted.get(name) ?? new Set();
+        if (sources.has(accessor)) continue;
+        converted.set(name, sources.add(accessor));
         const own = primitive.packed === undefined ? accessor.ownBytes : 0;
         budget.add({ values: accessor.count * items + Math.ceil(own / 4) });
       }
