@@ -54,6 +54,12 @@ describe('the geometry of an OBJ file', () => {
     expect(indexOf(model)).toEqual([0, 1, 2, 0, 1, 2]);
   });
 
+  it('may begin with a byte order mark', async () => {
+    expect(cornersOf(await obj(`\ufeffv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3`), 'position')[1]).toEqual([
+      1, 0, 0,
+    ]);
+  });
+
   it('shares a vertex where position, texture coordinates and normal agree, and nowhere else', async () => {
     const model = await obj(
       `${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`,
@@ -217,7 +223,9 @@ describe('the materials of an OBJ file', () => {
     const model = await loadFiles({ 'a.obj': text, 'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n' });
     expect(model.parts[0]?.look).toMatchObject({ kd: [1, 0, 0], map: null });
     expect(warnings).toHaveLength(1);
-    expect(warnings[0]).toMatch(/a\.obj is shown without 2 of the files.*a\.mtl could not be fetched.*404.*x\.png/);
+    expect(warnings[0]).toMatch(
+      /a\.obj is shown without 2 of the files.*a\.mtl could not be fetched.*404.*x\.png/,
+    );
   });
 
   it('are an error where an image is broken, and nothing stays open', async () => {

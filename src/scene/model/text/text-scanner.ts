@@ -24,7 +24,8 @@ export class TextScanner {
 
   constructor(bytes: Uint8Array, at = 0) {
     this.#bytes = bytes;
-    this.at = at;
+    const mark = at === 0 && bytes[0] === 0xef && bytes[1] === 0xbb && bytes[2] === 0xbf;
+    this.at = mark ? 3 : at; // the byte order mark of UTF-8
   }
 
   get atEnd(): boolean {
