@@ -1,6 +1,7 @@
 // Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the materials' coefficients?
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { loadModel } from '../../src/scene/model/load-model.js';
 import type { Model, ModelLook } from '../../src/scene/model/model.js';
 import {
   cornersOf,
@@ -52,6 +53,14 @@ describe('the geometry of an OBJ file', () => {
   it('may refer backward by negative numbers, forward, and continue a line after a backslash', async () => {
     const model = await obj('f 1 2 \\\n 3\r\nv 0 0 0\r\nv 1 0 0\rv 0 1 0\nf -3 -2 -1 # again\n');
     expect(indexOf(model)).toEqual([0, 1, 2, 0, 1, 2]);
+  });
+
+  it('is told by its media type where nothing else tells it', async () => {
+    const text = encodeURIComponent(`unknown words\n${QUAD}f 1 2 3`);
+    const options = { signal: new AbortController().signal, crossOrigin: null };
+    expect((await loadModel(new URL(`data:model/obj,${text}`), options)).parts).toHaveLength(1);
+    await expect(loadModel(new URL(`data:,${text}`), options)).rejects.toThrow(/not in a supported format/);
+    expect((await loadModel(new URL(`data:,${text}`), { ...options, type: 'obj' })).parts).toHaveLength(1);
   });
 
   it('may begin with a byte order mark', async () => {
