@@ -37,6 +37,8 @@ export const layers = {
     lazy: ['gui', 'reference'],
     types: ['three'],
   },
+  classic: { layers: ['index'] },
+  react: { layers: ['index', 'element'], packages: ['react'] },
 };
 
 /**

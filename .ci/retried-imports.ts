@@ -5,15 +5,16 @@
 import type { Plugin } from 'vite';
 
 /** A function of `lazyCode` in minified code that imports a chunk. */
-const loader = /\(\)=>import\((`\.\/[^`$]+`)\)/g;
+const loader = /\(\)=>import\(`(\.\/[^`$]+)`\)/g;
 
 /**
  * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import stays, because a
  * bundler finds the chunk by it; the comments keep bundlers from resolving the other address.
  */
 export function retried(code: string): string {
-  const again = 'import(/*webpackIgnore:true*//*@vite-ignore*/$1+`?`+n)';
-  return code.replace(loader, `n=>n?${again}.catch(()=>import($1)):import($1)`);
+  const plain = 'import(`$1`)';
+  const again = 'import(/*webpackIgnore:true*//*@vite-ignore*/`$1?`+n)';
+  return code.replace(loader, `n=>n?${again}.catch(()=>${plain}):${plain}`);
 }
 
 export function retriedImports(): Plugin {

@@ -81,8 +81,11 @@ function notice(isEntry: boolean, parts: readonly Part[]): string {
 const introduction =
   'The files beside this one contain code of these packages, under the licences given here.';
 
-/** @param listed whether to write THIRD-PARTY-LICENSES.txt too; default true. */
-export function licences({ listed = true } = {}): Plugin {
+/**
+ * @param options.listed whether to write THIRD-PARTY-LICENSES.txt too; default true.
+ * @param options.directive a line for the head of each file, before the notice; default none.
+ */
+export function licences({ listed = true, directive = '' } = {}): Plugin {
   return {
     name: 'licences',
     apply: 'build',
@@ -91,7 +94,7 @@ export function licences({ listed = true } = {}): Plugin {
         rolldownOptions: {
           // `banner` would come before minification, which drops it.
           output: {
-            postBanner: ({ isEntry, modules }) => notice(isEntry, partsOf(Object.keys(modules))),
+            postBanner: ({ isEntry, modules }) => directive + notice(isEntry, partsOf(Object.keys(modules))),
           },
         },
       },

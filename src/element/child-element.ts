@@ -2,6 +2,7 @@
 // registry. They render nothing themselves.
 import type { FieldStore } from '../fields/field-store.js';
 import { type ChildRegistry, registryAround } from './child-registry.js';
+import { inspect } from './diagnosis/inspect.js';
 import { FieldBinding } from './fields/field-binding.js';
 
 /** Importing this file where there is no DOM does nothing. */
@@ -27,6 +28,7 @@ export abstract class ChildElement<V extends object> extends Base {
 
   connectedCallback(): void {
     this.#register();
+    inspect(this);
   }
 
   /** A child that is removed together with its viewer stays registered. */

@@ -10,10 +10,11 @@ import { attributesOf, defineProperties, FieldBinding } from './fields/field-bin
 import type { ViewerProperties } from './fields/properties.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
+import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
-import { styles } from './phong-viewer.styles.js';
+import styles from './phong-viewer.css?inline';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { EventQueue } from './viewer/event-queue.js';
@@ -46,7 +47,6 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart panel - the control panel's place
  */
 export class PhongViewer extends LitElement {
-  static override readonly styles = styles;
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), 'aria-label'];
@@ -113,20 +113,18 @@ export class PhongViewer extends LitElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    size: () => this.#holder.getBoundingClientRect(),
     moved: (source) => this.#cameraMoved(source),
   });
-  readonly #visibility = new Visibility(this.#holder, ({ visible, printing, pixelWidth, pixelHeight }) => {
-    if (visible) this.#loading.seen();
-    else this.#camera.rest();
-    this.#viewport.resize(pixelWidth, pixelHeight);
-    this.#viewport.visible = visible;
-    if (printing) {
+  readonly #visibility = new Visibility(this, this.#holder, (view) => {
+    if (view.near) this.#loading.neared();
+    this.#viewport.resize(view.pixelWidth, view.pixelHeight);
+    this.#viewport.near = this.#store.values.loading === 'eager' ? view.painted : view.near;
+    if (view.printing) {
       this.#children.sort();
       this.#viewport.redraw();
     }
     this.#camera.resized();
-    if (visible && this.#camera.turning) this.#viewport.animate();
+    this.#camera.inView = view.visible;
     this.#readiness.check();
   });
   /** The poster has been replaced by a picture. */
@@ -135,7 +133,8 @@ export class PhongViewer extends LitElement {
   constructor() {
     super();
     this.#store.listen((key) => this.requestUpdate(key));
-    for (const part of [this.#camera, this.#visibility, this.#loading]) this.addController(part);
+    // Visibility first: it brings the holder into the element's document.
+    for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
   }
 
@@ -231,11 +230,13 @@ export class PhongViewer extends LitElement {
   }
 
   override connectedCallback(): void {
+    if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
+    addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
-    this.#children.refresh();
+    this.#children.connected();
     this.#failure.contextRestored(); // or missing once more
     this.#viewport.attach();
   }
@@ -288,6 +289,7 @@ export class PhongViewer extends LitElement {
     }
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
+    if (changed.has('loading')) this.#visibility.shown();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#part('.panel'));
     this.#panel.changed('viewer');
@@ -297,16 +299,15 @@ export class PhongViewer extends LitElement {
   #update(): void {
     if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
     else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
-    if (this.isConnected && !this.#visibility.looked) this.#visibility.look();
+    if (this.#visibility.connected && !this.#visibility.looked) this.#visibility.look();
     this.#children.sort();
     this.#children.flush();
   }
 
   get #settled(): boolean {
     this.#update();
-    if (!this.isConnected) return true;
-    if (this.#loading.pending || !this.#visibility.known) return false;
-    return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
+    if (!this.#visibility.connected) return true;
+    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
   }
 
   /** Removes the poster once everything requested has been drawn for the first time. */

@@ -30,7 +30,7 @@ export interface LightValues {
   specular: Vec3;
   /**
    * Homogeneous position. w = 1: the light's place, in scene units; w = 0: the vector that points to a light
-   * infinitely far away. Default 1 1 1 0.
+   * infinitely far away. Default 1 2 3 0.
    */
   position: Vec4;
   /** Where a spot points, away from the light; any length. Zero: no spot. Default 0 0 -1. */
@@ -58,7 +58,7 @@ export const LIGHT_FIELDS: { readonly [K in keyof LightValues]: Field<LightValue
   ambient: colorField([0, 0, 0], colors),
   diffuse: colorField([255, 255, 255], colors),
   specular: colorField([255, 255, 255], colors),
-  position: homogeneousField([1, 1, 1, 0], coordinates),
+  position: homogeneousField([1, 2, 3, 0], coordinates),
   axis: vectorField([0, 0, -1], coordinates),
   aperture: numberField(180, { min: 0, max: 180 }),
   cutoff: numberField(0, { min: 0, max: LIMITS.exponent }),

@@ -91,10 +91,10 @@ function isBeyond(
 
 const isPerspective = ({ projectionMatrix }: Camera): boolean => projectionMatrix.elements[11] !== 0;
 
-/** Distance of the near plane, from the projection. */
+/** Distance of the near plane, from the projection. A multiple of a perspective projection is the same projection. */
 function nearOf(camera: Camera): number {
   const p = camera.projectionMatrix.elements;
-  return isPerspective(camera) ? p[14] / (p[10] - 1) : (p[14] + 1) / p[10];
+  return isPerspective(camera) ? p[14] / (p[10] + p[11]) : (p[14] + 1) / p[10];
 }
 
 /** Distance of the eye from the farthest corner of the near plane. */
@@ -103,7 +103,8 @@ function nearReach(camera: Camera): number {
   const near = nearOf(camera);
   const perspective = isPerspective(camera);
   const scale = perspective ? near : 1;
-  const x = (scale * (1 + Math.abs(perspective ? p[8] : p[12]))) / p[0];
-  const y = (scale * (1 + Math.abs(perspective ? p[9] : p[13]))) / p[5];
+  const w = perspective ? -p[11] : 1;
+  const x = (scale * (w + Math.abs(perspective ? p[8] : p[12]))) / p[0];
+  const y = (scale * (w + Math.abs(perspective ? p[9] : p[13]))) / p[5];
   return Math.sqrt(near * near + x * x + y * y);
 }

@@ -4,9 +4,9 @@ import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';
 
 export interface SurfaceValues {
-  /** Ka: the share of ambient light that is reflected, per channel; 255 is all of it. Default 255 255 255. */
+  /** Ka: the share of ambient light that is reflected, per channel; 255 is all of it. Default 200 200 200. */
   ka: Vec3;
-  /** Kd: the same of diffuse light. Default 255 255 255. */
+  /** Kd: the same of diffuse light. Default 200 200 200. */
   kd: Vec3;
   /** Ks: the same of specular light. Default 128 128 128. */
   ks: Vec3;
@@ -17,8 +17,8 @@ export interface SurfaceValues {
 const colors = { min: 0, max: LIMITS.color };
 
 export const SURFACE_FIELDS: { readonly [K in keyof SurfaceValues]: Field<SurfaceValues[K]> } = {
-  ka: colorField([255, 255, 255], colors),
-  kd: colorField([255, 255, 255], colors),
+  ka: colorField([200, 200, 200], colors),
+  kd: colorField([200, 200, 200], colors),
   ks: colorField([128, 128, 128], colors),
   shininess: numberField(32, { min: 0, max: LIMITS.exponent }),
 };

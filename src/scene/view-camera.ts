@@ -65,5 +65,21 @@ export class ViewCamera {
     if (part === undefined) camera.clearViewOffset();
     else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
     camera.updateProjectionMatrix();
+    scaleClipSpace(camera, this.#orbit.pose.radius);
   }
 }
+
+/**
+ * Brings w in clip space near 1 for very small and very large scenes. A multiple of a projection draws the same picture, but
+ * software GL interpolates wrongly in scenes of size 1e-14 and 2e11. Other scenes keep w as the distance: three.js's
+ * sprites and points recognise a perspective by it.
+ */
+function scaleClipSpace(camera: PerspectiveCamera, radius: number): void {
+  if (radius > 1 / USUAL_RADIUS && radius < USUAL_RADIUS) return;
+  const scale = 2 ** -Math.round(Math.log2(radius)); // a power of two rounds nothing
+  camera.projectionMatrix.multiplyScalar(scale);
+  camera.projectionMatrixInverse.multiplyScalar(1 / scale);
+}
+
+/** Far from where interpolation begins to fail, on either side. */
+const USUAL_RADIUS = 1e9;

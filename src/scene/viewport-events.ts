@@ -1,7 +1,7 @@
 // What a viewport reports to its owner. Types only.
 
 export interface ViewportEvents {
-  /** Before the first frame: size and visibility of the picture are not known yet. Set `visible` and call `resize`. */
+  /** Before the first frame: size and visibility of the picture are not known yet. Set `near` and call `resize`. */
   needsLayout(): void;
   /** Before each frame; true asks for another one. `now` in milliseconds, as animation frames have it. */
   beforeFrame(now: number): boolean;

@@ -9,7 +9,7 @@ import type { PhongLighting } from '../material/lighting.js';
 import type { ShadingStyle } from '../material/phong-material.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
-import { type Framed, frameLoop } from './frame-loop.js';
+import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter } from './painter.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
@@ -32,9 +32,11 @@ export class Viewport implements StageClient, Framed {
   readonly #view = new ViewCamera(this.orbit);
   /** Requested size in device pixels. */
   #wanted: Size = { width: 0, height: 0 };
-  /** On screen; undefined until the layout has been read. */
-  #visible: boolean | undefined = undefined;
+  /** In view, or close enough to be drawn; undefined until the layout has been read. */
+  #near: boolean | undefined = undefined;
   #attached = false;
+  /** That of the window in which the picture is attached. */
+  #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
   #fov = 45;
@@ -68,8 +70,11 @@ export class Viewport implements StageClient, Framed {
     return this.#painter.lighting;
   }
 
-  /** Joins the page's stage. */
+  /** Joins the page's stage, in the window that shows the holder. */
   attach(): void {
+    const view = this.holder.ownerDocument.defaultView;
+    if (view === null) return;
+    this.#loop = frameLoopOf(view);
     stage.add(this);
     this.#attached = true;
     this.invalidate();
@@ -77,8 +82,8 @@ export class Viewport implements StageClient, Framed {
 
   detach(): void {
     this.#attached = false;
-    this.#visible = undefined;
-    frameLoop.cancel(this);
+    this.#near = undefined;
+    this.#loop?.cancel(this);
     stage.remove(this);
     // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
     queueMicrotask(() => {
@@ -122,9 +127,9 @@ export class Viewport implements StageClient, Framed {
     this.invalidate();
   }
 
-  /** Whether the picture can be seen. While it cannot, nothing is drawn; changes are drawn once it can. */
-  set visible(visible: boolean) {
-    this.#visible = visible;
+  /** Whether the picture is in view or close enough to be drawn. While it is not, changes wait. */
+  set near(near: boolean) {
+    this.#near = near;
     this.#wake();
   }
 
@@ -167,8 +172,8 @@ export class Viewport implements StageClient, Framed {
 
   /** Frames are drawn when something changes. */
   get drawable(): boolean {
-    if (!this.#attached || stage.lost || this.#visible === false) return false;
-    return this.#visible === undefined || (this.width > 0 && this.height > 0);
+    if (!this.#attached || stage.lost || this.#near === false) return false;
+    return this.#near === undefined || (this.width > 0 && this.height > 0);
   }
 
   /** Nothing has changed since the last frame. */
@@ -176,19 +181,19 @@ export class Viewport implements StageClient, Framed {
     return !this.#dirty;
   }
 
-  /** Something changed: draw a frame, as soon as it can be seen. */
+  /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
     this.#dirty = true;
-    if (this.drawable) frameLoop.request(this);
+    if (this.drawable) this.#loop?.request(this);
   }
 
   /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
   animate(): void {
-    if (this.drawable) frameLoop.request(this);
+    if (this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
-    if (this.#visible === undefined) this.#events.needsLayout();
+    if (this.#near === undefined) this.#events.needsLayout();
   }
 
   advance(now: number): boolean {
@@ -200,7 +205,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   redraw(): void {
-    if (!this.drawable || this.#visible === undefined) {
+    if (!this.drawable || this.#near === undefined) {
       this.#dirty = true;
       return;
     }
@@ -272,7 +277,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   contextLost(): void {
-    frameLoop.cancel(this);
+    this.#loop?.cancel(this);
     this.#releaseGpu();
     this.#events.contextLost();
   }
@@ -304,7 +309,7 @@ export class Viewport implements StageClient, Framed {
 
   /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
   #wake(): void {
-    if (!this.drawable) frameLoop.cancel(this);
-    else if (this.#dirty) frameLoop.request(this);
+    if (!this.drawable) this.#loop?.cancel(this);
+    else if (this.#dirty) this.#loop?.request(this);
   }
 }

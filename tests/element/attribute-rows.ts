@@ -154,10 +154,10 @@ const withWord = (row: Row, word: string): Row => ({
 });
 
 const position: Row = {
-  ...vector('position', [1, 1, 1, 0], 1e15),
+  ...vector('position', [1, 2, 3, 0], 1e15),
   valid: [
     ['1 2 3', [1, 2, 3, 1]],
-    ['1,2,3,0', [1, 2, 3, 0]],
+    ['3,2,1,0', [3, 2, 1, 0]],
     ['1 2 3 1', [1, 2, 3, 1]],
     ['-0 1e-320 1e15 -0', [0, 1e-320, 1e15, 0]],
   ],
@@ -222,8 +222,8 @@ const shape: readonly Row[] = [
     outside: [...notFinite, '0', '513', '1.5', '-3'],
     valid: [['1', 1], ['512', 512], ['7.0', 7]], // prettier-ignore
   },
-  color('ka', [255, 255, 255]),
-  color('kd', [255, 255, 255]),
+  color('ka', [200, 200, 200]),
+  color('kd', [200, 200, 200]),
   color('ks', [128, 128, 128]),
   number('shininess', 32, 0, 1e6),
 ];
@@ -255,7 +255,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
   'phong-viewer': [
     text('alt', ''),
     text('poster', ''),
-    choice('loading', 'eager', 'eager', 'lazy'),
+    choice('loading', 'auto', 'auto', 'eager', 'lazy'),
     presence('droppable'),
     crossOrigin,
     ...shape,

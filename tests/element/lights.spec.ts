@@ -6,7 +6,7 @@ import { allReady, compare, expect, pixelAt, pixels, test, type Picture } from '
 import { type PhongViewer, record, shownBy } from './support.js';
 
 const size = { width: 60, height: 40 };
-const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
+const open = '<phong-viewer geometry="plane" kd="255" theta="0" phi="40" radius="1.2" target="0 0 0">';
 const red = '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
 const green =
   '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';

@@ -63,7 +63,7 @@ test.describe('toBlob', () => {
   });
 
   test('has straight alpha: an edge half covered keeps the colour of the inside', async ({ mount }) => {
-    const flat = `<phong-viewer geometry="plane" theta="20" phi="50" terms="ambient"><phong-light ambient="200 100 50"></phong-light></phong-viewer>`;
+    const flat = `<phong-viewer geometry="plane" ka="255" theta="20" phi="50" terms="ambient"><phong-light ambient="200 100 50"></phong-light></phong-viewer>`;
     const viewer = await mount(flat, size);
     const picture = await pixels(viewer);
     let edges = 0;

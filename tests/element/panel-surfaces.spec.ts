@@ -63,7 +63,7 @@ test("edits and shows the viewer's own material", async ({ mount }) => {
   expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([[0, 200, 0], [255, 255, 255], 1e6]);
   await expect(slider(folder, 'shininess')).toHaveValue('1');
   await button(folder, 'reset material').click();
-  expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([[255, 255, 255], [128, 128, 128], 32]);
+  expect(await valuesOf(viewer, 'kd', 'ks', 'shininess')).toEqual([[200, 200, 200], [128, 128, 128], 32]);
   await expect(field(folder, 'shininess')).toHaveValue('32');
 });
 
@@ -94,6 +94,7 @@ test("edits and shows a mesh's surface, style and transform", async ({ mount }) 
   const mesh = viewer.locator('phong-mesh').first();
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'sphere');
+  await field(folder, 'ka × intensity').fill('1');
   await picker(folder, 'ka').fill('#010203');
   await choice(folder, 'shading').selectOption('flat');
   await choice(folder, 'reflection').selectOption('blinn-phong');

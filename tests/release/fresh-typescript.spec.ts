@@ -170,7 +170,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     const site = await startSite({
       '/': project.build(
         '<script type="module" src="./main.ts"></script>' +
-          '<phong-viewer geometry="sphere" phi="90" theta="0">' +
+          '<phong-viewer geometry="sphere" kd="255" phi="90" theta="0">' +
           '<phong-light position="0 0 1 0" diffuse="255 128 0" specular="0"></phong-light></phong-viewer>',
       ),
     });

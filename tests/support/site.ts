@@ -87,7 +87,7 @@ export async function startSite(
       const path = `/page/${stored.size}`;
       const text =
         `<!doctype html>\n<html lang="en">\n<head><meta charset="utf-8"><title>Test page</title>\n` +
-        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${body}</body>\n</html>\n`;
+        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${body}\n</body>\n</html>\n`;
       stored.set(path, { type: '.html', text, csp });
       stored.set(`${path}.css`, { type: '.css', text: css, csp });
       return origin + path;

@@ -55,6 +55,24 @@ describe('back faces of a closed shape', () => {
     expect(culls('closed', place(), eyeAt(0.7, 0.25))).toBe(false);
   });
 
+  it('are culled alike under any multiple of a projection, which is the same projection', () => {
+    const scaled = (z: number, near: number): PerspectiveCamera => {
+      const camera = eyeAt(z, near);
+      camera.projectionMatrix.multiplyScalar(2 ** -40);
+      return camera;
+    };
+    expect(culls('closed', place(), scaled(0.7, 0.1))).toBe(true);
+    expect(culls('closed', place(), scaled(0.7, 0.25))).toBe(false);
+    // Beside the eye: only the distance to the near plane's corners tells.
+    for (const camera of [eyeAt(0, 0.1), scaled(0, 0.1)])
+      for (const [x, culled] of [
+        [0.7, true],
+        [0.55, false],
+      ] as const)
+        // prettier-ignore
+        expect(culls('closed', place({ position: [x, 0, 0] }), camera, box)).toBe(culled);
+  });
+
   it('are culled where a near plane close to a sphere cuts its box alone', () => {
     const camera = eyeAt(0.7, 0.19);
     expect(culls('closed', place(), camera)).toBe(true);

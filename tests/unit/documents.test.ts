@@ -4,7 +4,9 @@ import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
+import { attributeOf, formatValue } from '../../src/element/fields/attribute-text.js';
 import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
+import type { Field } from '../../src/fields/field.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 
@@ -44,24 +46,48 @@ function brokenLinks(path: string): readonly string[] {
     });
 }
 
-/** First cells of the rows of the README's table under a heading: the names between backticks. */
-function namesUnder(heading: string): readonly string[] {
+const codeIn = (cell: string): readonly string[] =>
+  Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
+
+/** The README's table under a heading: the names in a row's first cell, and the defaults in its last one if it gives them as code. */
+function rowsUnder(
+  heading: string,
+): readonly { readonly names: readonly string[]; readonly defaults: readonly string[] }[] {
   const section = read('README.md').split(`\n### \`<${heading}>\`\n`)[1]?.split('\n#')[0] ?? '';
-  return Array.from(section.matchAll(/^\| (`[^|]+`) \|/gm)).flatMap(([, cell = '']) =>
-    Array.from(cell.matchAll(/`([^`]+)`/g), ([, name = '']) => name),
+  return Array.from(
+    section.matchAll(/^\| (`[^|]+`) \|.*\|([^|]*)\|$/gm),
+    ([, names = '', defaults = '']) => ({
+      names: codeIn(names),
+      defaults: codeIn(defaults),
+    }),
   );
 }
 
-const attribute = (property: string): string =>
-  property === 'crossOrigin' ? 'crossorigin' : property.replaceAll(/[A-Z]/g, (c) => `-${c.toLowerCase()}`);
+const tables = [
+  ['phong-light', LIGHT_FIELDS],
+  ['phong-mesh', MESH_FIELDS],
+  ['phong-viewer', VIEWER_FIELDS],
+] as const;
 
 describe('the documents', () => {
-  it.each([
-    ['phong-light', LIGHT_FIELDS],
-    ['phong-mesh', MESH_FIELDS],
-    ['phong-viewer', VIEWER_FIELDS],
-  ])('list every attribute of <%s> in the README, and no other', (element, fields) => {
-    expect([...namesUnder(element)].sort()).toEqual(Object.keys(fields).map(attribute).sort());
+  it.each(tables)('list every attribute of <%s> in the README, and no other', (element, fields) => {
+    const names = rowsUnder(element).flatMap((row) => row.names);
+    expect(names.sort()).toEqual(Object.keys(fields).map(attributeOf).sort());
+  });
+
+  it.each(tables)('state the defaults of <%s> in the README as they are', (element, fields) => {
+    const fallbacks = Object.fromEntries(
+      Object.entries<Field<unknown>>(fields).map(([key, field]) => [
+        attributeOf(key),
+        formatValue(field.fallback, field),
+      ]),
+    );
+    for (const { names, defaults } of rowsUnder(element)) {
+      // `light 1` stands for an empty name; other defaults are described in words.
+      if (defaults.length === 0 || names.includes('name')) continue;
+      const stated = names.map((name, i) => [name, defaults.length === 1 ? defaults[0] : defaults[i]]);
+      expect(stated).toEqual(names.map((name) => [name, fallbacks[name]]));
+    }
   });
 
   it.each(documents)('%s links to files and headings that exist', (path) => {

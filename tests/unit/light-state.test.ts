@@ -13,7 +13,7 @@ describe('a light', () => {
       ambient: [0, 0, 0],
       diffuse: [255, 255, 255],
       specular: [255, 255, 255],
-      position: [1, 1, 1, 0],
+      position: [1, 2, 3, 0],
       axis: [0, 0, -1],
       aperture: 180,
       cutoff: 0,

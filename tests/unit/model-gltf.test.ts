@@ -207,7 +207,7 @@ describe('textures', () => {
         materials: [
           {
             pbrMetallicRoughness: { baseColorTexture: { index: 0, ...texCoord } },
-            normalTexture: { index: 1 },
+            occlusionTexture: { index: 1 },
           },
         ],
         textures: [{ source: 0 }, { source: 1 }],
@@ -222,9 +222,9 @@ describe('textures', () => {
       texCoord: 1,
       extensions: { KHR_texture_transform: { offset: [0.25, 0.5], scale: [2, 3] } },
     });
-    expect(numbers(model, 'uv')).toEqual([0, 0, 1, 0, 0, 1]);
+    expect(numbers(model, 'uv1')).toEqual([0, 0, 1, 0, 0, 1]);
     const map = model.parts[0]?.look.map;
-    expect(map?.channel).toBe(0);
+    expect(map?.channel).toBe(1);
     expect(map?.matrix.elements.map((value) => value + 0)).toEqual([2, 0, 0, 0, 3, 0, 0.25, 0.5, 1]);
   });
 
@@ -254,7 +254,7 @@ describe('textures', () => {
       },
     );
     expect(model.parts).toHaveLength(2);
-    for (const part of [0, 1]) expect(numbers(model, 'uv', part)).toEqual([0, 0, 1, 0, 0, 1]);
+    for (const part of [0, 1]) expect(numbers(model, 'uv1', part)).toEqual([0, 0, 1, 0, 0, 1]);
   });
 
   it('that the browser cannot decode make the model bad', async () => {

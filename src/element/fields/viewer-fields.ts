@@ -26,7 +26,7 @@ import {
 import type { Vec3 } from '../../math/vector.js';
 import { SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js';
 
-export type Loading = 'eager' | 'lazy';
+export type Loading = 'auto' | 'eager' | 'lazy';
 export type ColorInterpolation = 'srgb' | 'linear';
 
 export interface CameraValues {
@@ -45,7 +45,10 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   alt: string;
   /** Address of an image shown until the first picture is drawn. Default empty: none. */
   poster: string;
-  /** `lazy`: models are not loaded until the viewer is visible. Default eager. */
+  /**
+   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing. `eager`: nothing, the
+   * picture is drawn off screen too. `lazy`: drawing and fetching models. Default auto.
+   */
   loading: Loading;
   /** Files dropped on the viewer become its `src`. Default false. */
   droppable: boolean;
@@ -87,7 +90,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   ...SHAPE_FIELDS,
   alt: textField(),
   poster: textField('', 'the address of an image'),
-  loading: choiceField<Loading>('eager', ['eager', 'lazy']),
+  loading: choiceField<Loading>('auto', ['auto', 'eager', 'lazy']),
   droppable: presenceField(),
   crossOrigin: {
     ...optional(choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials'])),

@@ -6,6 +6,7 @@ import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { register } from '../child-element.js';
 import { type ChildListener, type ChildRegistry, registryOf } from '../child-registry.js';
+import { inspect, inspectAgain } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { PhongLight } from '../phong-light.js';
 import { PhongMesh } from '../phong-mesh.js';
@@ -85,6 +86,15 @@ export class ViewerChildren implements ChildListener {
   moved(): void {
     this.#host.viewport.invalidate();
   }
+
+  /** For the viewer's `connectedCallback`, after its shadow tree was made. */
+  connected(): void {
+    this.refresh();
+    inspect(this.#viewer);
+    this.#viewer.shadowRoot?.addEventListener('slotchange', this.#slotted);
+  }
+
+  readonly #slotted = (): void => inspectAgain(this.#viewer);
 
   /** Custom elements get no callback for changes outside a document: looks for children that came or went there. */
   refresh(): void {

@@ -1,6 +1,7 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
 // are read nor how anything is drawn.
 import type { ReactiveController } from 'lit';
+import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
@@ -30,8 +31,8 @@ export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail 
   const code = codeOf(error);
   let message = error instanceof Error ? error.message : String(error);
   if (code === 'too-large' && !(error instanceof ModelError))
-    message = 'The browser has not enough memory to show this.';
-  return { code, message, url: url?.href ?? null };
+    message = 'There is not enough memory to show this.';
+  return { code, message: clipMessage(message), url: url?.href ?? null };
 }
 
 function codeOf(error: unknown): ViewerErrorCode {
@@ -60,7 +61,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #progress = new LoadProgress();
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
-  #seen = false;
+  #near = false;
   #suspended = false;
   #removal: ReturnType<typeof setTimeout> | undefined;
   /** Meshes whose content has not been drawn yet. */
@@ -82,7 +83,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   get mayLoad(): boolean {
-    return !this.#suspended && (this.#seen || this.#host.store.values.loading !== 'lazy');
+    return !this.#suspended && (this.#near || this.#host.store.values.loading !== 'lazy');
   }
 
   changed(): void {
@@ -182,10 +183,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     });
   }
 
-  /** The viewer is visible: lazy loading begins. */
-  seen(): void {
-    if (this.#seen) return;
-    this.#seen = true;
+  /** The viewer is in view or near it: lazy loading begins. */
+  neared(): void {
+    if (this.#near) return;
+    this.#near = true;
     if (this.#host.store.values.loading === 'lazy') this.update();
   }
 

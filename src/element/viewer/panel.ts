@@ -33,8 +33,8 @@ export class ViewerPanel {
       console.warn(`<phong-viewer gui>: ${(error as Error).message}`);
     });
     if (code === undefined) return;
-    const root = place.getRootNode();
-    if (!this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
+    const root = this.#viewer.shadowRoot;
+    if (!this.#wanted || this.#panel !== null || root === null) return;
     this.#panel = code.createPanel(this.#viewer, place, root);
   }
 

@@ -83,7 +83,8 @@ class Stage {
    * first call opens the context. Throws NoWebGL2Error.
    */
   draw(client: StageClient, render: (renderer: WebGLRenderer) => void): void {
-    const alone = this.#clients.size === 1;
+    // The canvas stays in its own document: a picture in a popup is a copy too.
+    const alone = this.#clients.size === 1 && client.holder.ownerDocument === document;
     const renderer = this.#renderer ?? this.#open(alone ? client : this.#layOut(client).atlas);
     this.#count();
     if (alone) {

@@ -3,7 +3,7 @@ import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three'
 import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { PhongMaterial } from '../../material/phong-material.js';
+import type { BaseLook, PhongMaterial } from '../../material/phong-material.js';
 import { extremePointsOf, shareExtremePoints } from '../extreme-points.js';
 import { VALUE_LIMIT } from '../model/limits.js';
 import { ModelError } from '../model/model.js';
@@ -15,6 +15,7 @@ export interface Part {
   readonly mesh: Mesh;
   readonly source: ContentPart;
   material: PhongMaterial;
+  look: BaseLook;
   surface: Readonly<SurfaceValues>;
 }
 
@@ -71,7 +72,7 @@ export function partsOf(
     const mesh = new Mesh(geometries[i], material);
     mesh.name = source.name;
     mesh.matrixAutoUpdate = false;
-    return { mesh, material, surface: appearance.surface, source };
+    return { mesh, material, look: appearance.look, surface: appearance.surface, source };
   });
 }
 
@@ -101,6 +102,17 @@ export function surfaceOf(state: FieldStore<ShapeValues>, source: ContentPart): 
   }
   return surface as SurfaceValues;
 }
+
+/** The file's look. An exponent that the author gives replaces the file's roughness. */
+export function lookOf(state: FieldStore<ShapeValues>, { look }: ContentPart): BaseLook {
+  if (look.roughness === null || !state.given('shininess')) return look;
+  const known = smooth.get(look) ?? { ...look, roughness: null };
+  smooth.set(look, known);
+  return known;
+}
+
+/** Looks without their roughness: the same object each time, because materials are compared by it. */
+const smooth = new WeakMap<BaseLook, BaseLook>();
 
 export const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
   a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;

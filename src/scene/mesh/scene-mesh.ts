@@ -14,6 +14,7 @@ import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   EMPTY,
   geometriesOf,
+  lookOf,
   partsOf,
   type Part,
   rootOf,
@@ -27,7 +28,7 @@ import type { Appearance, SharedMaterials } from './shared-materials.js';
 export interface MeshHost {
   readonly materials: SharedMaterials;
   readonly crossOrigin: CrossOrigin;
-  /** False while a lazy viewer has not been seen, and after a viewer was removed. */
+  /** False while a lazy viewer has not come near the view, and after a viewer was removed. */
   readonly mayLoad: boolean;
   /** The mesh looks different: draw again. */
   changed(): void;
@@ -177,8 +178,10 @@ export class SceneMesh {
     this.#reflection = reflection;
     for (const part of this.#shown.parts) {
       const appearance = this.#appearanceOf(part.source);
-      if (restyled || !sameSurface(appearance.surface, part.surface)) {
-        part.surface = appearance.surface;
+      const { look, surface } = appearance;
+      if (restyled || look !== part.look || !sameSurface(surface, part.surface)) {
+        part.look = look;
+        part.surface = surface;
         part.material = materials.exchange(part.material, appearance);
         part.mesh.material = part.material;
       }
@@ -229,8 +232,10 @@ export class SceneMesh {
   }
 
   #appearanceOf(source: ContentPart): Appearance {
-    const { look, sides } = source;
-    const surface = surfaceOf(this.#state as FieldStore<ShapeValues>, source);
+    const state = this.#state as FieldStore<ShapeValues>;
+    const look = lookOf(state, source);
+    const surface = surfaceOf(state, source);
+    const { sides } = source;
     return { look, sides, surface, shading: this.#shading, reflection: this.#reflection };
   }
 
@@ -298,7 +303,7 @@ export class SceneMesh {
 }
 
 function undrawable(cause: unknown): ModelError {
-  return new ModelError('bad-model', `It could not be drawn: ${String(cause)}`, { cause });
+  return new ModelError('bad-model', `Drawing failed: ${String(cause)}`, { cause });
 }
 
 const ZERO: Vec3 = [0, 0, 0];

@@ -89,12 +89,7 @@ async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Pr
         { cause },
       );
     }
-    throw new ModelError(
-      'load-failed',
-      `${url.href} could not be fetched. Is the server reachable, and does it send CORS headers ` +
-        'if it is another origin than the page?',
-      { cause },
-    );
+    throw new ModelError('load-failed', `${url.href} could not be fetched. ${adviceFor(url)}`, { cause });
   } finally {
     request.stop();
   }
@@ -107,6 +102,11 @@ async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Pr
   );
 }
 
+/** What can be done where fetching an address gave no answer. */
+const adviceFor = (url: URL): string =>
+  url.protocol === 'file:'
+    ? 'A page opened from disk may not read files: serve the folder, with `npx serve` or `python3 -m http.server`.'
+    : 'Is the server reachable, and does it send CORS headers if it is another origin than the page?';
 // The event of a refusal is queued and can arrive after the fetch has rejected.
 const POLICY_EVENT_WAIT_MS = 100;
 

@@ -191,7 +191,7 @@ def color(high=255):
 
 
 DEFAULTS = dict(
-    active=True, ambient=[0, 0, 0], diffuse=[255, 255, 255], specular=[255, 255, 255], position=[1, 1, 1, 0],
+    active=True, ambient=[0, 0, 0], diffuse=[255, 255, 255], specular=[255, 255, 255], position=[1, 2, 3, 0],
     axis=[0, 0, -1], aperture=180, cutoff=0, attenuation=[1, 0, 0], space="world",
 )
 

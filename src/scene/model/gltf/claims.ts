@@ -67,8 +67,12 @@ export interface DracoClaims {
   readonly vertices: number;
 }
 
+/** What a computed tangent costs, in values: three.js makes two vectors for each vertex. */
+const TANGENT_VALUES = 30;
+
 /** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
-function ownValues({ attributes, order, corners, vertices, packed }: Primitive, skinned: boolean): number {
+function ownValues(primitive: Primitive, skinned: boolean): number {
+  const { attributes, order, corners, vertices, packed, tangents } = primitive;
   const flat = attributes.every(({ name }) => name !== 'NORMAL');
   // Strips, and vertices that do not fill the last triangle, get an index.
   const indexed = order !== undefined || corners !== vertices;
@@ -78,7 +82,8 @@ function ownValues({ attributes, order, corners, vertices, packed }: Primitive, 
     (packed === undefined ? Math.ceil((order?.ownBytes ?? 0) / 4) : 0) +
     (separate ? corners * items : indexed ? corners : 0) +
     (flat ? corners * 3 : 0) +
-    (skinned ? (separate ? corners : vertices) * 6 : 0)
+    (skinned ? (separate ? corners : vertices) * 6 : 0) +
+    (tangents ? (separate ? corners : vertices) * TANGENT_VALUES : 0)
   );
 }
 

@@ -1,6 +1,7 @@
 // Which parts of a glTF document are shown? The nodes and meshes of its scene, base colours and their textures. Everything else (other
 // scenes, cameras, lights, animation, morph targets, other textures, extras) is removed before anything is loaded. Every index and
 // size that the parser will use is checked here. Knows the JSON only, no bytes.
+import { clip } from '../../../fields/clip.js';
 import type { ModelBudget } from '../limits.js';
 import { ModelError } from '../model.js';
 import { readAccessors, readBufferViews, type Accessor, type BufferView } from './accessors.js';
@@ -27,6 +28,8 @@ export interface GltfDocument {
   readonly buffers: readonly { readonly byteLength: number; readonly uri: string | undefined }[];
   readonly images: readonly JsonObject[];
   readonly textures: readonly GltfTexture[];
+  /** What the equation has no place for, by the file's own names. */
+  readonly dropped: ReadonlySet<string>;
   /** What the Draco data in a buffer view must decode to at most, by the view's index. */
   readonly draco: ReadonlyMap<number, DracoClaims>;
 }
@@ -45,7 +48,7 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
   if (!version.startsWith('2.')) {
     throw new ModelError(
       'bad-model',
-      `The model is glTF ${version || 'of no version'}; only glTF 2 is supported.`,
+      `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`,
     );
   }
   for (const required of listAt(json['extensionsRequired'], 'extensionsRequired')) {
@@ -56,8 +59,8 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
   const accessors = readAccessors(json, bufferViews);
   const images = objectsAt(json['images'], 'images');
   const textures = readTextures(json, images.length);
-  const materials = readMaterials(json, textures);
-  const context = { accessors, materials: materials.length, views: bufferViews.length };
+  const { definitions: materials, dropped } = readMaterials(json, textures);
+  const context = { accessors, materials, views: bufferViews.length };
   const meshes = objectsAt(json['meshes'], 'meshes').map((mesh) => ({
     name: textAt(mesh['name']),
     primitives: readPrimitives(mesh, context),
@@ -90,6 +93,7 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
     })),
     images,
     textures,
+    dropped,
     draco,
   };
 }
@@ -97,7 +101,7 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
 export function unsupported(extension: string): ModelError {
   return new ModelError(
     'bad-model',
-    `The model needs the glTF extension ${extension}, which is not supported. Save it without that extension.`,
+    `The model needs the glTF extension ${clip(extension)}, which is not supported. Save it without that extension.`,
   );
 }
 

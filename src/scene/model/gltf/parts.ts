@@ -15,7 +15,7 @@ import {
 import { srgbEncode } from '../../../math/color.js';
 import { setBounds } from '../bounds.js';
 import { faceNormals } from '../face-normals.js';
-import type { ModelLook, ModelPart } from '../model.js';
+import { mapsOfLook, type ModelLook, type ModelPart } from '../model.js';
 import type { Slices } from '../slices.js';
 import {
   type Attribute,
@@ -29,6 +29,8 @@ import {
 import { usesFew } from './claims.js';
 import { boneMatrices, type BoneMatrices, posed } from './pose.js';
 import { CORNERS, FAN, STRIP } from './primitives.js';
+import { mapsOf, surfaceOf, uvNameOf } from './surfaces.js';
+import { addTangents, unitTangents } from './tangents.js';
 
 export async function collectParts(scene: Object3D, slices: Slices): Promise<readonly ModelPart[]> {
   const geometries = new Geometries(slices);
@@ -47,7 +49,7 @@ export async function collectParts(scene: Object3D, slices: Slices): Promise<rea
   }
   if (parts.length === 0) throw new Error('it has no triangles');
   // Last, because parts can share a map and each has read its channel above.
-  for (const { look } of parts) if (look.map) readUndecoded(look.map);
+  for (const { look } of parts) for (const map of mapsOfLook(look)) readUndecoded(map);
   return parts;
 }
 
@@ -66,7 +68,8 @@ function nameOf(object: Object3D): string {
 function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: boolean): ModelLook {
   const { color, opacity, transparent, alphaTest } = material;
   const encode = (linear: number): number => srgbEncode(Math.min(Math.max(linear, 0), 1));
-  const map = geometry.hasAttribute('uv') ? material.map : null;
+  const maps = mapsOf(material, geometry);
+  const { map } = maps;
   // Exporters often mark opaque materials as blended. Blending those, unsorted and without depth, would show their backs.
   const vertexAlpha = geometry.hasAttribute('color') && geometry.getAttribute('color').itemSize === 4;
   const blends = transparent && (opacity < 1 || map !== null || vertexAlpha);
@@ -76,16 +79,15 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
     opacity: alphaMode === 'opaque' ? 1 : Math.min(Math.max(opacity, 0), 1),
     alphaMode,
     alphaCutoff: alphaTest,
-    map,
     doubleSided: material.side === DoubleSide,
     flat,
+    ...maps,
+    ...surfaceOf(material),
   };
 }
 
 function readUndecoded(map: Texture): void {
   map.colorSpace = NoColorSpace;
-  // The geometry's `uv` already is the set that the map uses.
-  map.channel = 0;
   if (map.matrixAutoUpdate) map.updateMatrix();
 }
 
@@ -105,21 +107,25 @@ class Geometries {
   }
 
   async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BuiltGeometry> {
-    const { map } = mesh.material;
-    const uv = map ? (map.channel === 0 ? 'uv' : `uv${String(map.channel)}`) : '';
+    const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
+    const uvs = [
+      ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
+    ];
+    const tangents = normalMap === null ? null : uvNameOf(normalMap);
     const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
-    const key = `${mesh.geometry.uuid} ${uv} ${skin}`;
+    const key = [mesh.geometry.uuid, ...uvs, 'tangents', tangents, skin].join(' ');
     const present = this.#cache.get(key);
     if (present) return present;
-    const built = await this.#build(mesh, uv);
+    const built = await this.#build(mesh, uvs, tangents);
     this.#cache.set(key, built);
     return built;
   }
 
-  async #build(mesh: Mesh, uv: string): Promise<BuiltGeometry> {
+  /** @param tangents the coordinates of the normal map; null for none. */
+  async #build(mesh: Mesh, uvs: readonly string[], tangents: string | null): Promise<BuiltGeometry> {
     const source = mesh.geometry;
     const flat = !source.hasAttribute('normal');
-    const attributes = await this.#attributesOf(source, uv);
+    const attributes = await this.#attributesOf(source, uvs, tangents !== null);
     const count = attributes.get('position')?.count ?? 0;
     const joints = isSkinned(mesh) ? ['skinIndex', 'skinWeight'] : [];
     for (const name of joints) attributes.set(name, source.getAttribute(name));
@@ -142,20 +148,26 @@ class Geometries {
       geometry.setAttribute('normal', await faceNormals(array, this.#slices));
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
+    if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
     await setBounds(geometry, this.#slices);
     return { geometry, flat };
   }
 
-  async #attributesOf(source: BufferGeometry, uv: string): Promise<Map<string, Attribute>> {
+  async #attributesOf(
+    source: BufferGeometry,
+    uvs: readonly string[],
+    tangents: boolean,
+  ): Promise<Map<string, Attribute>> {
     const attributes = new Map<string, Attribute>();
-    for (const [name, target, conversion] of [
-      ['position', 'position', floatPositions],
-      ['normal', 'normal', unitNormals],
-      ['color', 'color', encodedColors],
-      [uv, 'uv', floatUvs],
+    for (const [name, conversion] of [
+      ['position', floatPositions],
+      ['normal', unitNormals],
+      ['color', encodedColors],
+      ...(tangents && source.hasAttribute('normal') ? [['tangent', unitTangents] as const] : []),
+      ...uvs.map((uv) => [uv, floatUvs] as const),
     ] as const) {
       if (!source.hasAttribute(name)) continue;
-      attributes.set(target, await this.#convert(source.getAttribute(name), conversion));
+      attributes.set(name, await this.#convert(source.getAttribute(name), conversion));
     }
     return attributes;
   }

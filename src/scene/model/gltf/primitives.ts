@@ -39,14 +39,15 @@ export interface Primitive {
     readonly name: string;
   }[];
   readonly order: Accessor | undefined;
+  /** Tangents are computed for its normal map. */
+  readonly tangents: boolean;
   /** The buffer view of Draco data. */
   readonly packed: number | undefined;
 }
 
 export interface PrimitiveContext {
   readonly accessors: readonly Accessor[];
-  /** Number of materials. */
-  readonly materials: number;
+  readonly materials: readonly JsonObject[];
   /** Number of buffer views. */
   readonly views: number;
 }
@@ -55,6 +56,7 @@ export interface PrimitiveContext {
 const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
   ['POSITION', 3],
   ['NORMAL', 3],
+  ['TANGENT', 4],
   ['TEXCOORD_0', 2],
   ['TEXCOORD_1', 2],
   ['TEXCOORD_2', 2],
@@ -107,20 +109,24 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
   const definition = {
     attributes: { ...indexes, ...mark },
     indices,
-    material: material === undefined ? undefined : indexAt(material, context.materials, 'material'),
+    material: material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
     mode: TRIANGLES,
     extensions: packed ? { [DRACO]: packed } : {},
   };
   const bytes = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
   for (const { accessor } of bytes) accessor.requireBytes();
+  const mapped =
+    definition.material !== undefined &&
+    context.materials[definition.material]?.['normalTexture'] !== undefined;
   if (!packed) order?.requireBytes();
   return {
     definition,
-    key: JSON.stringify([packed?.bufferView, indices, definition.attributes]),
+    key: JSON.stringify([packed?.bufferView, indices, definition.attributes, mapped]),
     corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
     vertices,
     attributes,
     order,
+    tangents: mapped && !('TANGENT' in indexes && 'NORMAL' in indexes),
     packed: packed?.bufferView,
   };
 }

@@ -5,7 +5,7 @@ import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoad
 import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
-import { ModelError, type Model, type ModelPart } from '../model.js';
+import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
@@ -40,7 +40,7 @@ export const readGltf: ModelReader = async (source) => {
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return modelOf(await collectParts(scene, slices), textures);
+    return { ...modelOf(await collectParts(scene, slices), textures), dropped: document.dropped };
   } catch (error) {
     void textures.close();
     throw error;
@@ -61,7 +61,7 @@ async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
   const geometries = new Set<BufferGeometry>(parts.map(({ geometry }) => geometry));
-  const maps = new Set<Texture>(parts.flatMap(({ look }) => look.map ?? []));
+  const maps = new Set<Texture>(parts.flatMap(({ look }) => mapsOfLook(look)));
   let disposed = false;
   return {
     parts,

@@ -1,0 +1,64 @@
+// Can a shape be read with nothing but defaults, on a white page and on a black one? And do the README's lights leave its shapes their
+// tones? Tones are in codes; faces are told apart by the picture's most frequent ones.
+
+import { README_PICTURE_SCALE, readmeSnippet } from '../../.ci/readme-picture.mjs';
+import { GEOMETRIES } from '../../src/scene/mesh/shapes/shapes.js';
+import { expect, pixels, test, type Picture } from '../support/test.js';
+
+const size = { width: 240, height: 200 };
+const lightings = [
+  ['without a light', ''],
+  ['under the default light', '<phong-light></phong-light>'],
+] as const;
+
+/** The brightest channel of every pixel that is covered entirely. */
+function tones({ data }: Picture): readonly number[] {
+  const found: number[] = [];
+  for (let i = 0; i < data.length; i += 4)
+    if (data[i + 3] === 255) found.push(Math.max(data[i]!, data[i + 1]!, data[i + 2]!));
+  return found;
+}
+
+const share = (all: readonly number[], which: (tone: number) => boolean): number =>
+  all.filter(which).length / all.length;
+
+for (const [lighting, light] of lightings) {
+  test(`every built-in shape stands out from white and from black ${lighting}`, async ({ mount }) => {
+    for (const geometry of GEOMETRIES) {
+      const viewer = await mount(`<phong-viewer geometry="${geometry}">${light}</phong-viewer>`, size);
+      const found = tones(await pixels(viewer));
+      expect(found.length, geometry).toBeGreaterThan(1000);
+      // A highlight may reach white: a streak along a cone is the largest, at 9 %.
+      expect(
+        share(found, (tone) => tone === 255),
+        `${geometry} is white`,
+      ).toBeLessThan(0.1);
+      expect(
+        share(found, (tone) => tone < 24),
+        `${geometry} is black`,
+      ).toBeLessThan(0.03);
+    }
+  });
+
+  test(`the three visible faces of a box have clearly different tones ${lighting}`, async ({ mount }) => {
+    const viewer = await mount(`<phong-viewer geometry="box" ks="0">${light}</phong-viewer>`, size);
+    const found = tones(await pixels(viewer));
+    const counts = new Map<number, number>();
+    for (const tone of found) counts.set(tone, (counts.get(tone) ?? 0) + 1);
+    const faces = [...counts].sort(([, a], [, b]) => b - a).slice(0, 3).map(([tone]) => tone); // prettier-ignore
+    const [dark, middle, bright] = faces.sort((a, b) => a - b);
+    expect(middle! - dark!).toBeGreaterThan(20);
+    expect(bright! - middle!).toBeGreaterThan(20);
+  });
+}
+
+test("the README's first scene reaches full brightness in the cores of its highlights only", async ({
+  mount,
+}) => {
+  const markup = readmeSnippet().replace(/<script[^]*?<\/script>/, '');
+  const viewer = await mount(markup, { csp: '', width: 760, height: 420 });
+  const found = tones(
+    await pixels(viewer, { width: 760 * README_PICTURE_SCALE, height: 420 * README_PICTURE_SCALE }),
+  );
+  expect(share(found, (tone) => tone === 255)).toBeLessThan(0.005);
+});
