@@ -4,6 +4,7 @@
 
 import { readFileSync } from 'node:fs';
 import { openPage, processesOf } from '../browser.mjs';
+import { builtFrom } from '../build.mjs';
 import { startGpuProcess } from './start.mjs';
 
 /** The element's size: the page shows nothing else. */
@@ -22,7 +23,7 @@ const CATEGORIES = [
 /**
  * @typedef {object} Load what one load of a page took
  * @property {number} ms until the first picture
- * @property {number} task the longest task of the page's main thread, ms
+ * @property {number} task the longest task of the page's main thread until it rests, ms
  * @property {number} memory peak of the page's process and the GPU's, MiB; NaN where the system does not say
  * @property {number} upload the main thread's time inside calls that upload, before the picture, ms
  * @property {number} draw from the end of the uploads to the picture, ms
@@ -34,6 +35,8 @@ const CATEGORIES = [
  * @param {Pick<import('./frames.mjs').Options, 'add'>} options
  */
 export async function measureModel(lab, { file, pages, slow }, launch, { add }) {
+  if (builtFrom(lab.folder).versions['model-viewer'] === undefined)
+    throw new Error('the other viewers were not installed when the pages were built');
   const sides = Object.keys(pages);
   /** @type {Record<string, Load>} */
   const loads = {};
@@ -72,16 +75,21 @@ async function loadOf(lab, path, slow) {
   }
   await browser.startTracing(page, { screenshots: true, categories: CATEGORIES });
   await page.goto(`${lab.origin}/${path}`, { waitUntil: 'commit' });
-  await page.waitForFunction(() => window.modelLoaded === true, undefined, {
-    polling: 100,
-    timeout: PATIENCE_MS,
-  });
+  try {
+    await page.waitForFunction(() => window.modelLoaded === true, undefined, {
+      polling: 100,
+      timeout: PATIENCE_MS,
+    });
+  } finally {
+    check(); // says more than that time is over
+  }
+  let memory = NaN;
   const from = Date.now();
   do {
     await page.waitForTimeout(REST_MS);
+    memory = await peakMemory(browser);
     if (Date.now() - from > PATIENCE_MS) throw new Error('the page shows no model');
   } while ((await sharesOfModel(browser, [(await page.screenshot()).toString('base64')]))[0] !== 1);
-  const memory = await peakMemory(browser);
   const uploads = await page.evaluate(() => window.uploads);
   const trace = readTrace(await browser.stopTracing());
   check();
