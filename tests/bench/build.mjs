@@ -36,8 +36,9 @@ export async function buildPages(folder) {
   }
   const dist = outputFolder('dist');
   const standalone = 'phong-viewer.standalone.js';
-  cpSync(join(dist, standalone), join(folder, 'dist', standalone));
-  cpSync(join(dist, 'chunks'), join(folder, 'dist/chunks'), { recursive: true });
+  // What a page may fetch: all but types and source maps.
+  const filter = (/** @type {string} */ file) => !/[\\/]types$|\.map$/.test(file);
+  cpSync(dist, join(folder, 'dist'), { recursive: true, filter });
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
   await writeModels(join(folder, 'models'));
   const peers = installPeers();
