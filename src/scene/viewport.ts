@@ -16,7 +16,7 @@ import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -77,6 +77,8 @@ export class Viewport implements StageClient, Framed {
     this.#loop = frameLoopOf(view);
     stage.add(this);
     this.#attached = true;
+    if (stage.lost) this.#events.contextLost();
+    else this.#events.contextRestored();
     this.invalidate();
   }
 
@@ -85,10 +87,7 @@ export class Viewport implements StageClient, Framed {
     this.#near = undefined;
     this.#loop?.cancel(this);
     stage.remove(this);
-    // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
-    queueMicrotask(() => {
-      if (!this.#attached) this.#releaseGpu();
-    });
+    this.#releaseUnlessAttached();
   }
 
   get fov(): number {
@@ -212,18 +211,15 @@ export class Viewport implements StageClient, Framed {
     // Before drawing: if that throws, it is tried again only after the next change.
     this.#dirty = false;
     try {
-      this.#bringInStep();
-      stage.draw(this, (renderer) => {
-        this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
-        this.#painter.paint(renderer, this.#view);
-      });
+      if (this.#paint()) {
+        this.#events.painted();
+        this.#frames += 1;
+        this.#events.drawn();
+      } else this.#dirty = true; // drawn once there is a context
       this.materials.sweep();
-      this.#frames += 1;
-      this.#events.drawn();
     } catch (error) {
-      if (!(error instanceof NoWebGL2Error)) throw error;
-      this.#attached = false; // until it is attached again
-      this.#events.contextMissing(error);
+      if (!this.#events.undrawable(error, this.#paint)) throw error;
+      this.redraw();
     } finally {
       this.#events.afterFrame();
     }
@@ -244,6 +240,7 @@ export class Viewport implements StageClient, Framed {
   /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
   capture(width: number, height: number): HTMLCanvasElement {
     this.#bringInStep();
+    this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
       this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height, part);
       this.#painter.paint(renderer, this.#view);
@@ -257,38 +254,56 @@ export class Viewport implements StageClient, Framed {
     this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
-    for (const mesh of this.#tree.meshes) {
-      const owner = ownerOf(mesh);
-      for (const part of mesh.parts) owners.set(part.mesh, owner);
-    }
+    for (const mesh of this.#tree.meshes)
+      for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
     const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
     return { width, height, frame: copyFrame(frame), camera: camera.clone(), objects };
   }
 
   get stats(): ViewportStats {
-    return {
-      ...this.#painter.stats,
-      frames: this.#frames,
-      programs: stage.programs,
-      viewersDrawn: stage.viewersDrawn,
-    };
+    const { programs, viewersDrawn } = stage;
+    return { ...this.#painter.stats, frames: this.#frames, programs, viewersDrawn };
   }
 
   contextLost(): void {
+    this.#dirty = true;
     this.#loop?.cancel(this);
     this.#releaseGpu();
     this.#events.contextLost();
+    this.#events.afterFrame();
   }
 
   contextRestored(): void {
-    this.invalidate();
+    this.#wake();
     this.#events.contextRestored();
+  }
+
+  /** False where there is no context. */
+  readonly #paint = (): boolean => {
+    this.#bringInStep();
+    return stage.draw(this, (renderer) => {
+      this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
+      this.#painter.paint(renderer, this.#view);
+    });
+  };
+
+  contextMissing(error: NoWebGL2Error): void {
+    this.#loop?.cancel(this);
+    this.#events.contextMissing(error);
+    this.#events.afterFrame();
   }
 
   /** Order, matrices and camera of the scene as they are now. */
   #bringInStep(): void {
     this.settle();
     this.#tree.update();
+  }
+
+  /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
+  #releaseUnlessAttached(): void {
+    queueMicrotask(() => {
+      if (!this.#attached) this.#releaseGpu();
+    });
   }
 
   /** Drawing sends everything to the GPU again. */

@@ -1,6 +1,6 @@
 // Is an element in view or near it, and how many device pixels does it cover? Measures once when asked, then follows the
 // observers of the document that it is in; nothing polls. Knows nothing of what the element shows.
-import type { ReactiveController } from 'lit';
+import type { ReactiveController } from '@lit/reactive-element';
 import { type PageObservers, pageOf, type Watcher } from './page-observers.js';
 
 export interface ElementView {

@@ -1,6 +1,6 @@
 // How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Knows
 // neither lights nor meshes.
-import type { ReactiveController } from 'lit';
+import type { ReactiveController } from '@lit/reactive-element';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
 import { newBasis } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
@@ -173,6 +173,8 @@ export class ViewerCamera implements ReactiveController {
     return {
       orbit: viewport.orbit,
       size: () => corners.box,
+      // The whole element, panel included.
+      focusArea: (surface.getRootNode() as ShadowRoot).host,
       fov: () => viewport.fov,
       radiusLimits: () => viewport.zoomLimits,
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),

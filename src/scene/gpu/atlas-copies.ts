@@ -30,7 +30,7 @@ export class AtlasCopies {
    */
   show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: Place): void {
     const known = this.#canvases.get(client);
-    const canvas = known ?? client.holder.ownerDocument.createElement('canvas');
+    const canvas = known ?? this.#newCanvas(client);
     this.#canvases.delete(client);
     this.#canvases.set(client, canvas);
     this.#fresh.add(client);
@@ -46,6 +46,15 @@ export class AtlasCopies {
     context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
     if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);
+  }
+
+  /** A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL context. */
+  #newCanvas(client: CopyClient): HTMLCanvasElement {
+    const canvas = client.holder.ownerDocument.createElement('canvas');
+    canvas.addEventListener('contextrestored', () => {
+      if (this.#canvases.get(client) === canvas) client.invalidate();
+    });
+    return canvas;
   }
 
   /** Releases one copy's pixels now. Garbage collection would release them late. */
