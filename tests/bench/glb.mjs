@@ -1,6 +1,6 @@
 // @ts-check
-// Writes binary glTF: a container, and a triangle mesh as the smallest file that holds it. Positions and normals have no unit; counter-clockwise
-// triangles face outward.
+// Writes binary glTF: the container, and a triangle mesh as the smallest file that holds it. Positions and normals have no unit;
+// counter-clockwise triangles face outward.
 
 /**
  * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array | Uint32Array }} Triangles

@@ -16,7 +16,7 @@ const BABYLON_HOST = 'https://cdn.babylonjs.com';
 
 /** Versions of the packages by name; null where they are not installed and there is no network. @returns {Record<string, string> | null} */
 export function installPeers() {
-  if (!existsSync(packages)) {
+  if (!existsSync(join(packages, '@babylonjs/viewer/dist'))) {
     const npm = process.platform === 'win32' ? 'npm.cmd' : 'npm';
     const args = ['ci', '--legacy-peer-deps', '--ignore-scripts', '--no-audit', '--no-fund'];
     if (spawnSync(npm, args, { cwd: here, stdio: 'ignore', shell: npm.endsWith('.cmd') }).status !== 0)
