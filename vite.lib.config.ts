@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
+import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
@@ -13,7 +14,7 @@ const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, im
 // Text imported with a query is inlined, and so is the Draco decoder: a user's bundler would find no export in it.
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier) return false;
-  return /^(three|lit|@lit\/[^/]+|lil-gui|react)(\/|$)/.test(specifier);
+  return /^(three|@lit\/reactive-element|lil-gui|react)(\/|$)/.test(specifier);
 }
 
 /** dist/react.js imports dist/index.js, so that a page has one copy of the elements. */
@@ -63,7 +64,7 @@ export default defineConfig(({ mode }) => ({
       output: {
         chunkFileNames: 'shared/[name].js',
         minify: true,
-        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }] },
+        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
       },
     },
   },

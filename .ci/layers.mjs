@@ -24,7 +24,7 @@ export const layers = {
   element: {
     layers: ['core', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
     lazy: ['reference'],
-    packages: ['lit'],
+    packages: ['@lit/reactive-element'],
     types: ['three', 'react', 'solid-js', 'svelte', 'vue'],
   },
   gui: {
