@@ -1,6 +1,6 @@
 // The packed lights that some meshes are drawn with, as the GPU reads them: a uniform array while they fit, a float texture
 // beyond. Sends only what changed. Knows neither meshes nor programs.
-import { Texture, Vector2, type WebGLRenderer } from 'three';
+import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
 import { KINDS } from '../light/light-features.js';
 import { emptyPack, type PackedLights } from '../light/pack-lights.js';
@@ -23,9 +23,8 @@ export class LightBuffer {
   #featureKey = '';
   #contentKey = '';
   readonly #id = (buffers += 1);
-  /** Never marked for an upload, so that three.js binds {@link #webglTexture} as it is: its own would ask for anisotropy, and wait. */
-  readonly #texture = new Texture();
-  #webglTexture: WebGLTexture | null = null;
+  /** three.js takes it as it is: a texture of three's own would ask for anisotropy, and wait for the answer. */
+  readonly #texture = new ExternalTexture();
   /** Whose texture it is. three.js replaces a renderer's properties when a lost context is restored. */
   #owner: { readonly renderer: WebGLRenderer; readonly properties: object } | null = null;
   /** Rows that changed since they were sent to the texture: from, and up to but without. */
@@ -80,7 +79,7 @@ export class LightBuffer {
   }
 
   /** Brings the texture in step and returns it. */
-  sendTexture(renderer: WebGLRenderer): Texture {
+  sendTexture(renderer: WebGLRenderer): ExternalTexture {
     const { from, to } = this.#stale;
     const { state, properties } = renderer;
     const isNew = this.#owner?.properties !== properties;
@@ -89,18 +88,16 @@ export class LightBuffer {
     const gl = renderer.getContext() as WebGL2RenderingContext;
     if (isNew) {
       this.dispose();
-      this.#webglTexture = gl.createTexture();
-      // What ExternalTexture does, which three.js has since r180.
-      (properties.get(this.#texture) as { __webglTexture: WebGLTexture }).__webglTexture = this.#webglTexture;
+      this.#texture.sourceTexture = gl.createTexture();
       this.#owner = { renderer, properties };
     }
-    state.bindTexture(gl.TEXTURE_2D, this.#webglTexture as WebGLTexture);
+    state.bindTexture(gl.TEXTURE_2D, this.#texture.sourceTexture as WebGLTexture);
     if (isNew) {
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
       gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXTURE_WIDTH, this.#data.length / (TEXTURE_WIDTH * 4));
     }
-    // three.js keeps track of these since r184; before, it set them for each upload.
+    // three.js keeps track of these since r184. Before, it set them for each upload.
     const unpack = 'pixelStorei' in state ? state : gl;
     unpack.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
     unpack.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
@@ -113,8 +110,8 @@ export class LightBuffer {
   dispose(): void {
     const owner = this.#owner;
     const isThere = owner !== null && owner.properties === owner.renderer.properties;
-    if (isThere) owner.renderer.getContext().deleteTexture(this.#webglTexture);
-    this.#webglTexture = null;
+    if (isThere) owner.renderer.getContext().deleteTexture(this.#texture.sourceTexture);
+    this.#texture.sourceTexture = null;
     this.#owner = null;
   }
 

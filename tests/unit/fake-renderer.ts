@@ -1,6 +1,6 @@
 // As much of three.js's renderer as light data and programs need: textures with the calls that fill them, and programs that compile
 // in the background. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
-import type { Material, Mesh, Texture, WebGLRenderer } from 'three';
+import type { ExternalTexture, Material, Mesh, WebGLRenderer } from 'three';
 
 /** One texSubImage2D: a rectangle of texels. */
 export interface Patch {
@@ -26,11 +26,6 @@ export interface FakeDevice {
 
 const GPU: FakeDevice = { name: 'NVIDIA', tells: true, uniformVectors: 1024 };
 
-/** What three.js knows of a texture. */
-interface Binding {
-  __webglTexture?: object;
-}
-
 export class FakeRenderer {
   patches: Patch[] = [];
   /** Whether programs have linked, and whether they do at all. */
@@ -44,7 +39,6 @@ export class FakeRenderer {
   readonly unpack = new Map<number, number | boolean>();
   /** By the object that stands for a texture in WebGL. */
   readonly #held = new Map<object, Texels>();
-  readonly #bindings = new WeakMap<Texture, Binding>();
   #bound: object = {};
   readonly #programs = new Map<Material, object>();
 
@@ -93,10 +87,8 @@ export class FakeRenderer {
       getContext: () => gl,
       extensions: { has: () => tells },
       properties: {
-        get: (of: Material | Texture) => {
-          if ('isTexture' in of) return this.#bindingOf(of);
-          return this.compiled.includes(of) ? { currentProgram: this.programOf(of) } : {};
-        },
+        get: (material: Material) =>
+          this.compiled.includes(material) ? { currentProgram: this.programOf(material) } : {},
       },
       compile: ({ material }: Mesh) => {
         const one = material as Material;
@@ -111,13 +103,13 @@ export class FakeRenderer {
     return this.#held.size;
   }
 
-  sizeOf(texture: Texture): { width: number; height: number } | undefined {
+  sizeOf(texture: ExternalTexture): { width: number; height: number } | undefined {
     const texels = this.#texelsOf(texture);
     return texels && { width: texels.width, height: texels.height };
   }
 
   /** Texels that the GPU has of a texture; none where it holds nothing. */
-  pixels(texture: Texture): readonly number[] {
+  pixels(texture: ExternalTexture): readonly number[] {
     return [...(this.#texelsOf(texture)?.data ?? [])];
   }
 
@@ -145,14 +137,8 @@ export class FakeRenderer {
     }
   }
 
-  #texelsOf(texture: Texture): Texels | undefined {
-    return this.#held.get(this.#bindingOf(texture).__webglTexture ?? {});
-  }
-
-  #bindingOf(texture: Texture): Binding {
-    const binding = this.#bindings.get(texture) ?? {};
-    this.#bindings.set(texture, binding);
-    return binding;
+  #texelsOf({ sourceTexture }: ExternalTexture): Texels | undefined {
+    return this.#held.get(sourceTexture ?? {});
   }
 
   #texels(): Texels {

@@ -1,7 +1,7 @@
 // Packed lights on their way to the GPU: only what changed is sent, and keys change with exactly what programs depend on.
 
 import fc from 'fast-check';
-import type { Texture } from 'three';
+import type { ExternalTexture } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
@@ -39,7 +39,7 @@ function write(buffer: LightBuffer, next: PackedLights): void {
 }
 
 /** A draw that reads the texture. */
-const draw = (rows: LightBuffer): Texture => rows.sendTexture(gpu.renderer);
+const draw = (rows: LightBuffer): ExternalTexture => rows.sendTexture(gpu.renderer);
 
 /** Rows that the GPU has seen. */
 function settled(count: number): LightBuffer {
