@@ -67,22 +67,37 @@ function pageHtml(source: string, path: string, building: boolean): string {
     .replace('<head>', () => `<head>${head}`)
     .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path))
     .replace('</main>', () => `</main>${footerHtml(path, { version, repository: address })}`)
-    .replace(/<!-- ([a-z]+)(?: ([a-z-]+))? -->/g, (comment, name: string, argument?: string) => {
-      return Object.hasOwn(generated, name) ? generated[name]!(argument ?? '') : comment;
-    });
+    .replace(
+      /<!-- ([a-z]+)(?: ([a-z-]+))? -->/g,
+      (comment: string, name: string, argument?: string) => generated.get(name)?.(argument ?? '') ?? comment,
+    );
 }
 
-const generated: Readonly<Record<string, (argument: string) => string>> = {
-  api: () => apiHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest),
-  releases: () =>
-    releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository),
-  sizes: () => sizesHtml(dist),
-  size: () => {
-    const file = join(dist, 'phong-viewer.standalone.js');
-    return existsSync(file) ? kilobytes(file) : '…';
-  },
-  scene: (name) => readFileSync(join(demo, 'scenes', `${name}.html`), 'utf8'),
-};
+/** What replaces the comments `<!-- name -->` and `<!-- name argument -->`. */
+const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
+  string,
+  (argument: string) => string
+>([
+  ['api', () => apiHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
+  [
+    'releases',
+    () => releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository),
+  ],
+  ['sizes', () => sizesHtml(dist)],
+  [
+    'size',
+    () => {
+      const file = join(dist, 'phong-viewer.standalone.js');
+      return existsSync(file) ? kilobytes(file) : '…';
+    },
+  ],
+  ['scene', sceneHtml],
+  ['panelled', (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui')],
+]);
+
+function sceneHtml(name: string): string {
+  return readFileSync(join(demo, 'scenes', `${name}.html`), 'utf8');
+}
 
 /** A file of dist/ that `npm run manifest` writes; written now if the package has not been built. */
 function readBuilt(name: string): string {
@@ -102,11 +117,11 @@ function documentedAttributes(): Record<string, string[]> {
   const entries = manifest.modules
     .flatMap((module) => module.declarations ?? [])
     .flatMap((declaration) =>
-      'tagName' in declaration && declaration.tagName !== undefined
-        ? [[declaration.tagName, (declaration.attributes ?? []).map(({ name }) => name)] as const]
+      'customElement' in declaration
+        ? [[declaration.tagName ?? '', (declaration.attributes ?? []).map(({ name }) => name)] as const]
         : [],
     );
-  return Object.fromEntries(entries.map(([tag, names]) => [tag, [...names]]));
+  return Object.fromEntries(entries);
 }
 
 function packageFacts(): { readonly version: string; readonly repository: string } {
