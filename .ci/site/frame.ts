@@ -122,7 +122,7 @@ function neighboursHtml(path: string, root: string): string {
     after ? `<a rel="next" href="${root}${after.path}">${after.label} →</a>` : '',
   ];
   return `
-      <nav class="neighbours" aria-label="Next pages">${parts.join('')}</nav>`;
+      <nav class="neighbours" aria-label="Next and previous">${parts.join('')}</nav>`;
 }
 
 function link({ path, label }: Entry, root: string, current: string): string {

@@ -12,6 +12,8 @@ declare module 'virtual:html-data' {
   }
   interface Attribute extends Described {
     readonly values?: readonly Described[];
+    /** `v`: the attribute has no value. */
+    readonly valueSet?: string;
   }
   interface Tag extends Described {
     readonly attributes: readonly Attribute[];

@@ -3,6 +3,7 @@
 import {
   autocompletion,
   completionKeymap,
+  snippetCompletion,
   type Completion,
   type CompletionContext,
   type CompletionResult,
@@ -41,7 +42,12 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
         // Tab keeps moving the focus, so that the keyboard can leave the editor.
         keymap.of([...completionKeymap, ...defaultKeymap, ...historyKeymap]),
         EditorView.lineWrapping,
-        EditorView.contentAttributes.of({ 'aria-label': 'Markup of the scene', translate: 'no' }),
+        EditorView.domEventHandlers({ beforeinput: replaceSelected }),
+        EditorView.contentAttributes.of({
+          'aria-label': 'Markup of the scene',
+          tabindex: '0',
+          translate: 'no',
+        }),
         EditorView.updateListener.of(({ docChanged, state, transactions }) => {
           if (docChanged && !transactions.some((t) => t.annotation(fromPage))) changed(state.doc.toString());
         }),
@@ -66,6 +72,19 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
   };
 }
 
+/**
+ * Replaces a selection by what is typed. Left to the browser, Chromium keeps the colours of the old text in a style attribute,
+ * which the page's policy refuses with a line on the console.
+ */
+function replaceSelected(event: InputEvent, view: EditorView): boolean {
+  const { main, ranges } = view.state.selection;
+  if (event.inputType !== 'insertText' || event.isComposing || event.data === null) return false;
+  if (main.empty || ranges.length > 1) return false;
+  event.preventDefault();
+  view.dispatch(view.state.replaceSelection(event.data), { userEvent: 'input.type', scrollIntoView: true });
+  return true;
+}
+
 const highlighting = HighlightStyle.define([
   { tag: kinds.tagName, fontWeight: '600' },
   { tag: kinds.attributeValue, color: 'var(--ambient)' },
@@ -88,7 +107,7 @@ const theme = EditorView.theme({
 /** Characters before the cursor that are searched for the tag it is in. Longer tags are not completed. */
 const LOOK_BACK = 2000;
 
-function complete({ state, pos, explicit }: CompletionContext): CompletionResult | null {
+function complete({ state, pos }: CompletionContext): CompletionResult | null {
   const before = state.sliceDoc(Math.max(0, pos - LOOK_BACK), pos);
   const tag = /<([\w-]*)$/.exec(before);
   if (tag)
@@ -110,19 +129,17 @@ function complete({ state, pos, explicit }: CompletionContext): CompletionResult
     );
   }
   const attribute = /\s([\w-]*)$/.exec(rest);
-  if (
-    attribute === null ||
-    rest.split('"').length % 2 === 0 ||
-    (attribute[1] === '' && !explicit && !/\s$/.test(rest))
-  )
-    return null;
+  const insideQuotes = rest.split('"').length % 2 === 0;
+  if (attribute === null || insideQuotes) return null;
   const written = new Set(Array.from(rest.matchAll(/([\w-]+)=/g), (match) => match[1]));
   const left = element.attributes.filter((a) => !written.has(a.name));
-  return options(
-    pos,
-    attribute[1]!,
-    left.map((a) => ({ ...completion(a, 'property'), apply: `${a.name}=""` })),
-  );
+  return options(pos, attribute[1]!, left.map(attributeCompletion));
+}
+
+/** Puts the cursor between the quotes. */
+function attributeCompletion(attribute: (typeof tags)[number]['attributes'][number]): Completion {
+  const plain = completion(attribute, 'property');
+  return attribute.valueSet === 'v' ? plain : snippetCompletion(`${attribute.name}="#{}"`, plain);
 }
 
 function options(pos: number, typed: string, list: readonly Completion[]): CompletionResult | null {

@@ -1,7 +1,22 @@
 // Do the demo's pages still show what they showed? Every viewer of every page, drawn small and laid side by side.
 import { compare, expect, expectPicture, pixels, test, type Picture } from '../support/test.js';
 
-const PAGES = ['', 'bunny/', 'shapes/', 'article/', 'lights/', 'explain/'];
+const PAGES = [
+  '',
+  'bunny/',
+  'shapes/',
+  'article/',
+  'lights/',
+  'explain/',
+  'gallery/',
+  'guide/lights/',
+  'guide/spots/',
+  'guide/camera/',
+  'guide/materials/',
+  'guide/models/',
+  'guide/accuracy/',
+  'guide/speed/',
+];
 const TILE = { width: 160, height: 120 };
 const COLUMNS = 6;
 
@@ -21,7 +36,7 @@ function contactSheet(tiles: readonly Picture[]): Picture {
 }
 
 for (const path of PAGES) {
-  const name = path === '' ? 'landing' : path.slice(0, -1);
+  const name = path === '' ? 'landing' : path.slice(0, -1).replace('/', '-');
   test(`shows the ${name} page as it was, under a strict policy`, async ({ page }) => {
     test.setTimeout(120_000);
     await page.goto(`/demo/${path}`);
