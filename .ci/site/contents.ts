@@ -30,8 +30,8 @@ export const guide: readonly Entry[] = [
 
 /** The pages that the guide builds on. */
 export const closerLooks: readonly Entry[] = [
-  { path: 'article/', label: 'The Phong equation' },
-  { path: 'explain/', label: 'A fragment' },
+  { path: 'article/', label: 'Equation' },
+  { path: 'explain/', label: 'Fragment' },
   { path: 'shapes/', label: 'Shapes' },
   { path: 'lights/', label: 'Many lights' },
   { path: 'bunny/', label: 'Bunny' },

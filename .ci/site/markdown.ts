@@ -16,7 +16,7 @@ export function inlineHtml(text: string, base = ''): string {
 function words(text: string, base: string): string {
   return escapeHtml(text)
     .replace(/\*\*([^*]+)\*\*/g, '<b>$1</b>')
-    .replace(/\[([^\]]+)\]\(((?:https?:\/\/|[\w./#])[^)\s]*)\)/g, (_, label: string, href: string) => {
+    .replace(/\[([^\]]+)\]\((https?:\/\/[^)\s]*|[\w./#][^):\s]*)\)/g, (_, label: string, href: string) => {
       const address = /^https?:/.test(href) ? href : base + href;
       return `<a href="${address}">${label}</a>`;
     });

@@ -173,7 +173,9 @@ test('files of another host are fetched after a click, and only from the host th
     await expect(page.locator('.cm-content')).toBeVisible();
     await expect(page.locator('#gate')).toContainText(`files from ${HOST}.`);
     await page.locator('phong-viewer').press('ArrowLeft');
-    await page.waitForTimeout(600);
+    await expect
+      .poll(() => page.locator('phong-viewer').evaluate((v) => Reflect.get(v, 'camera').theta as number))
+      .not.toBe(5);
     expect(await page.locator('.cm-content').textContent(), 'the source is not lost').toContain(HOST);
     expect(fetched).toEqual([]);
     await page.getByRole('button', { name: 'Load them' }).click();
@@ -186,6 +188,8 @@ test('files of another host are fetched after a click, and only from the host th
     await expect(page.locator('#gate')).toContainText('files from https://second.example.');
     expect(fetched.filter((url) => url.includes('second'))).toEqual([]);
   } finally {
+    // Ends what the page is still fetching.
+    await page.goto('about:blank');
     await site.close();
   }
 });
