@@ -11,11 +11,41 @@ in vec4 vColor;
 #ifdef HAS_ALPHA_MASK
 uniform float uAlphaCutoff;
 #endif
+#ifdef HAS_EMISSIVE
+uniform vec3 uEmissive;
+#endif
+#ifdef HAS_EMISSIVE_MAP
+uniform sampler2D uEmissiveMap;
+in vec2 vEmissiveMapUv;
+#endif
+#ifdef HAS_METAL_ROUGH_MAP
+uniform sampler2D uMetalRoughMap; // green: roughness, blue: metalness
+in vec2 vMetalRoughMapUv;
+#endif
+#if defined(HAS_METALNESS) || defined(IS_UNLIT)
+uniform vec3 uBaseColor; // otherwise a factor of uKa and uKd already
+#endif
+#ifdef HAS_METALNESS
+uniform float uMetalness;
+uniform float uLobeScale;
+#endif
+#ifdef HAS_ROUGHNESS
+uniform float uRoughness;
+#endif
+#ifdef HAS_NORMAL_MAP
+uniform sampler2D uNormalMap;
+uniform float uNormalScale;
+in vec2 vNormalMapUv;
+in vec4 vTangent;
+#endif
 
-#ifdef SHADING_GOURAUD
-in vec3 vFrontBase;
+#ifdef IS_UNLIT
+#elif defined(SHADING_GOURAUD)
+in vec3 vFrontAmbient;
+in vec3 vFrontDiffuse;
 in vec3 vFrontSpecular;
-in vec3 vBackBase;
+in vec3 vBackAmbient;
+in vec3 vBackDiffuse;
 in vec3 vBackSpecular;
 #else
 uniform vec3 uEye;
@@ -62,15 +92,57 @@ void main() {
   base.a = 1.0;
 #endif
 
-#ifdef SHADING_GOURAUD
-  vec3 color = base.rgb * (gl_FrontFacing ? vFrontBase : vBackBase) + (gl_FrontFacing ? vFrontSpecular : vBackSpecular);
+#ifdef IS_UNLIT
+  vec3 color = base.rgb * uBaseColor;
 #else
-  vec3 normal = gl_FrontFacing ? vNormal : -vNormal;
+  vec3 kd = base.rgb;
+  vec3 ks = vec3(1.0);
+#ifdef HAS_METAL_ROUGH_MAP
+  vec3 metalRough = texture(uMetalRoughMap, vMetalRoughMapUv).rgb;
+#endif
+#ifdef HAS_ROUGHNESS
+  float n = exponentOfRoughness(uRoughness * metalRough.g);
+  float scale = lobeScale(n);
+  ks *= scale;
+#endif
+#ifdef HAS_METALNESS
+  float m = uMetalness;
+#ifdef HAS_METAL_ROUGH_MAP
+  m *= metalRough.b;
+#endif
+#ifndef HAS_ROUGHNESS
+  float scale = uLobeScale;
+#endif
+  kd *= 1.0 - m;
+  ks = mix(vec3(scale), base.rgb * uBaseColor, m);
+#endif
+#ifdef SHADING_GOURAUD
+  vec3 color = gl_FrontFacing
+    ? base.rgb * vFrontAmbient + kd * vFrontDiffuse + ks * vFrontSpecular
+    : base.rgb * vBackAmbient + kd * vBackDiffuse + ks * vBackSpecular;
+#else
+#ifndef HAS_ROUGHNESS
+  float n = uShininess;
+#endif
+#ifdef HAS_NORMAL_MAP
+  vec3 normal = mappedNormal(vNormal, vTangent, texture(uNormalMap, vNormalMapUv).xyz, uNormalScale);
+#else
+  vec3 normal = vNormal;
+#endif
+  normal = gl_FrontFacing ? normal : -normal;
 #ifdef FILTER_HIGHLIGHTS
-  vec3 color = surfaceColor(vPosition, normal, uEye, base.rgb * uKa, base.rgb * uKd, uKs, uShininess);
+  vec3 color = surfaceColor(vPosition, normal, uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
 #else
   // Interpolated between unit vectors: shorter, and zero where they cancel.
-  vec3 color = unitSurfaceColor(vPosition, unitInRange(normal), uEye, base.rgb * uKa, base.rgb * uKd, uKs, uShininess);
+  vec3 color = unitSurfaceColor(vPosition, unitInRange(normal), uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
+#endif
+#endif
+#ifdef HAS_EMISSIVE
+  vec3 emissive = uEmissive;
+#ifdef HAS_EMISSIVE_MAP
+  emissive *= decodeBase(texture(uEmissiveMap, vEmissiveMapUv)).rgb;
+#endif
+  color += emissive;
 #endif
 #endif
 #ifdef IS_LINEAR

@@ -2,6 +2,7 @@
 // registry. They render nothing themselves.
 import type { FieldStore } from '../fields/field-store.js';
 import { type ChildRegistry, registryAround } from './child-registry.js';
+import { inspect } from './diagnosis/inspect.js';
 import { FieldBinding } from './fields/field-binding.js';
 
 /** Importing this file where there is no DOM does nothing. */
@@ -20,13 +21,14 @@ export abstract class ChildElement<V extends object> extends Base {
   readonly #binding: Pick<FieldBinding<object>, 'attributeChanged' | 'upgrade'>;
   #registry: ChildRegistry | null = null;
 
-  constructor(store: FieldStore<V>) {
+  constructor(store: FieldStore<V>, assigned?: (key: keyof V) => void) {
     super();
-    this.#binding = new FieldBinding(this, store);
+    this.#binding = new FieldBinding(this, store, assigned);
   }
 
   connectedCallback(): void {
     this.#register();
+    inspect(this);
   }
 
   /** A child that is removed together with its viewer stays registered. */

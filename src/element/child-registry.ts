@@ -1,5 +1,6 @@
 // Which elements belong to which viewer? Each light and mesh registers with the nearest enclosing <phong-viewer>, at any
-// depth and across shadow roots. A viewer that is not upgraded yet finds them when it is. Knows neither lights nor meshes.
+// depth and across shadow roots, but not from the content of a slot (slot="error"). A viewer that is not upgraded yet finds
+// them when it is. Knows neither lights nor meshes.
 
 /** A viewer's response to its children. Called synchronously. */
 export interface ChildListener {
@@ -19,18 +20,22 @@ export function registryOf(viewer: Element): ChildRegistry {
   return registry;
 }
 
-/** The registry of the nearest viewer around `element`; null outside any viewer. */
+/** The registry of the nearest viewer around `element`; null outside any viewer and in the content of its slots. */
 export function registryAround(element: Element): ChildRegistry | null {
-  for (let inner: Element | null = element; inner !== null; inner = hostOf(inner)) {
+  for (let inner: Element | undefined = element; inner !== undefined; inner = shadowTreeOf(inner)?.host) {
     const viewer = inner.closest('phong-viewer');
-    if (viewer !== null) return registryOf(viewer);
+    if (viewer === null) continue;
+    return inner.closest('phong-viewer > [slot]:not([slot=""])')?.parentElement === viewer
+      ? null
+      : registryOf(viewer);
   }
   return null;
 }
 
-function hostOf(element: Element): Element | null {
+/** The shadow tree that contains `element`, or null. Not by `instanceof`: another window has a class of its own. */
+function shadowTreeOf(element: Element): ShadowRoot | null {
   const root = element.getRootNode();
-  return root instanceof ShadowRoot ? root.host : null;
+  return root.nodeType === Node.DOCUMENT_FRAGMENT_NODE && 'host' in root ? (root as ShadowRoot) : null;
 }
 
 export class ChildRegistry {
@@ -95,10 +100,10 @@ function shadowTrees(children: ReadonlySet<HTMLElement>, viewer: Element): Map<E
   const trees = new Map<Element, ShadowRoot>();
   const outermost = viewer.getRootNode();
   for (const child of children) {
-    let root = child.getRootNode();
-    while (root !== outermost && root instanceof ShadowRoot && !trees.has(root.host)) {
-      trees.set(root.host, root);
-      root = root.host.getRootNode();
+    let tree = shadowTreeOf(child);
+    while (tree !== null && tree !== outermost && !trees.has(tree.host)) {
+      trees.set(tree.host, tree);
+      tree = shadowTreeOf(tree.host);
     }
   }
   return trees;

@@ -2,6 +2,7 @@
 // parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full
 // colour). Knows neither the DOM nor the purpose of a value.
 import type { Vec3, Vec4 } from '../math/vector.js';
+import { clip } from './clip.js';
 
 /** How a value is written as text; selects the element's parser and formatter. */
 export type FieldKind = 'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words';
@@ -13,6 +14,8 @@ export interface Field<T> {
   readonly word?: string;
   /** The meaning of the empty attribute, if it has one: `crossorigin` alone means `anonymous`. */
   readonly empty?: T;
+  /** The words to choose from, if the value is one of several. */
+  readonly choices?: readonly string[];
   /** The default: used if nothing, or nothing valid, is given. Frozen. */
   readonly fallback: T;
   /** The domain as a noun phrase, for warnings and errors: "a number from 0 to 180". */
@@ -41,11 +44,21 @@ function rangeWords({ min, max, above, integer }: Range): string {
   return kind;
 }
 
-function show(value: unknown): string {
-  if (typeof value === 'string') return JSON.stringify(value);
-  if (Array.isArray(value)) return `[${value.map(show).join(', ')}]`;
+/** Items of a list that a message repeats. */
+const ITEMS_SHOWN = 5;
+
+/** A value in a message, clipped. Lists in lists, which may contain themselves, are objects. */
+export function show(value: unknown): string {
+  if (!Array.isArray(value)) return showItem(value);
+  const rest = value.length > ITEMS_SHOWN ? ', …' : '';
+  return `[${value.slice(0, ITEMS_SHOWN).map(showItem).join(', ')}${rest}]`;
+}
+
+function showItem(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(clip(value));
+  if (typeof value === 'function') return 'a function';
   if (typeof value === 'object' && value !== null) return 'an object';
-  return String(value);
+  return clip(String(value));
 }
 
 const wrong = (expected: string, value: unknown): TypeError =>
@@ -169,6 +182,7 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
   const expected = `one of ${choices.map((c) => (c === '' ? '(empty)' : c)).join(', ')}`;
   return {
     kind: 'choice',
+    choices,
     fallback,
     expected,
     check(value) {
@@ -180,6 +194,9 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
   };
 }
 
+/** Words that a list may repeat. An empty list of length 2^32 - 1 would take 32 GB once it is spread. */
+const MOST_WORDS = 1000;
+
 /** Any subset of the choices, in the choices' order, each once. */
 export function subsetField<T extends string>(choices: readonly T[]): Field<readonly T[]> {
   const expected = `any of ${choices.join(', ')}`;
@@ -189,7 +206,8 @@ export function subsetField<T extends string>(choices: readonly T[]): Field<read
     expected,
     check(value) {
       // Spread first: holes become undefined, which is no word.
-      const words: readonly unknown[] | null = Array.isArray(value) ? [...(value as unknown[])] : null;
+      const words: readonly unknown[] | null =
+        Array.isArray(value) && value.length <= MOST_WORDS ? [...(value as unknown[])] : null;
       if (words?.every((word) => typeof word === 'string') !== true) throw wrong(expected, value);
       const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
       if (stray !== undefined) throw new RangeError(`expected ${expected}, got ${show(stray)}`);

@@ -1,10 +1,10 @@
 // The lights of one picture on their way to its materials: packs them when lights, origin or colour space changed, collects
 // the features that programs need, and holds what all materials of the picture share. Knows neither meshes' shapes nor frames.
-import { type Camera, type Mesh, Vector3, type WebGLRenderer } from 'three';
+import { type Camera, Matrix4, type Mesh, Vector3, type WebGLRenderer } from 'three';
 import { type DeclaredFeatures, declareFeatures, noFeatures } from '../light/light-features.js';
 import { LightSet } from '../light/light-set.js';
 import { packLights, type PackedLights } from '../light/pack-lights.js';
-import type { Vec3 } from '../math/vector.js';
+import { dot, type Vec3 } from '../math/vector.js';
 import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
@@ -43,6 +43,8 @@ export class PhongLighting {
   readonly lights: LightSet;
   /** Uniform `uEye`, shared by all materials. */
   readonly eye = { value: new Vector3() };
+  /** Uniform `uShadingToClip`, shared by all materials; see {@link aim}. */
+  readonly clip = { value: new Matrix4() };
   /** What any light declared so far needs. Only ever grows. */
   readonly declared: DeclaredFeatures = noFeatures();
   /** Specialised programs of this picture. */
@@ -63,6 +65,12 @@ export class PhongLighting {
   #uploads = 0;
   /** The version of each buffer that was last sent. */
   readonly #uploaded = new WeakMap<LightBuffer, number>();
+  /** Shading space to the view of the frame's own camera. */
+  readonly #frameView = new Matrix4();
+  #frameCamera: Camera | null = null;
+  /** Goes up with {@link clip}. */
+  #aims = 0;
+  readonly #aimed = { view: new Matrix4(), projection: new Matrix4() };
   readonly #worldToShading = identity();
   readonly #cameraToShading = identity();
 
@@ -119,9 +127,19 @@ export class PhongLighting {
     });
   }
 
-  /** The same from a camera whose eye is known relative to the origin, more precisely than world coordinates can say. */
-  updateFrame(frame: ShadingFrame): void {
-    const { origin, eye } = frame;
+  /**
+   * The same from a frame whose eye is known relative to the origin, more precisely than world coordinates can say. `camera`
+   * is the one that stands there: vertices are then placed by the frame, not by its matrices.
+   */
+  updateFrame(frame: ShadingFrame, camera: Camera | null = null): void {
+    const { origin, eye, right, up, back } = frame;
+    this.#frameCamera = camera;
+    this.#frameView.set(
+      ...[right[0], right[1], right[2], -dot(right, eye)],
+      ...[up[0], up[1], up[2], -dot(up, eye)],
+      ...[back[0], back[1], back[2], -dot(back, eye)],
+      ...[0, 0, 0, 1],
+    );
     const before = this.#origin;
     const moved = origin[0] !== before[0] || origin[1] !== before[1] || origin[2] !== before[2];
     this.#origin = [origin[0], origin[1], origin[2]];
@@ -144,6 +162,17 @@ export class PhongLighting {
     packLights(this.lights.values, space, all.packed);
     this.#meshLights.changed();
     this.#changed = all.version !== version;
+  }
+
+  /** Before each draw: brings {@link clip} in step with `camera`. The result differs from the last one's if it changed. */
+  aim(camera: Camera): number {
+    const { view: last, projection } = this.#aimed;
+    const seen = camera === this.#frameCamera ? this.#frameView : this.#viewOf(camera);
+    if (last.equals(seen) && projection.equals(camera.projectionMatrix)) return this.#aims;
+    last.copy(seen);
+    projection.copy(camera.projectionMatrix);
+    this.clip.value.multiplyMatrices(projection, last);
+    return (this.#aims += 1);
   }
 
   /** The lights that `mesh` is drawn with. Its world matrix must be up to date. */
@@ -209,6 +238,12 @@ export class PhongLighting {
     this.#device = null;
   }
 
+  /** Shading space to a camera's view, by its matrices. */
+  #viewOf({ matrixWorldInverse }: Camera): Matrix4 {
+    const [x, y, z] = this.#origin;
+    return view.makeTranslation(x, y, z).premultiply(matrixWorldInverse);
+  }
+
   #declare(): void {
     const { kindVersion, values } = this.lights;
     if (this.#kindVersion === kindVersion) return;
@@ -253,6 +288,9 @@ function deviceOf(renderer: WebGLRenderer): Device {
   devices.set(renderer, device);
   return device;
 }
+
+/** Overwritten by each call of `#viewOf`. */
+const view = new Matrix4();
 
 const X: Vec3 = [1, 0, 0];
 const Y: Vec3 = [0, 1, 0];

@@ -16,14 +16,15 @@ import {
   Vector3,
 } from 'three';
 import { srgbDecode } from '../math/color.js';
-import type { Vec3 } from '../math/vector.js';
+import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
+import { type FileSurface, lobeScale, NO_FILE_SURFACE } from './file-surface.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
-import { ProgramChoice } from './program/program-choice.js';
+import { ProgramChoice, usesRoughnessMap } from './program/program-choice.js';
 import {
   type AlphaMode,
   type Antialias,
@@ -34,8 +35,8 @@ import {
   type Variant,
 } from './program/variant.js';
 
-/** What a file says about a surface's colour: it multiplies Ka and Kd. */
-export interface BaseLook {
+/** What a file says about a surface. Its base colour multiplies Ka and Kd. */
+export interface BaseLook extends FileSurface {
   /** Encoded sRGB, 0–1. */
   readonly baseColor: Vec3;
   readonly opacity: number;
@@ -52,6 +53,7 @@ export const PLAIN_LOOK: BaseLook = {
   alphaCutoff: 0.5,
   map: null,
   vertexColors: false,
+  ...NO_FILE_SURFACE,
 };
 
 /** How a surface is shaded, besides its colours. `flat` needs a geometry that carries the triangles' own normals. */
@@ -106,21 +108,24 @@ export class PhongMaterial extends RawShaderMaterial {
   #variant: Variant | null = null;
   readonly #model = new Matrix4();
   #placed: Mesh | null = null;
+  #aim = 0;
   readonly #uniforms;
 
-  constructor(lighting: PhongLighting, look: BaseLook = PLAIN_LOOK) {
+  /** What `look` leaves out is as in a file that says nothing. */
+  constructor(lighting: PhongLighting, given: Partial<BaseLook> = PLAIN_LOOK) {
+    const look = { ...PLAIN_LOOK, ...given };
     const uniforms = {
+      ...fileUniforms(look),
       uModelToShading: { value: new Matrix4() },
       uNormalToShading: { value: new Matrix3() },
       uEye: lighting.eye,
+      uShadingToClip: lighting.clip,
       uKa: { value: new Vector3() },
       uKd: { value: new Vector3() },
       uKs: { value: new Vector3() },
       uShininess: { value: 0 },
       uOpacity: { value: look.opacity },
       uAlphaCutoff: { value: look.alphaCutoff },
-      uMap: { value: look.map },
-      uMapTransform: { value: look.map?.matrix ?? new Matrix3() },
       // three.js sends a uniform array whether it changed or not, unless needsUpdate is false.
       uLightRows: { value: new Float32Array(4) as Float32Array, needsUpdate: true },
       uLightTexture: { value: null as Texture | null },
@@ -201,8 +206,10 @@ export class PhongMaterial extends RawShaderMaterial {
       uLightTextureScale.value.copy(lights.textureScale);
     }
     const sameMesh = this.#place(mesh);
-    // three.js sends a material's uniforms once per frame; meshes after the first need theirs sent again.
-    this.uniformsNeedUpdate = !sameMesh || uLightRows.needsUpdate;
+    const aim = this.#lighting.aim(camera);
+    // three.js sends a material's uniforms once per frame; meshes and cameras after the first need theirs sent again.
+    this.uniformsNeedUpdate = !sameMesh || aim !== this.#aim || uLightRows.needsUpdate;
+    this.#aim = aim;
   }
 
   /** Frees the material's programs; drawing makes them again. */
@@ -237,16 +244,20 @@ export class PhongMaterial extends RawShaderMaterial {
     e[12] -= origin[0];
     e[13] -= origin[1];
     e[14] -= origin[2];
-    const { uModelToShading, uNormalToShading } = this.#uniforms;
+    const { uModelToShading, uNormalToShading, uMirrored } = this.#uniforms;
     const last = uModelToShading.value;
-    if (!last.equals(model)) normalMatrix(last.copy(model), uNormalToShading.value);
+    if (!last.equals(model)) {
+      normalMatrix(last.copy(model), uNormalToShading.value);
+      uMirrored.value = model.determinant() < 0 ? -1 : 1;
+    }
     const same = mesh === this.#placed;
     this.#placed = mesh;
     return same;
   }
 
   #writeSurface(): void {
-    const { uKa, uKd, uKs, uShininess } = this.#uniforms;
+    const { uKa, uKd, uKs, uShininess, uBaseColor, uEmissive, uLobeScale } = this.#uniforms;
+    const { look } = this;
     const linear = (this.#linear = this.linear);
     const { terms } = this.#style;
     const { ka, kd, ks, shininess } = this.#surface;
@@ -256,10 +267,40 @@ export class PhongMaterial extends RawShaderMaterial {
       if (terms.includes(term)) into.set(channel(0), channel(1), channel(2));
       else into.set(...BLACK);
     };
-    write(uKa.value, 'ambient', ka, this.look.baseColor);
-    write(uKd.value, 'diffuse', kd, this.look.baseColor);
+    write(uKa.value, 'ambient', ka, look.baseColor);
+    write(uKd.value, 'diffuse', kd, look.baseColor);
     write(uKs.value, 'specular', ks, PLAIN_LOOK.baseColor);
     uShininess.value = shininess;
+    const decode = (v: Vec3): Vec3 => (linear ? map(v, srgbDecode) : v);
+    uBaseColor.value.set(...decode(look.baseColor));
+    uEmissive.value.set(...decode(look.emissive));
+    uLobeScale.value = look.roughness === null ? 1 : lobeScale(shininess);
+    // Where the shader does not scale Ks itself.
+    if (!(look.metalness > 0) && !usesRoughnessMap(look, this.#style))
+      uKs.value.multiplyScalar(uLobeScale.value);
     this.#programs.describe(this.#style, this.#surface);
   }
+}
+
+/** Uniforms of what a file says; those of a map that a program does not sample are never sent. */
+function fileUniforms(look: BaseLook) {
+  const { map, emissiveMap, metalRoughMap, normalMap } = look;
+  const transform = (texture: Texture | null) => ({ value: texture?.matrix ?? new Matrix3() });
+  return {
+    uMap: { value: map },
+    uMapTransform: transform(map),
+    uEmissiveMap: { value: emissiveMap },
+    uEmissiveMapTransform: transform(emissiveMap),
+    uMetalRoughMap: { value: metalRoughMap },
+    uMetalRoughMapTransform: transform(metalRoughMap),
+    uNormalMap: { value: normalMap },
+    uNormalMapTransform: transform(normalMap),
+    uNormalScale: { value: look.normalScale },
+    uMirrored: { value: 1 },
+    uBaseColor: { value: new Vector3() },
+    uEmissive: { value: new Vector3() },
+    uMetalness: { value: look.metalness },
+    uRoughness: { value: look.roughness ?? 1 },
+    uLobeScale: { value: 1 },
+  };
 }

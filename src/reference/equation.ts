@@ -37,6 +37,14 @@ export interface Surface {
   readonly shininess: number;
   /** Multiplies Ka and Kd; encoded sRGB, 0–1. Default 1 1 1. */
   readonly baseColor?: Vec3;
+  /** m, 0–1: Kd is multiplied by 1 − m, and Ks by 1 − m + m · baseColor. Default 0. */
+  readonly metalness?: number;
+  /** The share of Ks that the part 1 − m keeps; see `lobeScale`. 0–1, default 1. */
+  readonly lobeScale?: number;
+  /** E, added once to the sum over the lights. Encoded sRGB; default black. */
+  readonly emissive?: Vec3;
+  /** The colour is the base colour, without any light. Default false. */
+  readonly unlit?: boolean;
 }
 
 /** The eye's axes in world space, for lights with `space: 'camera'`. */
@@ -86,6 +94,7 @@ export interface Shaded {
 }
 
 const BLACK: Vec3 = [0, 0, 0];
+const WHITE: Vec3 = [1, 1, 1];
 
 export function shade(
   fragment: Fragment,
@@ -98,11 +107,43 @@ export function shade(
   const shares = lights.map((light) =>
     light.active ? share(light, fragment, N, V, surface, options) : null,
   );
-  let sum = BLACK;
-  for (const s of shares) if (s !== null) sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
-  if (options.linear === true) sum = map(sum, srgbEncode);
-  return { N, V, sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)), shares };
+  return { N, V, ...sumOf(shares, surface, options.linear), shares };
 }
+
+/** The sum over the lights and what the surface adds itself. */
+export function sumOf(
+  shares: readonly (Pick<LightShare, 'ambient' | 'diffuse' | 'specular'> | null)[],
+  { unlit = false, baseColor = WHITE, emissive = BLACK }: Surface,
+  linear = false,
+): Pick<Shaded, 'sum' | 'color'> {
+  let sum = unlit ? decoded(baseColor, linear) : decoded(emissive, linear);
+  for (const s of unlit ? [] : shares)
+    if (s !== null) sum = add(add(add(sum, s.ambient), s.diffuse), s.specular);
+  if (linear) sum = map(sum, srgbEncode);
+  return { sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)) };
+}
+
+/** Ka, Kd and Ks as they enter the sum: 0–1, with base colour and metalness, decoded if shading is linear. */
+export function coefficientsOf(surface: Surface, linear = false): Record<'ka' | 'kd' | 'ks', Vec3> {
+  const { baseColor = WHITE, metalness = 0, lobeScale = 1, unlit = false } = surface;
+  if (unlit) return { ka: BLACK, kd: BLACK, ks: BLACK };
+  const base = decoded(baseColor, linear);
+  const k = (c255: Vec3): Vec3 =>
+    decoded(
+      map(c255, (c) => c / 255),
+      linear,
+    );
+  return {
+    ka: multiply(k(surface.ka), base),
+    kd: scale(multiply(k(surface.kd), base), 1 - metalness),
+    ks: multiply(
+      k(surface.ks),
+      map(base, (b) => (1 - metalness) * lobeScale + metalness * b),
+    ),
+  };
+}
+
+const decoded = (v: Vec3, linear: boolean): Vec3 => (linear ? map(v, srgbDecode) : v);
 
 function share(
   light: Readonly<LightValues>,
@@ -130,10 +171,11 @@ function share(
   const y = reflection === 'phong' ? halfChord(R, V) : halfChord(N, H);
   const spec = NoL > 0 ? power(RoV, y, surface.shininess) : 0;
 
-  const color = (c255: Vec3): Vec3 => map(scale(c255, 1 / 255), linear ? srgbDecode : (x) => x);
-  const base = map(surface.baseColor ?? [1, 1, 1], linear ? srgbDecode : (x) => x);
+  const { ka, kd, ks } = coefficientsOf(surface, linear);
   const term = (name: (typeof terms)[number], k: Vec3, i: Vec3, factor: number): Vec3 =>
-    insideCone && terms.includes(name) ? scale(multiply(color(k), color(i)), factor * decay) : BLACK;
+    insideCone && terms.includes(name)
+      ? scale(multiply(k, decoded(scale(i, 1 / 255), linear)), factor * decay)
+      : BLACK;
   return {
     L,
     d: positional ? d : Infinity,
@@ -143,9 +185,9 @@ function share(
     decay,
     NoL,
     RoV,
-    ambient: multiply(base, term('ambient', surface.ka, light.ambient, 1)),
-    diffuse: multiply(base, term('diffuse', surface.kd, light.diffuse, att * Math.max(NoL, 0))),
-    specular: term('specular', surface.ks, light.specular, att * spec),
+    ambient: term('ambient', ka, light.ambient, 1),
+    diffuse: term('diffuse', kd, light.diffuse, att * Math.max(NoL, 0)),
+    specular: term('specular', ks, light.specular, att * spec),
   };
 }
 

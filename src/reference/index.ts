@@ -3,10 +3,12 @@ export { LightState, type LightSpace, type LightValues } from '../light/light-st
 export type { Vec3, Vec4 } from '../math/vector.js';
 export {
   type CameraAxes,
+  coefficientsOf,
   type Fragment,
   type LightShare,
   type ReferenceOptions,
   shade,
   type Shaded,
+  sumOf,
   type Surface,
 } from './equation.js';

@@ -21,7 +21,7 @@ export class Painter {
 
   /** Draws what `view` was last aimed at. */
   paint(renderer: WebGLRenderer, { camera, frame }: ViewCamera): void {
-    this.lighting.updateFrame(frame);
+    this.lighting.updateFrame(frame, camera);
     renderer.render(this.scene, camera);
     this.#drawCalls = renderer.info.render.calls;
   }

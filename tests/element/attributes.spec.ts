@@ -239,3 +239,105 @@ test('each element and each value is warned of on its own, once', async ({ mount
     });
   expect(warnings.length).toBeLessThanOrEqual(3);
 });
+
+test('a warning repeats no more than a part of a long value', async ({ mount, consoleGuard }) => {
+  const warnings = consoleGuard.allow(/^warning: <phong-light> (cutoff|diffuse|space)/, 3);
+  const light = (await mount('<phong-viewer><phong-light></phong-light></phong-viewer>')).locator(
+    'phong-light',
+  );
+  await light.evaluate((element) => {
+    for (const key of ['cutoff', 'diffuse', 'space']) element.setAttribute(key, `${'😀'.repeat(5e4)}"`);
+  });
+  expect(warnings).toHaveLength(3);
+  for (const text of warnings) {
+    expect(text.length).toBeLessThan(400);
+    expect(text).toMatch(/="(😀){50}…": expected .*; using .* instead\.$/u);
+  }
+});
+
+test('what was set before the upgrade may be an object without text', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/^warning: <phong-light> \w+=an object: expected/, 3);
+  await page.goto(site.page('<phong-viewer><phong-light></phong-light></phong-viewer>'));
+  await page.evaluate(() => {
+    const light = document.querySelector('phong-light');
+    for (const key of ['name', 'diffuse', 'cutoff']) Reflect.set(light!, key, Object.create(null));
+  });
+  await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js' });
+  expect(await page.evaluate(() => document.querySelector('phong-viewer')?.lights[0]?.diffuse)).toEqual([255, 255, 255]); // prettier-ignore
+});
+
+test('text that is too long or too deep to be a colour never reaches the browser', async ({
+  page,
+  mount,
+}) => {
+  await page.addInitScript(() => {
+    const { set, get } = Object.getOwnPropertyDescriptor(CanvasRenderingContext2D.prototype, 'fillStyle')!;
+    Object.assign(window, { asked: [] });
+    Object.defineProperty(CanvasRenderingContext2D.prototype, 'fillStyle', {
+      get: get!,
+      set(text: string) {
+        (window as unknown as { asked: string[] }).asked.push(text);
+        set?.call(this, text);
+      },
+    });
+  });
+  await mount('<main></main>');
+  const outcome = await page.evaluate(() => {
+    const { asked } = window as unknown as { asked: string[] };
+    asked.length = 0;
+    const light = document.createElement('phong-light');
+    const accepts = (text: string): boolean => {
+      try {
+        light.diffuse = text;
+        return true;
+      } catch {
+        return false;
+      }
+    };
+    const refused = [
+      'color-mix('.repeat(40),
+      'color-mix(in srgb, '.repeat(5),
+      '('.repeat(5e4),
+      `rgb(${')'.repeat(50)}${'('.repeat(50)}`,
+      'color-mix(/*)*/'.repeat(13),
+      `color-mix(")"`.repeat(13),
+      'color-mix(\\)'.repeat(13),
+      `rgb(1 2 3${' '.repeat(200)}/ 1)`,
+      `${' '.repeat(200)}#fc8`,
+    ].filter(accepts);
+    const untouched = asked.length === 0;
+    const deep = 'color-mix(in srgb, rgb(calc((100 + 100)) 0 0), rgb(200 0 0))';
+    return [refused, untouched, accepts(deep)];
+  });
+  expect(outcome).toEqual([[], true, true]);
+});
+
+test('values that were refused are not kept', async ({ page, mount, consoleGuard }) => {
+  const warnings = consoleGuard.allow(/^warning: <phong-light> diffuse=/);
+  const light = (await mount('<phong-viewer><phong-light></phong-light></phong-viewer>')).locator(
+    'phong-light',
+  );
+  const session = await page.context().newCDPSession(page);
+  const heap = async (): Promise<number> => {
+    await session.send('HeapProfiler.collectGarbage');
+    return (await session.send('Runtime.getHeapUsage')).usedSize;
+  };
+  const write = (count: number): Promise<void> =>
+    light.evaluate((element, times) => {
+      for (let i = 0; i < times; i++) {
+        const text = `${String(i)} ${'color-mix('.repeat(1e5)}`;
+        element.setAttribute('diffuse', text);
+        element.setAttribute('diffuse', `#fc8${text}`.slice(0, 199 + i));
+        element.removeAttribute('diffuse');
+      }
+    }, count);
+  await write(2);
+  const before = await heap();
+  await write(150);
+  expect((await heap()) - before).toBeLessThan(4e6);
+  expect(warnings.length).toBeLessThan(400);
+});

@@ -48,7 +48,8 @@ test.describe('belong to the nearest viewer', () => {
     same(await pixels(viewer), await shown(page, scene(red)));
   });
 
-  test('where viewers are nested', async ({ page, mount }) => {
+  test('where viewers are nested', async ({ page, mount, consoleGuard }) => {
+    const warnings = consoleGuard.allow(/^warning: <phong-viewer> contains another <phong-viewer>/, 1);
     const inner = scene(green, box).replace('<phong-viewer', '<phong-viewer id="inner"');
     const outer = await mount(scene(red, inner), size);
     expect(await names(outer)).toEqual(['red']);
@@ -59,6 +60,53 @@ test.describe('belong to the nearest viewer', () => {
     });
     expect(await names(outer)).toEqual(['red', 'green']);
     expect(await names(page.locator('#inner'))).toEqual(['box']);
+    await expect.poll(() => warnings.length).toBe(1);
+  });
+});
+
+test.describe('do not belong to a viewer', () => {
+  test('in the content of its slots, unless that holds a viewer of its own', async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    const warnings = consoleGuard.allow(/is inside an element with a slot/, 2);
+    const slotted = `<div slot="error"><p>${green}${box}</p>${scene(red).replace('<phong-viewer', '<phong-viewer id="inner"')}</div>`;
+    const viewer = await mount(scene(slotted, red.replace('"red"', '"own"')), size);
+    expect(await names(viewer)).toEqual(['own']);
+    expect(await names(page.locator('#inner'))).toEqual(['red']);
+    // From there and back.
+    await page.evaluate(() => document.querySelector('phong-viewer')!.append(document.querySelector('[slot] phong-light')!)); // prettier-ignore
+    expect(await names(viewer)).toEqual(['own', 'green']);
+    await page.evaluate(() =>
+      document.querySelector('[slot]')!.prepend(document.querySelector('phong-light')!),
+    );
+    expect(await names(viewer)).toEqual(['own', 'green']);
+    await page.evaluate(() => document.querySelector('[slot]')!.append(...document.querySelector('phong-viewer')!.lights)); // prettier-ignore
+    expect(await names(viewer)).toEqual([]);
+    await expect
+      .poll(() => [...warnings].sort())
+      .toEqual([
+        'warning: <phong-light name="green"> is inside an element with a slot, so it has no effect. Move it out of that element.',
+        'warning: <phong-mesh name="box"> is inside an element with a slot, so it has no effect. Move it out of that element.',
+      ]);
+  });
+
+  test('out of the document and in an element that merely has a host', async ({ page, mount }) => {
+    await mount('<main></main>', size);
+    const found = await page.evaluate(() => {
+      const link = document.createElement('a');
+      link.href = 'https://example.test/';
+      link.append(document.createElement('phong-light'));
+      const fragment = document.createDocumentFragment();
+      fragment.append(document.createElement('phong-mesh'));
+      const viewer = document.createElement('phong-viewer');
+      viewer.append(...link.children, fragment);
+      const before = [viewer.lights.length, viewer.meshes.length];
+      link.append(...viewer.children);
+      return [...before, viewer.lights.length, viewer.meshes.length, (link.firstChild as Element & { name: string }).name]; // prettier-ignore
+    });
+    expect(found).toEqual([1, 1, 0, 0, 'light 1']);
   });
 });
 
@@ -81,6 +129,25 @@ test.describe('are found', () => {
     });
     await allReady(page);
     expect(await names(page.locator('phong-viewer'))).toEqual(['red', 'green', 'box']);
+    same(await pixels(page.locator('phong-viewer')), wanted);
+  });
+
+  test('in shadow trees by a viewer that is defined later', async ({ page, site, mount }) => {
+    const wanted = await pixels(await mount(scene(green, box, red), size));
+    await page.goto(site.page(scene('<div></div>', red), { css: 'phong-viewer { display: block; width: 60px; height: 40px }' })); // prettier-ignore
+    await page.evaluate(
+      async ([inner, outer]) => {
+        const deeper = document.createElement('div');
+        deeper.attachShadow({ mode: 'closed' }).innerHTML = inner;
+        document.querySelector('div')!.attachShadow({ mode: 'closed' }).innerHTML = outer;
+        document.querySelector('div')!.append(deeper);
+        const address = '/dist/phong-viewer.standalone.js';
+        await import(address);
+      },
+      [box, green] as const,
+    );
+    await allReady(page);
+    expect(await names(page.locator('phong-viewer'))).toEqual(['green', 'red', 'box']);
     same(await pixels(page.locator('phong-viewer')), wanted);
   });
 
@@ -149,6 +216,35 @@ test.describe('moves', () => {
     expect(await names(viewer)).toEqual(['green', 'red', 'box']);
     expect(events).toEqual([]);
     expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
+  });
+
+  test('with moveBefore of a wrapper or of the viewer keep models, camera and panel', async ({
+    page,
+    mount,
+  }) => {
+    const model = '<phong-mesh name="model" src="/fixtures/models/textured.glb"></phong-mesh>';
+    const markup = `<main></main>${scene(`<p></p><div>${model}${red}</div>`, green).replace('geometry', 'gui geometry')}`;
+    const viewer = await mount(markup, size);
+    await expect(viewer.locator('[part=panel] > *')).not.toHaveCount(0);
+    await viewer.evaluate((element: PhongViewer) => (element.theta = 77));
+    const requests: string[] = [];
+    page.on('request', (request) => requests.push(request.url()));
+    const kept = await viewer.evaluate(async (element: PhongViewer) => {
+      const state = (): unknown[] => [
+        ...element.scene.children.map(({ uuid }) => uuid),
+        element.shadowRoot?.querySelector('[part=panel]')?.firstElementChild,
+        element.camera.theta,
+        element.loaded,
+      ];
+      const before = state();
+      element.querySelector('p')!.moveBefore(element.querySelector('div')!, null);
+      document.querySelector('main')!.moveBefore(element, null);
+      await element.ready;
+      return state().every((part, i) => part === before[i]);
+    });
+    expect(kept).toBe(true);
+    expect(await names(viewer)).toEqual(['red', 'green', 'model']);
+    expect(requests).toEqual([]);
   });
 
   test('from one viewer to another take effect in both', async ({ page, mount }) => {

@@ -9,3 +9,13 @@ test('a page that has lived shows what a new one shows', async ({ page, mount, s
   // Of each mix of steps one, and of those that have programs made two that change what is in them at once.
   await expectAsNew({ page, mount, site, consoleGuard }, [...seedsFrom(1, 4), 6, 23, 41], 3);
 });
+
+test('a page of any tree and any values shows what a new one shows', async ({
+  page,
+  mount,
+  site,
+  consoleGuard,
+}) => {
+  test.slow();
+  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 5), 3, 'trees');
+});

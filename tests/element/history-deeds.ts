@@ -34,7 +34,7 @@ declare global {
   }
 }
 
-/** Runs in the page, after `installWatch`. */
+/** Runs in the page, after `installWatch` and `installTrees`. */
 export function installDeeds(): void {
   const watch = window.walkWatch;
   const { viewers, frame } = watch;
@@ -93,8 +93,11 @@ export function installDeeds(): void {
       if (!(error instanceof TypeError || error instanceof RangeError)) throw error; // of bad values
     }
   }
+  /** A coordinate that is allowed. */
+  const inside = (x: number): number => Math.min(Math.max(x, -1e15), 1e15);
   type Deed = (viewer: PhongViewer, step: Step) => void | Promise<void>;
   const DEEDS: Readonly<Record<string, Deed>> = {
+    ...window.walkTrees.deeds,
     'set attribute': (viewer, step) => targetOf(viewer, step)?.setAttribute(step.key, step.value),
     'remove attribute': (viewer, step) => targetOf(viewer, step)?.removeAttribute(step.key),
     'set property': (viewer, step) => assign(targetOf(viewer, step), step.key, step.value),
@@ -164,14 +167,18 @@ export function installDeeds(): void {
       frames(Number(value), () => {
         for (const light of viewer.lights) {
           const [x, y, z, w] = light.position;
-          light.position = [x + 0.02 * z, y, z - 0.02 * x, w];
+          light.position = [inside(x + 0.02 * z), y, inside(z - 0.02 * x), w];
         }
       }),
     'move a mesh': (viewer, step) =>
       frames(Number(step.value), () => {
         const mesh = childOf(viewer, { ...step, tag: 'phong-mesh' }) as PhongMesh | undefined;
         if (mesh !== undefined)
-          mesh.position = [mesh.position[0] + 0.01, mesh.position[1], mesh.position[2] - 0.02];
+          mesh.position = [
+            inside(mesh.position[0] + 0.01),
+            mesh.position[1],
+            inside(mesh.position[2] - 0.02),
+          ];
       }),
     'draw on': (_, { value }) =>
       frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
@@ -190,6 +197,7 @@ export function installDeeds(): void {
       const done = DEEDS[step.what]?.(viewer!, step);
       if (done !== undefined) await done;
     }
+    for (const fault of window.walkTrees.faults()) console.error(fault);
   }
 
   window.walkDeeds = {

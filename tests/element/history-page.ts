@@ -3,6 +3,7 @@
 
 import type { Page } from '@playwright/test';
 import { installDeeds } from './history-deeds.js';
+import { installTrees } from './history-trees.js';
 import { type Drawn, installWatch } from './history-watch.js';
 import type { PhongViewer } from './support.js';
 
@@ -41,7 +42,8 @@ declare global {
 
 /** For pages of this context that are opened from now on. */
 export async function walkOn(page: Page): Promise<void> {
-  for (const install of [installWatch, installDeeds, installWalk]) await page.addInitScript(install);
+  for (const install of [installWatch, installTrees, installDeeds, installWalk])
+    await page.addInitScript(install);
 }
 
 /** Runs in the page, after the others. */

@@ -3,6 +3,7 @@
 
 import { Dice } from '../visual/random-scene.js';
 import type { Step } from './history-deeds.js';
+import { treeStep } from './history-trees.js';
 
 /** What happens in one task, and how long the page then lives on. `look` holds it against a new page. */
 export interface Task {
@@ -16,7 +17,7 @@ export interface Scenario {
   readonly tasks: readonly Task[];
 }
 
-export type Mix = 'all' | 'lights' | 'many lights' | 'meshes' | 'page' | 'motion';
+export type Mix = 'all' | 'lights' | 'many lights' | 'meshes' | 'page' | 'motion' | 'trees';
 
 /** Values of an attribute: some of each sort that has code of its own, and bad ones. */
 type Values = (dice: Dice) => string;
@@ -229,13 +230,20 @@ const made = (dice: Dice): Step => ({
   child: Math.floor(dice.from(0, 199)),
 });
 
+/** Attributes that may have any value: none that fetches or goes on moving. */
+const ANY_VALUE = Object.values(VALUES)
+  .flatMap((values) => ['name', ...Object.keys(values)])
+  .filter((key) => key !== 'src');
+
 function step(dice: Dice, mix: Mix): Step {
+  if (mix === 'trees' && dice.chance(0.75)) return { ...made(dice), ...treeStep(dice, ANY_VALUE) };
   const weights = MAKERS.map(({ weight, more }) => weight * (more?.[mix] ?? 1));
   let left = dice.from(0, 1) * weights.reduce((sum, weight) => sum + weight, 0);
   const maker = MAKERS.find((_, i) => (left -= weights[i]!) <= 0) ?? MAKERS[0]!;
   return { ...made(dice), ...maker.make(dice) };
 }
 
+/** By seed, unless a test names one. */
 const MIXES: readonly Mix[] = ['all', 'lights', 'many lights', 'meshes', 'page', 'motion'];
 
 const several = (dice: Dice, mix: Mix, counts: readonly number[]): Step[] =>
@@ -245,7 +253,7 @@ function anything(dice: Dice, mix: Mix): Task[] {
   const count = Math.floor(dice.from(1, 6.999));
   return Array.from({ length: count }, (_, i): Task => {
     const then = i === count - 1 ? 'look' : dice.pick(['at once', 'a frame', 'a frame', 'rest'] as const);
-    return { steps: several(dice, mix, [1, 1, 1, 2, 3, 5]), then };
+    return { steps: several(dice, mix, mix === 'trees' ? [10, 20, 50] : [1, 1, 1, 2, 3, 5]), then };
   });
 }
 
@@ -264,9 +272,8 @@ function afterMotion(dice: Dice, mix: Mix): Task[] {
 }
 
 /** A page of one to three viewers that is looked at `looks` times. */
-export function randomHistory(seed: number, looks: number): Scenario {
+export function randomHistory(seed: number, looks: number, mix: Mix = MIXES[seed % MIXES.length]!): Scenario {
   const dice = new Dice(seed);
-  const mix = MIXES[seed % MIXES.length]!;
   const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? MOVING : SCENES;
   const viewers = dice.pick(mix === 'many lights' || mix === 'motion' ? [1, 1, 2] : [1, 1, 2, 3]);
   const cycle = mix === 'motion' ? afterMotion : anything;

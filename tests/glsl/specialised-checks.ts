@@ -194,7 +194,8 @@ export function programOf(
   const general = generalVariant(
     {
       ...{ shading: 'phong', reflection, antialias: 'edges', alphaMode: 'opaque' },
-      ...{ linear: false, map: false, vertexColors: false },
+      ...{ linear: false, vertexColors: false },
+      ...{ unlit: false, emissive: false, metalness: false, roughness: false, maps: {} },
       terms: form === 'general' ? terms : TERMS,
       shininessTo64: true,
     },

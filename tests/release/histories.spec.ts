@@ -15,3 +15,13 @@ test('@release pages that have lived long show what new ones show', async ({
   test.setTimeout(1_800_000);
   await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(FIRST, WALKS), 6);
 });
+
+test('@release pages of any trees and any values show what new ones show', async ({
+  page,
+  mount,
+  site,
+  consoleGuard,
+}) => {
+  test.setTimeout(1_800_000);
+  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(FIRST, WALKS), 6, 'trees');
+});

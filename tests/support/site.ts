@@ -26,12 +26,14 @@ export interface Site {
   readonly origin: string;
   /** Keeps a page with this body in memory and gives its address. */
   page(body: string, options?: PageOptions): string;
+  /** Keeps a file in memory and gives its address; a later file takes its place. */
+  file(bytes: Uint8Array): string;
   close(): Promise<void>;
 }
 
 interface Stored {
   readonly type: string;
-  readonly text: string;
+  readonly text: string | Uint8Array;
   readonly csp: string;
 }
 
@@ -85,10 +87,14 @@ export async function startSite(
       const path = `/page/${stored.size}`;
       const text =
         `<!doctype html>\n<html lang="en">\n<head><meta charset="utf-8"><title>Test page</title>\n` +
-        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${body}</body>\n</html>\n`;
+        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${body}\n</body>\n</html>\n`;
       stored.set(path, { type: '.html', text, csp });
       stored.set(`${path}.css`, { type: '.css', text: css, csp });
       return origin + path;
+    },
+    file(bytes) {
+      stored.set('/file', { type: '', text: bytes, csp: strictPolicy });
+      return `${origin}/file`;
     },
     close: () => stop(server),
   };

@@ -267,3 +267,47 @@ describe('the words for a domain', () => {
     expect(() => kinds.subset.check(['a', 'z'])).toThrow('got "z"');
   });
 });
+
+describe('the error repeats what was given', () => {
+  const messageOf = (field: Field<unknown>, value: unknown): string => {
+    try {
+      field.check(value);
+    } catch (error) {
+      return (error as Error).message;
+    }
+    return '';
+  };
+
+  it('no longer than a sentence, however long it is', () => {
+    const long = 'x'.repeat(1e5);
+    const itself: unknown[] = [];
+    itself.push(itself);
+    const values = [
+      long,
+      [long],
+      Array(1e5).fill(7),
+      Array(1e5).fill(long),
+      itself,
+      [[itself]],
+      10n ** 9999n,
+    ];
+    for (const [kind, field] of Object.entries(kinds))
+      for (const value of values) expect(messageOf(field, value).length, kind).toBeLessThan(800);
+  });
+
+  it('even if it cannot become text', () => {
+    const values = [Object.create(null), Symbol('s'), { toString: null }, [Object.create(null)], () => 0];
+    for (const field of [kinds.vector, kinds.number, kinds.choice])
+      for (const value of values) expect(() => field.check(value)).toThrow(TypeError);
+  });
+
+  it('at once, however long a list claims to be', () => {
+    for (const field of [kinds.vector, kinds.color, kinds.subset])
+      expect(messageOf(field, new Array(2 ** 32 - 1)).length).toBeLessThan(800);
+  });
+
+  it('and says where a list goes on', () => {
+    expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, …]');
+    expect(messageOf(kinds.vector, [1, [2], 3])).toContain('got [1, an object, 3]');
+  });
+});

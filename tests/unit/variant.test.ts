@@ -21,7 +21,8 @@ import { pack } from './packed-reader.js';
 
 const plain: MaterialFeatures = {
   ...{ shading: 'phong', reflection: 'phong', terms: TERMS, antialias: 'edges', alphaMode: 'opaque' },
-  ...{ linear: false, shininessTo64: true, map: false, vertexColors: false },
+  ...{ linear: false, shininessTo64: true, vertexColors: false },
+  ...{ unlit: false, emissive: false, metalness: false, roughness: false, maps: {} },
 };
 
 const declaredBy = (lights: readonly LightValues[]) => {
@@ -76,7 +77,11 @@ describe('the general program', () => {
     ['averaged highlights', { antialias: 'highlights' }, 2],
     ['large exponents', { shininessTo64: false }, 2],
     ['fewer terms', { terms: ['diffuse'] }, 2],
-    ['a texture', { map: true }, 2],
+    ['a texture', { maps: { map: 0 } }, 2],
+    ['an unlit look', { unlit: true }, 2],
+    ['an emissive colour', { emissive: true }, 2],
+    ['metalness', { metalness: true }, 2],
+    ['a normal map with the second coordinates', { maps: { normalMap: 1 } }, 2],
   ])('with %s makes %3$i in all', (_, material, programs) => {
     expect(count([generalKey(EVERYTHING), generalKey(EVERYTHING, material)])).toBe(programs);
   });
@@ -97,7 +102,16 @@ describe('the general program', () => {
       reflection: fc.constantFrom(...REFLECTIONS),
       terms: fc.subarray([...TERMS]),
       antialias: fc.constantFrom(...ANTIALIASES),
-      ...{ linear: fc.boolean(), shininessTo64: fc.boolean(), map: fc.boolean(), vertexColors: fc.boolean() },
+      ...{
+        linear: fc.boolean(),
+        shininessTo64: fc.boolean(),
+        vertexColors: fc.boolean(),
+        unlit: fc.boolean(),
+      },
+      ...{ emissive: fc.boolean(), metalness: fc.boolean(), roughness: fc.boolean() },
+      maps: fc
+        .subarray(['map', 'emissiveMap', 'metalRoughMap', 'normalMap'] as const)
+        .map((names) => Object.fromEntries(names.map((name, i) => [name, i]))),
       alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
     });
     fc.assert(

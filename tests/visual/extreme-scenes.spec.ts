@@ -37,3 +37,25 @@ test('a scene of any size from 1e-20 to 1e12 looks as it does at size 1', async 
     }
   }
 });
+
+/** The same scene with its target elsewhere. The lamp's offset is exact there. */
+const placed = ([x, y, z]: readonly [number, number, number]): string =>
+  `<phong-viewer target="${x} ${y} ${z}" radius="3" theta="25" phi="65">
+     <phong-mesh geometry="torus-knot" position="${x} ${y} ${z}" kd="200 120 60"></phong-mesh>
+     <phong-light position="1 2 3 0" ambient="20" diffuse="100"></phong-light>
+     <phong-light position="${x + 1} ${y + 1} ${z + 1} 1" diffuse="90 90 140" attenuation="1 0.1 0.05"></phong-light>
+   </phong-viewer>`;
+
+test('a scene whose target is up to 1e15 units away looks as it does at the origin', async ({
+  mount,
+  page,
+}) => {
+  const places = [1e9, 1e12, 2 ** 49].map((far): [number, number, number] => [far, -far / 2, far / 4]);
+  await mount([placed([0, 0, 0]), ...places.map(placed)].join(''), size);
+  const viewers = await page.locator('phong-viewer').all();
+  const [near, ...others] = await Promise.all(viewers.map((viewer) => pixels(viewer, size)));
+  for (const [i, place] of places.entries()) {
+    const { max, share } = compare(others[i]!, near!, 1);
+    expect(share, `target ${place.join(' ')}: at most ${max} codes off`).toBeLessThan(0.001);
+  }
+});

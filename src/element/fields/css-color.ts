@@ -5,15 +5,29 @@ import type { Vec3 } from '../../math/vector.js';
 const known = new Map<string, Vec3 | null>();
 let context: CanvasRenderingContext2D | null | undefined;
 
-/** Size of the cache, in colours. A full cache is emptied. */
+/** Size of the cache, in colours: about 500 kB. A full cache is emptied. */
 const CACHE_SIZE = 1000;
 
 /**
+ * Limits of what the browser is asked to parse. Chromium's time doubles with each unclosed `color-mix(` (20 take 6 s),
+ * and 50,000 nested parentheses crash the tab.
+ */
+const LONGEST = 200;
+const DEEPEST = 4;
+
+/** Strings, escapes and comments could hide parentheses. No colour needs them. */
+const HIDING = /["'\\]|\/\*/;
+
+/**
  * Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else: text that is not a colour, a colour
- * outside the gamut, or one that depends on the element (`currentColor`).
+ * outside the gamut, one that depends on the element (`currentColor`), and text of more than 200 characters, with more
+ * than four nested parentheses, or with strings, escapes or comments.
  */
 export function cssColor(text: string): Vec3 | null {
+  // Before trimming: V8 keeps the whole of a text for the sake of a part.
+  if (text.length > LONGEST) return null;
   const key = text.trim().toLowerCase();
+  if (HIDING.test(key) || depthOf(key) > DEEPEST) return null;
   let color = known.get(key);
   if (color === undefined) {
     color = key.includes('currentcolor') ? null : parsed(key);
@@ -21,6 +35,17 @@ export function cssColor(text: string): Vec3 | null {
     known.set(key, color);
   }
   return color;
+}
+
+/** The most parentheses that are open at once. */
+function depthOf(text: string): number {
+  let depth = 0;
+  let most = 0;
+  for (const character of text) {
+    if (character === '(') most = Math.max(most, ++depth);
+    else if (character === ')' && depth > 0) depth--;
+  }
+  return most;
 }
 
 function parsed(text: string): Vec3 | null {

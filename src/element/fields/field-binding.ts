@@ -1,6 +1,8 @@
 // How an element's attributes and properties reach its FieldStore. Attributes are parsed; a bad one warns and gives the
 // default. Properties are checked; a bad value throws. Knows no particular element.
+import { show } from '../../fields/field.js';
 import type { FieldStore } from '../../fields/field-store.js';
+import { nearest } from '../../fields/nearest.js';
 import { attributeOf, parseText } from './attribute-text.js';
 
 /** For each set of fields, its keys by attribute name. */
@@ -23,6 +25,9 @@ const bindings = new WeakMap<HTMLElement, unknown>();
 /** The binding of an element with values `V`; see `fieldsOf` for the typed form. */
 export const bindingOf = <V extends object>(element: HTMLElement): FieldBinding<V> =>
   bindings.get(element) as FieldBinding<V>;
+
+/** Warnings that an element remembers, in order to give each once. More are forgotten together: they cost 50 kB. */
+const WARNINGS_KEPT = 100;
 
 export class FieldBinding<V extends object> {
   readonly store: FieldStore<V>;
@@ -54,7 +59,8 @@ export class FieldBinding<V extends object> {
 
   /** For a property's getter. Lists are frozen here, not when they are written: a moving light is rarely read. */
   get<K extends keyof V>(key: K): V[K] {
-    return Object.freeze(this.store.values[key]) as V[K];
+    const value = this.store.values[key];
+    return Array.isArray(value) ? (Object.freeze(value) as V[K]) : value;
   }
 
   /** For a property's setter. Throws TypeError or RangeError for a bad value and then changes nothing. */
@@ -62,7 +68,7 @@ export class FieldBinding<V extends object> {
     const field = this.store.fields[key];
     const typed = typeof value === 'string' ? parseText(value, field) : value;
     if (typed === undefined && typeof value === 'string')
-      throw new TypeError(this.#about(key, `expected ${field.expected}, got "${value}"`));
+      throw new TypeError(this.#about(key, `expected ${field.expected}, got ${show(value)}`));
     try {
       this.store.set(key, typed);
     } catch (error) {
@@ -103,11 +109,13 @@ export class FieldBinding<V extends object> {
 
   /** One warning per element, attribute and value. */
   #warn(key: keyof V & string, value: unknown): void {
-    const { expected, fallback } = this.store.fields[key];
-    const text = typeof value === 'string' ? JSON.stringify(value) : String(value);
+    const { expected, fallback, choices } = this.store.fields[key];
     const instead = (Array.isArray(fallback) ? fallback.join(' ') : String(fallback ?? '')) || 'none';
-    const message = `${this.#tag} ${attributeOf(key)}=${text}: expected ${expected}; using ${instead} instead.`;
+    const meant = typeof value === 'string' ? nearest(value.trim().toLowerCase(), choices ?? []) : undefined;
+    const hint = meant === undefined ? '' : ` Did you mean "${meant}"?`;
+    const message = `${this.#tag} ${attributeOf(key)}=${show(value)}: expected ${expected}; using ${instead} instead.${hint}`;
     if (this.#warned.has(message)) return;
+    if (this.#warned.size >= WARNINGS_KEPT) this.#warned.clear();
     this.#warned.add(message);
     console.warn(message);
   }

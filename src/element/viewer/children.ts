@@ -6,6 +6,7 @@ import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { register } from '../child-element.js';
 import { type ChildListener, type ChildRegistry, registryOf } from '../child-registry.js';
+import { inspect, inspectAgain } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { PhongLight } from '../phong-light.js';
 import { PhongMesh } from '../phong-mesh.js';
@@ -20,7 +21,7 @@ export interface ChildrenHost {
 interface ShownMesh {
   readonly mesh: SceneMesh;
   /** Listens to the element's values. */
-  readonly written: () => void;
+  readonly written: (key?: string) => void;
 }
 
 /** Lights a viewer that declares no light. */
@@ -86,6 +87,15 @@ export class ViewerChildren implements ChildListener {
     this.#host.viewport.invalidate();
   }
 
+  /** For the viewer's `connectedCallback`, after its shadow tree was made. */
+  connected(): void {
+    this.refresh();
+    inspect(this.#viewer);
+    this.#viewer.shadowRoot?.addEventListener('slotchange', this.#slotted);
+  }
+
+  readonly #slotted = (): void => inspectAgain(this.#viewer);
+
   /** Custom elements get no callback for changes outside a document: looks for children that came or went there. */
   refresh(): void {
     const found = this.#viewer.querySelectorAll('phong-light, phong-mesh');
@@ -144,7 +154,11 @@ export class ViewerChildren implements ChildListener {
     let shown = this.#shown.get(element);
     if (shown === undefined) {
       const mesh = new SceneMesh(store, this.#host.meshHost);
-      shown = { mesh, written: () => this.#update(mesh) };
+      const written = (key?: string): void => {
+        if (key === 'src' || key === 'geometry') mesh.retry();
+        this.#update(mesh);
+      };
+      shown = { mesh, written };
       this.#shown.set(element, shown);
       this.#meshElements.set(mesh, element);
       this.#host.viewport.add(mesh);

@@ -2,11 +2,12 @@
 // code is fetched with the first explanation. Knows nothing of rays or triangles.
 import type { Mesh } from 'three';
 import type { LightValues } from '../../light/light-state.js';
-import { srgbDecode } from '../../math/color.js';
-import { add, map, multiply, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { add, map, subtract, type Vec3 } from '../../math/vector.js';
 import type { LightShare } from '../../reference/index.js';
+import { lazyCode } from '../../scene/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
 import { pick } from '../../scene/snapshot/pick.js';
+import { surfaceAt } from '../../scene/snapshot/surface-at.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
 import type { PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
@@ -35,7 +36,7 @@ export interface FragmentExplanation {
   readonly object: Mesh;
   /** The object's triangle, counted from 0 in the order of its geometry's index. */
   readonly triangle: number;
-  /** Ka, Kd and Ks as the equation uses them: 0–1 per channel, times the base colour, decoded if shading is linear. */
+  /** Ka, Kd and Ks as the equation uses them: 0–1, with base colour and metalness, decoded if shading is linear. */
   readonly ka: Vec3;
   readonly kd: Vec3;
   readonly ks: Vec3;
@@ -43,6 +44,12 @@ export interface FragmentExplanation {
   readonly shininess: number;
   /** The factor of ka and kd from a model's own colour, texture and vertex colours. Encoded sRGB, 0–1; 1 1 1 without any. */
   readonly baseColor: Vec3;
+  /** E, what the surface adds to the sum itself. Encoded sRGB; black for most. */
+  readonly emissive: Vec3;
+  /** m, 0–1: ka, kd and ks above include it. */
+  readonly metalness: number;
+  /** The colour is the base colour, whatever the lights; ka, kd and ks are black. */
+  readonly unlit: boolean;
   /** How much of `color` the picture shows, 0–1; the rest comes from what lies behind. */
   readonly opacity: number;
   /**
@@ -56,6 +63,8 @@ export interface FragmentExplanation {
   readonly color: Vec3;
 }
 
+const referenceCode = lazyCode(() => import('../../reference/index.js'), 'shadeAt');
+
 /** Rejects with TypeError or RangeError unless x and y are finite numbers. */
 export async function shadeAt(
   { scene, width, height, lights }: ViewerSnapshot,
@@ -67,14 +76,15 @@ export async function shadeAt(
   const hit = scene === null ? null : pick(scene, column, row);
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
-  const { surface, style, linear } = phong;
-  const subject: Subject = { hit, corners: cornersOf(hit), surface, style, linear };
-  const { shade } = await import('../../reference/index.js');
+  const surface = surfaceAt(phong, hit.drawn.geometry, hit, hit.base);
+  const subject: Subject = { hit, corners: cornersOf(hit), surface };
+  const equation = await referenceCode();
   const shaded = shadeHit(
-    shade,
+    equation,
     subject,
     lights.map(({ values }) => relative(values, hit.frame.origin)),
   );
+  const { ka, kd, ks } = equation.coefficientsOf(surface, phong.linear);
   const { color: baseColor, opacity } = hit.base;
   return Object.freeze({
     p: frozen(add(hit.frame.origin, hit.p)),
@@ -83,11 +93,14 @@ export async function shadeAt(
     mesh: owner,
     object: object as Mesh,
     triangle: hit.triangle,
-    ka: coefficient(surface.ka, baseColor, linear),
-    kd: coefficient(surface.kd, baseColor, linear),
-    ks: coefficient(surface.ks, WHITE, linear),
+    ka: frozen(ka),
+    kd: frozen(kd),
+    ks: frozen(ks),
     shininess: surface.shininess,
     baseColor: frozen(baseColor),
+    emissive: frozen(surface.emissive),
+    metalness: surface.metalness,
+    unlit: surface.unlit,
     opacity,
     shares: Object.freeze(
       shaded.shares.map((share, i) => {
@@ -114,14 +127,6 @@ function relative(values: LightValues, origin: Vec3): LightValues {
   if (w === 0 || values.space === 'camera') return values;
   return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
-
-/** 255 to 1, times the base colour. */
-function coefficient(k: Vec3, base: Vec3, linear: boolean): Vec3 {
-  const decoded = (v: Vec3): Vec3 => (linear ? map(v, srgbDecode) : v);
-  return frozen(multiply(decoded(scale(k, 1 / 255)), decoded(base)));
-}
-
-const WHITE: Vec3 = [1, 1, 1];
 
 /** Adding 0 turns -0 into 0, so that equal vectors print alike. */
 const frozen = (v: Vec3): Vec3 => Object.freeze(map(v, (x) => x + 0));

@@ -1,59 +1,61 @@
 // Shades one hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners, interpolated. Knows
 // neither elements nor how the equation's code is loaded.
 import type { LightValues } from '../../light/light-state.js';
-import type { SurfaceValues } from '../../material/material-values.js';
-import type { ShadingStyle } from '../../material/phong-material.js';
 import type { Term } from '../../material/program/variant.js';
-import { srgbEncode } from '../../math/color.js';
-import { add, map, scale, type Vec3 } from '../../math/vector.js';
-import type { shade as Shade, Shaded } from '../../reference/index.js';
-import type { Hit } from '../../scene/snapshot/pick.js';
+import { add, scale, type Vec3, type Vec4 } from '../../math/vector.js';
+import type { shade as Shade, Shaded, sumOf as SumOf, Surface } from '../../reference/index.js';
 import type { Corner } from '../../scene/snapshot/corners.js';
+import type { Hit } from '../../scene/snapshot/pick.js';
+import { mappedNormalAt } from '../../scene/snapshot/surface-at.js';
 
-/** The hit and how it is shaded. */
+/** The equation's code, which is loaded with the first explanation. */
+export interface Equation {
+  readonly shade: typeof Shade;
+  readonly sumOf: typeof SumOf;
+}
+
+/** The hit, and the surface there. */
 export interface Subject {
   readonly hit: Hit;
   readonly corners: readonly [Corner, Corner, Corner];
-  readonly surface: Readonly<SurfaceValues>;
-  readonly style: ShadingStyle;
-  readonly linear: boolean;
+  readonly surface: Surface;
 }
 
 /**
  * Lights are relative to the frame's origin, like the hit. Under Gouraud shading only the terms and their sum come from the
  * corners; everything else is the fragment's own.
  */
-export function shadeHit(shade: typeof Shade, subject: Subject, lights: readonly LightValues[]): Shaded {
-  const { hit, corners, style, linear } = subject;
+export function shadeHit(equation: Equation, subject: Subject, lights: readonly LightValues[]): Shaded {
+  const { hit, corners, surface } = subject;
   const { frame, weights } = hit;
-  const surface = { ...subject.surface, baseColor: hit.base.color };
+  const { phong, geometry } = hit.drawn;
+  const { style, linear } = phong;
   const options = { camera: frame, reflection: style.reflection, terms: style.terms, linear };
-  const at = ({ p, N }: Corner): Shaded => shade({ p, normal: N, eye: frame.eye }, surface, lights, options);
-  const here = at({ p: hit.p, N: weighted(weights, [corners[0].N, corners[1].N, corners[2].N]) });
+  const at = (p: Vec3, normal: Vec3): Shaded =>
+    equation.shade({ p, normal, eye: frame.eye }, surface, lights, options);
+  const [a, b, c] = corners;
+  const N = weighted(weights, [a.N, b.N, c.N]);
+  const here = at(hit.p, mappedNormalAt(phong, geometry, hit, N, tangentAt(weights, corners)));
   if (style.shading !== 'gouraud') return here;
-  const atCorners = [at(corners[0]), at(corners[1]), at(corners[2])] as const;
-  return withTermsOf(here, atCorners, weights, linear);
-}
-
-/** The corners' terms, interpolated. All corners use the fragment's base colour, so that it is not interpolated. */
-function withTermsOf(
-  here: Shaded,
-  [a, b, c]: readonly [Shaded, Shaded, Shaded],
-  weights: Vec3,
-  linear: boolean,
-): Shaded {
-  let sum: Vec3 = [0, 0, 0];
+  // All corners use the fragment's base colour, so that it is not interpolated.
+  const shaded = [at(a.p, a.N), at(b.p, b.N), at(c.p, c.N)] as const;
   const shares = here.shares.map((share, i) => {
     if (share === null) return null;
-    const term = (name: Term): Vec3 =>
-      weighted(weights, [a.shares[i]![name], b.shares[i]![name], c.shares[i]![name]]);
-    const terms = { ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
-    sum = add(sum, add(add(terms.ambient, terms.diffuse), terms.specular));
-    return { ...share, ...terms };
+    const term = (name: Term): Vec3 => {
+      const [x, y, z] = shaded;
+      return weighted(weights, [x.shares[i]![name], y.shares[i]![name], z.shares[i]![name]]);
+    };
+    return { ...share, ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
   });
-  if (linear) sum = map(sum, srgbEncode);
-  return { ...here, shares, sum, color: map(sum, (x) => Math.min(Math.max(x, 0), 1)) };
+  return { ...here, shares, ...equation.sumOf(shares, surface, linear) };
 }
 
 const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>
   add(add(scale(a, weights[0]), scale(b, weights[1])), scale(c, weights[2]));
+
+function tangentAt(weights: Vec3, corners: Subject['corners']): Vec4 | null {
+  const [a, b, c] = corners.map(({ tangent }) => tangent);
+  if (!a || !b || !c) return null;
+  const mix = (i: 0 | 1 | 2 | 3): number => a[i] * weights[0] + b[i] * weights[1] + c[i] * weights[2];
+  return [mix(0), mix(1), mix(2), mix(3)];
+}

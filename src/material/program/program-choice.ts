@@ -1,7 +1,8 @@
 // Which program does one material draw a mesh with? Keeps the material's general variant, and asks the program cache for a
 // specialised one. Code that was needed once stays, so that turning something off and on compiles nothing.
-import type { Mesh } from 'three';
+import type { Mesh, Texture } from 'three';
 import { isBlack, isIntegerPower, isPowerTo64 } from '../../light/light-features.js';
+import type { FileSurface } from '../file-surface.js';
 import type { LightBuffer } from '../light-buffer.js';
 import type { PhongLighting } from '../lighting.js';
 import type { SurfaceValues } from '../material-values.js';
@@ -10,6 +11,7 @@ import {
   type AlphaMode,
   type Form,
   generalVariant,
+  type MapName,
   type MaterialStyle,
   type RowCapacity,
   specialisedVariant,
@@ -18,11 +20,11 @@ import {
 } from './variant.js';
 
 /** What a program depends on about a file's look. */
-interface Look {
-  readonly map: object | null;
+export type ProgramLook = FileSurface & {
+  readonly map: Texture | null;
   readonly vertexColors: boolean;
   readonly alphaMode: AlphaMode;
-}
+};
 
 interface Choice {
   readonly variant: Variant;
@@ -32,7 +34,7 @@ interface Choice {
 
 export class ProgramChoice {
   readonly #lighting: PhongLighting;
-  readonly #look: Look;
+  readonly #look: ProgramLook;
   #style: MaterialStyle | null = null;
   /** The terms that style and surface sum now, and all that they ever did. */
   #terms: readonly Term[] = [];
@@ -48,7 +50,7 @@ export class ProgramChoice {
   /** The last key, so that draws build no text. */
   #last = { materialKey: '', form: '', lights: '', key: '' };
 
-  constructor(lighting: PhongLighting, look: Look) {
+  constructor(lighting: PhongLighting, look: ProgramLook) {
     this.#lighting = lighting;
     this.#look = look;
   }
@@ -57,8 +59,9 @@ export class ProgramChoice {
   describe(style: MaterialStyle, { ks, shininess }: Readonly<SurfaceValues>): void {
     this.#style = style;
     this.#terms = style.terms.filter((term) => term !== 'specular' || !isBlack(ks));
-    this.#integerShininess = isIntegerPower(shininess) ? shininess : null;
-    if (!isPowerTo64(shininess)) this.#shininessTo64 = false;
+    const varies = usesRoughnessMap(this.#look, style);
+    this.#integerShininess = !varies && isIntegerPower(shininess) ? shininess : null;
+    if (varies || !isPowerTo64(shininess)) this.#shininessTo64 = false;
     this.#general = null;
   }
 
@@ -67,6 +70,7 @@ export class ProgramChoice {
     const lighting = this.#lighting;
     const general = this.#generalFor(lighting.capacityFor(drawing.renderer));
     const lights = lighting.lightsOf(drawing.mesh);
+    if (this.#look.unlit) return { variant: general, lights };
     const grid = lighting.gridOf(drawing.mesh);
     const form = lighting.formFor(lights, grid);
     if (form === null) return { variant: general, lights };
@@ -99,16 +103,22 @@ export class ProgramChoice {
     if (this.#general !== null && made.featureVersion === featureVersion && made.capacity === capacity)
       return this.#general;
     for (const term of this.#terms) this.#everTerms.add(term);
-    const { map, vertexColors, alphaMode } = this.#look;
+    const look = this.#look;
+    const { vertexColors, alphaMode, unlit } = look;
+    const style = this.#style!;
     this.#general = generalVariant(
       {
-        ...this.#style!,
+        ...style,
         terms: [...this.#everTerms],
         linear: lighting.linear,
         shininessTo64: this.#shininessTo64,
-        map: map !== null,
         vertexColors,
         alphaMode,
+        unlit,
+        emissive: emits(look),
+        metalness: !unlit && look.metalness > 0,
+        roughness: usesRoughnessMap(look, style),
+        maps: mapsOf(look, style),
       },
       lighting.declared,
       capacity,
@@ -117,4 +127,24 @@ export class ProgramChoice {
     this.#materialKey = `${this.#general.key} ${this.#terms.join()} ${String(this.#integerShininess)}`;
     return this.#general;
   }
+}
+
+const emits = ({ unlit, emissive }: ProgramLook): boolean => !unlit && !isBlack(emissive);
+
+/** A vertex has no texture: Gouraud shading takes the roughness without its map. */
+export const usesRoughnessMap = (
+  { unlit, roughness, metalRoughMap }: ProgramLook,
+  { shading }: MaterialStyle,
+): boolean => !unlit && roughness !== null && metalRoughMap !== null && shading !== 'gouraud';
+
+/** The maps that are sampled, each with its set of texture coordinates. */
+function mapsOf(look: ProgramLook, style: MaterialStyle): Partial<Record<MapName, number>> {
+  const { map, emissiveMap, metalRoughMap, normalMap, unlit, metalness } = look;
+  const maps: Partial<Record<MapName, number>> = {};
+  if (map !== null) maps.map = map.channel;
+  if (emissiveMap !== null && emits(look)) maps.emissiveMap = emissiveMap.channel;
+  if (metalRoughMap !== null && ((!unlit && metalness > 0) || usesRoughnessMap(look, style)))
+    maps.metalRoughMap = metalRoughMap.channel;
+  if (normalMap !== null && !unlit && style.shading === 'phong') maps.normalMap = normalMap.channel;
+  return maps;
 }

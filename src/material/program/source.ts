@@ -4,6 +4,7 @@ import attenuation from '../../../shaders/attenuation.glsl?raw';
 import averagedBlinnPhong from '../../../shaders/averaged_blinn_phong.glsl?raw';
 import averagedPhong from '../../../shaders/averaged_phong.glsl?raw';
 import diffuseLobe from '../../../shaders/diffuse_lobe.glsl?raw';
+import fileSurface from '../../../shaders/file_surface.glsl?raw';
 import footprint from '../../../shaders/footprint.glsl?raw';
 import guard from '../../../shaders/guard.glsl?raw';
 import lightGrid from '../../../shaders/light_grid.glsl?raw';
@@ -20,6 +21,7 @@ import srgb from '../../../shaders/srgb.glsl?raw';
 import surfaceColor from '../../../shaders/surface_color.glsl?raw';
 import { layoutDefines } from '../../light/light-layout.js';
 import { SRGB } from '../../math/color.js';
+import { FULL_LOBE, LEAST_ROUGHNESS } from '../file-surface.js';
 
 const float = (n: number): string => n.toExponential();
 
@@ -48,6 +50,11 @@ const AVERAGES = [
   '#endif',
   '#endif',
 ].join('\n');
+
+/** Left out of programs without metal-rough and normal maps. */
+const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
+#define FULL_LOBE ${float(FULL_LOBE)}
+${fileSurface}`;
 
 /** The light loop with optional chunks before it. */
 const loopWith = (...chunks: readonly string[]): string =>
@@ -87,14 +94,20 @@ export function shadersOf(defines: Readonly<Record<string, string>>): Shaders {
   const gouraud = 'SHADING_GOURAUD' in defines;
   const filtered = 'FILTER_HIGHLIGHTS' in defines;
   const grid = 'HAS_LIGHT_GRID' in defines;
-  const key = [gouraud, filtered, grid].join();
+  const unlit = 'IS_UNLIT' in defines;
+  const textured = 'HAS_METAL_ROUGH_MAP' in defines || 'HAS_NORMAL_MAP' in defines;
+  const key = [gouraud, filtered, grid, unlit, textured].join();
   let shaders = cache.get(key);
   if (shaders === undefined) {
     const loop = loopWith(...(filtered ? [AVERAGES] : []), ...(grid ? [lightGrid] : []));
     const none = `${CONSTANTS}\n${guard}`;
     shaders = {
-      vertexShader: [PRECISION, gouraud ? loop : none, phongVertex].join('\n'),
-      fragmentShader: [PRECISION, gouraud ? none : loop, ENCODING_GLSL, phongFragment].join('\n'),
+      vertexShader: [PRECISION, gouraud && !unlit ? loop : none, phongVertex].join('\n'),
+      fragmentShader: [
+        ...[PRECISION, gouraud || unlit ? none : loop, ENCODING_GLSL],
+        ...(textured ? [FILE_SURFACE] : []),
+        phongFragment,
+      ].join('\n'),
     };
     cache.set(key, shaders);
   }

@@ -1,7 +1,13 @@
 // Which code does a program hold? A variant is the defines of one program and its text. The general variant of a material works
 // for any number of its lights; specialised variants are made from it for the lights at hand.
 import { forEachLight, type PackedLights } from '../../light/pack-lights.js';
-import { type DeclaredFeatures, KINDS, type LightKind, unionOf } from '../../light/light-features.js';
+import {
+  type DeclaredFeatures,
+  KINDS,
+  type LightKind,
+  noFeatures,
+  unionOf,
+} from '../../light/light-features.js';
 import { HEADER, LIGHT_FEATURES, ROWS } from '../../light/light-layout.js';
 import { type Shaders, shadersOf } from './source.js';
 
@@ -30,10 +36,26 @@ export interface MaterialFeatures extends MaterialStyle {
   readonly linear: boolean;
   /** All exponents so far were 64 at most. */
   readonly shininessTo64: boolean;
-  readonly map: boolean;
   readonly vertexColors: boolean;
   readonly alphaMode: AlphaMode;
+  readonly unlit: boolean;
+  readonly emissive: boolean;
+  readonly metalness: boolean;
+  /** A texture gives the roughness. */
+  readonly roughness: boolean;
+  /** The maps that are sampled, and the set of texture coordinates of each, 0–3. */
+  readonly maps: Readonly<Partial<Record<MapName, number>>>;
 }
+
+export type MapName = 'map' | 'emissiveMap' | 'metalRoughMap' | 'normalMap';
+
+/** Each map's name in the shaders: `HAS_…`, `…_UV`. */
+const MAP_DEFINES: Readonly<Record<MapName, string>> = {
+  map: 'MAP',
+  emissiveMap: 'EMISSIVE_MAP',
+  metalRoughMap: 'METAL_ROUGH_MAP',
+  normalMap: 'NORMAL_MAP',
+};
 
 /** The defines and the text of one program; `key` tells variants apart. */
 export interface Variant extends Shaders {
@@ -50,8 +72,8 @@ export function generalVariant(
   declared: Readonly<DeclaredFeatures>,
   capacity: RowCapacity,
 ): Variant {
-  const { shading, reflection, terms, antialias, alphaMode } = material;
-  const needed = { ...declared };
+  const { shading, reflection, terms, antialias, alphaMode, unlit } = material;
+  const needed = unlit ? noFeatures() : { ...declared };
   for (const term of TERMS) needed[term] &&= terms.includes(term);
   const flags: Record<string, boolean> = {
     // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
@@ -61,7 +83,10 @@ export function generalVariant(
     FILTER_HIGHLIGHTS: antialias === 'highlights' && needed.specular && shading !== 'gouraud',
     SHININESS_TO_64: material.shininessTo64,
     IS_LINEAR: material.linear,
-    HAS_MAP: material.map,
+    IS_UNLIT: unlit,
+    HAS_EMISSIVE: material.emissive,
+    HAS_METALNESS: material.metalness,
+    HAS_ROUGHNESS: material.roughness,
     HAS_VERTEX_COLOR: material.vertexColors,
     HAS_ALPHA_MASK: alphaMode === 'mask',
     IS_BLENDED: alphaMode === 'blend',
@@ -69,6 +94,11 @@ export function generalVariant(
   for (const [name, on] of Object.entries(needed)) flags[`HAS_${name.toUpperCase()}`] = on;
   const defines: Record<string, string> = storageDefines(capacity);
   for (const [name, on] of Object.entries(flags)) if (on) defines[name] = '';
+  for (const [name, set] of Object.entries(material.maps)) {
+    const define = MAP_DEFINES[name as MapName];
+    const uv = set === 0 ? 'uv' : `uv${String(set)}`;
+    Object.assign(defines, { [`HAS_${define}`]: '', [`${define}_UV`]: uv, [`HAS_${uv.toUpperCase()}`]: '' });
+  }
   return variantOf(defines);
 }
 

@@ -1,19 +1,31 @@
 // How does a loaded model become content that a mesh can show, as a built-in shape is? Entry point of the code that reads models,
 // fetched with the first one. Knows neither materials nor elements.
+import { exponentOfRoughness, NO_FILE_SURFACE } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { Content } from '../mesh/content.js';
-import type { ModelRequest } from './fetch-bytes.js';
+import { nameOf } from './format.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
+import type { FileRequest } from './request-file.js';
+
+export { droppedModel } from './dropped-files.js';
 
 /** The model at `url`; see {@link loadModel}. */
-export async function modelContent(url: URL, options: LoadOptions, request: ModelRequest): Promise<Content> {
-  const model = await loadModel(url, options, request);
+export async function modelContent(
+  url: URL,
+  options: LoadOptions,
+  from: FileRequest | Blob | null,
+): Promise<Content> {
+  const model = await loadModel(url, options, from);
+  if (model.dropped !== undefined && model.dropped.size > 0)
+    console.warn(
+      `${nameOf(url)}: ${[...model.dropped].join(', ')} cannot be shown by this equation and are left out.`,
+    );
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
       name,
       geometry,
       matrix,
-      look: { ...look, vertexColors: 'color' in geometry.attributes },
+      look: { ...NO_FILE_SURFACE, ...look, vertexColors: 'color' in geometry.attributes },
       sides: look.doubleSided ? 'double' : 'single',
       surface: surfaceOf(look),
     })),
@@ -23,11 +35,12 @@ export async function modelContent(url: URL, options: LoadOptions, request: Mode
   };
 }
 
-function surfaceOf({ ka, kd, ks, shininess }: ModelLook): Partial<SurfaceValues> {
+function surfaceOf({ ka, kd, ks, shininess, roughness = null }: ModelLook): Partial<SurfaceValues> {
   const surface: Partial<SurfaceValues> = {};
   if (ka !== undefined) surface.ka = [ka[0] * 255, ka[1] * 255, ka[2] * 255];
   if (kd !== undefined) surface.kd = [kd[0] * 255, kd[1] * 255, kd[2] * 255];
   if (ks !== undefined) surface.ks = [ks[0] * 255, ks[1] * 255, ks[2] * 255];
   if (shininess !== undefined) surface.shininess = shininess;
+  else if (roughness !== null) surface.shininess = exponentOfRoughness(roughness);
   return surface;
 }

@@ -1,11 +1,14 @@
 // What is a loaded model, whatever its file format? Parts in the model's own space (float64 matrices, file units). Must not know how
 // formats are read, nor how models are shown.
 import type { BufferGeometry, Matrix4, Texture } from 'three';
+import type { FileSurface } from '../../material/file-surface.js';
 import type { Vec3 } from '../../math/vector.js';
 
 export interface Model {
   /** At least one. */
   readonly parts: readonly ModelPart[];
+  /** What the file says and the equation has no place for, by the file's own names. */
+  readonly dropped?: ReadonlySet<string>;
   /** Frees geometries and textures and closes their images. A second call does nothing. */
   dispose(): void;
 }
@@ -14,8 +17,9 @@ export interface ModelPart {
   /** Its name in the file; may be empty. */
   readonly name: string;
   /**
-   * Attributes: `position` (float, finite); `normal` (float, unit length or zero); `uv` if the look has a map; `color` (encoded
-   * sRGB, 3 or 4 components, 0 to 1) if the file has vertex colours. Indexed or not. Parts can share geometries or attributes.
+   * Attributes: `position` (float, finite); `normal` (float, unit length or zero); for each map of the look the texture
+   * coordinates of its channel (`uv`, `uv1`, …); `tangent` (unit, w ±1) for a normal map; `color` (encoded sRGB, 3 or 4
+   * components, 0 to 1) if the file has vertex colours. Indexed or not. Parts can share geometries or attributes.
    */
   readonly geometry: BufferGeometry;
   /** Part to model. */
@@ -23,7 +27,8 @@ export interface ModelPart {
   readonly look: ModelLook;
 }
 
-export interface ModelLook {
+/** Without what {@link FileSurface} names, a file says nothing about it. */
+export interface ModelLook extends Partial<FileSurface> {
   /** Multiplies ka and kd. Encoded sRGB, 0 to 1. */
   readonly baseColor: Vec3;
   /** 0 to 1; always 1 if `alphaMode` is `opaque`. */
@@ -46,6 +51,10 @@ export interface ModelLook {
   readonly ks?: Vec3;
   readonly shininess?: number;
 }
+
+/** All textures of a look. */
+export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: ModelLook): Texture[] =>
+  [map, emissiveMap, metalRoughMap, normalMap].flatMap((texture) => texture ?? []);
 
 export type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
 

@@ -5,8 +5,7 @@ import type { BaseLook } from '../../material/phong-material.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import type { Vec3, Vec4 } from '../../math/vector.js';
 import type { TriangleHit } from './ray-triangles.js';
-import { sample } from './sample.js';
-import { texelsOf } from './texels.js';
+import { interpolated, sampleAt } from './sample-at.js';
 
 export interface BaseColor {
   /** Encoded sRGB, 0–1. */
@@ -25,13 +24,7 @@ export function baseColorAt(
   linear: boolean,
 ): BaseColor {
   const factors: Vec4[] = [[...look.baseColor, look.opacity]];
-  if (look.map !== null) {
-    const [u = 0, v = 0] = interpolated(geometry, 'uv', hit);
-    const m = look.map.matrix.elements;
-    factors.push(
-      sample(texelsOf(look.map), look.map, m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]),
-    );
-  }
+  if (look.map !== null) factors.push(sampleAt(look.map, geometry, hit));
   if (look.vertexColors) {
     const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit);
     factors.push([r, g, b, a]);
@@ -46,13 +39,4 @@ export function baseColorAt(
     opacity: look.alphaMode === 'blend' ? alpha : 1,
     discarded: look.alphaMode === 'mask' && alpha < look.alphaCutoff,
   };
-}
-
-/** A vertex attribute at the hit; empty if the geometry lacks it. */
-function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: TriangleHit): number[] {
-  if (!geometry.hasAttribute(name)) return [];
-  const attribute = geometry.getAttribute(name);
-  return Array.from({ length: attribute.itemSize }, (_, c) =>
-    corners.reduce((sum, corner, k) => sum + weights[k]! * attribute.getComponent(corner, c), 0),
-  );
 }

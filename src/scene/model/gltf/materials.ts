@@ -1,4 +1,5 @@
-// Which parts of a glTF material does the equation use? Base colour, its texture, alpha, sides. Indices are checked. Knows the JSON only.
+// Which parts of a glTF material does the equation use? Numbers and indices are checked. Knows the JSON only; surfaces.ts turns what
+// was read into the equation's terms.
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
 export interface GltfTexture {
@@ -29,13 +30,43 @@ export function readTextures(json: JsonObject, images: number): readonly GltfTex
   });
 }
 
-export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]): readonly JsonObject[] {
-  return objectsAt(json['materials'], 'materials').map((material, i) => {
+/** What a material says beside base colour, alpha and sides. Colours are linear, as in the file. */
+export interface MaterialValues {
+  readonly unlit: boolean;
+  readonly emissive: readonly number[];
+  /** Null: the file says nothing of metalness and roughness. glTF's own default, a rough metal, would be black without surroundings. */
+  readonly metalRough: { readonly metalness: number; readonly roughness: number } | null;
+  /** Factor of the specular coefficient; null for none. */
+  readonly specular: readonly number[] | null;
+  readonly normalScale: number;
+}
+
+/** Parts of a material that the equation has no place for. */
+const DROPPED =
+  /^KHR_materials_(anisotropy|clearcoat|diffuse_transmission|dispersion|ior|iridescence|sheen|transmission|volume|variants)$/;
+
+interface Materials {
+  /** For the parser: textures where it expects them, {@link MaterialValues} as `extras.surface`. */
+  readonly definitions: readonly JsonObject[];
+  /** What is left out, by the file's own names. */
+  readonly dropped: ReadonlySet<string>;
+}
+
+export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]): Materials {
+  const dropped = new Set<string>();
+  const definitions = objectsAt(json['materials'], 'materials').map((material, i) => {
     const what = `materials[${String(i)}]`;
     const metallic = optionalObject(material['pbrMetallicRoughness'], what);
-    const specular = optionalObject(material['extensions'], what)['KHR_materials_pbrSpecularGlossiness'];
-    const glossy = optionalObject(specular, what);
-    const map = metallic['baseColorTexture'] ?? glossy['diffuseTexture'];
+    const extensions = optionalObject(material['extensions'], what);
+    const glossy = optionalObject(extensions['KHR_materials_pbrSpecularGlossiness'], what);
+    const specular = optionalObject(extensions['KHR_materials_specular'], what);
+    for (const name of Object.keys(extensions)) if (DROPPED.test(name)) dropped.add(name);
+    if ('occlusionTexture' in material) dropped.add('occlusionTexture');
+    if ('specularGlossinessTexture' in glossy) dropped.add('specularGlossinessTexture');
+    for (const name of ['specularTexture', 'specularColorTexture']) if (name in specular) dropped.add(name);
+    const use = (value: unknown): JsonObject | undefined =>
+      value === undefined ? undefined : readTextureUse(value, textures, what);
+    const normal = optionalObject(material['normalTexture'], what);
     return {
       name: textAt(material['name']),
       alphaMode: textAt(material['alphaMode']) || 'OPAQUE',
@@ -43,11 +74,62 @@ export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]
       alphaCutoff: numberAt(material['alphaCutoff'], `${what}.alphaCutoff`, 0.5),
       pbrMetallicRoughness: {
         baseColorFactor: numbersAt(metallic['baseColorFactor'] ?? glossy['diffuseFactor'], 4, what),
-        baseColorTexture: map === undefined ? undefined : readTextureUse(map, textures, what),
+        baseColorTexture: use(metallic['baseColorTexture'] ?? glossy['diffuseTexture']),
+        metallicRoughnessTexture: use(metallic['metallicRoughnessTexture']),
+      },
+      normalTexture: use(material['normalTexture']),
+      emissiveTexture: use(material['emissiveTexture']),
+      extras: {
+        surface: {
+          unlit: 'KHR_materials_unlit' in extensions,
+          emissive: readEmissive(material, extensions, what),
+          metalRough: readMetalRough(metallic, glossy, what),
+          specular: readSpecular(specular, glossy, what),
+          normalScale: numberAt(normal['scale'], `${what}.normalTexture.scale`, 1),
+        } satisfies MaterialValues,
       },
     };
   });
+  return { definitions, dropped };
 }
+
+const BLACK = [0, 0, 0];
+const WHITE = [1, 1, 1];
+
+function readEmissive(material: JsonObject, extensions: JsonObject, what: string): readonly number[] {
+  const factor = numbersAt(material['emissiveFactor'], 3, `${what}.emissiveFactor`) ?? BLACK;
+  const { emissiveStrength } = optionalObject(extensions['KHR_materials_emissive_strength'], what);
+  const strength = numberAt(emissiveStrength, `${what}.emissiveStrength`, 1);
+  return factor.map((c) => c * strength);
+}
+
+function readMetalRough(
+  metallic: JsonObject,
+  glossy: JsonObject,
+  what: string,
+): MaterialValues['metalRough'] {
+  const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = metallic;
+  const { glossinessFactor } = glossy;
+  if (glossinessFactor !== undefined)
+    return { metalness: 0, roughness: 1 - share(glossinessFactor, `${what}.glossinessFactor`, 1) };
+  if (metallicFactor === undefined && roughnessFactor === undefined && metallicRoughnessTexture === undefined)
+    return null;
+  return {
+    metalness: share(metallicFactor, `${what}.metallicFactor`, 1),
+    roughness: share(roughnessFactor, `${what}.roughnessFactor`, 1),
+  };
+}
+
+function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): readonly number[] | null {
+  const color = specular['specularColorFactor'] ?? glossy['specularFactor'];
+  if (color === undefined && specular['specularFactor'] === undefined) return null;
+  const factor = share(specular['specularFactor'], `${what}.specularFactor`, 1);
+  return (numbersAt(color, 3, `${what}.specularColorFactor`) ?? WHITE).map((c) => c * factor);
+}
+
+/** A number clamped to 0–1. */
+const share = (value: unknown, what: string, fallback: number): number =>
+  Math.min(Math.max(numberAt(value, what, fallback), 0), 1);
 
 function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: string): JsonObject {
   const use = optionalObject(value, what);

@@ -1,0 +1,117 @@
+// What is wrong with markup that looks like a mistake, and what is the cure? Warns once per mistake and page. Fetched when
+// there is something to report; changes nothing.
+import { clip } from '../../fields/clip.js';
+import { nearest } from '../../fields/nearest.js';
+import { registryAround } from '../child-registry.js';
+import { attributeAdvice } from './attribute-advice.js';
+import { strayAttributes } from './inspect.js';
+
+const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
+
+/** The page's warnings. A page with more mistakes than this has one cause for most of them. */
+const MOST = 100;
+const given = new Set<string>();
+
+/** Warns of the mistakes in these elements. */
+export function diagnose(elements: readonly Element[]): void {
+  const known = new Map(TAGS.map((tag) => [tag as string, attributesOf(tag)]));
+  for (const element of elements) {
+    const tag = element.localName;
+    for (const name of strayAttributes(element)) {
+      const advice = attributeAdvice(tag, name, known);
+      if (advice !== undefined) warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
+    }
+    if (!element.isConnected) continue;
+    if (tag === 'phong-viewer') diagnoseContent(element);
+    else if (registryAround(element) === null) warn(lonely(element));
+  }
+}
+
+/** As the element was defined with. */
+function attributesOf(tag: string): readonly string[] {
+  const definition = customElements.get(tag) as
+    { readonly observedAttributes?: readonly string[] } | undefined;
+  return definition?.observedAttributes ?? [];
+}
+
+function diagnoseContent(viewer: Element): void {
+  for (const tag of unknownTags(viewer)) {
+    const meant = nearest(tag, TAGS) ?? 'phong-light> or <phong-mesh';
+    warn(`<${clip(tag)}> inside a <phong-viewer>: there is no such element. Did you mean <${meant}>?`);
+  }
+  const misplaced = viewer.querySelector(':is(phong-light, phong-mesh) > [slot]:not([slot=""])');
+  if (misplaced !== null) {
+    const { localName, slot, parentElement } = misplaced;
+    warn(
+      `<${clip(localName)} slot="${clip(slot)}"> is inside a <${parentElement?.localName ?? ''}>, so it is not shown. ` +
+        `Write </${parentElement?.localName ?? ''}> before it.`,
+    );
+  }
+  const hidden = hiddenContent(viewer);
+  if (hidden !== null)
+    warn(
+      `<phong-viewer> contains ${hidden}, which is not shown. ` +
+        'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.',
+    );
+}
+
+/** Tags inside a viewer that look like this package's, but are not defined. */
+const unknownTags = (viewer: Element): string[] =>
+  Array.from(viewer.querySelectorAll(':not(:defined)'), ({ localName }) => localName).filter((tag) =>
+    tag.startsWith('phong-'),
+  );
+
+function lonely(element: Element): string {
+  const name = element.getAttribute('name') ?? '';
+  const which = `<${element.localName}${name === '' ? '' : ` name="${clip(name)}"`}>`;
+  return element.closest('phong-viewer') === null
+    ? `${which} is not inside a <phong-viewer>, so it has no effect. Move it into one.`
+    : `${which} is inside an element with a slot, so it has no effect. Move it out of that element.`;
+}
+
+/** The first content of a viewer that a reader of the page should see, in words; null for none. */
+function hiddenContent(viewer: Element): string | null {
+  const walker = document.createTreeWalker(viewer, NodeFilter.SHOW_ELEMENT | NodeFilter.SHOW_TEXT, (node) => {
+    const element = elementOf(node);
+    if (element !== null && (element.matches(UNSEEN) || isSlotted(element, viewer)))
+      return NodeFilter.FILTER_REJECT;
+    const shown = element === null ? node.nodeValue?.trim() !== '' : element.matches(SHOWN);
+    return shown ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_SKIP;
+  });
+  // A viewer inside another is always a mistake. Other content before the end tag can be meant for browsers without
+  // scripts. It was swallowed if nothing follows the viewer: an unclosed element ends with its parent.
+  let first: Node | null = null;
+  for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+    if (node.nodeName === 'PHONG-VIEWER') return 'another <phong-viewer>';
+    first ??= node;
+  }
+  if (first === null || !endsItsParent(viewer)) return null;
+  return elementOf(first) !== null
+    ? `<${first.nodeName.toLowerCase()}>`
+    : `the text "${clip(first.nodeValue?.trim().replace(/\s+/g, ' ') ?? '')}"`;
+}
+
+/** Not by `instanceof`: another window has classes of its own. */
+const elementOf = (node: Node | null): Element | null =>
+  node?.nodeType === Node.ELEMENT_NODE ? (node as Element) : null;
+
+const UNSEEN = 'script,style,template,noscript';
+
+/** Elements that show something, whatever they contain. */
+const SHOWN = 'img,svg,canvas,video,audio,iframe,object,embed,button,input,select,textarea,hr,phong-viewer';
+
+const isSlotted = (node: Element, viewer: Element): boolean =>
+  node.slot !== '' && node.parentElement === viewer;
+
+/** Nothing follows but what scripts insert. Not even white space: the parser puts that inside an unclosed element. */
+function endsItsParent(viewer: Element): boolean {
+  let next = viewer.nextSibling;
+  while (elementOf(next)?.matches(`${UNSEEN},link`) === true) next = next?.nextSibling ?? null;
+  return next === null;
+}
+
+function warn(message: string): void {
+  if (given.has(message) || given.size >= MOST) return;
+  given.add(message);
+  console.warn(message);
+}

@@ -1,0 +1,58 @@
+// Could an element hold a mistake of its author that nothing else reports? Each element is tested once, after the task or
+// the parsing that connected it. The tests are cheap and coarse; the code that knows the mistakes and their cures is
+// fetched only if one fails.
+import { registryAround } from '../child-registry.js';
+
+const waiting = new Set<Element>();
+const inspected = new WeakSet<Element>();
+
+/** Tests `element` at the end of the task, or once the document is parsed. Does nothing if it was tested before. */
+export function inspect(element: Element): void {
+  if (inspected.has(element)) return;
+  inspected.add(element);
+  waiting.add(element);
+  if (waiting.size > 1) return;
+  if (document.readyState === 'loading')
+    document.addEventListener('DOMContentLoaded', inspectSoon, { once: true });
+  else inspectSoon();
+}
+
+/** Tests a viewer again, if it contains an element that is not defined. Call it when its content changes. */
+export function inspectAgain(viewer: Element): void {
+  if (viewer.querySelector(':not(:defined)') === null) return;
+  inspected.delete(viewer);
+  inspect(viewer);
+}
+
+/** Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name theirs. */
+export function strayAttributes(element: Element): string[] {
+  const { observedAttributes: own } = element.constructor as unknown as {
+    readonly observedAttributes: readonly string[];
+  };
+  return element.getAttributeNames().filter((name) => !own.includes(name) && !FOREIGN.test(name));
+}
+
+const FOREIGN = /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_)|[^\p{L}\d]/u;
+
+function inspectSoon(): void {
+  setTimeout(() => {
+    const suspects = [...waiting].filter(isSuspect);
+    waiting.clear();
+    if (suspects.length === 0) return;
+    // Without this code nothing is reported, and nothing else fails.
+    void import('./diagnose.js').then(({ diagnose }) => diagnose(suspects)).catch(() => undefined);
+  });
+}
+
+function isSuspect(element: Element): boolean {
+  // It is tested when it comes back.
+  if (!element.isConnected) return !inspected.delete(element);
+  if (strayAttributes(element).length > 0) return true;
+  if (element.localName !== 'phong-viewer') return registryAround(element) === null;
+  return (
+    element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
+    Array.from(element.childNodes).some(
+      (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',
+    )
+  );
+}

@@ -1,0 +1,20 @@
+// How much of a text from outside (attributes, files, addresses) does a message repeat? Enough to recognise it, and never
+// so much that the page suffers: Chromium lays out a word of 100,000 letters for 20 s. Knows no message.
+
+/** Longest text that a message repeats, in UTF-16 units. */
+const LONGEST = 100;
+
+/** Longest message. The longest of our own sentences has 250 characters and repeats two texts. */
+const LONGEST_MESSAGE = 500;
+
+/** The first `longest` characters of `text` (default 100) and an ellipsis; shorter text as it is. Cuts no surrogate pair. */
+export function clip(text: string, longest = LONGEST): string {
+  return text.length > longest ? text.slice(0, longest).replace(/[\ud800-\udbff]$/, '') + '…' : text;
+}
+
+/** A whole message. Texts inside that were not clipped are recognised as words that are too long. */
+export const clipMessage = (message: string): string =>
+  clip(
+    message.replace(/\S+/g, (word) => clip(word)),
+    LONGEST_MESSAGE,
+  );

@@ -1,0 +1,62 @@
+// What may a model's file say about a surface besides its base colour, and how does that enter the equation? Roughness becomes
+// an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes the same per fragment.
+import type { Texture } from 'three';
+import type { Vec3 } from '../math/vector.js';
+
+export interface FileSurface {
+  /** The colour is the base colour: no light is summed, and nothing is emitted besides. */
+  readonly unlit: boolean;
+  /** E, added once to the sum over the lights. Encoded sRGB; 1 is full, more is brighter. Default black. */
+  readonly emissive: Vec3;
+  /** Multiplies E; encoded sRGB. */
+  readonly emissiveMap: Texture | null;
+  /** m, 0–1: Kd is multiplied by 1 − m, and Ks by the base colour to the share m. Default 0. */
+  readonly metalness: number;
+  /** 0–1; null: the file says nothing, or the author gave an exponent. Then the exponent is the surface's own. */
+  readonly roughness: number | null;
+  /** Green multiplies the roughness, blue the metalness. */
+  readonly metalRoughMap: Texture | null;
+  /** Replaces N, in the space of the vertices' tangents. Phong shading only. */
+  readonly normalMap: Texture | null;
+  /** Multiplies the map's x and y. Default 1. */
+  readonly normalScale: number;
+}
+
+export const NO_FILE_SURFACE: FileSurface = {
+  unlit: false,
+  emissive: [0, 0, 0],
+  emissiveMap: null,
+  metalness: 0,
+  roughness: null,
+  metalRoughMap: null,
+  normalMap: null,
+  normalScale: 1,
+};
+
+/**
+ * Roughness below this makes no narrower highlight: its exponent is 121,932. The smallest one that a float32 renderer can
+ * tell from a mirror, by Filament's documentation ("Physically Based Rendering in Filament", section 4.8.3.3).
+ */
+export const LEAST_ROUGHNESS = 0.045;
+
+/** The (n + 2)/(2π) of Lafortune and Willems' modified Phong lobe, without 1/(2π), at the default exponent 32. */
+export const FULL_LOBE = 34;
+
+/**
+ * The exponent n of R·V for a roughness of 0–1: 0 for 1, 7.5 for 0.5, 312 for 0.2.
+ *
+ * Roughness is squared (alpha, Burley, "Physically-Based Shading at Disney", 2012). A Blinn–Phong lobe of that alpha has the
+ * exponent 2/alpha² − 2 (Walter and others, "Microfacet Models for Refraction through Rough Surfaces", 2007). R turns twice
+ * as fast as H, so R·V needs a quarter of it (Fisher and Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994).
+ */
+export function exponentOfRoughness(roughness: number): number {
+  const alpha = Math.max(roughness, LEAST_ROUGHNESS) ** 2;
+  return 0.5 / (alpha * alpha) - 0.5;
+}
+
+/**
+ * The share of Ks that is left for a lobe of exponent n, at most 1: a broad lobe then reflects as much light as one of the
+ * default exponent (Lafortune and Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994).
+ * Metals keep all of Ks, which is the only light that they reflect.
+ */
+export const lobeScale = (n: number): number => Math.min((n + 2) / FULL_LOBE, 1);

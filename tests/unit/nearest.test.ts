@@ -1,0 +1,63 @@
+// Which known word is meant by a misspelled one.
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { nearest } from '../../src/fields/nearest.js';
+
+/** The optimal string alignment distance, by the textbook's table. */
+function distance(a: string, b: string): number {
+  const table: number[][] = [];
+  const at = (i: number, j: number): number => table[i]?.[j] ?? Infinity;
+  for (let i = 0; i <= a.length; i++) {
+    table.push([]);
+    for (let j = 0; j <= b.length; j++) {
+      const swapped = i > 1 && j > 1 && a[i - 1] === b[j - 2] && a[i - 2] === b[j - 1];
+      const steps = [at(i - 1, j) + 1, at(i, j - 1) + 1, at(i - 1, j - 1) + (a[i - 1] === b[j - 1] ? 0 : 1)];
+      table[i]!.push(i + j === 0 ? 0 : Math.min(...steps, swapped ? at(i - 2, j - 2) + 1 : Infinity));
+    }
+  }
+  return at(a.length, b.length);
+}
+
+const words = ['shading', 'diffuse', 'position', 'scale', 'ka', 'kd', 'src', 'fov', 'radius'];
+
+describe('the nearest word', () => {
+  it.each([
+    ['shadng', 'shading'],
+    ['shdng', 'shading'],
+    ['difuse', 'diffuse'],
+    ['diffues', 'diffuse'],
+    ['idffuse', 'diffuse'],
+    ['postion', 'position'],
+    ['positions', 'position'],
+    ['poistoin', 'position'],
+    ['scael', 'scale'],
+    ['rc', 'src'],
+    ['radii', 'radius'],
+  ])('to %s is %s', (word, wanted) => {
+    expect(nearest(word, words)).toBe(wanted);
+  });
+
+  it.each(['', 'x', 'sclae2', 'cale2', 'difu', 'light', 'srcset', 'x'.repeat(1e6)])(
+    'to %.20s is none',
+    (word) => {
+      expect(nearest(word, words)).toBeUndefined();
+    },
+  );
+
+  it('is the one with fewer edits, whatever the order', () => {
+    expect(nearest('ambien', ['ambit', 'ambient'])).toBe('ambient');
+    expect(nearest('torus-knt', ['torus', 'torus-knot'])).toBe('torus-knot');
+    expect(nearest('torus-knt', ['torus-knot', 'torus'])).toBe('torus-knot');
+  });
+
+  it('is found from either side, as by the table of all prefixes (seed 7)', () => {
+    const word = fc.string({ unit: fc.constantFrom('a', 'b', 'c'), maxLength: 8 });
+    fc.assert(
+      fc.property(word, word, (a, b) => {
+        expect(nearest(a, [b]) === b).toBe(distance(a, b) <= (b.length < 6 ? 1 : 2));
+      }),
+      { seed: 7, numRuns: 3000 },
+    );
+  });
+});
