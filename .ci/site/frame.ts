@@ -4,12 +4,6 @@
 import { closerLooks, guide, sections, type Entry } from './contents.js';
 import { escapeHtml } from './markdown.js';
 
-/** Where the site will be published: absolute, with a slash at the end. Link previews need absolute addresses. */
-export const siteAddress = (process.env['SITE_URL'] ?? 'https://OWNER.github.io/phong-viewer').replace(
-  /\/*$/,
-  '/',
-);
-
 /** Scripts, styles, models and pictures come from the site itself; nothing inline, nothing evaluated. */
 const POLICY = {
   'default-src': "'none'",
@@ -35,17 +29,19 @@ export interface Page {
   readonly description: string;
 }
 
-export interface Package {
+export interface Facts {
   readonly version: string;
   /** The repository's address in a browser. */
   readonly repository: string;
+  /** Where the site is published: absolute, with a slash at the end. Link previews need absolute addresses. */
+  readonly site: string;
 }
 
 /** The way from a page to the site's root. */
 const rootFrom = (path: string): string => '../'.repeat(path.split('/').length - 1) || './';
 
 /** @param policy whether to add the Content-Security-Policy. The development server's own scripts would break it. */
-export function headHtml({ path, title, description }: Page, policy: boolean): string {
+export function headHtml({ path, title, description }: Page, { site }: Facts, policy: boolean): string {
   const root = rootFrom(path);
   const full = escapeHtml(path === '' ? title : `${title} – phong-viewer`);
   const rules = Object.entries(path === 'playground/' ? PLAYGROUND_POLICY : POLICY);
@@ -57,13 +53,13 @@ export function headHtml({ path, title, description }: Page, policy: boolean): s
     <title>${full}</title>
     <meta name="description" content="${description}" />
     <meta name="color-scheme" content="light dark" />
-    <link rel="canonical" href="${siteAddress}${path}" />
+    <link rel="canonical" href="${site}${path}" />
     <meta property="og:type" content="website" />
     <meta property="og:site_name" content="phong-viewer" />
     <meta property="og:title" content="${full}" />
     <meta property="og:description" content="${description}" />
-    <meta property="og:url" content="${siteAddress}${path}" />
-    <meta property="og:image" content="${siteAddress}assets/images/preview.png" />
+    <meta property="og:url" content="${site}${path}" />
+    <meta property="og:image" content="${site}assets/images/preview.png" />
     <meta property="og:image:width" content="1200" />
     <meta property="og:image:height" content="630" />
     <meta property="og:image:alt" content="A knot, a sphere, a cone and a box under a sun, a lamp and a spot" />
@@ -96,7 +92,7 @@ export function headerHtml(path: string): string {
       }`;
 }
 
-export function footerHtml(path: string, { version, repository }: Package): string {
+export function footerHtml(path: string, { version, repository }: Facts): string {
   const root = rootFrom(path);
   return `${neighboursHtml(path, root)}
       <footer class="foot">

@@ -117,8 +117,12 @@ const files: readonly (readonly [words: string, folder: string, pattern: RegExp]
   ['`phong-viewer/standalone`, with three.js and Lit inside', '.', /^phong-viewer\.standalone\.js$/],
   ['the control panel, when it is first opened', 'chunks', /^panel-/],
   ['the teapot, when it is first shown', 'chunks', /^teapot-/],
-  ['the reader of glTF and GLB, with the first model', 'chunks', /^read-gltf-/],
+  ['the reader of glTF and GLB, with the first model of this format', 'chunks', /^read-gltf-/],
+  ['the reader of OBJ and MTL', 'chunks', /^read-obj-/],
+  ['the reader of STL', 'chunks', /^read-stl-/],
+  ['the reader of PLY', 'chunks', /^read-ply-/],
   ['the Draco decoder, if a model needs it', 'chunks', /^draco-/],
+  ['the meshopt decoder, if a model needs it', 'chunks', /^meshopt-/],
 ];
 
 /** Size after Brotli in kB (1,000 bytes), as text. */

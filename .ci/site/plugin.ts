@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 import type { Package as Manifest } from 'custom-elements-manifest';
 import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
-import { footerHtml, headerHtml, headHtml, siteAddress } from './frame.js';
+import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
 import { apiHtml, kilobytes, releasesHtml, sizesHtml } from './generated.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -59,14 +59,15 @@ function pageHtml(source: string, path: string, building: boolean): string {
   const description = /<meta\s+name="description"\s+content="([^"]*)"\s*\/>\s*/.exec(source);
   if (title === null || description === null)
     throw new Error(`demo/${path}: needs a title and a description`);
-  const { version, repository: address } = packageFacts();
-  const head = headHtml({ path, title: title[1]!, description: description[1]! }, building);
+  const facts = packageFacts();
+  const head = headHtml({ path, title: title[1]!, description: description[1]! }, facts, building);
   return source
     .replace(title[0], '')
     .replace(description[0], '')
     .replace('<head>', () => `<head>${head}`)
     .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path))
-    .replace('</main>', () => `</main>${footerHtml(path, { version, repository: address })}`)
+    .replace('</main>', () => `</main>${footerHtml(path, facts)}`)
+    .replaceAll('href="repository:', () => `href="${facts.repository}/blob/main/`)
     .replace(
       /<!-- ([a-z]+)(?: ([a-z-]+))? -->/g,
       (comment: string, name: string, argument?: string) => generated.get(name)?.(argument ?? '') ?? comment,
@@ -124,21 +125,26 @@ function documentedAttributes(): Record<string, string[]> {
   return Object.fromEntries(entries);
 }
 
-function packageFacts(): { readonly version: string; readonly repository: string } {
+function packageFacts(): Facts {
   const { version, repository: source } = JSON.parse(
     readFileSync(join(repository, 'package.json'), 'utf8'),
   ) as { version: string; repository: { url: string } };
-  return { version, repository: source.url.replace(/^git\+/, '').replace(/\.git$/, '') };
+  const address = source.url.replace(/^git\+/, '').replace(/\.git$/, '');
+  const [, owner = '', name = ''] = /\/([^/]+)\/([^/]+)$/.exec(address) ?? [];
+  // GitHub Pages' address, unless the build is told another one.
+  const site = process.env['SITE_URL'] ?? `https://${owner}.github.io/${name}`;
+  return { version, repository: address, site: site.replace(/\/*$/, '/') };
 }
 
 function sitemap(): string {
+  const { site } = packageFacts();
   const addresses = pageFiles().map((file) =>
     file
       .slice(demo.length + 1)
       .replaceAll('\\', '/')
       .replace(/index\.html$/, ''),
   );
-  const urls = addresses.sort().map((path) => `  <url><loc>${siteAddress}${path}</loc></url>`);
+  const urls = addresses.sort().map((path) => `  <url><loc>${site}${path}</loc></url>`);
   return `<?xml version="1.0" encoding="UTF-8"?>
 <urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">
 ${urls.join('\n')}

@@ -4,7 +4,7 @@ import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
 import { EXAMPLES } from './examples.js';
-import { readScene, withoutHosts, type Scene } from './scene.js';
+import { readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
 import { showScene } from './show.js';
 
 /** Milliseconds without a keystroke before the scene is in the address. */
@@ -93,7 +93,7 @@ function writeBack(): void {
   if (typeof scene === 'string') return;
   shown = scene;
   shownMarkup = markup;
-  text = written(parsed(markup));
+  text = written(scene);
   area.value = text;
   editor?.setText(text);
   remember();
@@ -161,19 +161,16 @@ function start(next: string): void {
 
 /** An example as the playground writes markup: several attributes on a line, and with the panel. */
 function textOf(source: string): string {
-  const viewer = parsed(source);
-  viewer.setAttribute('gui', '');
-  return written(viewer);
+  const scene = readScene(source.replace('<phong-viewer', '<phong-viewer gui'), document.baseURI);
+  return typeof scene === 'string' ? source : written(scene);
 }
 
-/** The one element that a trusted text holds, in a document that runs nothing. */
-const parsed = (source: string): Element =>
-  new DOMParser().parseFromString(source, 'text/html').body.firstElementChild!;
-
-const written = (element: Element): string =>
-  `${markupOf(element, LINE_LENGTH)
-    .map((piece) => piece.text)
-    .join('')}\n`;
+/** The scene as markup. */
+function written(scene: Scene): string {
+  const element = sceneElement(scene);
+  const pieces = element === null ? [] : markupOf(element, LINE_LENGTH);
+  return `${pieces.map((piece) => piece.text).join('')}\n`;
+}
 
 // -- The page ----------------------------------------------------------------------------------------------------------
 

@@ -122,6 +122,18 @@ class SceneReader {
 const clipped = (name: string): string =>
   name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
 
+/** The scene as one element of a document that runs nothing, to be written as markup. */
+export function sceneElement(scene: Scene): Element | null {
+  const inert = document.implementation.createHTMLDocument('');
+  const [viewer, ...children] = scene.elements.map(({ tag, attributes: all }) => {
+    const element = inert.createElement(tag);
+    for (const [name, value] of all) element.setAttribute(name, value);
+    return element;
+  });
+  viewer?.append(...children);
+  return viewer ?? null;
+}
+
 /** The scene without the files of other hosts, unless the user has allowed these. */
 export function withoutHosts(scene: Scene, allowed: ReadonlySet<string>, base: string): Scene {
   const elements = scene.elements.map(({ tag, attributes: all }) => ({
