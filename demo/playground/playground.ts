@@ -77,11 +77,13 @@ function askFor(hosts: readonly string[]): void {
 
 /** Whether the user has touched the picture since the text was shown. */
 let touched = false;
+/** Whether a press that began in the picture lasts: a whole drag is one change of the markup. */
+let pressed = false;
 let settling = 0;
 
 function settle(): void {
   clearTimeout(settling);
-  if (touched) settling = window.setTimeout(writeBack, SETTLE_MS);
+  if (touched && !pressed) settling = window.setTimeout(writeBack, SETTLE_MS);
 }
 
 function writeBack(): void {
@@ -99,15 +101,19 @@ function writeBack(): void {
   remember();
 }
 
-for (const type of ['pointerdown', 'pointerup', 'keydown', 'keyup', 'wheel', 'input', 'drop'] as const) {
-  viewer.addEventListener(
-    type,
-    () => {
-      touched = true;
-      settle();
-    },
-    { passive: true },
-  );
+for (const type of ['pointerdown', 'keydown', 'wheel', 'input', 'drop'] as const) {
+  const noteTouch = (): void => {
+    touched = true;
+    if (type === 'pointerdown') pressed = true;
+    settle();
+  };
+  viewer.addEventListener(type, noteTouch, { passive: true });
+}
+for (const type of ['pointerup', 'pointercancel', 'blur'] as const) {
+  addEventListener(type, () => {
+    pressed = false;
+    settle();
+  });
 }
 viewer.addEventListener('light-change', settle);
 viewer.addEventListener('camera-change', ({ detail: { source } }) => {

@@ -10,6 +10,7 @@ import { outputFolder } from '../../.ci/output-folder.mjs';
 import { startSite } from '../support/site.js';
 import { allReady, expect, test } from '../support/test.js';
 import { linkTo } from '../support/site-pages.js';
+import type { PhongViewer } from './support.js';
 
 const HOST = 'https://models.example';
 const hack = 'window.hacked = 1';
@@ -174,7 +175,7 @@ test('files of another host are fetched after a click, and only from the host th
     await expect(page.locator('#gate')).toContainText(`files from ${HOST}.`);
     await page.locator('phong-viewer').press('ArrowLeft');
     await expect
-      .poll(() => page.locator('phong-viewer').evaluate((v) => Reflect.get(v, 'camera').theta as number))
+      .poll(() => page.locator('phong-viewer').evaluate((v: PhongViewer) => v.camera.theta))
       .not.toBe(5);
     expect(await page.locator('.cm-content').textContent(), 'the source is not lost').toContain(HOST);
     expect(fetched).toEqual([]);

@@ -1,2 +1,0 @@
-
-function e(e){let t=e.getAttribute(`position`),n=[1/0,1/0,1/0],r=[-1/0,-1/0,-1/0];for(let e=0;e<t.count;e+=1)for(let i=0;i<3;i+=1){let a=t.getComponent(e,i);n[i]=Math.min(n[i]??a,a),r[i]=Math.max(r[i]??a,a)}let i=n.map((e,t)=>(r[t]??e)-e),a=n.map((e,t)=>((r[t]??e)+e)/2),o=1/Math.max(...i);for(let e=0;e<t.count;e+=1)for(let n=0;n<3;n+=1)t.setComponent(e,n,(t.getComponent(e,n)-(a[n]??0))*o);return e.boundingBox=null,e.boundingSphere=null,e}export{e as t};
