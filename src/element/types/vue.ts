@@ -14,7 +14,9 @@ type OwnProps<E extends AnyElement> = Given<ValueProps<E['values']>> & Handlers<
 
 /** A global component, as vue-tsc reads it: its props, and the element that a template ref holds. */
 type Component<E extends AnyElement> = new () => E['element'] & {
-  readonly $props: OwnProps<E> & Omit<HTMLAttributes, keyof OwnProps<E>> & Omit<PublicProps, never>;
+  readonly $props: OwnProps<E> &
+    Omit<HTMLAttributes, keyof OwnProps<E>> &
+    Omit<PublicProps, keyof OwnProps<E>>;
 };
 
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
