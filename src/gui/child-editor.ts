@@ -83,14 +83,11 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
     const children = this.#children();
     const neighbour = children[children.indexOf(child) + by];
     if (neighbour === undefined) return;
-    const focused = (this.#group.domElement.getRootNode() as ShadowRoot).activeElement;
     this.#edit(() => {
       for (const element of [child, neighbour]) unnest(element);
       if (by < 0) neighbour.before(child);
       else neighbour.after(child);
     });
-    // Its folder has moved, which drops the focus.
-    if (focused instanceof HTMLElement) focus(focused);
   }
 
   #edit(write: () => void): void {

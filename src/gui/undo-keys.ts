@@ -11,10 +11,13 @@ export function listenForUndo(panel: HTMLElement, history: History): void {
   panel.addEventListener('input', ({ target }) => {
     if (isText(target ?? undefined)) typedIn = target;
   });
-  // A step ends when the pointer is released, an arrow key is, and a field or picker is left.
-  for (const type of ['change', 'focusout', 'pointerup', 'pointercancel'] as const) {
+  panel.addEventListener('focusout', () => {
+    typedIn = null;
+  });
+  // A step ends when the pointer or an arrow key is released, and when a field or picker is left.
+  for (const type of ['change', 'pointerup', 'pointercancel'] as const) {
     panel.addEventListener(type, () => {
-      if (type === 'change' || type === 'focusout') typedIn = null;
+      if (type === 'change') typedIn = null;
       history.seal();
     });
   }

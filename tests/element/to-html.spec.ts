@@ -115,7 +115,7 @@ test.describe('toHTML', () => {
     const light = viewer.locator('phong-light');
     await assign(light, { position: [0.1 + 0.2, 1 / 3, 1e-7 / 3, 1], cutoff: 100 / 3 });
     expect(await html(viewer)).toContain('position="0.3 0.33333333 3.3333333e-8 1"');
-    expect(await html(viewer)).toContain('cutoff="33.333333"');
+    expect(await html(viewer)).toContain('cutoff="33.3333333"');
     // Far from the origin a coordinate keeps the digits that count at the camera's distance.
     await assign(viewer, { radius: 4, target: [1e6 + 1 / 3, 0, 0] });
     expect(await html(viewer)).toContain('target="1000000.3333333 0 0"');
