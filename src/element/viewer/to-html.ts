@@ -53,8 +53,8 @@ function treeOf(viewer: Element): ReadonlyMap<Element, readonly Element[]> {
 
 const kept = (element: Element): string =>
   KEPT.map((name) => {
-    const text = element.getAttribute(name);
-    return text === null ? '' : attribute(name, text);
+    const text = element.getAttribute(name) ?? '';
+    return text === '' ? '' : attribute(name, text);
   }).join('');
 
 /** The values that were given, in the order of the fields, and `instead` in place of those it names. */
