@@ -30,6 +30,12 @@ export interface SnapshotOptions extends SettledOptions {
   readonly height?: number;
 }
 
+/** Node's Buffer, as Playwright's own screenshots are. */
+type Png = Awaited<ReturnType<Locator['screenshot']>>;
+
+/** The package is built without Node's types, because all other entries run in browsers. */
+const { Buffer } = globalThis as unknown as { Buffer: { from(text: string, encoding: 'base64'): Png } };
+
 /** Suspects that are looked at closely. A picture with more is wrong anyway. */
 const MOST_SUSPECTS = 2000;
 
@@ -53,7 +59,7 @@ export async function settled(viewer: Locator, { timeout = 20_000 }: SettledOpti
 export async function snapshot(
   viewer: Locator,
   { width, height, timeout = 20_000 }: SnapshotOptions = {},
-): Promise<Buffer> {
+): Promise<Png> {
   await settled(viewer, { timeout });
   const base64 = await viewer.evaluate(
     async (element: PhongViewer, size) => {

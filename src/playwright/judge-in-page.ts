@@ -41,7 +41,7 @@ export interface Judgement {
   /** Pixels that show a Phong-lit surface, without the picture's border. */
   readonly surface: number;
   readonly judged: number;
-  /** Pixels of surfaces that are not judged, by reason. */
+  /** Pixels of surfaces that are not judged, by reason: edges of triangles or texels, opacity, textures. */
   readonly edges: number;
   readonly translucent: number;
   readonly minified: number;
@@ -68,12 +68,14 @@ export interface JudgeOptions {
 /**
  * Judges a pixel if its four neighbours show the same triangle: the diamond between their centres contains the pixel's square.
  * Translucent surfaces are left out, because shadeAt explains them without what lies behind, and so are textures where several
- * texels share a pixel, because it samples without mipmaps.
+ * texels share a pixel, because it samples without mipmaps. Borders of texels that are not filtered count as edges.
  */
 export async function judgeInPage(
   viewer: PhongViewer,
   { codes, most, lightKeys }: JudgeOptions,
 ): Promise<Judgement> {
+  // three.js's constant.
+  const NEAREST_FILTER = 1003;
   type Explained = NonNullable<Awaited<ReturnType<PhongViewer['shadeAt']>>>;
   if (viewer.antialias === 'highlights')
     throw new Error(
@@ -108,6 +110,7 @@ export async function judgeInPage(
     isTexture?: boolean;
     channel: number;
     matrix: { elements: number[] };
+    magFilter: number;
     image: { width: number; height: number };
   };
   const texturesOf = ({ object }: Explained): Mapped[] => {
@@ -118,14 +121,16 @@ export async function judgeInPage(
   };
   const sub = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
   const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  /** Whether each pixel step is less than a texel, in every texture of the surface. */
-  const isMagnified = (here: Explained, steps: readonly Vec3[]): boolean => {
+  /** Whether several texels share a pixel, or the device may be on another texel, in any texture of the surface. */
+  const textureFault = (here: Explained, steps: readonly Vec3[]): 'minified' | 'edges' | null => {
     const textures = texturesOf(here);
-    if (textures.length === 0) return true;
+    if (textures.length === 0) return null;
     const { geometry, matrixWorld, isSkinnedMesh, morphTargetInfluences } =
-      here.object as typeof here.object & { isSkinnedMesh?: boolean };
+      here.object as typeof here.object & {
+        isSkinnedMesh?: boolean;
+      };
     // Their vertices are elsewhere than in the geometry.
-    if (isSkinnedMesh === true || (morphTargetInfluences?.length ?? 0) > 0) return false;
+    if (isSkinnedMesh === true || (morphTargetInfluences?.length ?? 0) > 0) return 'minified';
     const m = matrixWorld.elements;
     const position = geometry.getAttribute('position') as Attribute;
     const vertices = [0, 1, 2].map(
@@ -133,34 +138,39 @@ export async function judgeInPage(
     ) as [number, number, number];
     const [a, b, c] = vertices.map((i): Vec3 => {
       const [x, y, z] = [position.getX(i), position.getY(i), position.getZ(i)];
-      return [
-        m[0] * x + m[4] * y + m[8] * z,
-        m[1] * x + m[5] * y + m[9] * z,
-        m[2] * x + m[6] * y + m[10] * z,
-      ];
+      const axis = (k: 0 | 1 | 2): number => m[k] * x + m[4 + k]! * y + m[8 + k]! * z + m[12 + k]!;
+      return [axis(0), axis(1), axis(2)];
     }) as [Vec3, Vec3, Vec3];
     const [e, f] = [sub(b, a), sub(c, a)];
     const [ee, ef, ff] = [dot(e, e), dot(e, f), dot(f, f)];
-    return textures.every(({ channel, matrix, image }) => {
-      const name = channel === 0 ? 'uv' : `uv${String(channel)}`;
-      const uv = geometry.getAttribute(name) as Attribute | undefined;
-      if (uv === undefined) return true;
+    let fault: 'edges' | null = null;
+    for (const { channel, matrix, image, magFilter } of textures) {
+      const uv = geometry.getAttribute(channel === 0 ? 'uv' : `uv${String(channel)}`) as
+        Attribute | undefined;
+      if (uv === undefined) continue;
       const t = matrix.elements;
-      const [ua, ub, uc] = vertices.map((i) => {
-        const [u, v] = [uv.getX(i), uv.getY(i)];
-        return [(t[0]! * u + t[3]! * v) * image.width, (t[1]! * u + t[4]! * v) * image.height] as const;
-      }) as [readonly [number, number], readonly [number, number], readonly [number, number]];
-      return steps.every((step) => {
+      /** Column and row of the texture that belong to a vertex. */
+      const texel = (i: number): readonly [number, number] => [
+        (t[0]! * uv.getX(i) + t[3]! * uv.getY(i) + t[6]!) * image.width,
+        (t[1]! * uv.getX(i) + t[4]! * uv.getY(i) + t[7]!) * image.height,
+      ];
+      const [ta, tb, tc] = [texel(vertices[0]), texel(vertices[1]), texel(vertices[2])];
+      /** Texels along a vector of the triangle's plane. */
+      const along = (step: Vec3, axis: 0 | 1): number => {
         const [se, sf] = [dot(step, e), dot(step, f)];
-        const v = (ff * se - ef * sf) / (ee * ff - ef * ef);
-        const w = (ee * sf - ef * se) / (ee * ff - ef * ef);
-        // 0.7: where minification begins at 2^0.5 texels or one, whatever the filters, this is below.
-        return (
-          Math.hypot(v * (ub[0] - ua[0]) + w * (uc[0] - ua[0]), v * (ub[1] - ua[1]) + w * (uc[1] - ua[1])) <
-          0.7
-        );
-      });
-    });
+        const [v, w] = [ff * se - ef * sf, ee * sf - ef * se];
+        return (v * (tb[axis] - ta[axis]) + w * (tc[axis] - ta[axis])) / (ee * ff - ef * ef);
+      };
+      // Minification begins at one texel a pixel, or at 2^0.5 with some filters.
+      if (steps.some((step) => Math.hypot(along(step, 0), along(step, 1)) > 0.7)) return 'minified';
+      if (magFilter !== NEAREST_FILTER) continue;
+      for (const axis of [0, 1] as const) {
+        const at = ta[axis] + along(sub(here.p, a), axis);
+        const reach = steps.reduce((sum, step) => sum + Math.abs(along(step, axis)), 0) * 2 ** -subpixelBits;
+        if (Math.abs(at - Math.round(at)) <= reach) fault = 'edges';
+      }
+    }
+    return fault;
   };
 
   const point = ({ p, N, ka, kd, ks, shininess, emissive, sum }: Explained): Point => ({
@@ -190,8 +200,9 @@ export async function judgeInPage(
         counts.translucent += 1;
         continue;
       }
-      if (!isMagnified(here, [sub(right.p, here.p), sub(below.p, here.p)])) {
-        counts.minified += 1;
+      const fault = textureFault(here, [sub(right.p, here.p), sub(below.p, here.p)]);
+      if (fault !== null) {
+        counts[fault] += 1;
         continue;
       }
       counts.judged += 1;

@@ -60,8 +60,7 @@ export async function settleInPage(viewer: PhongViewer, timeout: number): Promis
       // Nothing is requested here, so a frame means motion.
       for (let i = 0; i < 3; i++) await frame(what);
       if (viewer.stats.frames === frames) return within('it is not drawn', viewer.ready);
-      what =
-        viewer.autoRotate === 0 ? 'it draws frames by itself' : `auto-rotate is ${String(viewer.autoRotate)}`;
+      what = 'it draws frames by itself';
       quiet = 0;
     }
     const now = look();
@@ -69,7 +68,8 @@ export async function settleInPage(viewer: PhongViewer, timeout: number): Promis
     else if (now.programs > last.programs) compiling = true;
     const same =
       now.camera === last.camera && now.versions === last.versions && now.programs === last.programs;
-    if (now.camera !== last.camera && viewer.autoRotate === 0) what = 'the camera moves';
+    if (now.camera !== last.camera)
+      what = viewer.autoRotate === 0 ? 'the camera moves' : `auto-rotate is ${String(viewer.autoRotate)}`;
     quiet = same ? quiet + 1 : 0;
     last = now;
   }
