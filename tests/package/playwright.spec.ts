@@ -96,7 +96,7 @@ test.describe('toShowTheEquation', () => {
   });
 
   test('refuses pictures that it could hardly judge', async ({ mount }) => {
-    const fine = await mount('<phong-viewer geometry="sphere" segments="512"></phong-viewer>', SIZE);
+    const fine = await mount('<phong-viewer geometry="sphere" segments="256"></phong-viewer>', SIZE);
     expect(await refusal(fine)).toMatch(/^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/);
     const empty = await mount('<phong-viewer></phong-viewer>', SIZE);
     expect(await refusal(empty, { share: 0 })).toContain('The picture shows no surface.');

@@ -258,7 +258,7 @@ export const CHECKS: readonly Check[] = [
     },
   },
   {
-    title: 'panel: shows the camera, follows a drag, and moves camera and lights',
+    title: 'panel: opens, moves the camera, and follows a drag',
     markup: `<phong-viewer gui geometry="box" theta="30" phi="70">${LIGHTS}</phong-viewer>`,
     async holds(tab) {
       await typeIntoPanel(tab, 'Camera', 'θ azimuth °', '75');
@@ -272,8 +272,6 @@ export const CHECKS: readonly Check[] = [
             ?.querySelector<HTMLInputElement>('input:not([type=range])')?.value,
       );
       expect(shown).toBe('39');
-      const text = await tab.run(() => document.querySelector('phong-viewer')!.shadowRoot!.textContent);
-      for (const name of ['sun', 'lamp', 'spot', 'Copy HTML']) expect(text).toContain(name);
     },
   },
   {
