@@ -1,5 +1,5 @@
-// Builds the package's ES modules: dist/index.js, core.js, reference.js and react.js. three, Lit, lil-gui and React stay imports
-// for the user's bundler. `npm run build` runs this first; the standalone and the classic file have configs of their own.
+// Builds the package's ES modules: dist/index.js, core.js, reference.js, react.js and playwright.js. three, Lit, lil-gui, React and
+// Playwright stay imports for the user's bundler. `npm run build` runs this first; the standalone and the classic file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -14,7 +14,7 @@ const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, im
 // Text imported with a query is inlined, and so is the Draco decoder: a user's bundler would find no export in it.
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier) return false;
-  return /^(three|@lit\/reactive-element|lil-gui|react)(\/|$)/.test(specifier);
+  return /^(three|@lit\/reactive-element|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
 }
 
 /** dist/react.js imports dist/index.js, so that a page has one copy of the elements. */
@@ -33,6 +33,7 @@ const entries: Readonly<Record<string, string>> = {
   core: source('core.ts'),
   reference: source('reference/index.ts'),
   react: source('react.ts'),
+  playwright: source('playwright.ts'),
 };
 
 /** `--mode` names the entry. `index` is built first and empties dist/. */

@@ -39,6 +39,12 @@ export const layers = {
   },
   classic: { layers: ['index'] },
   react: { layers: ['index', 'element'], packages: ['react'] },
+  // Runs in Node and sends functions into pages: the elements are types to it.
+  playwright: {
+    layers: ['reference', 'light', 'math'],
+    lazy: ['index'],
+    packages: ['@playwright/test'],
+  },
 };
 
 /**

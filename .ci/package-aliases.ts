@@ -10,4 +10,5 @@ export const packageAliases = [
   { find: /^phong-viewer\/core$/, replacement: source('core.ts') },
   { find: /^phong-viewer\/reference$/, replacement: source('reference/index.ts') },
   { find: /^phong-viewer\/react$/, replacement: source('react.ts') },
+  { find: /^phong-viewer\/playwright$/, replacement: source('playwright.ts') },
 ];

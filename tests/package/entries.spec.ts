@@ -30,7 +30,7 @@ function packedFiles(): readonly PackedFile[] {
 test.describe('the packed package', () => {
   const intended = [
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
-    /^dist\/(index|core|reference|react)\.js(\.map)?$/,
+    /^dist\/(index|core|reference|react|playwright)\.js(\.map)?$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
@@ -76,12 +76,12 @@ test.describe('the packed package', () => {
 });
 
 test.describe('the entries in Node', () => {
-  for (const entry of ['index', 'core', 'reference', 'react']) {
+  for (const entry of ['index', 'core', 'reference', 'react', 'playwright']) {
     test(`importing ${entry}.js in Node prints nothing, adds no global and lets Node exit`, () => {
       const address = JSON.stringify(pathToFileURL(join(dist, `${entry}.js`)).href);
-      // Lit itself leaves a registry and its versions on globalThis.
+      // Lit itself leaves a registry and its versions on globalThis, Playwright its copy of zod.
       const code = `
-        const names = () => Object.keys(globalThis).filter((name) => !/^(lit|reactiveElement|customElements)/.test(name));
+        const names = () => Object.keys(globalThis).filter((name) => !/^(lit|reactiveElement|customElements|__zod_)/.test(name));
         const before = names().length;
         const exported = Object.keys(await import(${address}));
         process.stdout.write(names().length === before && exported.length > 0 ? 'quiet' : names().join());
@@ -113,7 +113,9 @@ test.describe('dist/', () => {
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
       if (/^(phong-viewer\.|chunks)/.test(path)) expect(bare, path).toEqual([]);
-      else for (const name of bare) expect(name, path).toMatch(/^(three|@lit\/|lil-gui|react$)/);
+      else
+        for (const name of bare)
+          expect(name, path).toMatch(/^(three|@lit\/|lil-gui|react$|@playwright\/test$)/);
     }
   });
 

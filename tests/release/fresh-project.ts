@@ -1,7 +1,7 @@
 // Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/ as
 // `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
 
-import { execSync, spawn } from 'node:child_process';
+import { exec, execSync, spawn } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -15,6 +15,8 @@ export interface FreshProject {
   write(path: string, text: string): void;
   /** Returns the command's output. Throws with all of it if the command fails. */
   run(command: string): string;
+  /** The same without blocking this process. */
+  runBeside(command: string): Promise<string>;
   /** Starts a server by a script of an installed package, and waits until it prints its address. */
   serve(script: string, args: readonly string[]): Promise<FreshServer>;
   /** Builds a page with this body by Vite. Returns the output folder. */
@@ -38,6 +40,7 @@ export function freshProject(packages: readonly string[]): FreshProject {
       writeFileSync(join(folder, path), text);
     },
     run: (command) => run(command, folder),
+    runBeside: (command) => runBeside(command, folder),
     serve: (script, args) => serve(join(folder, 'node_modules', script), args, folder),
     build(body) {
       const head = '<meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">';
@@ -138,4 +141,17 @@ function run(command: string, cwd: string): string {
     const { stdout, stderr } = error as { stdout: string; stderr: string };
     throw new Error(`${command}\n${stdout}\n${stderr}`, { cause: error });
   }
+}
+
+function runBeside(command: string, cwd: string): Promise<string> {
+  // Playwright tells workers by variables, which a Playwright of the project's own must not inherit.
+  const own = Object.fromEntries(
+    Object.entries(env).filter(([name]) => !/^(TEST_|PW_|PLAYWRIGHT_)/.test(name)),
+  );
+  return new Promise((resolve, reject) => {
+    exec(command, { cwd, env: own, timeout: 240_000 }, (error, stdout, stderr) => {
+      if (error === null) resolve(stdout);
+      else reject(new Error(`${command}\n${stdout}\n${stderr}`, { cause: error }));
+    });
+  });
 }

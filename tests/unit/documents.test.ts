@@ -21,6 +21,7 @@ const documents = [
   'src/CORE.md',
   'src/FRAMEWORKS.md',
   'src/MODELS.md',
+  'src/VISUAL-TESTS.md',
   ...decisions,
 ];
 

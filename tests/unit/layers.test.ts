@@ -37,6 +37,9 @@ describe('layers of src/', () => {
     ['src/element/phong-viewer.ts', "import type { Scene } from 'three';"],
     ['src/index.ts', "const panel = () => import('./gui/panel.js');"],
     ['src/core.ts', "export { pack } from './light/pack-lights.js';"],
+    ['src/playwright.ts', "import { test } from '@playwright/test';"],
+    ['src/playwright/subpixel.ts', "import { shade } from '../reference/index.js';"],
+    ['src/playwright/subpixel.ts', "import type { PhongViewer } from '../index.js';"],
   ] as const;
   it.each(allowed)('lets %s write %s', async (file, code) => {
     expect(await messages(file, code)).toEqual([]);
@@ -58,6 +61,9 @@ describe('layers of src/', () => {
     ['src/index.ts', "import { makePanel } from './gui/panel.js';"],
     ['src/core.ts', "import { ReactiveElement } from '@lit/reactive-element';"],
     ['src/core.ts', "export * from './index.js';"],
+    ['src/playwright.ts', "import { PhongViewer } from './index.js';"],
+    ['src/index.ts', "import { settled } from './playwright.js';"],
+    ['src/reference/index.ts', "import type { Judgement } from '../playwright/judge-in-page.js';"],
     ['src/light/light-set.ts', "import { x } from '../../tests/support/test.js';"],
     ['src/element/phong-viewer.ts', "import { x } from '../../demo/main.js';"],
     ['src/element/phong-viewer.ts', "import text from '../../shaders/phong.frag.glsl?raw';"],

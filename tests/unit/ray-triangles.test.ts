@@ -192,4 +192,35 @@ describe('a ray through triangles', () => {
       );
     }
   });
+
+  it('finds every hit among thousands of triangles, in drawing order, for every range and after they have moved', () => {
+    const soup = fc.array(coordinate, { minLength: 9 * 700, maxLength: 9 * 700 });
+    fc.assert(
+      fc.property(soup, slope, slope, fc.nat(2100), fc.nat(2100), (at, x, y, start, length) => {
+        const ray = rayAt(x, y);
+        const geometry = triangles(at);
+        const range = [start, Math.min(start + length, 2100)] as [number, number];
+        /** Each triangle as a geometry of its own. */
+        const oneByOne = (values: ArrayLike<number>): number[] => {
+          const found: number[] = [];
+          for (let corner = range[0]; corner + 2 < range[1]; corner += 3) {
+            const alone = triangles(Array.from(values).slice(3 * corner, 3 * corner + 9));
+            if (hitsOf(ray, alone).length > 0) found.push(corner / 3);
+          }
+          return found;
+        };
+        const met = (): number[] => {
+          const found: number[] = [];
+          forEachHit(ray, geometry, new Matrix4(), range, ({ triangle }) => found.push(triangle));
+          return found;
+        };
+        const position = geometry.getAttribute('position') as BufferAttribute;
+        expect(met()).toEqual(oneByOne(position.array));
+        for (let i = 0; i < position.count; i++) position.setX(i, position.getX(i) - 1.5 * x);
+        position.needsUpdate = true;
+        expect(met()).toEqual(oneByOne(position.array));
+      }),
+      { numRuns: 10 },
+    );
+  });
 });

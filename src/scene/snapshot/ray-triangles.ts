@@ -4,6 +4,7 @@
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { dot, subtract, type Vec3 } from '../../math/vector.js';
+import { forEachRun, type Row } from './triangle-boxes.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {
@@ -28,9 +29,6 @@ export interface TriangleHit {
   readonly front: boolean;
 }
 
-/** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
-type Row = readonly [number, number, number, number];
-
 /** Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in drawing order. */
 export function forEachHit(
   ray: ViewRay,
@@ -46,29 +44,34 @@ export function forEachHit(
     row[0] * position.getX(i) + row[1] * position.getY(i) + row[2] * position.getZ(i) + row[3];
   // As three.js does: a mirroring matrix swaps front and back.
   const mirrored = matrixWorld.determinant() < 0;
-  for (let corner = first; corner + 2 < end; corner += 3) {
-    const a = index === null ? corner : index.getX(corner);
-    const b = index === null ? corner + 1 : index.getX(corner + 1);
-    const c = index === null ? corner + 2 : index.getX(corner + 2);
-    const ax = along(rowX, a);
-    const bx = along(rowX, b);
-    const cx = along(rowX, c);
-    if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue; // most triangles are rejected here
-    const ay = along(rowY, a);
-    const by = along(rowY, b);
-    const cy = along(rowY, c);
-    // Twice the signed areas between the ray and each side; their sum is twice the triangle's area.
-    const atA = bx * cy - by * cx;
-    const atB = cx * ay - cy * ax;
-    const atC = ax * by - ay * bx;
-    const area = atA + atB + atC;
-    const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
-    if (!inside || area === 0) continue;
-    const weights: Vec3 = [atA / area, atB / area, atC / area];
-    const depth = dot(weights, [along(rowDepth, a), along(rowDepth, b), along(rowDepth, c)]);
-    if (!(depth >= ray.near && depth <= ray.far)) continue;
-    visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front: area > 0 !== mirrored });
-  }
+  const test = (from: number, to: number): void => {
+    for (let corner = from; corner + 2 < to; corner += 3) {
+      const a = index === null ? corner : index.getX(corner);
+      const b = index === null ? corner + 1 : index.getX(corner + 1);
+      const c = index === null ? corner + 2 : index.getX(corner + 2);
+      const ax = along(rowX, a);
+      const bx = along(rowX, b);
+      const cx = along(rowX, c);
+      if ((ax > 0 && bx > 0 && cx > 0) || (ax < 0 && bx < 0 && cx < 0)) continue; // most triangles are rejected here
+      const ay = along(rowY, a);
+      const by = along(rowY, b);
+      const cy = along(rowY, c);
+      // Twice the signed areas between the ray and each side; their sum is twice the triangle's area.
+      const atA = bx * cy - by * cx;
+      const atB = cx * ay - cy * ax;
+      const atC = ax * by - ay * bx;
+      const area = atA + atB + atC;
+      const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
+      if (!inside || area === 0) continue;
+      const weights: Vec3 = [atA / area, atB / area, atC / area];
+      const depth = dot(weights, [along(rowDepth, a), along(rowDepth, b), along(rowDepth, c)]);
+      if (!(depth >= ray.near && depth <= ray.far)) continue;
+      visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front: area > 0 !== mirrored });
+    }
+  };
+  // Runs begin at whole triangles of the index.
+  if (first % 3 !== 0) test(first, end);
+  else forEachRun(geometry, rowX, rowY, (from, to) => test(Math.max(from, first), Math.min(to, end)));
 }
 
 /**

@@ -1,0 +1,136 @@
+/**
+ * `phong-viewer/playwright`: visual tests of pages with `<phong-viewer>`, for `@playwright/test`. Compares pictures with the
+ * equation rather than with files. Runs in Node; knows the elements by their public API only.
+ */
+import { expect as playwrightExpect, type Locator, test } from '@playwright/test';
+import { LIGHT_FIELDS } from './light/light-state.js';
+import type { PhongViewer } from './index.js';
+import { judgeInPage, type Judgement, type Suspect } from './playwright/judge-in-page.js';
+import { settleInPage } from './playwright/settle-in-page.js';
+import { codesOff } from './playwright/subpixel.js';
+
+export interface SettledOptions {
+  /** Milliseconds, default 20,000. */
+  readonly timeout?: number;
+}
+
+export interface EquationOptions extends SettledOptions {
+  /** Largest difference of a channel from the equation, in 8-bit codes. Whole, 0–255, default 1: what the element promises. */
+  readonly codes?: number;
+  /**
+   * Least share of the surfaces' pixels that can be judged, 0–1, default 0.25. Fewer fail the test, because it would say little:
+   * make the viewer larger or move the camera closer. Small triangles leave few pixels inside a single face.
+   */
+  readonly share?: number;
+}
+
+export interface SnapshotOptions extends SettledOptions {
+  /** Pixels, whole, at least 1. Default: the viewer's size in CSS pixels, so that dense screens give the same picture. */
+  readonly width?: number;
+  readonly height?: number;
+}
+
+/** Node's Buffer, as Playwright's own screenshots are. */
+type Png = Awaited<ReturnType<Locator['screenshot']>>;
+
+/** The package is built without Node's types, because all other entries run in browsers. */
+const { Buffer } = globalThis as unknown as { Buffer: { from(text: string, encoding: 'base64'): Png } };
+
+/** Suspects that are looked at closely. A picture with more is wrong anyway. */
+const MOST_SUSPECTS = 2000;
+
+/** Failed pixels that a message lists. */
+const LISTED = 5;
+
+/**
+ * Waits until a viewer's picture stands still: everything requested is loaded and drawn, faster programs have taken over, nothing
+ * moves. Scrolls it into view. Throws after the timeout and says why, for example because of `auto-rotate`: set it to 0, or
+ * emulate reduced motion.
+ */
+export async function settled(viewer: Locator, { timeout = 20_000 }: SettledOptions = {}): Promise<void> {
+  await viewer.scrollIntoViewIfNeeded({ timeout });
+  await viewer.evaluate(settleInPage, timeout);
+}
+
+/**
+ * The settled picture as a PNG of exactly this size, without page, panel or background: the same bytes wherever browser and GPU
+ * are the same, whatever the screen. For `expect(await snapshot(viewer)).toMatchSnapshot('lamp.png')`.
+ */
+export async function snapshot(
+  viewer: Locator,
+  { width, height, timeout = 20_000 }: SnapshotOptions = {},
+): Promise<Png> {
+  await settled(viewer, { timeout });
+  const base64 = await viewer.evaluate(
+    async (element: PhongViewer, size) => {
+      const blob = await element.toBlob({
+        width: size.width ?? Math.max(element.clientWidth, 1),
+        height: size.height ?? Math.max(element.clientHeight, 1),
+        type: 'image/png',
+      });
+      const bytes = new Uint8Array(await blob.arrayBuffer());
+      // In parts: a call takes only so many arguments.
+      let text = '';
+      for (let i = 0; i < bytes.length; i += 4096)
+        text += String.fromCharCode(...bytes.subarray(i, i + 4096));
+      return btoa(text);
+    },
+    { width, height },
+  );
+  return Buffer.from(base64, 'base64');
+}
+
+/** Playwright's `expect` with the matcher of this package. `mergeExpects` combines it with others. */
+export const expect = playwrightExpect.extend({
+  /**
+   * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face. A pixel also passes if the
+   * equation takes its colour within one step of the device's subpixel grid, to which rasterisers move vertices. Not judged:
+   * edges of triangles, translucent surfaces, textures with several texels to a pixel, and own objects in `scene`. The message and
+   * an annotation of the test report how many pixels were judged.
+   */
+  async toShowTheEquation(
+    viewer: Locator,
+    { codes = 1, share = 0.25, timeout = 20_000 }: EquationOptions = {},
+  ) {
+    if (!Number.isInteger(codes) || codes < 0 || codes > 255)
+      throw new RangeError(
+        `toShowTheEquation: codes must be a whole number from 0 to 255, got ${String(codes)}`,
+      );
+    if (!(share >= 0 && share <= 1))
+      throw new RangeError(`toShowTheEquation: share must be from 0 to 1, got ${String(share)}`);
+    await settled(viewer, { timeout });
+    const judgement: Judgement = await viewer.evaluate(judgeInPage, {
+      codes,
+      most: MOST_SUSPECTS,
+      lightKeys: Object.keys(LIGHT_FIELDS),
+    });
+    const wrong = judgement.suspects.filter((suspect) => codesOff(suspect, judgement) > codes);
+    const failed = wrong.length + judgement.suspectCount - judgement.suspects.length;
+    const { judged, surface } = judgement;
+    const summary = summaryOf(judgement);
+    test.info().annotations.push({ type: 'equation', description: summary });
+    const enough = judged > 0 && judged >= share * surface;
+    const reason = enough
+      ? `${String(failed)} of them differ by more than ${String(codes)} ${codes === 1 ? 'code' : 'codes'}.`
+      : `At least ${percent(share)} are needed: make the viewer larger, move the camera closer, or lower \`share\`.`;
+    return {
+      name: 'toShowTheEquation',
+      pass: enough && failed === 0,
+      message: () => [`${summary} ${reason}`, ...wrong.slice(0, LISTED).map(line)].join('\n'),
+    };
+  },
+});
+
+function summaryOf({ judged, surface, edges, translucent, minified }: Judgement): string {
+  if (surface === 0) return 'The picture shows no surface.';
+  const left = Object.entries({ 'at edges': edges, translucent, 'with minified textures': minified })
+    .filter(([, count]) => count > 0)
+    .map(([name, count]) => `${String(count)} ${name}`);
+  const rest = left.length === 0 ? '' : `; not judged: ${left.join(', ')}`;
+  return `${String(judged)} of ${String(surface)} pixels of surfaces were judged (${percent(judged / surface)}${rest}).`;
+}
+
+const percent = (share: number): string => `${String(Math.round(100 * share))} %`;
+
+const line = ({ x, y, drawn, expected }: Suspect): string =>
+  `  pixel ${String(x)}, ${String(y)}: ${drawn.join(' ')} is drawn, ${expected.map((code) => code.toFixed(2)).join(' ')} is the equation's`;

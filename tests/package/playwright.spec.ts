@@ -1,0 +1,191 @@
+// Does phong-viewer/playwright judge pictures as it says? Right pictures pass, a single wrong pixel fails, and messages say why.
+import type { Locator } from '@playwright/test';
+import { expect, settled, snapshot } from 'phong-viewer/playwright';
+import type { PhongViewer } from '../element/support.js';
+import { test } from '../support/test.js';
+
+const SIZE = { width: 150, height: 100 };
+const LIGHTS = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
+  <phong-light position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>`;
+
+/** What the matcher says about a picture that it refuses. */
+async function refusal(viewer: Locator, options: object = {}): Promise<string> {
+  try {
+    await expect(viewer).toShowTheEquation(options);
+  } catch (error) {
+    return (error as Error).message;
+  }
+  throw new Error('toShowTheEquation has passed');
+}
+
+/** Adds this to a channel of one pixel of every later picture. */
+const spoil = (viewer: Locator, x: number, y: number, channel: number, by: number): Promise<void> =>
+  viewer.evaluate(
+    (element: PhongViewer, at) => {
+      const draw = element.toBlob.bind(element);
+      element.toBlob = async (options) => {
+        const bitmap = await createImageBitmap(await draw(options));
+        const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+        const context = canvas.getContext('2d')!;
+        context.drawImage(bitmap, 0, 0);
+        const pixel = context.getImageData(at.x, at.y, 1, 1);
+        pixel.data[at.channel]! += at.by;
+        context.putImageData(pixel, at.x, at.y);
+        return canvas.convertToBlob();
+      };
+    },
+    { x, y, channel, by },
+  );
+
+test.describe('toShowTheEquation', () => {
+  for (const [what, markup] of Object.entries({
+    'a box': `<phong-viewer geometry="box" radius="2">${LIGHTS}</phong-viewer>`,
+    'a sphere without lights': '<phong-viewer geometry="sphere"></phong-viewer>',
+    'Gouraud shading in linear light': `<phong-viewer geometry="sphere" shading="gouraud" color-interpolation="linear">${LIGHTS}</phong-viewer>`,
+    'flat shading with Blinn’s highlights': `<phong-viewer geometry="sphere" shading="flat" reflection="blinn-phong">${LIGHTS}</phong-viewer>`,
+    'cones with hard edges, whose pixels lie on either side': `<phong-viewer geometry="plane" radius="1.2">
+      <phong-light position="0.1 0.3 0 1" axis="0 -1 0.2" aperture="40"></phong-light>
+      <phong-light space="camera" position="0 0 0 1" aperture="9" diffuse="80 20 90"></phong-light></phong-viewer>`,
+    'highlights that begin at the horizon': `<phong-viewer geometry="plane" radius="1.2" ks="255">
+      <phong-light position="0.2 0.001 0 1" specular="255" diffuse="0"></phong-light>
+      <phong-mesh geometry="plane" shininess="0.1" position="0 0.1 0" rotation="20 0 0"></phong-mesh></phong-viewer>`,
+    'a scene far from the origin': `<phong-viewer target="1e6 -3e6 2e6" radius="3">
+      <phong-mesh geometry="box" position="1e6 -3e6 2e6"></phong-mesh>
+      <phong-light position="1000001 -2999999 2000000 1" axis="-1 -1 0" aperture="30"></phong-light></phong-viewer>`,
+    'a mesh in front of another': `<phong-viewer radius="3" target="0 0 0"><phong-mesh geometry="box"></phong-mesh>
+      <phong-mesh geometry="cone" position="0 0.6 0.9" reflection="blinn-phong"></phong-mesh>${LIGHTS}</phong-viewer>`,
+  })) {
+    test(`accepts ${what}`, async ({ mount }) => {
+      await expect(await mount(markup, SIZE)).toShowTheEquation({ codes: 1, share: 0.1 });
+    });
+  }
+
+  test('accepts viewers that are moved by CSS, on dense screens, at any fraction of a pixel', async ({
+    mount,
+  }) => {
+    const viewer = await mount(`<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`, {
+      css: 'main { rotate: 20deg; margin: 60.3px } phong-viewer { width: 70.4px; height: 50.7px; border: 3px solid; padding: 2px; zoom: 1.3 }',
+      deviceScaleFactor: 2,
+    });
+    await expect(viewer).toShowTheEquation();
+  });
+
+  test('says how many pixels it has judged', async ({ mount }, info) => {
+    const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
+    await expect(viewer).toShowTheEquation();
+    const [, judged = 0, surface = 0] = /^(\d+) of (\d+) pixels/.exec(info.annotations.at(-1)?.description ?? '')!.map(Number); // prettier-ignore
+    expect(judged).toBeGreaterThan(0.8 * surface);
+    expect(judged).toBeLessThan(surface);
+    expect(surface).toBeGreaterThan(2000);
+  });
+
+  test('refuses a single channel that is two codes off, and names the pixel', async ({ mount }) => {
+    const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
+    await spoil(viewer, 80, 60, 1, -2);
+    const message = await refusal(viewer);
+    expect(message).toContain('1 of them differ by more than 1 code.');
+    expect(message).toMatch(/pixel 80, 60: \d+ \d+ \d+ 255 is drawn, [\d.]+ [\d.]+ [\d.]+ is the equation's/);
+    await expect(viewer).toShowTheEquation({ codes: 2 });
+    await expect(viewer).not.toShowTheEquation({ codes: 0 });
+  });
+
+  test('refuses a hole', async ({ mount }) => {
+    const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
+    await spoil(viewer, 80, 60, 3, -1);
+    expect(await refusal(viewer)).toContain('pixel 80, 60');
+  });
+
+  test('refuses pictures that it could hardly judge', async ({ mount }) => {
+    const fine = await mount('<phong-viewer geometry="sphere" segments="256"></phong-viewer>', SIZE);
+    expect(await refusal(fine)).toMatch(/^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/);
+    const empty = await mount('<phong-viewer></phong-viewer>', SIZE);
+    expect(await refusal(empty, { share: 0 })).toContain('The picture shows no surface.');
+    const averaged = await mount('<phong-viewer geometry="box" antialias="highlights"></phong-viewer>', SIZE);
+    expect(await refusal(averaged)).toContain('antialias="highlights" averages');
+    expect(await refusal(averaged, { codes: 0.5 })).toContain('codes must be a whole number');
+    expect(await refusal(averaged, { share: 2 })).toContain('share must be from 0 to 1');
+  });
+
+  test('leaves out textures that are drawn smaller than they are, and translucent surfaces', async ({
+    mount,
+  }, info) => {
+    const viewer = await mount(
+      `<phong-viewer src="/fixtures/models/textured.glb">${LIGHTS}</phong-viewer>`,
+      SIZE,
+    );
+    await expect(viewer).toShowTheEquation({ share: 0.1 });
+    expect(info.annotations.at(-1)?.description).toMatch(/^\d+ of \d+ pixels/);
+  });
+});
+
+test.describe('settled', () => {
+  test('waits for models, and for the programs that take over', async ({ mount }) => {
+    const viewer = await mount(`<phong-viewer src="/assets/models/bunny.glb">${LIGHTS}</phong-viewer>`, {
+      ...SIZE,
+      waitForReady: false,
+    });
+    await settled(viewer);
+    const { loaded, programs } = await viewer.evaluate((element: PhongViewer) => ({
+      loaded: element.loaded,
+      programs: element.stats.programs,
+    }));
+    expect(loaded).toBe(true);
+    // The general program and the specialised one.
+    expect(programs).toBe(2);
+  });
+
+  test('resolves for viewers that cannot be drawn, and scrolls to those that can', async ({
+    mount,
+    page,
+  }) => {
+    const viewer = await mount('<div></div><phong-viewer geometry="box"></phong-viewer>', {
+      css: 'div { height: 5000px }',
+    });
+    await settled(viewer);
+    expect(await page.evaluate(() => scrollY)).toBeGreaterThan(3000);
+  });
+
+  test('rejects while the picture moves, and says by what', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>', SIZE);
+    await expect(settled(viewer, { timeout: 1500 })).rejects.toThrow(
+      'not settled after 1500 ms: auto-rotate is 20',
+    );
+    await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 0));
+    await settled(viewer);
+  });
+
+  test('rejects while a model is loading, and says so', async ({ mount, page }) => {
+    await page.route('**/never.glb', () => undefined);
+    const viewer = await mount('<phong-viewer src="/never.glb"></phong-viewer>', {
+      ...SIZE,
+      waitForReady: false,
+    });
+    await expect(settled(viewer, { timeout: 500 })).rejects.toThrow('still loading');
+  });
+});
+
+test.describe('snapshot', () => {
+  const markup = `<phong-viewer geometry="teapot" theta="40">${LIGHTS}</phong-viewer>`;
+
+  test('gives the same bytes on dense screens, at once and after motion', async ({ mount }) => {
+    const plain = await snapshot(await mount(markup, SIZE));
+    const dense = await mount(markup, { ...SIZE, deviceScaleFactor: 2 });
+    expect(plain.equals(await snapshot(dense))).toBe(true);
+    const moved = await mount(markup.replace('40', '39'), SIZE);
+    await moved.evaluate(async (element: PhongViewer) => {
+      for (let i = 0; i < 25; i++) {
+        element.theta = 39 + i / 10;
+        await new Promise(requestAnimationFrame);
+      }
+      element.theta = 40;
+    });
+    expect(plain.equals(await snapshot(moved))).toBe(true);
+  });
+
+  test('has the size asked for, whatever the viewer covers', async ({ mount }) => {
+    const png = await snapshot(await mount(markup, SIZE), { width: 320, height: 240 });
+    expect([png.readUInt32BE(16), png.readUInt32BE(20)]).toEqual([320, 240]);
+    const own = await snapshot(await mount(markup, SIZE));
+    expect([own.readUInt32BE(16), own.readUInt32BE(20)]).toEqual([SIZE.width, SIZE.height]);
+  });
+});

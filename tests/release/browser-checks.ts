@@ -1,0 +1,363 @@
+// What must hold in every browser: element, camera, panel, models, and pictures against the equation. One list of pages and checks,
+// for whatever drives the browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check says otherwise.
+import { expect } from '@playwright/test';
+import { LIGHT_FIELDS } from '../../src/light/light-state.js';
+import { judgeInPage } from '../../src/playwright/judge-in-page.js';
+import { settleInPage } from '../../src/playwright/settle-in-page.js';
+import { codesOff } from '../../src/playwright/subpixel.js';
+import type { PhongViewer } from '../element/support.js';
+import { decodePng } from '../support/picture.js';
+import { randomScene, sceneMarkup } from '../visual/random-scene.js';
+import type { Tab } from './tabs.js';
+
+export interface Check {
+  readonly title: string;
+  readonly markup: string;
+  /** Size of every viewer in CSS pixels, default 600 × 400. */
+  readonly size?: { readonly width: number; readonly height: number };
+  /** The viewer is ready. */
+  readonly holds: (tab: Tab) => Promise<void>;
+  /** What the page may print. Default: nothing. */
+  readonly said?: RegExp;
+}
+
+const SMALL = { width: 180, height: 120 };
+
+const LIGHTS = `<phong-light name="sun" position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
+  <phong-light name="lamp" position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>
+  <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>`;
+
+const box = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
+
+const cameraOf = (tab: Tab) =>
+  tab.run(() => {
+    const { theta, phi, radius } = document.querySelector<PhongViewer>('phong-viewer')!.camera;
+    return { theta, phi, radius };
+  });
+
+/** Waits until every viewer of the page is ready. Its own picture counts, so the frame after is waited for as well. */
+export const allReady = (tab: Tab): Promise<null> =>
+  tab.run(async () => {
+    await customElements.whenDefined('phong-viewer');
+    for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) await viewer.ready;
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    return null;
+  });
+
+/** The first viewer's picture against the equation; gives the share of its pixels that are exact to a code. */
+async function showsTheEquation(tab: Tab, what: string, share: number): Promise<void> {
+  const judgement = await tab.onViewer(judgeInPage, {
+    codes: 1,
+    most: 500,
+    lightKeys: Object.keys(LIGHT_FIELDS),
+  });
+  const { surface, judged, suspects, suspectCount } = judgement;
+  expect(suspectCount, what).toBe(suspects.length);
+  expect(judged / surface, `judged of ${what}`).toBeGreaterThan(share);
+  for (const suspect of suspects) {
+    const { x, y, drawn, expected } = suspect;
+    const at = `${what}, pixel ${x}, ${y}: ${drawn.join()} instead of ${expected.join()}`;
+    expect(codesOff(suspect, judgement), at).toBeLessThanOrEqual(1);
+  }
+}
+
+const show = (tab: Tab, markup: string): Promise<null> =>
+  tab.run(async (text) => {
+    document.querySelector('phong-viewer')!.outerHTML = text;
+    await document.querySelector<PhongViewer>('phong-viewer')!.ready;
+    return null;
+  }, markup);
+
+/** Opens the panel's folder and types into one of its rows. */
+const typeIntoPanel = (tab: Tab, folder: string, name: string, text: string): Promise<null> =>
+  tab.onViewer(
+    async (viewer, [title, label, value]) => {
+      const found = async <T extends HTMLElement>(selector: string, words: string): Promise<T> => {
+        for (let frames = 0; frames < 600; frames++) {
+          const all = viewer.shadowRoot!.querySelectorAll<T>(selector);
+          const one = [...all].find(({ textContent }) => textContent === words);
+          if (one !== undefined) return one;
+          await new Promise(requestAnimationFrame);
+        }
+        throw new Error(`the panel shows no ${words}`);
+      };
+      const button = await found('.lil-title', title);
+      if (button.getAttribute('aria-expanded') === 'false') button.click();
+      const row = (await found('.lil-name', label)).closest('.lil-controller')!;
+      const input = [...row.querySelectorAll('input')].find(({ type }) => type !== 'range')!;
+      input.focus();
+      input.value = value;
+      for (const type of ['input', 'change']) input.dispatchEvent(new Event(type, { bubbles: true }));
+      return null;
+    },
+    [folder, name, text] as const,
+  );
+
+export const CHECKS: readonly Check[] = [
+  {
+    title: 'element: attributes, properties, defaults and warnings',
+    markup: `<phong-viewer geometry="box" fov="wide"><p><phong-light name="sun" cutoff="12" diffuse="#fc8"></phong-light></p></phong-viewer>`,
+    said: /fov="wide"/,
+    async holds(tab) {
+      const found = await tab.run(() => {
+        const viewer = document.querySelector<PhongViewer>('phong-viewer')!;
+        const [light] = viewer.lights;
+        const thrown = (write: () => void): string => {
+          try {
+            write();
+            return 'nothing';
+          } catch (error) {
+            return (error as Error).name;
+          }
+        };
+        const read = {
+          fov: viewer.fov,
+          cutoff: light!.cutoff,
+          diffuse: light!.diffuse,
+        };
+        light!.setAttribute('cutoff', '3');
+        light!.diffuse = 'oklch(70% 0.1 50)';
+        return {
+          ...read,
+          now: light!.cutoff,
+          color: light!.diffuse.every((c) => c > 0 && c < 256),
+          type: thrown(() => (light!.aperture = {} as never)),
+          range: thrown(() => (light!.aperture = 181)),
+        };
+      });
+      expect(found).toEqual({
+        ...{ fov: 45, cutoff: 12, diffuse: [255, 204, 136], now: 3, color: true },
+        ...{ type: 'TypeError', range: 'RangeError' },
+      });
+    },
+  },
+  {
+    title:
+      'element: lights and meshes come and go, events report it, and nothing is drawn while nothing changes',
+    markup: `<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`,
+    async holds(tab) {
+      const heard = await tab.run(async () => {
+        const viewer = document.querySelector<PhongViewer>('phong-viewer')!;
+        const events: string[] = [];
+        for (const type of ['render', 'light-change', 'camera-change'] as const)
+          viewer.addEventListener(type as 'render', () => events.push(type));
+        const light = document.createElement('phong-light');
+        viewer.append(light);
+        await viewer.ready;
+        const counts = [viewer.lights.length];
+        light.remove();
+        viewer.append(document.createElement('phong-mesh'));
+        viewer.theta = 40;
+        await viewer.ready;
+        counts.push(viewer.lights.length, viewer.meshes.length);
+        await new Promise((resolve) => setTimeout(resolve, 100));
+        const { frames } = viewer.stats;
+        await new Promise((resolve) => setTimeout(resolve, 500));
+        return { counts, types: [...new Set(events)].sort(), idle: viewer.stats.frames - frames };
+      });
+      expect(heard).toEqual({
+        counts: [4, 3, 1],
+        types: ['camera-change', 'light-change', 'render'],
+        idle: 0,
+      });
+    },
+  },
+  {
+    title: 'element: the window shows what toBlob gives, for each of three viewers',
+    markup: `<phong-viewer geometry="box">${LIGHTS}</phong-viewer><phong-viewer geometry="sphere">${LIGHTS}</phong-viewer><phong-viewer geometry="torus" kd="200 60 40"></phong-viewer>`,
+    size: SMALL,
+    async holds(tab) {
+      const pictures = await tab.run(async () => {
+        const made: number[][] = [];
+        for (const viewer of document.querySelectorAll<PhongViewer>('phong-viewer')) {
+          const bitmap = await createImageBitmap(await viewer.toBlob());
+          const canvas = Object.assign(document.createElement('canvas'), { width: bitmap.width, height: bitmap.height }); // prettier-ignore
+          const context = canvas.getContext('2d')!;
+          context.fillStyle = 'white';
+          context.fillRect(0, 0, bitmap.width, bitmap.height);
+          context.drawImage(bitmap, 0, 0);
+          made.push([...context.getImageData(0, 0, bitmap.width, bitmap.height).data]);
+        }
+        return made;
+      });
+      const { width, data } = decodePng(Buffer.from(await tab.screenshot()));
+      pictures.forEach((picture, index) => {
+        let differing = 0;
+        for (let y = 0; y < SMALL.height; y++) {
+          for (let i = 0; i < 4 * SMALL.width; i++) {
+            const shown = data[4 * (y + index * SMALL.height) * width + i]!;
+            if (Math.abs(shown - picture[4 * y * SMALL.width + i]!) > 1) differing += 1;
+          }
+        }
+        // The browser blends translucent edges by arithmetic of its own.
+        expect(differing / picture.length, `viewer ${index}`).toBeLessThan(0.001);
+        expect(new Set(picture).size, `tones of viewer ${index}`).toBeGreaterThan(20);
+      });
+    },
+  },
+  {
+    title: 'element: toHTML gives the same picture',
+    markup: `<phong-viewer geometry="teapot" theta="12.5">${LIGHTS}</phong-viewer>`,
+    async holds(tab) {
+      const same = await tab.run(async () => {
+        const viewer = document.querySelector<PhongViewer>('phong-viewer')!;
+        const bytesOf = async (one: PhongViewer) => {
+          const blob = await one.toBlob({ width: 200, height: 150 });
+          return [...new Uint8Array(await blob.arrayBuffer())].join();
+        };
+        const before = await bytesOf(viewer);
+        viewer.outerHTML = viewer.toHTML();
+        const copy = document.querySelector<PhongViewer>('phong-viewer')!;
+        await copy.ready;
+        return (await bytesOf(copy)) === before;
+      });
+      expect(same).toBe(true);
+    },
+  },
+  {
+    title: 'camera: a drag turns by 360° a width and 180° a height, exactly back at the start',
+    markup: box,
+    async holds(tab) {
+      await tab.drag([300, 200], [60, 40]);
+      expect(await cameraOf(tab)).toEqual({ theta: -6, phi: 52, radius: 5 });
+      await tab.drag([300, 200], [-60, -40]);
+      expect(await cameraOf(tab)).toEqual({ theta: 30, phi: 70, radius: 5 });
+    },
+  },
+  {
+    title: 'camera: keys turn and zoom once the picture has the focus, and Home resets',
+    markup: box,
+    async holds(tab) {
+      await tab.drag([300, 200], [0, 0]);
+      await tab.press('ArrowRight');
+      await tab.press('+');
+      const moved = await cameraOf(tab);
+      expect(moved.theta).toBe(25);
+      expect(moved.radius).toBeCloseTo(5 / 1.1, 12);
+      await tab.press('Home');
+      expect(await cameraOf(tab)).toEqual({ theta: 30, phi: 70, radius: 5 });
+    },
+  },
+  {
+    title: 'camera: the wheel zooms with the focus, and scrolls the page without it',
+    markup: `${box}<div></div>`,
+    async holds(tab) {
+      const scrolled = () =>
+        tab.run(async () => {
+          for (let i = 0; i < 30 && scrollY === 0; i++) await new Promise(requestAnimationFrame);
+          return scrollY;
+        });
+      await tab.wheel([300, 200], 40);
+      expect(await scrolled()).toBeGreaterThan(0);
+      expect((await cameraOf(tab)).radius).toBe(5);
+      await tab.run(() => scrollTo(0, 0));
+      await tab.drag([300, 200], [0, 0]);
+      await tab.wheel([300, 200], 100);
+      await expect.poll(async () => (await cameraOf(tab)).radius).toBeGreaterThan(5.05);
+      expect(await tab.run(() => scrollY)).toBe(0);
+    },
+  },
+  {
+    title: 'panel: opens, moves the camera, and follows a drag',
+    markup: `<phong-viewer gui geometry="box" theta="30" phi="70">${LIGHTS}</phong-viewer>`,
+    async holds(tab) {
+      await typeIntoPanel(tab, 'Camera', 'θ azimuth °', '75');
+      await expect.poll(async () => (await cameraOf(tab)).theta).toBe(75);
+      await tab.drag([150, 200], [60, 0]);
+      await expect.poll(async () => (await cameraOf(tab)).theta).toBe(39);
+      const shown = await tab.run(
+        () =>
+          [...document.querySelector('phong-viewer')!.shadowRoot!.querySelectorAll('.lil-controller')]
+            .find((row) => row.querySelector('.lil-name')?.textContent === 'θ azimuth °')
+            ?.querySelector<HTMLInputElement>('input:not([type=range])')?.value,
+      );
+      expect(shown).toBe('39');
+    },
+  },
+  {
+    title:
+      'models: Draco, textures, vertex colours, alpha masks and embedded files are shown as the equation says',
+    markup: '<phong-viewer></phong-viewer>',
+    size: SMALL,
+    async holds(tab) {
+      for (const [file, share] of [
+        ['/fixtures/models/textured.glb', 0.3],
+        ['/fixtures/models/vertex-colours.glb', 0.3],
+        ['/fixtures/models/mask.glb', 0.1],
+        ['/fixtures/models/data-uris.gltf', 0.1],
+        ['/assets/models/bunny.glb', 0.1],
+      ] as const) {
+        await show(tab, `<phong-viewer src="${file}">${LIGHTS}</phong-viewer>`);
+        if (file.endsWith('bunny.glb')) {
+          // Close by, so that triangles are larger than a few pixels.
+          await tab.run(() => {
+            const viewer = document.querySelector<PhongViewer>('phong-viewer')!;
+            viewer.radius = viewer.camera.radius / 4;
+          });
+        }
+        await showsTheEquation(tab, file, share);
+      }
+    },
+  },
+  {
+    title: 'models: a file that cannot be read is an error with a message',
+    markup: '<phong-viewer src="/fixtures/models/truncated.glb"></phong-viewer>',
+    said: /./,
+    async holds(tab) {
+      const notice = await tab.run(
+        () => document.querySelector('phong-viewer')!.shadowRoot!.querySelector('[part=notice]')?.textContent,
+      );
+      expect(notice).toContain('truncated.glb');
+    },
+  },
+  {
+    title:
+      'pictures: every shading, reflection and interpolation follows the equation, by both kinds of programs',
+    markup: '<phong-viewer></phong-viewer>',
+    size: SMALL,
+    async holds(tab) {
+      const styles = [
+        '',
+        'shading="gouraud"',
+        'shading="flat"',
+        'reflection="blinn-phong" color-interpolation="linear"',
+      ];
+      for (const geometry of ['box', 'sphere']) {
+        for (const style of styles) {
+          await show(
+            tab,
+            `<phong-viewer geometry="${geometry}" segments="12" radius="1.6" ${style}>${LIGHTS}</phong-viewer>`,
+          );
+          await showsTheEquation(tab, `${geometry} ${style}`, 0.3);
+        }
+      }
+      await tab.onViewer(settleInPage, 60_000);
+      await showsTheEquation(tab, 'specialised programs', 0.3);
+    },
+  },
+  {
+    title: 'pictures: random scenes follow the equation, seeds 1 to 24',
+    markup: '<phong-viewer></phong-viewer>',
+    size: SMALL,
+    async holds(tab) {
+      for (let seed = 1; seed <= 24; seed++) {
+        const markup = sceneMarkup(randomScene(seed, seed % 3 === 0 ? 'box' : 'plane'));
+        await show(tab, markup);
+        const empty = await tab.run(async () => {
+          const { data } = await pictureData();
+          return data.every((code, i) => i % 4 !== 3 || code === 0);
+          async function pictureData() {
+            const bitmap = await createImageBitmap(
+              await document.querySelector<PhongViewer>('phong-viewer')!.toBlob(),
+            );
+            const canvas = Object.assign(document.createElement('canvas'), { width: bitmap.width, height: bitmap.height }); // prettier-ignore
+            const context = canvas.getContext('2d')!;
+            context.drawImage(bitmap, 0, 0);
+            return context.getImageData(0, 0, bitmap.width, bitmap.height);
+          }
+        });
+        if (!empty) await showsTheEquation(tab, `seed ${seed}: ${markup}`, 0.2);
+      }
+    },
+  },
+];
