@@ -14,6 +14,7 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import { styles } from './phong-viewer.styles.js';
+import { ViewerAnnouncements } from './viewer/announcements.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { EventQueue } from './viewer/event-queue.js';
@@ -21,6 +22,7 @@ import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/panel.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
+import { NAMING } from './viewer/naming.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
@@ -49,7 +51,7 @@ export class PhongViewer extends LitElement {
   static override readonly styles = styles;
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), 'aria-label'];
+    return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
   }
 
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
@@ -61,6 +63,7 @@ export class PhongViewer extends LitElement {
   readonly #holder = document.createElement('div');
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
+  readonly #announcements = new ViewerAnnouncements(this);
   readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
@@ -256,13 +259,11 @@ export class PhongViewer extends LitElement {
   }
 
   protected override render(): unknown {
-    const { alt, poster, orbit } = this.#store.values;
-    return viewerTemplate({
-      label: this.getAttribute('aria-label') ?? alt,
-      poster: this.#revealed ? '' : poster,
-      fixed: !orbit,
+    return viewerTemplate(this, {
+      poster: this.#revealed ? '' : this.poster,
       notice: this.#failure.message,
       holder: this.#holder,
+      reader: this.#announcements.node,
     });
   }
 
