@@ -1,10 +1,11 @@
-// Builds the package's ES modules: dist/index.js, core.js and reference.js. three, Lit and lil-gui stay imports for the user's
-// bundler. `npm run build` runs this first; the standalone file has its own config.
+// Builds the package's ES modules: dist/index.js, core.js, reference.js and react.js. three, Lit, lil-gui and React stay imports
+// for the user's bundler. `npm run build` runs this first; the standalone and the classic file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
-import { defineConfig } from 'vite';
+import { defineConfig, type Plugin } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
+import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
@@ -13,20 +14,37 @@ const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, im
 // Text imported with a query is inlined, and so is the Draco decoder: a user's bundler would find no export in it.
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier) return false;
-  return /^(three|lit|@lit\/[^/]+|lil-gui)(\/|$)/.test(specifier);
+  return /^(three|@lit\/reactive-element|lil-gui|react)(\/|$)/.test(specifier);
 }
+
+/** dist/react.js imports dist/index.js, so that a page has one copy of the elements. */
+const besideIndex: Plugin = {
+  name: 'beside-index',
+  enforce: 'pre',
+  resolveId: (specifier) => (specifier === './index.js' ? { id: './index.js', external: 'relative' } : null),
+};
+
+/** React's servers look for this line before any other. */
+const clientDirective = "'use client';\n";
 
 /** Built one by one: each is a single file, which compresses better than several files with shared parts. */
 const entries: Readonly<Record<string, string>> = {
   index: source('index.ts'),
   core: source('core.ts'),
   reference: source('reference/index.ts'),
+  react: source('react.ts'),
 };
 
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl(), licences({ listed: false })],
+  plugins: [
+    dracoDecoder(),
+    strippedGlsl(),
+    ...(mode === 'react'
+      ? [besideIndex, licences({ listed: false, directive: clientDirective })]
+      : [licences({ listed: false })]),
+  ],
   build: {
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
@@ -46,7 +64,7 @@ export default defineConfig(({ mode }) => ({
       output: {
         chunkFileNames: 'shared/[name].js',
         minify: true,
-        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }] },
+        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
       },
     },
   },

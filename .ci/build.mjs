@@ -1,5 +1,5 @@
 // @ts-check
-// Makes dist/: the ES modules, the standalone file, the types, and the manifests of the elements.
+// Makes dist/: the ES modules, the standalone and the classic file, the types, and the manifests of the elements.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -11,9 +11,10 @@ import { outputFolder } from './output-folder.mjs';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(repository);
 
-for (const mode of ['index', 'core', 'reference'])
+for (const mode of ['index', 'core', 'reference', 'react'])
   await build({ configFile: join(repository, 'vite.lib.config.ts'), mode, logLevel: 'warn' });
-await build({ configFile: join(repository, 'vite.standalone.config.ts'), logLevel: 'warn' });
+for (const name of ['standalone', 'classic'])
+  await build({ configFile: join(repository, `vite.${name}.config.ts`), logLevel: 'warn' });
 runNode(
   'node_modules/typescript/bin/tsc',
   '-p',

@@ -29,7 +29,11 @@ export async function startFirefox() {
     executablePath: execFileSync('which', ['firefox-esr'], { encoding: 'utf8' }).trim(),
     headless: false,
     env: { ...process.env, DISPLAY: `:${display}` },
-    extraPrefsFirefox: { 'webgl.force-enabled': true },
+    extraPrefsFirefox: {
+      'webgl.force-enabled': true,
+      // As for users; puppeteer lets pages opened from disk read files.
+      'security.fileuri.strict_origin_policy': true,
+    },
     protocolTimeout: 3_600_000,
   });
   return {

@@ -24,7 +24,7 @@ export const layers = {
   element: {
     layers: ['core', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
     lazy: ['reference'],
-    packages: ['lit'],
+    packages: ['@lit/reactive-element'],
     types: ['three', 'react'],
   },
   gui: {
@@ -37,6 +37,8 @@ export const layers = {
     lazy: ['gui', 'reference'],
     types: ['three'],
   },
+  classic: { layers: ['index'] },
+  react: { layers: ['index', 'element'], packages: ['react'] },
 };
 
 /**

@@ -9,4 +9,5 @@ export const packageAliases = [
   { find: /^phong-viewer$/, replacement: source('index.ts') },
   { find: /^phong-viewer\/core$/, replacement: source('core.ts') },
   { find: /^phong-viewer\/reference$/, replacement: source('reference/index.ts') },
+  { find: /^phong-viewer\/react$/, replacement: source('react.ts') },
 ];

@@ -6,8 +6,9 @@ import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { providePanel } from './element/viewer/panel.js';
+import { lazyCode } from './scene/lazy-code.js';
 
-providePanel(() => import('./gui/panel.js'));
+providePanel(lazyCode(() => import('./gui/panel.js'), 'the control panel'));
 
 // Children first: the viewer then finds all of them at once when it is upgraded.
 if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {

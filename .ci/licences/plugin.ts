@@ -19,6 +19,15 @@ interface Part {
   readonly text: string;
 }
 
+/** three ships libraries of others, without their licences. By the beginning of their files' names. */
+const LIBRARIES: ReadonlyMap<
+  string,
+  { readonly name: string; readonly licence: string; readonly file: string }
+> = new Map([
+  ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
+  ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
+]);
+
 const ownFolder = fileURLToPath(new URL('../..', import.meta.url));
 
 const manifestIn = (folder: string): Manifest =>
@@ -35,10 +44,10 @@ function partOf(moduleId: string): Part | undefined {
   const [, library] = /^three\/examples\/jsm\/libs\/([^/.]+)/.exec(inside) ?? [];
   if (library === undefined)
     return { name: `${name} ${version}`, licence: license, text: licenceText(folder) };
-  // three ships libraries of others, without their licences.
-  if (library !== 'draco') throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
-  const text = readFileSync(new URL('draco.txt', import.meta.url), 'utf8').trim();
-  return { name: `Draco decoder (in ${name} ${version})`, licence: 'Apache-2.0', text };
+  const known = LIBRARIES.get(library);
+  if (known === undefined) throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
+  const text = readFileSync(new URL(known.file, import.meta.url), 'utf8').trim();
+  return { name: `${known.name} (in ${name} ${version})`, licence: known.licence, text };
 }
 
 function licenceText(folder: string): string {
@@ -72,8 +81,11 @@ function notice(isEntry: boolean, parts: readonly Part[]): string {
 const introduction =
   'The files beside this one contain code of these packages, under the licences given here.';
 
-/** @param listed whether to write THIRD-PARTY-LICENSES.txt too; default true. */
-export function licences({ listed = true } = {}): Plugin {
+/**
+ * @param options.listed whether to write THIRD-PARTY-LICENSES.txt too; default true.
+ * @param options.directive a line for the head of each file, before the notice; default none.
+ */
+export function licences({ listed = true, directive = '' } = {}): Plugin {
   return {
     name: 'licences',
     apply: 'build',
@@ -82,7 +94,7 @@ export function licences({ listed = true } = {}): Plugin {
         rolldownOptions: {
           // `banner` would come before minification, which drops it.
           output: {
-            postBanner: ({ isEntry, modules }) => notice(isEntry, partsOf(Object.keys(modules))),
+            postBanner: ({ isEntry, modules }) => directive + notice(isEntry, partsOf(Object.keys(modules))),
           },
         },
       },

@@ -1,5 +1,5 @@
 // What is an element's markup as its author would write it? One child per line, long tags folded. Attributes that belong to the page
-// and not to the scene (id, class, data-…) are left out. Returns pieces of text; builds no elements.
+// and not to the scene (id, class, loading, data-…) are left out. Returns pieces of text; builds no elements.
 
 export interface Piece {
   readonly kind: 'plain' | 'tag' | 'value';
@@ -22,7 +22,7 @@ function startTag(element: Element, indent: string, lineLength: number): Piece[]
   const pieces: Piece[] = [plain(`${indent}<`), { kind: 'tag', text: name }];
   let column = indent.length + 1 + name.length;
   for (const { name: attribute, value } of element.attributes) {
-    if (/^(id|class|data-.*)$/.test(attribute)) continue;
+    if (/^(id|class|loading|data-.*)$/.test(attribute)) continue;
     const quoted = value === '' ? '' : `"${value.replaceAll('&', '&amp;').replaceAll('"', '&quot;')}"`;
     const length = attribute.length + (quoted === '' ? 0 : quoted.length + 1);
     const folds = column + 1 + length > lineLength;

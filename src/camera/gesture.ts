@@ -1,16 +1,35 @@
 // How do the pointers that are down move the camera? From the pose at the anchor and from where each finger was then and is now.
-// Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS pixels. Knows no DOM
-// events: the caller reports which pointers press, move and lift.
+// Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS pixels; travel is measured
+// along the picture's own axes. Knows no DOM events: the caller reports which pointers press, move and lift.
 
 import { pinch, shift, turn } from './drag.js';
 import type { RadiusLimits, View } from './drag.js';
 import type { Orbit, Pose } from './orbit.js';
 
+/** The picture's box, and the directions of its axes on the page. */
+export interface PictureBox {
+  /** Before transforms, CSS pixels. */
+  readonly width: number;
+  readonly height: number;
+  /**
+   * Client coordinates of one of the box's own pixels: x and y of a pixel to the right, x and y of a pixel down. CSS transforms
+   * of the box or its parents change them. Default: 1, 0, 0, 1.
+   */
+  readonly axes?: PictureAxes;
+}
+
+export type PictureAxes = readonly [rightX: number, rightY: number, downX: number, downY: number];
+
+const UPRIGHT: PictureAxes = [1, 0, 0, 1];
+
+/** Browsers place transformed boxes in float32: scrolling changes axes by about 1e-7 per pixel of their size. */
+const AXIS_NOISE = 1e-5;
+
 /** What a gesture reads from its surroundings, at every move. */
 export interface GestureHost {
   readonly orbit: Orbit;
-  /** Size of the picture, CSS pixels. */
-  size(): { readonly width: number; readonly height: number };
+  /** The picture's box. */
+  size(): PictureBox;
   /** Vertical field of view, degrees. */
   fov(): number;
   radiusLimits(): RadiusLimits;
@@ -34,6 +53,7 @@ interface Finger {
 interface Anchor {
   readonly pose: Pose;
   readonly view: View;
+  readonly axes: PictureAxes;
   readonly orbit: boolean;
   readonly zoom: boolean;
   /** The orbit's version after the last move of this gesture; a different one means that something else moved the camera. */
@@ -109,36 +129,51 @@ export class PointerGesture {
       finger.anchorY = finger.y;
     }
     const { orbit } = this.#host;
-    const { width, height } = this.#host.size();
+    const { width, height, axes = UPRIGHT } = this.#host.size();
     const view = { width, height, fov: this.#host.fov() };
-    this.#anchor = { pose: orbit.pose, view, ...this.#host.allows(), version: orbit.version };
+    this.#anchor = { pose: orbit.pose, view, axes, ...this.#host.allows(), version: orbit.version };
     return this.#anchor;
   }
 
   /** Whether the same travel would now mean something else than at the anchor. */
-  #outdated({ view, orbit, zoom, version }: Anchor): boolean {
-    const { width, height } = this.#host.size();
+  #outdated({ view, axes: before, orbit, zoom, version }: Anchor): boolean {
+    const { width, height, axes = UPRIGHT } = this.#host.size();
     const allows = this.#host.allows();
     const sameView = view.width === width && view.height === height && view.fov === this.#host.fov();
+    const sameAxes = axes.every((x, i) => Math.abs(x - before[i]!) < AXIS_NOISE);
     return (
-      !sameView || allows.orbit !== orbit || allows.zoom !== zoom || this.#host.orbit.version !== version
+      !sameView ||
+      !sameAxes ||
+      allows.orbit !== orbit ||
+      allows.zoom !== zoom ||
+      this.#host.orbit.version !== version
     );
   }
 
-  #pose({ pose, view, orbit, zoom }: Anchor): Pose {
+  #pose({ pose, view, axes, orbit, zoom }: Anchor): Pose {
     const [first, second] = this.#fingers;
     if (first === undefined) return pose;
     const dx = first.x - first.anchorX;
     const dy = first.y - first.anchorY;
     if (second === undefined) {
       if (!orbit) return pose;
-      return this.#kind === 'turn' ? turn(pose, dx, dy, view) : shift(pose, dx, dy, view);
+      const travel = alongAxes(axes, dx, dy);
+      return this.#kind === 'turn' ? turn(pose, ...travel, view) : shift(pose, ...travel, view);
     }
     const startGap = Math.hypot(second.anchorX - first.anchorX, second.anchorY - first.anchorY);
     const gap = Math.hypot(second.x - first.x, second.y - first.y);
     const pinched = zoom ? pinch(pose, startGap, gap, this.#host.radiusLimits()) : pose;
     if (!orbit) return pinched;
     // Shift at the pinched radius: the target follows the midpoint of the fingers.
-    return shift(pinched, (dx + second.x - second.anchorX) / 2, (dy + second.y - second.anchorY) / 2, view);
+    const middleX = (dx + second.x - second.anchorX) / 2;
+    const middleY = (dy + second.y - second.anchorY) / 2;
+    return shift(pinched, ...alongAxes(axes, middleX, middleY), view);
   }
+}
+
+/** A pointer's travel in pixels of the picture. No travel where the picture is seen edge-on: nothing can be pressed there. */
+function alongAxes([rightX, rightY, downX, downY]: PictureAxes, x: number, y: number): [number, number] {
+  const area = rightX * downY - rightY * downX;
+  if (area === 0) return [0, 0];
+  return [(x * downY - y * downX) / area, (y * rightX - x * rightY) / area];
 }

@@ -12,6 +12,8 @@ export interface OrbitInputHost extends GestureHost {
   moved(source: 'pointer' | 'wheel' | 'key'): void;
   /** Home was pressed: the host returns to the declared camera and reports that itself. */
   reset(): void;
+  /** The wheel zooms while this element or anything in it has the focus. Default: the surface. */
+  readonly focusArea?: Element;
   /** A drag began or ended. A turntable pauses meanwhile. */
   held?(dragging: boolean): void;
 }
@@ -223,10 +225,10 @@ export class OrbitInput {
   }
 
   #focused(): boolean {
-    const surface = this.#surface;
-    if (surface.matches(':focus')) return true;
-    const root = surface.getRootNode() as Document | ShadowRoot;
-    return surface.contains(root.activeElement);
+    const area = this.#host.focusArea ?? this.#surface;
+    // Of the area's own tree: an element with the focus in its shadow tree is the active element there.
+    const { activeElement } = area.getRootNode() as Document | ShadowRoot;
+    return area.contains(activeElement);
   }
 
   #capture(pointerId: number): void {

@@ -21,9 +21,9 @@ export abstract class ChildElement<V extends object> extends Base {
   readonly #binding: Pick<FieldBinding<object>, 'attributeChanged' | 'upgrade'>;
   #registry: ChildRegistry | null = null;
 
-  constructor(store: FieldStore<V>) {
+  constructor(store: FieldStore<V>, assigned?: (key: keyof V) => void) {
     super();
-    this.#binding = new FieldBinding(this, store);
+    this.#binding = new FieldBinding(this, store, assigned);
   }
 
   connectedCallback(): void {

@@ -39,6 +39,19 @@ type ElementProps<E, V, Events> = ValueProps<V> &
   ClassAttributes<E> &
   Omit<HTMLAttributes<E>, keyof ValueProps<V> | Unheard<Events>>;
 
+/** As React spells handlers: `onCameraChange` for `camera-change`. */
+type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
+  ? `${Capitalize<Head>}${Pascal<Tail>}`
+  : Capitalize<S>;
+
+/** Handlers of an element's own events, by the names that the components of `phong-viewer/react` give them. */
+export type Handlers<Events> = {
+  readonly [K in keyof Events & string as `on${Pascal<K>}`]?: ((event: Events[K]) => unknown) | undefined;
+};
+
+/** Props of a component of `phong-viewer/react` for an element with these props and events. */
+export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events>> & Handlers<Events>;
+
 export type PhongLightProps = ElementProps<PhongLight, LightValues, object>;
 export type PhongMeshProps = ElementProps<PhongMesh, MeshValues, PhongMeshEventMap>;
 export type PhongViewerProps = ElementProps<PhongViewer, ViewerValues, PhongViewerEventMap>;

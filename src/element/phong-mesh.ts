@@ -21,7 +21,10 @@ export class PhongMesh extends ChildElement<MeshValues> {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
 
   constructor() {
-    super(new FieldStore<MeshValues>(MESH_FIELDS));
+    const store = new FieldStore<MeshValues>(MESH_FIELDS);
+    super(store, (key) => {
+      if (key === 'src' || key === 'geometry') store.notify(key); // the same value again retries what failed
+    });
   }
 }
 

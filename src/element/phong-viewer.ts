@@ -1,6 +1,6 @@
 // <phong-viewer>: the element. It translates attributes and children into state for the picture, input into camera moves,
 // and what happens into events. It computes no light and draws nothing itself.
-import { LitElement, type PropertyValues } from 'lit';
+import { type PropertyValues, ReactiveElement } from '@lit/reactive-element';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
@@ -8,12 +8,13 @@ import { Viewport } from '../scene/viewport.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
-import { LOADING_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
+import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
+import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
-import { styles } from './phong-viewer.styles.js';
+import styles from './phong-viewer.css?inline';
 import { ViewerAnnouncements } from './viewer/announcements.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
@@ -26,9 +27,9 @@ import { NAMING } from './viewer/naming.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
-import { viewerTemplate } from './viewer/template.js';
+import { ViewerTree } from './viewer/template.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { lazy, pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -47,8 +48,7 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart notice - the element's own message when something fails
  * @csspart panel - the control panel's place
  */
-export class PhongViewer extends LitElement {
-  static override readonly styles = styles;
+export class PhongViewer extends ReactiveElement {
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
@@ -57,10 +57,10 @@ export class PhongViewer extends LitElement {
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
   readonly #binding = new FieldBinding<ViewerValues>(this, this.#store, (key) => {
     this.#camera.assigned(key);
-    if (key === 'src') this.requestUpdate('src'); // the same address again retries what failed
+    if (RETRY_KEYS.has(key)) this.requestUpdate(key);
   });
 
-  readonly #holder = document.createElement('div');
+  readonly #holder = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
   readonly #announcements = new ViewerAnnouncements(this);
@@ -78,6 +78,8 @@ export class PhongViewer extends LitElement {
       this.#children.sort();
       return this.#camera.frame(now);
     },
+    painted: () => this.#loading.drawn(),
+    undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
     drawn: () => {
       this.#reveal();
       this.dispatchEvent(new CustomEvent('render'));
@@ -85,13 +87,11 @@ export class PhongViewer extends LitElement {
     afterFrame: () => this.#readiness.check(),
     fitted: () => this.#cameraMoved('auto'),
     contextMissing: (error) => this.#failure.contextMissing(error),
-    contextLost: () => {
-      this.#failure.contextLost();
-      this.#readiness.check();
-    },
+    contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
   });
-  readonly #loading = new ViewerLoading({
+  readonly #loading: ViewerLoading = new ViewerLoading({
+    viewer: this,
     store: this.#store,
     viewport: this.#viewport,
     events: this.#events,
@@ -113,31 +113,31 @@ export class PhongViewer extends LitElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    size: () => this.#holder.getBoundingClientRect(),
     moved: (source) => this.#cameraMoved(source),
   });
-  readonly #visibility = new Visibility(this.#holder, ({ visible, printing, pixelWidth, pixelHeight }) => {
-    if (visible) this.#loading.seen();
-    else this.#camera.rest();
-    this.#viewport.resize(pixelWidth, pixelHeight);
-    this.#viewport.visible = visible;
-    if (printing) {
+  readonly #visibility = new Visibility(this, this.#holder, (view) => {
+    if (view.near) this.#loading.neared();
+    this.#viewport.resize(view.pixelWidth, view.pixelHeight);
+    this.#viewport.near = this.#store.values.loading === 'eager' ? view.painted : view.near;
+    if (view.printing) {
       this.#children.sort();
       this.#viewport.redraw();
     }
     this.#camera.resized();
-    if (visible && this.#camera.turning) this.#viewport.animate();
+    this.#camera.inView = view.visible;
     this.#readiness.check();
   });
+  /** Null before the element is connected for the first time. */
+  #tree: ViewerTree | null = null;
   /** The poster has been replaced by a picture. */
   #revealed = false;
 
   constructor() {
     super();
-    this.#holder.className = 'holder';
     this.#store.listen((key) => this.requestUpdate(key));
-    this.addController(this.#camera);
-    this.addController(this.#visibility);
+    // Visibility first: it brings the holder into the element's document.
+    for (const part of [this.#visibility, this.#camera, this.#loading, this.#announcements])
+      this.addController(part);
     viewerCameras.set(this, this.#camera);
   }
 
@@ -157,8 +157,9 @@ export class PhongViewer extends LitElement {
     return this.#camera.state;
   }
 
-  /** All requested models are there. */
+  /** Everything requested is there, and shapes have been drawn. False while nothing is requested. */
   get loaded(): boolean {
+    this.#update();
     return this.#loading.loaded;
   }
 
@@ -203,7 +204,7 @@ export class PhongViewer extends LitElement {
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
     const picture = pictureOf(this.#viewport, options);
-    return (await import('./viewer/picture-blob.js')).pictureBlob(picture, options);
+    return (await lazy.picture()).pictureBlob(picture, options);
   }
 
   /**
@@ -218,8 +219,7 @@ export class PhongViewer extends LitElement {
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
-    const { shadeAt } = await import('./viewer/shade-at.js');
-    return shadeAt(snapshot, x, y);
+    return (await lazy.shadeAt()).shadeAt(snapshot, x, y);
   }
 
   /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
@@ -233,12 +233,13 @@ export class PhongViewer extends LitElement {
   }
 
   override connectedCallback(): void {
+    if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
+    addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();
-    this.#failure.contextRestored(); // or missing once more
     this.#viewport.attach();
   }
 
@@ -258,18 +259,22 @@ export class PhongViewer extends LitElement {
     if (!this.#binding.attributeChanged(name, text)) this.requestUpdate();
   }
 
-  protected override render(): unknown {
-    return viewerTemplate(this, {
-      poster: this.#revealed ? '' : this.poster,
-      notice: this.#failure.message,
-      holder: this.#holder,
-      reader: this.#announcements.node,
-    });
+  protected override createRenderRoot(): HTMLElement | DocumentFragment {
+    const root = super.createRenderRoot();
+    this.#tree = new ViewerTree(root, this.#holder);
+    this.#camera.listenTo(this.#tree.surface);
+    this.#announcements.connect(this.#tree);
+    return root;
   }
 
-  protected override firstUpdated(): void {
-    const surface = this.#part('.surface');
-    if (surface !== null) this.#camera.listenTo(surface);
+  protected override update(changed: PropertyValues): void {
+    super.update(changed);
+    this.#tree?.update({
+      poster: this.#revealed ? '' : this.poster,
+      fixed: !this.orbit,
+      notice: this.#failure.message,
+    });
+    this.#announcements.update();
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -287,9 +292,10 @@ export class PhongViewer extends LitElement {
       viewport.style = { shading, reflection, terms, antialias };
     }
     if (changed.has('src')) this.#readiness.supersede();
-    if (LOADING_KEYS.some((key) => changed.has(key))) this.#loading.update();
+    this.#loading.apply(changed);
+    if (changed.has('loading')) this.#visibility.shown();
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
-    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#part('.panel'));
+    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#tree?.panel ?? null);
     this.#panel.changed('viewer');
   }
 
@@ -297,16 +303,15 @@ export class PhongViewer extends LitElement {
   #update(): void {
     if (this.isUpdatePending && this.hasUpdated) this.performUpdate();
     else if (!this.hasUpdated) this.#apply({ has: () => true }); // never connected: there is no shadow tree to update
-    if (this.isConnected && !this.#visibility.looked) this.#visibility.look();
+    if (this.#visibility.connected && !this.#visibility.looked) this.#visibility.look();
     this.#children.sort();
     this.#children.flush();
   }
 
   get #settled(): boolean {
     this.#update();
-    if (!this.isConnected) return true;
-    if (this.#loading.pending || !this.#visibility.known) return false;
-    return this.#viewport.upToDate || !this.#viewport.drawable || document.visibilityState === 'hidden';
+    if (!this.#visibility.connected) return true;
+    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
   }
 
   /** Removes the poster once everything requested has been drawn for the first time. */
@@ -314,11 +319,6 @@ export class PhongViewer extends LitElement {
     if (this.#revealed || this.#loading.pending || this.#failure.message !== null) return;
     this.#revealed = true;
     if (this.#store.values.poster !== '') this.requestUpdate();
-  }
-
-  /** Not by Lit's refs: those are empty while the element is out of the document. */
-  #part(selector: string): HTMLElement | null {
-    return this.shadowRoot?.querySelector<HTMLElement>(selector) ?? null;
   }
 
   #cameraMoved(source: CameraSource): void {

@@ -42,6 +42,11 @@ export class FieldStore<V extends object> {
     this.#listener?.(key);
   }
 
+  /** Notifies the listener as if the value had changed. */
+  notify(key: keyof V): void {
+    this.#listener?.(key);
+  }
+
   /** Sets several values as {@link set} does. All are checked before the first is written. */
   assign(values: Partial<V>): void {
     for (const key in values) {

@@ -17,7 +17,7 @@ import { addButton } from './rows.js';
 import { SceneRange } from './scene-range.js';
 import { shadingFolder } from './shading-folder.js';
 
-/** In viewers narrower than this, CSS pixels, the panel starts closed, because it would hide the picture. */
+/** In viewers narrower than this, in CSS pixels, the panel starts closed, because it would hide the picture. */
 const WIDE = 480;
 
 export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
@@ -35,6 +35,7 @@ class ControlPanel implements Panel {
   readonly #surface: ReturnType<typeof ownSurfaceFolder>;
   readonly #copy: CopyButton;
   readonly #dropStyles: () => void;
+  readonly #stopWaiting: () => void;
   #meshList: readonly PhongMesh[] = [];
 
   constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
@@ -62,7 +63,7 @@ class ControlPanel implements Panel {
       this.#refreshVisible();
     });
     viewer.addEventListener('load', this.#loaded);
-    if (isNarrow(viewer)) gui.close();
+    this.#stopWaiting = openIfWide(gui, viewer);
   }
 
   update(change: PanelChange): void {
@@ -76,6 +77,7 @@ class ControlPanel implements Panel {
 
   dispose(): void {
     this.#viewer.removeEventListener('load', this.#loaded);
+    this.#stopWaiting();
     this.#copy.dispose();
     this.#gui.destroy();
     this.#dropStyles();
@@ -144,5 +146,23 @@ function newRoot(place: HTMLElement): GUI {
   return gui;
 }
 
-/** Uses the window's width if the viewer has no width yet. */
-const isNarrow = (viewer: HTMLElement): boolean => (viewer.clientWidth || window.innerWidth) < WIDE;
+/**
+ * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed dialog, decides when it
+ * first has one; until then the panel is closed. The returned function stops waiting for that.
+ */
+function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
+  const hasDecided = (): boolean => {
+    gui.open(viewer.clientWidth >= WIDE);
+    return viewer.clientWidth > 0 && viewer.clientHeight > 0;
+  };
+  const view = viewer.ownerDocument.defaultView;
+  if (hasDecided() || view === null) return () => undefined;
+  gui.close();
+  const observer = new view.ResizeObserver(() => {
+    if (hasDecided()) observer.disconnect();
+  });
+  observer.observe(viewer);
+  return () => {
+    observer.disconnect();
+  };
+}

@@ -24,52 +24,54 @@ export function flatGeometry(source: BufferGeometry): BufferGeometry {
 
 function separateTriangles(source: BufferGeometry): BufferGeometry {
   const { index } = source;
-  const position = source.getAttribute('position');
-  const corners = index ? index.count : position.count;
+  const corners = index?.count ?? source.getAttribute('position').count;
   const count = corners - (corners % 3);
-  const vertexAt = index ? (i: number): number => index.getX(i) : (i: number): number => i;
   const flat = new BufferGeometry();
   flat.name = source.name;
   for (const [name, attribute] of Object.entries(source.attributes)) {
-    if (name !== 'normal') flat.setAttribute(name, gather(attribute, vertexAt, count));
+    if (name === 'normal') continue;
+    const values = gather(attribute, index, count);
+    flat.setAttribute(name, new BufferAttribute(values, attribute.itemSize));
+    if (name === 'position') flat.setAttribute('normal', new BufferAttribute(faceNormals(values), 3));
   }
-  flat.setAttribute('normal', new BufferAttribute(faceNormals(position, vertexAt, count), 3));
   return flat;
 }
 
 type Attribute = BufferAttribute | InterleavedBufferAttribute;
 
-function gather(attribute: Attribute, vertexAt: (i: number) => number, count: number): BufferAttribute {
-  const { itemSize } = attribute;
+/** The values of each corner. Plain floats are copied without a call for each: 15 million corners would take 2 s. */
+function gather(attribute: Attribute, index: BufferAttribute | null, count: number): Float32Array {
+  const { itemSize, array } = attribute;
   const values = new Float32Array(count * itemSize);
-  for (let i = 0; i < count; i += 1) {
-    const vertex = vertexAt(i);
-    for (let c = 0; c < itemSize; c += 1) values[i * itemSize + c] = attribute.getComponent(vertex, c);
+  const plain = 'isBufferAttribute' in attribute && array instanceof Float32Array;
+  for (let c = 0; c < itemSize; c += 1) {
+    for (let i = 0, at = c; i < count; i += 1, at += itemSize) {
+      const vertex = index === null ? i : index.array[i]!;
+      values[at] = plain ? array[vertex * itemSize + c]! : attribute.getComponent(vertex, c);
+    }
   }
-  return new BufferAttribute(values, itemSize);
+  return values;
 }
 
-function faceNormals(position: Attribute, vertexAt: (i: number) => number, count: number): Float32Array {
-  const normals = new Float32Array(count * 3);
-  for (let i = 0; i < count; i += 3) {
-    const a = vertexAt(i);
-    const b = vertexAt(i + 1);
-    const c = vertexAt(i + 2);
-    const ax = position.getX(a);
-    const ay = position.getY(a);
-    const az = position.getZ(a);
-    const ux = position.getX(b) - ax;
-    const uy = position.getY(b) - ay;
-    const uz = position.getZ(b) - az;
-    const vx = position.getX(c) - ax;
-    const vy = position.getY(c) - ay;
-    const vz = position.getZ(c) - az;
+/** In float64. Products of four float32 numbers neither overflow nor vanish there, so plain lengths do. */
+function faceNormals(corners: Float32Array): Float32Array {
+  const normals = new Float32Array(corners.length);
+  for (let i = 0; i < corners.length; i += 9) {
+    const ax = corners[i]!;
+    const ay = corners[i + 1]!;
+    const az = corners[i + 2]!;
+    const ux = corners[i + 3]! - ax;
+    const uy = corners[i + 4]! - ay;
+    const uz = corners[i + 5]! - az;
+    const vx = corners[i + 6]! - ax;
+    const vy = corners[i + 7]! - ay;
+    const vz = corners[i + 8]! - az;
     const x = uy * vz - uz * vy;
     const y = uz * vx - ux * vz;
     const z = ux * vy - uy * vx;
-    const size = Math.hypot(x, y, z);
+    const size = Math.sqrt(x * x + y * y + z * z);
     if (!(size > 0)) continue;
-    for (let corner = i * 3; corner < i * 3 + 9; corner += 3) {
+    for (let corner = i; corner < i + 9; corner += 3) {
       normals[corner] = x / size;
       normals[corner + 1] = y / size;
       normals[corner + 2] = z / size;

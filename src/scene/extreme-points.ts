@@ -1,6 +1,6 @@
 // Which vertices of a geometry decide how large it is, wherever it is placed? Reads all vertices once and keeps those that
 // lie farthest along some hundred directions, in the geometry's own space. Knows neither matrices nor scenes.
-import type { BufferGeometry } from 'three';
+import { BufferAttribute, type BufferGeometry, type InterleavedBufferAttribute } from 'three';
 import type { Vec3 } from '../math/vector.js';
 
 export interface ExtremePoints {
@@ -30,13 +30,26 @@ export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null 
   return found;
 }
 
+/** `copy` has the vertices of `geometry`: it is not read for itself. */
+export function shareExtremePoints(geometry: BufferGeometry, copy: BufferGeometry): void {
+  known.set(copy, extremePointsOf(geometry));
+}
+
 /** The vertices have changed. */
 export function forgetExtremePoints(geometry: BufferGeometry): void {
   known.delete(geometry);
 }
 
 function findExtremePoints(geometry: BufferGeometry): ExtremePoints | null {
-  const vertices = verticesOf(geometry);
+  const position = geometry.getAttribute('position');
+  const plain =
+    position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
+  // Most geometries have only finite numbers, and are read without a copy.
+  const found = plain ? extremesOf(position.array as Float32Array) : null;
+  return found && Number.isFinite(found.radius) ? found : extremesOf(finiteVertices(position));
+}
+
+function extremesOf(vertices: Vertices): ExtremePoints | null {
   const box = emptyBox();
   extend(box, vertices, 0, vertices.length);
   const [minX, minY, minZ, maxX, maxY, maxZ] = box;
@@ -44,21 +57,22 @@ function findExtremePoints(geometry: BufferGeometry): ExtremePoints | null {
   const center: Vec3 = [minX + (maxX - minX) / 2, minY + (maxY - minY) / 2, minZ + (maxZ - minZ) / 2];
   let farthest = 0;
   for (let i = 0; i < vertices.length; i += 3) {
-    const [dx, dy, dz] = [
-      vertices[i]! - center[0],
-      vertices[i + 1]! - center[1],
-      vertices[i + 2]! - center[2],
-    ];
+    const dx = vertices[i]! - center[0];
+    const dy = vertices[i + 1]! - center[1];
+    const dz = vertices[i + 2]! - center[2];
     farthest = Math.max(farthest, dx * dx + dy * dy + dz * dz);
   }
+  const radius = Math.sqrt(farthest);
   const count = vertices.length / 3;
   const chosen = count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : supports(vertices, box);
-  return { points: distinct(vertices, chosen), center, radius: Math.sqrt(farthest) };
+  return { points: distinct(vertices, chosen), center, radius };
 }
 
-/** x, y, z of all vertices that are numbers. */
-function verticesOf(geometry: BufferGeometry): Float64Array {
-  const position = geometry.getAttribute('position');
+/** x, y, z of each vertex, one after the other. */
+type Vertices = Float32Array | Float64Array;
+
+/** The vertices that are numbers. */
+function finiteVertices(position: BufferAttribute | InterleavedBufferAttribute): Vertices {
   const vertices = new Float64Array(3 * position.count);
   let end = 0;
   for (let i = 0; i < position.count; i++) {
@@ -75,7 +89,7 @@ type Box = [minX: number, minY: number, minZ: number, maxX: number, maxY: number
 
 const emptyBox = (): Box => [Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity];
 
-function extend(box: Box, vertices: Float64Array, first: number, end: number): void {
+function extend(box: Box, vertices: Vertices, first: number, end: number): void {
   let [minX, minY, minZ, maxX, maxY, maxZ] = box;
   for (let i = first; i < end; i += 3) {
     const [x, y, z] = [vertices[i]!, vertices[i + 1]!, vertices[i + 2]!];
@@ -95,7 +109,7 @@ function extend(box: Box, vertices: Float64Array, first: number, end: number): v
 }
 
 /** Where in `vertices` the farthest along each direction and against it begin. */
-function supports(vertices: Float64Array, box: Readonly<Box>): Set<number> {
+function supports(vertices: Vertices, box: Readonly<Box>): Set<number> {
   const directions = directionsFor(box);
   const least = new Float64Array(PAIRS).fill(Infinity);
   const most = new Float64Array(PAIRS).fill(-Infinity);
@@ -132,7 +146,7 @@ function* blockStarts(length: number): Iterable<number> {
   }
 }
 
-function blockBox(vertices: Float64Array, first: number, end: number): Box {
+function blockBox(vertices: Vertices, first: number, end: number): Box {
   const box = emptyBox();
   extend(box, vertices, first, end);
   return box;
@@ -161,7 +175,7 @@ function* spiral(count: number): Iterable<number> {
 }
 
 /** The places of the chosen vertices, each once: faces of their own normals repeat their corners. */
-function distinct(vertices: Float64Array, chosen: Iterable<number>): Float64Array {
+function distinct(vertices: Vertices, chosen: Iterable<number>): Float64Array {
   const places = new Map<string, readonly number[]>();
   for (const i of chosen) {
     const place = [...vertices.subarray(i, i + 3)];

@@ -1,6 +1,9 @@
-// When does a picture draw? At most one animation frame is pending for the whole page, and none while nothing changes.
+// When does a picture draw? At most one animation frame is pending for each window, and none while nothing changes.
 // A frame has three phases, and every picture finishes one before any picture starts the next. Knows nothing of what is
 // drawn.
+
+/** The window that shows a picture. Frames come from there: another one may be hidden, minimised or closed. */
+export type FrameSource = Pick<Window, 'requestAnimationFrame' | 'cancelAnimationFrame'>;
 
 export interface Framed {
   /** Phase 1: reads the page's layout. Nothing writes to the page before all pictures have read. */
@@ -15,7 +18,8 @@ export interface Framed {
   draw(): void;
 }
 
-class FrameLoop {
+export class FrameLoop {
+  readonly #source: FrameSource;
   #waiting = new Set<Framed>();
   /** The pictures of the running frame; empty between frames. */
   #running = new Set<Framed>();
@@ -23,12 +27,16 @@ class FrameLoop {
   /** The latest request, still to be served. Moving lights request one by one, for the same picture. */
   #last: Framed | null = null;
 
+  constructor(source: FrameSource) {
+    this.#source = source;
+  }
+
   /** Requests a frame for `picture`. Any number of requests in one task make one frame. */
   request(picture: Framed): void {
     if (picture === this.#last) return;
     this.#last = picture;
     this.#waiting.add(picture);
-    if (this.#pending === 0) this.#pending = requestAnimationFrame(this.#run);
+    if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
   }
 
   /** Withdraws a request. Without any request left the animation frame is cancelled too. */
@@ -36,7 +44,7 @@ class FrameLoop {
     this.#waiting.delete(picture);
     if (picture === this.#last) this.#last = null;
     if (this.#waiting.size > 0 || this.#pending === 0) return;
-    cancelAnimationFrame(this.#pending);
+    this.#source.cancelAnimationFrame(this.#pending);
     this.#pending = 0;
   }
 
@@ -68,5 +76,11 @@ class FrameLoop {
   }
 }
 
-/** The page's frame loop. */
-export const frameLoop = new FrameLoop();
+const loops = new WeakMap<FrameSource, FrameLoop>();
+
+/** The frame loop of a window. */
+export function frameLoopOf(source: FrameSource): FrameLoop {
+  const loop = loops.get(source) ?? new FrameLoop(source);
+  loops.set(source, loop);
+  return loop;
+}

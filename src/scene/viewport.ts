@@ -9,14 +9,14 @@ import type { PhongLighting } from '../material/lighting.js';
 import type { ShadingStyle } from '../material/phong-material.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
-import { type Framed, frameLoop } from './frame-loop.js';
+import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter } from './painter.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportEvents } from './viewport-events.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -32,9 +32,11 @@ export class Viewport implements StageClient, Framed {
   readonly #view = new ViewCamera(this.orbit);
   /** Requested size in device pixels. */
   #wanted: Size = { width: 0, height: 0 };
-  /** On screen; undefined until the layout has been read. */
-  #visible: boolean | undefined = undefined;
+  /** In view, or close enough to be drawn; undefined until the layout has been read. */
+  #near: boolean | undefined = undefined;
   #attached = false;
+  /** That of the window in which the picture is attached. */
+  #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
   #fov = 45;
@@ -68,22 +70,24 @@ export class Viewport implements StageClient, Framed {
     return this.#painter.lighting;
   }
 
-  /** Joins the page's stage. */
+  /** Joins the page's stage, in the window that shows the holder. */
   attach(): void {
+    const view = this.holder.ownerDocument.defaultView;
+    if (view === null) return;
+    this.#loop = frameLoopOf(view);
     stage.add(this);
     this.#attached = true;
+    if (stage.lost) this.#events.contextLost();
+    else this.#events.contextRestored();
     this.invalidate();
   }
 
   detach(): void {
     this.#attached = false;
-    this.#visible = undefined;
-    frameLoop.cancel(this);
+    this.#near = undefined;
+    this.#loop?.cancel(this);
     stage.remove(this);
-    // An element that only moves is back before the microtask; one that stays away gives its GPU memory back.
-    queueMicrotask(() => {
-      if (!this.#attached) this.#releaseGpu();
-    });
+    this.#releaseUnlessAttached();
   }
 
   get fov(): number {
@@ -122,9 +126,9 @@ export class Viewport implements StageClient, Framed {
     this.invalidate();
   }
 
-  /** Whether the picture can be seen. While it cannot, nothing is drawn; changes are drawn once it can. */
-  set visible(visible: boolean) {
-    this.#visible = visible;
+  /** Whether the picture is in view or close enough to be drawn. While it is not, changes wait. */
+  set near(near: boolean) {
+    this.#near = near;
     this.#wake();
   }
 
@@ -167,8 +171,8 @@ export class Viewport implements StageClient, Framed {
 
   /** Frames are drawn when something changes. */
   get drawable(): boolean {
-    if (!this.#attached || stage.lost || this.#visible === false) return false;
-    return this.#visible === undefined || (this.width > 0 && this.height > 0);
+    if (!this.#attached || stage.lost || this.#near === false) return false;
+    return this.#near === undefined || (this.width > 0 && this.height > 0);
   }
 
   /** Nothing has changed since the last frame. */
@@ -176,19 +180,19 @@ export class Viewport implements StageClient, Framed {
     return !this.#dirty;
   }
 
-  /** Something changed: draw a frame, as soon as it can be seen. */
+  /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
     this.#dirty = true;
-    if (this.drawable) frameLoop.request(this);
+    if (this.drawable) this.#loop?.request(this);
   }
 
   /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
   animate(): void {
-    if (this.drawable) frameLoop.request(this);
+    if (this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
-    if (this.#visible === undefined) this.#events.needsLayout();
+    if (this.#near === undefined) this.#events.needsLayout();
   }
 
   advance(now: number): boolean {
@@ -200,25 +204,22 @@ export class Viewport implements StageClient, Framed {
   }
 
   redraw(): void {
-    if (!this.drawable || this.#visible === undefined) {
+    if (!this.drawable || this.#near === undefined) {
       this.#dirty = true;
       return;
     }
     // Before drawing: if that throws, it is tried again only after the next change.
     this.#dirty = false;
     try {
-      this.#bringInStep();
-      stage.draw(this, (renderer) => {
-        this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
-        this.#painter.paint(renderer, this.#view);
-      });
+      if (this.#paint()) {
+        this.#events.painted();
+        this.#frames += 1;
+        this.#events.drawn();
+      } else this.#dirty = true; // drawn once there is a context
       this.materials.sweep();
-      this.#frames += 1;
-      this.#events.drawn();
     } catch (error) {
-      if (!(error instanceof NoWebGL2Error)) throw error;
-      this.#attached = false; // until it is attached again
-      this.#events.contextMissing(error);
+      if (!this.#events.undrawable(error, this.#paint)) throw error;
+      this.redraw();
     } finally {
       this.#events.afterFrame();
     }
@@ -239,6 +240,7 @@ export class Viewport implements StageClient, Framed {
   /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
   capture(width: number, height: number): HTMLCanvasElement {
     this.#bringInStep();
+    this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
       this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height, part);
       this.#painter.paint(renderer, this.#view);
@@ -252,38 +254,56 @@ export class Viewport implements StageClient, Framed {
     this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
-    for (const mesh of this.#tree.meshes) {
-      const owner = ownerOf(mesh);
-      for (const part of mesh.parts) owners.set(part.mesh, owner);
-    }
+    for (const mesh of this.#tree.meshes)
+      for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
     const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
     return { width, height, frame: copyFrame(frame), camera: camera.clone(), objects };
   }
 
   get stats(): ViewportStats {
-    return {
-      ...this.#painter.stats,
-      frames: this.#frames,
-      programs: stage.programs,
-      viewersDrawn: stage.viewersDrawn,
-    };
+    const { programs, viewersDrawn } = stage;
+    return { ...this.#painter.stats, frames: this.#frames, programs, viewersDrawn };
   }
 
   contextLost(): void {
-    frameLoop.cancel(this);
+    this.#dirty = true;
+    this.#loop?.cancel(this);
     this.#releaseGpu();
     this.#events.contextLost();
+    this.#events.afterFrame();
   }
 
   contextRestored(): void {
-    this.invalidate();
+    this.#wake();
     this.#events.contextRestored();
+  }
+
+  /** False where there is no context. */
+  readonly #paint = (): boolean => {
+    this.#bringInStep();
+    return stage.draw(this, (renderer) => {
+      this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
+      this.#painter.paint(renderer, this.#view);
+    });
+  };
+
+  contextMissing(error: NoWebGL2Error): void {
+    this.#loop?.cancel(this);
+    this.#events.contextMissing(error);
+    this.#events.afterFrame();
   }
 
   /** Order, matrices and camera of the scene as they are now. */
   #bringInStep(): void {
     this.settle();
     this.#tree.update();
+  }
+
+  /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
+  #releaseUnlessAttached(): void {
+    queueMicrotask(() => {
+      if (!this.#attached) this.#releaseGpu();
+    });
   }
 
   /** Drawing sends everything to the GPU again. */
@@ -294,7 +314,7 @@ export class Viewport implements StageClient, Framed {
 
   /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
   #wake(): void {
-    if (!this.drawable) frameLoop.cancel(this);
-    else if (this.#dirty) frameLoop.request(this);
+    if (!this.drawable) this.#loop?.cancel(this);
+    else if (this.#dirty) this.#loop?.request(this);
   }
 }

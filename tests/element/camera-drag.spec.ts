@@ -216,6 +216,75 @@ test.describe('what happens during a drag', () => {
   });
 });
 
+test.describe('in transformed parents, a drag follows the element’s own axes', () => {
+  /** The pointer travels 60 px along the element's width and 40 px along its height, of 600 and 400: −36° and −18°. */
+  const cases: Readonly<Record<string, string>> = {
+    'rotated by 90°': 'rotate(90deg)',
+    'rotated by 30°': 'rotate(30deg)',
+    'upside down': 'rotate(180deg)',
+    mirrored: 'scale(-1, 1)',
+    scaled: 'scale(0.5)',
+    'scaled unevenly and rotated': 'rotate(-50deg) scale(0.5, 0.75)',
+    skewed: 'skewX(30deg) skewY(-10deg)',
+    'turned in space': 'rotateY(50deg) rotateZ(20deg)',
+  };
+  for (const [what, transform] of Object.entries(cases)) {
+    test(what, async ({ page, mount }) => {
+      const viewer = await mount(`<main><section>${box}</section></main>`, {
+        css: `main { position: absolute; left: 200px; top: 150px; width: 600px; height: 400px; transform: ${transform} }
+          section { rotate: 10deg; zoom: 0.5 }`,
+      });
+      /** Where a point of the element, in its own pixels, is on the page. */
+      const place = (x: number, y: number): Promise<[number, number]> =>
+        viewer.evaluate(
+          (element, [left, top]) => {
+            const mark = document.createElement('i');
+            mark.style.cssText = `position: absolute; left: ${left}px; top: ${top}px`;
+            element.shadowRoot!.append(mark);
+            const at = mark.getBoundingClientRect();
+            mark.remove();
+            return [at.left, at.top];
+          },
+          [x, y] as const,
+        );
+      await page.mouse.move(...(await place(300, 200)));
+      await page.mouse.down();
+      await page.mouse.move(...(await place(360, 240)), { steps: 3 });
+      const { theta, phi } = await cameraOf(viewer);
+      expect(theta).toBeCloseTo(-6, 2);
+      expect(phi).toBeCloseTo(52, 2);
+      const start = await place(300, 200);
+      await page.mouse.move(...start);
+      await page.mouse.up();
+      expect(await cameraOf(viewer)).toMatchObject({ theta: 30, phi: 70 });
+    });
+  }
+
+  test('the target shifts with the pointer', async ({ page, mount }) => {
+    const viewer = await mount(`<main>${box}</main>`, {
+      css: 'main { position: absolute; left: 100px; top: 50px; width: 600px; height: 400px; rotate: 90deg }',
+    });
+    const upright = await viewer.evaluate((element: PhongViewer) => element.camera);
+    await drag(page, [400, 250], [0, 60], { button: 'right' });
+    const { target, up } = await cameraOf(viewer);
+    // Down the page is to the right in the picture: nothing moves along its height.
+    expect(Math.hypot(...target)).toBeGreaterThan(0.1);
+    expect(target[0] * up[0] + target[1] * up[1] + target[2] * up[2]).toBeCloseTo(0, 6);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: upright.theta, phi: upright.phi });
+  });
+
+  test('a parent that turns during a drag moves nothing by itself', async ({ page, mount }) => {
+    const viewer = await mount(`<main>${box}</main>`, { css: 'main { width: 600px; height: 400px }' });
+    await drag(page, [300, 200], [60, 0], { release: false });
+    await viewer.evaluate((element) => (element.parentElement!.style.rotate = '90deg'));
+    await page.mouse.move(360, 200.5);
+    expect((await cameraOf(viewer)).theta).toBeCloseTo(-6, 0);
+    await page.mouse.move(360, 260.5);
+    expect((await cameraOf(viewer)).theta).toBeCloseTo(-42, 0);
+    await page.mouse.up();
+  });
+});
+
 test('reports the camera once per task, with the source pointer', async ({ page, mount }) => {
   const viewer = await mount(box);
   const events = await record(viewer, 'camera-change');

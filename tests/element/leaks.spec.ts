@@ -70,3 +70,24 @@ test('a viewer moved on its page loads, opens and sends nothing again', async ({
   expect(await held()).toEqual(before);
   expect(Buffer.compare(await viewer.screenshot(), shot)).toBe(0);
 });
+
+test('toBlob of a viewer that is not on the page leaves nothing on the GPU', async ({ page, mount }) => {
+  await mount(stays, size);
+  const held = async (): Promise<object> => {
+    const { contexts, textures, buffers, programs, vertexArrays } = await countsOf(page);
+    return { contexts, textures, buffers, programs, vertexArrays };
+  };
+  const before = await held();
+  await page.evaluate(async () => {
+    const viewer = document.createElement('phong-viewer');
+    viewer.src = '/fixtures/models/textured.glb';
+    document.body.append(viewer);
+    await viewer.ready;
+    viewer.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    await viewer.toBlob({ width: 40, height: 30 });
+    await new Promise((resolve) => setTimeout(resolve));
+  });
+  await nextFrame(page);
+  expect(await held()).toEqual(before);
+});

@@ -38,8 +38,9 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
   const pixelsOfOne = size.width * size.height;
   const screenful = await page.evaluate(() => screen.width * screen.height * devicePixelRatio ** 2);
   const onScreen = (Math.ceil(view.height / size.height) + 1) * pixelsOfOne;
-  // What is on screen, two screens of what was, those that the observer has not yet told of, and the canvas all draw on.
-  const bound = onScreen + 2 * screenful + onScreen + screenful;
+  const near = (Math.ceil((3 * view.height) / size.height) + 1) * pixelsOfOne;
+  // What is on screen or near it, two screens of what was, those that the observer has not yet told of, and the canvas all draw on.
+  const bound = near + 2 * screenful + onScreen + screenful;
   expect(count * pixelsOfOne, 'more than may be kept').toBeGreaterThan(bound);
   const end = count * size.height - view.height;
   for (let top = 0; top < end; top += view.height - size.height) {

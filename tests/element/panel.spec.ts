@@ -2,7 +2,7 @@
 
 import { AxeBuilder } from '@axe-core/playwright';
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, type PhongViewer, record } from './support.js';
+import { assign, cameraOf, nextFrame, type PhongViewer, record } from './support.js';
 import { button, field, listOf, opened, panelOf, slider, titleOf, titlesIn } from './panel-rows.js';
 
 const light = (name: string): string => `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
@@ -99,6 +99,7 @@ test('never rotates or zooms the camera by input on the panel', async ({ page, m
       await page.mouse.down();
       await page.mouse.move(panel.x - 150, panel.y + y + 60, { steps: 3 });
       await page.mouse.up();
+      await page.mouse.move(panel.x + x, panel.y + y);
       await page.mouse.wheel(0, 50);
     }
   }
@@ -238,4 +239,50 @@ test.describe('copy HTML', () => {
     ]);
     expect(selected).toEqual([0, html.length]);
   });
+});
+
+test('starts closed in a viewer without a size, and decides by the size that the viewer gets', async ({
+  mount,
+}) => {
+  for (const [width, expanded] of [
+    [300, 'false'],
+    [500, 'true'],
+  ] as const) {
+    const viewer = await mount(`<dialog>${scene('gui', 'sun')}</dialog>`, { width, height: 300 });
+    await expect(panelOf(viewer)).toBeAttached();
+    await expect(titleOf(viewer, 'Controls')).toHaveAttribute('aria-expanded', 'false');
+    await viewer.evaluate((element) => element.closest('dialog')!.showModal());
+    await expect(titleOf(viewer, 'Controls')).toHaveAttribute('aria-expanded', expanded);
+    // Only once: from then on it is the user's.
+    await titleOf(viewer, 'Controls').click();
+    await viewer.evaluate((element) => (element.style.width = '490px'));
+    await nextFrame(viewer.page());
+    await expect(titleOf(viewer, 'Controls')).toHaveAttribute('aria-expanded', String(expanded === 'false'));
+  }
+});
+
+test('leaves the wheel over the picture to zoom while the panel has the focus', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'sun'), { css: 'body { height: 3000px }' });
+  const radius = async (): Promise<number> => (await cameraOf(viewer)).radius;
+  const scrolled = (): Promise<number> => page.evaluate(() => scrollY);
+  const wheel = async (): Promise<void> => {
+    await page.mouse.move(200, 200);
+    await page.mouse.wheel(0, 50);
+    await nextFrame(page);
+  };
+  const first = await radius();
+  const light = await opened(viewer, 'sun');
+  await field(light, 'name').focus();
+  await wheel();
+  expect(await radius()).toBeCloseTo(first * Math.exp(0.05), 6);
+  await button(panelOf(viewer), 'add light').click();
+  await wheel();
+  await page.mouse.click(200, 200);
+  await wheel();
+  expect(await radius()).toBeCloseTo(first * Math.exp(0.15), 6);
+  expect(await scrolled()).toBe(0);
+  await viewer.evaluate((element) => element.blur());
+  await wheel();
+  await expect.poll(scrolled).toBeGreaterThan(0);
+  expect(await radius()).toBeCloseTo(first * Math.exp(0.15), 6);
 });

@@ -26,7 +26,7 @@ for (const count of [2, 64]) {
     const drawn = (): Promise<number> =>
       viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn);
     const taken = await countsOf(page);
-    expect(taken).toMatchObject({ contexts: 1, copies: count, observers: 2 }); // of place and of size
+    expect(taken).toMatchObject({ contexts: 1, copies: count, observers: 3 }); // of place, of surroundings and of size
     expect(taken.listeners).toBeGreaterThan(0);
     expect(await drawn()).toBe(count);
     const reds = await redsShown(page);

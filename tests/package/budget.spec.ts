@@ -15,7 +15,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 107_520, modules: 37_888 } as const;
+const budgets = { standalone: 112_128, modules: 43_264 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -36,7 +36,7 @@ for (const usage of ['standalone', 'modules'] as const) {
   });
 }
 
-test('the standalone file is smaller than a bundle of plain three.js with its Phong material', async () => {
+test('the standalone file is about as large as a bundle of plain three.js with its Phong material', async () => {
   const three = await bundleOf(`
     import { DirectionalLight, Mesh, MeshPhongMaterial, PerspectiveCamera, PointLight, Scene } from 'three';
     import { SphereGeometry, SpotLight, WebGLRenderer } from 'three';
@@ -45,16 +45,26 @@ test('the standalone file is smaller than a bundle of plain three.js with its Ph
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.00. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.01);
+  // Measured: 1.05. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.06);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 156 kB, because bundlers keep three's shader chunks, and 108 kB.
-  expect(await bundled('index.js')).toBeLessThan(157_500);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(108_000);
+  // Measured: 161 kB, because bundlers keep three's shader chunks, and 112 kB.
+  expect(await bundled('index.js')).toBeLessThan(162_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(112_700);
+});
+
+test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
+  // Measured: 267 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(270_000);
+});
+
+test("the React components add little to the elements' own code", () => {
+  // Measured: 0.64 kB.
+  expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
 
 test('core and reference are one file each, and the latter needs no three.js', async ({ page, site }) => {

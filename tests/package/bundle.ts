@@ -6,13 +6,27 @@ import { build } from 'vite';
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const entry = 'script-of-a-user';
 
+interface BundleOptions {
+  /** Puts what a page would fetch later into the same file. Default false. */
+  readonly whole?: boolean;
+  /** Expressions and what replaces them. */
+  readonly define?: Record<string, string>;
+}
+
 /** The minified code that a page fetches at start. Imports are resolved from the repository's root. */
-export async function bundleOf(script: string): Promise<string> {
+export async function bundleOf(
+  script: string,
+  { whole = false, define = {} }: BundleOptions = {},
+): Promise<string> {
   const built = await build({
     root: repository,
     configFile: false,
     logLevel: 'silent',
-    build: { write: false, rolldownOptions: { input: entry } },
+    define,
+    build: {
+      write: false,
+      rolldownOptions: { input: entry, output: { codeSplitting: !whole } },
+    },
     plugins: [
       {
         name: entry,

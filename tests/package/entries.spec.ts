@@ -30,8 +30,8 @@ function packedFiles(): readonly PackedFile[] {
 test.describe('the packed package', () => {
   const intended = [
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
-    /^dist\/(index|core|reference)\.js(\.map)?$/,
-    /^dist\/phong-viewer\.standalone\.js$/,
+    /^dist\/(index|core|reference|react)\.js(\.map)?$/,
+    /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
@@ -76,7 +76,7 @@ test.describe('the packed package', () => {
 });
 
 test.describe('the entries in Node', () => {
-  for (const entry of ['index', 'core', 'reference']) {
+  for (const entry of ['index', 'core', 'reference', 'react']) {
     test(`importing ${entry}.js in Node prints nothing, adds no global and lets Node exit`, () => {
       const address = JSON.stringify(pathToFileURL(join(dist, `${entry}.js`)).href);
       // Lit itself leaves a registry and its versions on globalThis.
@@ -107,14 +107,18 @@ test.describe('dist/', () => {
     expect(strays.map(({ path }) => path)).toEqual([]);
   });
 
-  test('keeps three, Lit and lil-gui out of the ES modules and inside the standalone file', () => {
+  test('keeps three, Lit, lil-gui and React out of the ES modules and inside the files for pages without a bundler', () => {
     const statement = /(?:^|[;}\s])(?:import|export)(?:[^"'`;()]*?from)?\s*\(?\s*["'`]([^"'`\s]+)["'`]/g;
     const imports = (text: string): string[] => Array.from(text.matchAll(statement), (match) => match[1]!);
     for (const { path, text } of scripts()) {
       const bare = imports(text).filter((name) => !name.startsWith('.'));
-      if (path.includes('standalone') || path.startsWith('chunks')) expect(bare, path).toEqual([]);
-      else for (const name of bare) expect(name, path).toMatch(/^(three|lit|@lit\/|lil-gui)/);
+      if (/^(phong-viewer\.|chunks)/.test(path)) expect(bare, path).toEqual([]);
+      else for (const name of bare) expect(name, path).toMatch(/^(three|@lit\/|lil-gui|react$)/);
     }
+  });
+
+  test("begins react.js with 'use client', for servers that render React components", () => {
+    expect(readFileSync(join(dist, 'react.js'), 'utf8')).toMatch(/^'use client';\n/);
   });
 
   test('keeps the lazy parts out of the standalone file', () => {

@@ -10,9 +10,9 @@ import { outputFolder } from '../../.ci/output-folder.mjs';
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const dist = outputFolder('dist');
 
-/** The first comment of a file below dist/; empty where it begins with code. */
+/** The first comment of a file below dist/, after a directive if there is one; empty where it begins with code. */
 const notice = (path: string): string =>
-  /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
+  /^(?:'use client';\n)?\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
 
 function version(name: string): string {
   const text = readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8');
@@ -21,7 +21,7 @@ function version(name: string): string {
 
 const licences = (): string => readFileSync(join(dist, 'THIRD-PARTY-LICENSES.txt'), 'utf8');
 
-for (const name of ['three', 'lit', 'lit-html', 'lit-element', '@lit/reactive-element', 'lil-gui']) {
+for (const name of ['three', '@lit/reactive-element', 'lil-gui']) {
   test(`THIRD-PARTY-LICENSES.txt holds the licence of ${name} with its version`, () => {
     const folder = join(repository, 'node_modules', name);
     const file = readdirSync(folder).find((entry) => /^licen[cs]e/i.test(entry))!;
@@ -36,14 +36,24 @@ test('THIRD-PARTY-LICENSES.txt holds the licence of the Draco decoder', () => {
   expect(licences()).toContain('Apache License');
 });
 
+test('THIRD-PARTY-LICENSES.txt holds the licence of the meshoptimizer decoder', () => {
+  expect(licences()).toContain(`\nmeshoptimizer decoder (in three ${version('three')})\n`);
+  expect(licences()).toContain('Arseny Kapoulkine');
+});
+
 test('every bundle that contains code of others begins with a notice that names it', () => {
   const chunk = (folder: string, name: string): string =>
     `${folder}/${readdirSync(join(dist, folder)).find((file) => file.startsWith(name) && file.endsWith('.js'))}`;
   const expected: readonly (readonly [path: string, holders: readonly RegExp[]])[] = [
     ['phong-viewer.standalone.js', [/three\.js authors/, /Google LLC/]],
+    [
+      'phong-viewer.classic.js',
+      [/three\.js authors/, /Google LLC/, /George Michael Brower/, /Draco Authors/],
+    ],
     [chunk('chunks', 'panel'), [/George Michael Brower/]],
     [chunk('chunks', 'read-gltf'), [/three\.js authors/]],
     [chunk('chunks', 'teapot'), [/three\.js authors/]],
+    [chunk('chunks', 'meshopt'), [/Arseny Kapoulkine/]],
     [chunk('chunks', 'draco'), [/Draco Authors/]],
     [chunk('shared', 'draco'), [/Draco Authors/]],
   ];
@@ -55,6 +65,13 @@ test('every bundle that contains code of others begins with a notice that names 
 
 test("every entry begins with the package's own name, version and licence", () => {
   const own = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as { version: string };
-  for (const entry of ['index', 'core', 'reference', 'phong-viewer.standalone'])
+  for (const entry of [
+    'index',
+    'core',
+    'reference',
+    'react',
+    'phong-viewer.standalone',
+    'phong-viewer.classic',
+  ])
     expect(notice(`${entry}.js`), entry).toContain(`phong-viewer ${own.version}, MIT`);
 });

@@ -1,7 +1,7 @@
 // Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/ as
 // `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
 
-import { execSync } from 'node:child_process';
+import { execSync, spawn } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
@@ -15,9 +15,17 @@ export interface FreshProject {
   write(path: string, text: string): void;
   /** Returns the command's output. Throws with all of it if the command fails. */
   run(command: string): string;
+  /** Starts a server by a script of an installed package, and waits until it prints its address. */
+  serve(script: string, args: readonly string[]): Promise<FreshServer>;
   /** Builds a page with this body by Vite. Returns the output folder. */
   build(body: string): string;
   remove(): void;
+}
+
+export interface FreshServer {
+  /** Such as `http://localhost:40123`, no slash at the end. */
+  readonly origin: string;
+  stop(): void;
 }
 
 /** @param packages names of this repository's devDependencies, or `name@range`. */
@@ -30,6 +38,7 @@ export function freshProject(packages: readonly string[]): FreshProject {
       writeFileSync(join(folder, path), text);
     },
     run: (command) => run(command, folder),
+    serve: (script, args) => serve(join(folder, 'node_modules', script), args, folder),
     build(body) {
       const head = '<meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">';
       project.write(
@@ -70,9 +79,11 @@ export function readmeSample(heading: string): string {
   throw new Error(`No page has code under "${heading}"`);
 }
 
-/** The README's scripts that import the elements, in its order. */
+/** The scripts of the README and of its page about frameworks that import the elements, in their order. */
 export function readmeScripts(): string[] {
-  const text = readFileSync(join(repository, 'README.md'), 'utf8');
+  const text = ['README.md', 'src/FRAMEWORKS.md']
+    .map((page) => readFileSync(join(repository, page), 'utf8'))
+    .join('\n');
   const blocks = [...text.matchAll(/```(?:ts|js)\n([^]*?)```/g)].map(([, code = '']) => code);
   return blocks.filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
 }
@@ -102,9 +113,27 @@ function versioned(name: string): string {
   return `${name}@${range}`;
 }
 
+/** Frameworks report on their use unless these variables forbid it. */
+const env = { ...process.env, NEXT_TELEMETRY_DISABLED: '1', ASTRO_TELEMETRY_DISABLED: '1' };
+
+function serve(script: string, args: readonly string[], cwd: string): Promise<FreshServer> {
+  const server = spawn(process.execPath, [script, ...args], { cwd, env, stdio: 'pipe' });
+  let said = '';
+  return new Promise((resolve, reject) => {
+    const hear = (chunk: Buffer): void => {
+      said += chunk.toString();
+      const [, port] = /http:\/\/(?:localhost|127\.0\.0\.1|0\.0\.0\.0|\[::\]):(\d+)/.exec(said) ?? [];
+      if (port !== undefined) resolve({ origin: `http://localhost:${port}`, stop: () => server.kill() });
+    };
+    server.stdout.on('data', hear);
+    server.stderr.on('data', hear);
+    server.on('exit', () => reject(new Error(`The server has ended:\n${said}`)));
+  });
+}
+
 function run(command: string, cwd: string): string {
   try {
-    return execSync(command, { cwd, encoding: 'utf8', stdio: 'pipe', timeout: 240_000 });
+    return execSync(command, { cwd, env, encoding: 'utf8', stdio: 'pipe', timeout: 240_000 });
   } catch (error) {
     const { stdout, stderr } = error as { stdout: string; stderr: string };
     throw new Error(`${command}\n${stdout}\n${stderr}`, { cause: error });

@@ -1,5 +1,5 @@
-// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript? Tests typed props and events, and a list
-// of lights that follows state. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript? Tests typed props and events of elements and
+// components, and a list of lights that follows state. Installs from the registry, so it is slow: @release.
 
 import { startSite } from '../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
@@ -74,6 +74,45 @@ export const known = [
 ];
 `;
 
+const components = `
+import { createRef } from 'react';
+import type { PhongViewer as Element } from 'phong-viewer';
+import { PhongLight, PhongMesh, PhongViewer, type PhongViewerElement, type PhongViewerProps } from 'phong-viewer/react';
+
+const viewer = createRef<PhongViewerElement>();
+const same: Element | null = viewer.current;
+const props: PhongViewerProps = { radius: 'auto', target: [0, 1, 2], terms: ['ambient'], crossOrigin: null };
+export const known = [
+  <PhongViewer
+    {...props} ref={viewer} key={1} className="wide" style={{ width: 10 }} data-kind="x" aria-label="A box" gui
+    onCameraChange={(event) => event.detail.source === 'pointer'}
+    onLightChange={({ detail }) => detail.lights.length}
+    onLoad={({ detail }) => detail.url}
+    onError={({ detail }) => detail.code}
+    onProgress={({ detail }) => detail.totalProgress}
+    onRender={() => same}
+    onClick={(event) => event.clientX}
+  >
+    text <PhongLight position={[1, 2, 3]} active={false} diffuse={new Uint8Array(3)} space="camera" aperture={undefined} />
+  </PhongViewer>,
+  <PhongMesh scale={2} rotation="0 10 0" ka={128} onLoad={(event) => event.detail.url} auto-focus />,
+];
+export const unknown = [
+  // @ts-expect-error an angle is not a boolean
+  <PhongViewer theta={true} />,
+  // @ts-expect-error there is no such geometry
+  <PhongMesh geometry="cube" />,
+  // @ts-expect-error there is no such value
+  <PhongLight strength={2} />,
+  // @ts-expect-error the event is another one
+  <PhongViewer onCameraChange={(event: MouseEvent) => event} />,
+  // @ts-expect-error a mesh has no camera
+  <PhongMesh onCameraChange={() => undefined} />,
+  // @ts-expect-error the ref is another element
+  <PhongViewer ref={createRef<HTMLInputElement>()} />,
+];
+`;
+
 test.describe('the packed tarball in a fresh React project @release', () => {
   test.describe.configure({ mode: 'serial', timeout: 300_000 });
   let project: FreshProject;
@@ -84,11 +123,12 @@ test.describe('the packed tarball in a fresh React project @release', () => {
     project = freshProject(['three', '@types/three', 'typescript', 'vite', ...react]);
     project.write('app.tsx', app);
     project.write('refusals.tsx', refusals);
-    project.write('readme.jsx', readmeSample('With React 19'));
+    project.write('components.tsx', components);
+    project.write('readme.jsx', readmeSample('With React.*'));
     const compilerOptions = { ...strictOptions, jsx: 'react-jsx', allowJs: true, checkJs: true };
     project.write(
       'tsconfig.json',
-      JSON.stringify({ compilerOptions, files: ['app.tsx', 'refusals.tsx', 'readme.jsx'] }),
+      JSON.stringify({ compilerOptions, files: ['app.tsx', 'refusals.tsx', 'components.tsx', 'readme.jsx'] }),
     );
   });
 

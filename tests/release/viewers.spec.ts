@@ -18,7 +18,7 @@ test('@release two hundred viewers share one context, come back when it is lost,
 }) => {
   await holdContext(page);
   const viewer = await mount(reddening(200), small);
-  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 200, observers: 2 });
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 200, observers: 3 });
   expect(await viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn)).toBe(200);
   const reds = await redsShown(page);
   // Codes 0 to 255 in two hundred steps, each of which the light shortens.

@@ -28,12 +28,14 @@ export interface Site {
   readonly origin: string;
   /** Keeps a page with this body in memory and gives its address. */
   page(body: string, options?: PageOptions): string;
+  /** Keeps a file in memory and gives its address; a later file takes its place. */
+  file(bytes: Uint8Array): string;
   close(): Promise<void>;
 }
 
 interface Stored {
   readonly type: string;
-  readonly text: string;
+  readonly text: string | Uint8Array;
   readonly csp: string;
 }
 
@@ -91,6 +93,10 @@ export async function startSite(
       stored.set(path, { type: '.html', text, csp });
       stored.set(`${path}.css`, { type: '.css', text: css, csp });
       return origin + path;
+    },
+    file(bytes) {
+      stored.set('/file', { type: '', text: bytes, csp: strictPolicy });
+      return `${origin}/file`;
     },
     close: () => stop(server),
   };

@@ -2,15 +2,15 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { PointerGesture } from '../../src/camera/gesture.js';
+import { type PictureAxes, PointerGesture } from '../../src/camera/gesture.js';
 import { Orbit } from '../../src/camera/orbit.js';
 
-function setUp() {
+function setUp(axes: PictureAxes = [1, 0, 0, 1]) {
   const orbit = new Orbit();
-  const world = { width: 600, height: 400, fov: 45, orbit: true, zoom: true };
+  const world = { width: 600, height: 400, fov: 45, orbit: true, zoom: true, axes };
   const gesture = new PointerGesture({
     orbit,
-    size: () => ({ width: world.width, height: world.height }),
+    size: () => ({ width: world.width, height: world.height, axes: world.axes }),
     fov: () => world.fov,
     radiusLimits: () => ({ min: 1e-3, max: 1e3 }),
     allows: () => ({ orbit: world.orbit, zoom: world.zoom }),
@@ -118,6 +118,49 @@ describe('a drag', () => {
     expect(orbit.phi).toBe(0);
     gesture.move(1, 0, 40);
     expect(orbit.phi).toBe(52);
+  });
+});
+
+describe('a picture that is rotated, skewed or mirrored', () => {
+  const axis = fc.double({ min: -2, max: 2, noNaN: true });
+  const anyAxes = fc.tuple(axis, axis, axis, axis).filter(([a, b, c, d]) => Math.abs(a * d - b * c) > 0.01);
+  const pixels = fc.integer({ min: -300, max: 300 });
+
+  it.each(['turn', 'shift'] as const)('follows a %s along its own axes', (kind) => {
+    fc.assert(
+      fc.property(anyAxes, pixels, pixels, (axes, x, y) => {
+        const [upright, turned] = [setUp(), setUp(axes)];
+        const [rightX, rightY, downX, downY] = axes;
+        upright.gesture.press(1, 0, 0, kind);
+        turned.gesture.press(1, 0, 0, kind);
+        upright.gesture.move(1, x, y);
+        turned.gesture.move(1, x * rightX + y * downX, x * rightY + y * downY);
+        expect(turned.orbit.theta).toBeCloseTo(upright.orbit.theta, 8);
+        expect(turned.orbit.phi).toBeCloseTo(upright.orbit.phi, 8);
+        for (const i of [0, 1, 2] as const)
+          expect(turned.orbit.target[i]).toBeCloseTo(upright.orbit.target[i], 8);
+      }),
+    );
+  });
+
+  it('is not turned while it is seen edge-on', () => {
+    const { orbit, gesture } = setUp([1, 0, 2, 0]);
+    gesture.press(1, 0, 0, 'turn');
+    expect(gesture.move(1, 60, 40)).toBe(false);
+    expect(orbit.version).toBe(0);
+  });
+
+  it('continues from where it is when its axes change, not when they are rounded otherwise', () => {
+    const { orbit, gesture, world } = setUp();
+    gesture.press(1, 0, 0, 'turn');
+    gesture.move(1, 60, 0);
+    world.axes = [1 + 1e-7, 0, 0, 1];
+    gesture.move(1, 0, 0);
+    expect(orbit.theta).toBe(30);
+    gesture.move(1, 60, 0);
+    world.axes = [0, 1, -1, 0];
+    gesture.move(1, 60, 60);
+    expect(orbit.theta).toBe(-42);
   });
 });
 

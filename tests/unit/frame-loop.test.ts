@@ -1,18 +1,21 @@
 // Does one animation frame serve all pictures of the page, phase by phase?
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
-import { type Framed, frameLoop } from '../../src/scene/frame-loop.js';
+import { type Framed, type FrameLoop, frameLoopOf, type FrameSource } from '../../src/scene/frame-loop.js';
 
 let callbacks: Map<number, FrameRequestCallback>;
 let requests: number;
+let frameLoop: FrameLoop;
 
 beforeEach(() => {
   callbacks = new Map();
   requests = 0;
-  vi.stubGlobal('requestAnimationFrame', (callback: FrameRequestCallback) => {
-    callbacks.set(++requests, callback);
-    return requests;
+  frameLoop = frameLoopOf({
+    requestAnimationFrame(callback) {
+      callbacks.set(++requests, callback);
+      return requests;
+    },
+    cancelAnimationFrame: (id) => callbacks.delete(id),
   });
-  vi.stubGlobal('cancelAnimationFrame', (id: number) => callbacks.delete(id));
 });
 
 afterEach(() => {
@@ -72,6 +75,16 @@ describe('the frame loop', () => {
     expect(log).toEqual([]);
     runFrame();
     expect(log).toContain('draw late');
+  });
+
+  test('takes the frames of each picture from the window that shows it', () => {
+    const frozen: FrameSource = { requestAnimationFrame: () => 1, cancelAnimationFrame: () => undefined };
+    expect(frameLoopOf(frozen)).toBe(frameLoopOf(frozen));
+    frameLoopOf(frozen).request(picture('hidden', []));
+    const log: string[] = [];
+    frameLoop.request(picture('shown', log));
+    runFrame();
+    expect(log).toContain('draw shown');
   });
 
   test('reports a broken picture and goes on with the others', () => {

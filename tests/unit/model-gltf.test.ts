@@ -84,6 +84,27 @@ describe('attributes', () => {
     ).rejects.toThrow(/vertex 3 of 3/);
   });
 
+  it('may have indices that lie apart', async () => {
+    const model = await gltf(
+      [new Float32Array(TRIANGLE), new Uint16Array([2, 9, 1, 9, 0, 9])],
+      [
+        { bufferView: 0, type: 'VEC3', count: 3, componentType: FLOAT },
+        { bufferView: 1, type: 'SCALAR', count: 3, componentType: 5123 },
+      ],
+      { ...mesh({ POSITION: 0, NORMAL: 0 }, { indices: 1 }), strides: [12, 4] },
+    );
+    expect(Array.from(model.parts[0]?.geometry.index?.array ?? [])).toEqual([2, 1, 0]);
+  });
+
+  it('may come as a fan, whose triangles share the first vertex', async () => {
+    const model = await gltf(
+      [new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0])],
+      [{ bufferView: 0, type: 'VEC3', count: 4, componentType: FLOAT }],
+      mesh({ POSITION: 0, NORMAL: 0 }, { mode: 6 }),
+    );
+    expect(Array.from(model.parts[0]?.geometry.index?.array ?? [])).toEqual([1, 2, 0, 2, 3, 0]);
+  });
+
   it('may come as a strip, whose every second triangle is turned round', async () => {
     const model = await gltf(
       [new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0])],
@@ -167,7 +188,8 @@ describe('nodes', () => {
 });
 
 describe('textures', () => {
-  const image = 'data:image/png;base64,AAAA';
+  // The head of a PNG of 1 × 1 pixels; the rest is up to the decoder, which is a stand-in here.
+  const image = 'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAA=';
   const uvs = (texCoord: Json): Promise<Model> =>
     gltf(
       [
@@ -185,7 +207,7 @@ describe('textures', () => {
         materials: [
           {
             pbrMetallicRoughness: { baseColorTexture: { index: 0, ...texCoord } },
-            normalTexture: { index: 1 },
+            occlusionTexture: { index: 1 },
           },
         ],
         textures: [{ source: 0 }, { source: 1 }],
@@ -200,9 +222,9 @@ describe('textures', () => {
       texCoord: 1,
       extensions: { KHR_texture_transform: { offset: [0.25, 0.5], scale: [2, 3] } },
     });
-    expect(numbers(model, 'uv')).toEqual([0, 0, 1, 0, 0, 1]);
+    expect(numbers(model, 'uv1')).toEqual([0, 0, 1, 0, 0, 1]);
     const map = model.parts[0]?.look.map;
-    expect(map?.channel).toBe(0);
+    expect(map?.channel).toBe(1);
     expect(map?.matrix.elements.map((value) => value + 0)).toEqual([2, 0, 0, 0, 3, 0, 0.25, 0.5, 1]);
   });
 
@@ -232,7 +254,7 @@ describe('textures', () => {
       },
     );
     expect(model.parts).toHaveLength(2);
-    for (const part of [0, 1]) expect(numbers(model, 'uv', part)).toEqual([0, 0, 1, 0, 0, 1]);
+    for (const part of [0, 1]) expect(numbers(model, 'uv1', part)).toEqual([0, 0, 1, 0, 0, 1]);
   });
 
   it('that the browser cannot decode make the model bad', async () => {

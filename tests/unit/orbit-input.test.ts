@@ -11,14 +11,11 @@ class FakeSurface extends EventTarget {
   focus(): void {
     this.focused = true;
   }
-  matches(): boolean {
-    return this.focused;
-  }
   getRootNode() {
-    return { activeElement: null };
+    return { activeElement: this.focused ? this : null };
   }
-  contains(): boolean {
-    return false;
+  contains(other: unknown): boolean {
+    return other === this;
   }
   setPointerCapture(id: number): void {
     this.captured.add(id);

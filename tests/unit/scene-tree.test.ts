@@ -14,7 +14,15 @@ const quiet = (): void => undefined;
 function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: FieldStore<MeshValues>[] } {
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), crossOrigin: null, mayLoad: true },
-    ...{ changed: quiet, reshaped: quiet, progress: quiet, ended: quiet, dropped: quiet },
+    ...{
+      changed: quiet,
+      reshaped: quiet,
+      progress: quiet,
+      ended: quiet,
+      dropped: quiet,
+      shown: () => false,
+      removed: quiet,
+    },
   };
   const tree = new SceneTree(new Scene(), new Set());
   const stores = Array.from({ length: count }, () => new FieldStore(MESH_FIELDS));

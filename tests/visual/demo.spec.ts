@@ -1,5 +1,6 @@
 // Do the demo's pages still show what they showed? Every viewer of every page, drawn small and laid side by side.
-import { compare, expect, expectPicture, pixels, test, type Picture } from '../support/test.js';
+import { allReady, compare, expect, expectPicture, pixelAt, pixels, test, type Picture } from '../support/test.js'; // prettier-ignore
+import { decodePng } from '../support/picture.js';
 
 const PAGES = ['', 'bunny/', 'shapes/', 'article/', 'lights/', 'explain/'];
 const TILE = { width: 160, height: 120 };
@@ -43,3 +44,27 @@ for (const path of PAGES) {
     expectPicture(`demo-${name}`, contactSheet(tiles));
   });
 }
+
+test('a screenshot of the whole article shows every picture', async ({ page }) => {
+  await page.goto('/demo/article/');
+  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  await allReady(page);
+  const boxes = await page.evaluate(() =>
+    Array.from(document.querySelectorAll('phong-viewer'), (viewer) => {
+      const { left, top, width, height } = viewer.getBoundingClientRect();
+      return { left, top, width, height };
+    }),
+  );
+  expect(boxes.length).toBeGreaterThan(10);
+  const whole = decodePng(await page.screenshot({ fullPage: true }));
+  for (const { left, top, width, height } of boxes) {
+    const edge = pixelAt(whole, Math.ceil(left) + 2, Math.ceil(top) + 2);
+    let drawn = 0;
+    for (let y = Math.ceil(top) + 2; y < top + height - 2; y++) {
+      for (let x = Math.ceil(left) + 2; x < left + width - 2; x++) {
+        if (pixelAt(whole, x, y).some((code, i) => Math.abs(code - edge[i]!) > 20)) drawn += 1;
+      }
+    }
+    expect(drawn, `the picture at ${String(top)}`).toBeGreaterThan(200);
+  }
+});

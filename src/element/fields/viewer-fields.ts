@@ -26,7 +26,7 @@ import {
 import type { Vec3 } from '../../math/vector.js';
 import { SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js';
 
-export type Loading = 'eager' | 'lazy';
+export type Loading = 'auto' | 'eager' | 'lazy';
 export type ColorInterpolation = 'srgb' | 'linear';
 
 export interface CameraValues {
@@ -45,8 +45,13 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   alt: string;
   /** Address of an image shown until the first picture is drawn. Default empty: none. */
   poster: string;
-  /** `lazy`: models are not loaded until the viewer is visible. Default eager. */
+  /**
+   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing. `eager`: nothing, the
+   * picture is drawn off screen too. `lazy`: drawing and fetching models. Default auto.
+   */
   loading: Loading;
+  /** Files dropped on the viewer become its `src`. Default false. */
+  droppable: boolean;
   /** How files that a model names are fetched from other origins. Null, the default: not at all. */
   crossOrigin: 'anonymous' | 'use-credentials' | null;
   /** Vertical field of view in degrees, 1–170. Default 45. */
@@ -85,7 +90,8 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   ...SHAPE_FIELDS,
   alt: textField(),
   poster: textField('', 'the address of an image'),
-  loading: choiceField<Loading>('eager', ['eager', 'lazy']),
+  loading: choiceField<Loading>('auto', ['auto', 'eager', 'lazy']),
+  droppable: presenceField(),
   crossOrigin: {
     ...optional(choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials'])),
     empty: 'anonymous',
@@ -103,6 +109,9 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   antialias: choiceField<Antialias>('edges', ANTIALIASES),
   gui: presenceField(),
 };
+
+/** Assigning the same value again retries what failed. */
+export const RETRY_KEYS: ReadonlySet<string> = new Set(['src', 'geometry', 'gui']);
 
 /** Values that the viewer's own mesh, or the loading of all meshes, depends on. */
 export const LOADING_KEYS: readonly string[] = [...Object.keys(SHAPE_FIELDS), 'loading', 'crossOrigin'];

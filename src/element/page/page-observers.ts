@@ -1,10 +1,13 @@
-// Visibility, size, printing and pixel ratio, observed for all viewers of a page by one set of observers and listeners.
-// There are none while no element is watched. Knows nothing of what is watched.
+// Visibility, size, printing and pixel ratio, observed for all viewers of a document by one set of observers and listeners.
+// They belong to the document's own window, which may be that of an iframe or a popup. There are none while no element is
+// watched. Knows nothing of what is watched.
 
 /** Watches one element. */
 export interface Watcher {
   /** The element was scrolled into or out of view, or its display has changed. */
   intersected(entry: IntersectionObserverEntry): void;
+  /** The same for the surroundings of the view, {@link PageObservers.margin} wide. */
+  neared(entry: IntersectionObserverEntry): void;
   resized(entry: ResizeObserverEntry): void;
   /** The document was shown or hidden. */
   shown(): void;
@@ -12,23 +15,52 @@ export interface Watcher {
   printed(): void;
   /** The device's pixels per CSS pixel have changed. */
   scaled(): void;
+  /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
+  closed(): void;
 }
 
 interface Observers {
   readonly intersection: IntersectionObserver;
+  readonly surroundings: IntersectionObserver;
   readonly resize: ResizeObserver;
   readonly listeners: AbortController;
 }
 
-class PageObservers {
+export class PageObservers {
+  readonly view: PageWindow;
   readonly #watched = new Map<Element, Watcher>();
   #observers: Observers | null = null;
+
+  constructor(view: PageWindow) {
+    this.view = view;
+  }
+
+  /**
+   * How far from the view an element counts as near, CSS pixels: the screen's height. The window's height would be no
+   * measure in an iframe that is as high as its content.
+   */
+  get margin(): number {
+    return this.view.screen.height;
+  }
+
+  /**
+   * Alone, `scrollMargin` widens the window, iframes and scroll containers alike, in all browsers that have it. The others, and
+   * iframes of other origins, only let the own document's view be widened, as their root.
+   */
+  get #surroundings(): IntersectionObserverInit {
+    const { view } = this;
+    const margin = `${String(this.margin)}px`;
+    const isKnown = 'scrollMargin' in view.IntersectionObserver.prototype;
+    const isForeign = view.parent !== view && view.frameElement === null;
+    return isKnown && !isForeign ? { scrollMargin: margin } : { root: view.document, rootMargin: margin };
+  }
 
   watch(element: Element, watcher: Watcher): void {
     this.#observers ??= this.#open();
     this.#watched.set(element, watcher);
-    const { intersection, resize } = this.#observers;
+    const { intersection, surroundings, resize } = this.#observers;
     intersection.observe(element);
+    surroundings.observe(element);
     try {
       // In whole device pixels, exactly.
       resize.observe(element, { box: 'device-pixel-content-box' });
@@ -39,27 +71,39 @@ class PageObservers {
 
   unwatch(element: Element): void {
     if (!this.#watched.delete(element) || this.#observers === null) return;
-    const { intersection, resize, listeners } = this.#observers;
+    const { intersection, surroundings, resize, listeners } = this.#observers;
     intersection.unobserve(element);
+    surroundings.unobserve(element);
     resize.unobserve(element);
     if (this.#watched.size > 0) return;
     this.#observers = null;
     intersection.disconnect();
+    surroundings.disconnect();
     resize.disconnect();
     listeners.abort();
   }
 
   #open(): Observers {
+    const { view } = this;
     const listeners = new AbortController();
     const { signal } = listeners;
-    document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
-    window.addEventListener('beforeprint', () => this.#notify('printed'), { signal });
+    view.document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
+    view.addEventListener('beforeprint', () => this.#notify('printed'), { signal });
+    // Not for the window that runs this code: nothing is left to clean up when it closes.
+    if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
     return {
-      intersection: new IntersectionObserver((entries) => {
-        for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
-      }),
-      resize: new ResizeObserver((entries) => {
+      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold tells.
+      intersection: new view.IntersectionObserver(
+        (entries) => {
+          for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);
+        },
+        { threshold: [0, 1e-6] },
+      ),
+      surroundings: new view.IntersectionObserver((entries) => {
+        for (const entry of entries) this.#watched.get(entry.target)?.neared(entry);
+      }, this.#surroundings),
+      resize: new view.ResizeObserver((entries) => {
         for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
       }),
       listeners,
@@ -68,7 +112,7 @@ class PageObservers {
 
   /** Observers do not always report a new pixel ratio. A query matches one ratio, so each change needs a new query. */
   #watchRatio(signal: AbortSignal): void {
-    const query = matchMedia(`(resolution: ${String(window.devicePixelRatio)}dppx)`);
+    const query = this.view.matchMedia(`(resolution: ${String(this.view.devicePixelRatio)}dppx)`);
     const changed = (): void => {
       this.#watchRatio(signal);
       this.#notify('scaled');
@@ -76,11 +120,22 @@ class PageObservers {
     query.addEventListener('change', changed, { once: true, signal });
   }
 
-  #notify(what: 'shown' | 'printed' | 'scaled'): void {
+  #notify(what: 'shown' | 'printed' | 'scaled' | 'closed'): void {
     // A copy: watchers may come and go meanwhile.
     for (const watcher of [...this.#watched.values()]) watcher[what]();
   }
 }
 
-/** One for the page. */
-export const pageObservers = new PageObservers();
+type PageWindow = Window & typeof globalThis;
+
+/** By document: an iframe's window stays the same when a page replaces its first, empty one. */
+const pages = new WeakMap<Document, PageObservers>();
+
+/** The observers of a document; null if it is shown in no window. */
+export function pageOf(document: Document): PageObservers | null {
+  const view = document.defaultView;
+  if (view === null) return null;
+  const page = pages.get(document) ?? new PageObservers(view);
+  pages.set(document, page);
+  return page;
+}

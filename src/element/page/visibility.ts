@@ -1,9 +1,14 @@
-// Is an element visible, and how many device pixels does it cover? Measures once when asked, then follows the page's
-// observers; nothing polls. Knows nothing of what the element shows.
-import type { ReactiveController } from 'lit';
-import { pageObservers, type Watcher } from './page-observers.js';
+// Is an element in view or near it, and how many device pixels does it cover? Measures once when asked, then follows the
+// observers of the document that it is in; nothing polls. Knows nothing of what the element shows.
+import type { ReactiveController } from '@lit/reactive-element';
+import { type PageObservers, pageOf, type Watcher } from './page-observers.js';
 
 export interface ElementView {
+  /** Displayed in a document that is shown, wherever it is on the page. */
+  readonly painted: boolean;
+  /** Painted, and in view or less than a screen height away from it. */
+  readonly near: boolean;
+  /** Painted, and in view. */
   readonly visible: boolean;
   /** The page is about to be printed: only the picture of this moment counts. */
   readonly printing: boolean;
@@ -15,14 +20,25 @@ export interface ElementView {
   readonly pixelHeight: number;
 }
 
+/** The custom element that shows the watched one. */
+interface Host {
+  readonly ownerDocument: Document;
+  disconnectedCallback(): void;
+}
+
 /** Watches `element` while its host is connected and calls `changed` after each change. */
 export class Visibility implements ReactiveController, Watcher {
+  readonly #host: Host;
   readonly #element: HTMLElement;
   readonly #changed: (view: ElementView) => void;
-  #onScreen: boolean | null = null;
+  #page: PageObservers | null = null;
+  /** By layout, whatever hides the element there; null until it is known. */
+  #inView: boolean | null = null;
+  #near: boolean | null = null;
   #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
 
-  constructor(element: HTMLElement, changed: (view: ElementView) => void) {
+  constructor(host: Host, element: HTMLElement, changed: (view: ElementView) => void) {
+    this.#host = host;
     this.#element = element;
     this.#changed = changed;
   }
@@ -31,51 +47,59 @@ export class Visibility implements ReactiveController, Watcher {
     return this.#size;
   }
 
-  /** Visibility is known, or cannot be: observers report nothing while the document is hidden. */
-  get known(): boolean {
-    return this.#onScreen !== null || document.visibilityState === 'hidden';
+  /** The host is connected to a document that is shown in a window. */
+  get connected(): boolean {
+    return this.#page !== null;
   }
 
   /** {@link look} was called, or an observer has reported, since the element was connected. */
   get looked(): boolean {
-    return this.#onScreen !== null;
+    return this.#inView !== null || this.#near !== null;
   }
 
   hostConnected(): void {
-    pageObservers.watch(this.#element, this);
+    const { ownerDocument } = this.#host;
+    this.#page = pageOf(ownerDocument);
+    // The first time, the element is not in the host's shadow tree yet, and still belongs to the document of the script.
+    if (this.#element.ownerDocument !== ownerDocument) ownerDocument.adoptNode(this.#element);
+    this.#page?.watch(this.#element, this);
     // No observer reports CSS `visibility`, which changes no box. A transition in the element's style sheet does.
     for (const type of TRANSITION_EVENTS) this.#element.addEventListener(type, this.#onTransition);
   }
 
   hostDisconnected(): void {
-    pageObservers.unwatch(this.#element);
+    this.#page?.unwatch(this.#element);
+    this.#page = null;
     for (const type of TRANSITION_EVENTS) this.#element.removeEventListener(type, this.#onTransition);
-    this.#onScreen = null;
+    this.#inView = null;
+    this.#near = null;
   }
 
   /** Measures now, by layout: observers report only after a frame. */
   look(): void {
-    const box = this.#element.getBoundingClientRect();
-    this.#onScreen =
-      box.width > 0 &&
-      box.height > 0 &&
-      box.bottom > 0 &&
-      box.right > 0 &&
-      box.top < window.innerHeight &&
-      box.left < window.innerWidth;
+    if (this.#page === null) return;
+    const distance = distanceFromView(this.#element);
+    this.#inView = distance < 0;
+    this.#near = distance < this.#page.margin;
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     this.shown();
   }
 
-  /** On paper everything is visible, wherever it is on the page. */
+  /** On paper everything is seen, wherever it is on the page. */
   printed(): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
-    this.#changed({ visible: true, printing: true, ...this.#size });
+    const visible = this.#inView === true;
+    this.#changed({ painted: true, near: true, visible, printing: true, ...this.#size });
     this.shown();
   }
 
   intersected(entry: IntersectionObserverEntry): void {
-    this.#onScreen = entry.isIntersecting;
+    this.#inView = entry.isIntersecting && entry.intersectionRatio > 0;
+    this.shown();
+  }
+
+  neared(entry: IntersectionObserverEntry): void {
+    this.#near = entry.isIntersecting;
     this.shown();
   }
 
@@ -95,9 +119,19 @@ export class Visibility implements ReactiveController, Watcher {
 
   /** The document, the element's place in it or its style may have changed. */
   shown(): void {
-    if (this.#onScreen === null) return;
-    const visible = this.#onScreen && document.visibilityState === 'visible' && isPainted(this.#element);
-    this.#changed({ visible, printing: false, ...this.#size });
+    if (!this.looked) return;
+    const painted = !this.#hidden && isPainted(this.#element);
+    const visible = painted && this.#inView === true;
+    const near = visible || (painted && this.#near === true && !isCollapsed(this.#element));
+    this.#changed({ painted, near, visible, printing: false, ...this.#size });
+  }
+
+  closed(): void {
+    this.#host.disconnectedCallback();
+  }
+
+  get #hidden(): boolean {
+    return this.#host.ownerDocument.visibilityState === 'hidden';
   }
 
   readonly #onTransition = ({ propertyName }: TransitionEvent): void => {
@@ -106,7 +140,8 @@ export class Visibility implements ReactiveController, Watcher {
 
   /** Uses the browser's own whole pixels if they round what was measured: an emulated pixel ratio does not reach the box. */
   #refine(box: ResizeObserverSize): void {
-    const upright = getComputedStyle(this.#element).writingMode.startsWith('horizontal');
+    const style = this.#page?.view.getComputedStyle(this.#element);
+    const upright = style?.writingMode.startsWith('horizontal') ?? true;
     const width = upright ? box.inlineSize : box.blockSize;
     const height = upright ? box.blockSize : box.inlineSize;
     if (Math.abs(width - this.#size.pixelWidth) > 1 || Math.abs(height - this.#size.pixelHeight) > 1) return;
@@ -116,8 +151,8 @@ export class Visibility implements ReactiveController, Watcher {
 
   #measure(width: number, height: number): void {
     // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS pixel.
-    const ratio =
-      window.devicePixelRatio * ((this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1);
+    const zoom = (this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    const ratio = (this.#page?.view.devicePixelRatio ?? 1) * zoom;
     this.#size = {
       width,
       height,
@@ -136,3 +171,48 @@ function isPainted(element: Element): boolean {
   const { checkVisibility } = element as { checkVisibility?: Element['checkVisibility'] };
   return checkVisibility?.call(element, { visibilityProperty: true }) ?? true;
 }
+
+/**
+ * How far an element is out of view: of the scroll containers and windows around it, the largest gap counts. CSS pixels; negative
+ * in view, Infinity without a size.
+ */
+function distanceFromView(element: Element): number {
+  const view = element.ownerDocument.defaultView;
+  const place = element.getBoundingClientRect();
+  if (view === null || place.width === 0 || place.height === 0) return Infinity;
+  let distance = gap(place, { top: 0, left: 0, bottom: view.innerHeight, right: view.innerWidth });
+  let { position } = view.getComputedStyle(element);
+  for (let box = parentOf(element); box !== null && position !== 'fixed'; box = parentOf(box)) {
+    const style = view.getComputedStyle(box);
+    if (position === 'absolute' && style.position === 'static') continue; // not its containing block: clips nothing
+    ({ position } = style);
+    if (style.overflow !== 'visible' && !isPage(box))
+      distance = Math.max(distance, gap(place, box.getBoundingClientRect()));
+  }
+  return view.frameElement === null ? distance : Math.max(distance, distanceFromView(view.frameElement));
+}
+
+/** The overflow of these is the window's. */
+const isPage = (box: Element): boolean =>
+  box === box.ownerDocument.documentElement || box === box.ownerDocument.body;
+
+type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
+
+const gap = (a: Edges, b: Edges): number =>
+  Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
+
+/** In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. A margin around it would. */
+function isCollapsed(element: Element): boolean {
+  const view = element.ownerDocument.defaultView;
+  for (let box: Element | null = element; box !== null; box = parentOf(box)) {
+    const flat = box.clientWidth === 0 || box.clientHeight === 0;
+    if (flat && view?.getComputedStyle(box).overflow.includes('visible') === false) return true;
+  }
+  return false;
+}
+
+const parentOf = (element: Element): Element | null =>
+  element.assignedSlot ??
+  element.parentElement ??
+  (element.getRootNode() as Partial<ShadowRoot>).host ??
+  null;

@@ -1,8 +1,8 @@
-// What does a screen reader find beside the picture, and what is announced? A description of camera and lights, a list of
-// lights and meshes by name, and a live region. The list is a sibling of the picture: screen readers do not browse inside
-// an application or an image, and ids of the children cannot be owned from inside a shadow tree.
-// Follows drawn frames, at most once a second; announces only what the user changed. Knows nothing of drawing.
-import { html, nothing, render, type ReactiveController } from 'lit';
+// What does a screen reader find beside the picture, and what is announced? A description of keys, camera and lights, a list
+// of lights and meshes by name, and a live region. The list is a sibling of the picture: screen readers do not browse inside
+// an application or an image, and the children are in a slot that is not rendered. Follows drawn frames, at most once a
+// second; announces only what the user changed. Knows nothing of drawing.
+import type { ReactiveController } from '@lit/reactive-element';
 import { fieldsOf } from '../internals.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -14,8 +14,11 @@ import {
   lightsText,
   lightText,
   meshText,
-  PHRASES,
+  phrase,
+  type Texts,
 } from './description.js';
+import { KEYS_ID, keysText, nameSurface, SCENE_ID } from './naming.js';
+import { create, set, type ViewerTree } from './template.js';
 
 /**
  * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart. Also
@@ -30,13 +33,16 @@ const ANNOUNCED = 3;
 const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
 
 export class ViewerAnnouncements implements ReactiveController {
-  /** Visually hidden. Belongs into the shadow tree, beside the picture. */
-  readonly node = document.createElement('div');
   readonly #viewer: PhongViewer;
+  readonly #reader = create('div', { class: 'reader' });
+  readonly #keys = create('p', { id: KEYS_ID, hidden: '' });
+  readonly #scene = create('p', { id: SCENE_ID, hidden: '' });
+  readonly #list = create('ul', { role: 'list' });
+  #surface: HTMLElement | null = null;
+  /** The live region; null before its first use. */
+  #region: HTMLElement | null = null;
   #timer = 0;
   #described = false;
-  /** The last announcement; null: there was none. */
-  #message: string | null = null;
   #cameraMoved = false;
   /** Lights were added, removed or moved. */
   #counted = false;
@@ -46,16 +52,18 @@ export class ViewerAnnouncements implements ReactiveController {
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
-    this.node.className = 'reader';
-    viewer.addController(this);
-    viewer.addEventListener('render', () => this.#drawn());
+    this.#reader.append(this.#keys, this.#scene);
+    viewer.addEventListener('render', () => this.#update());
     viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail.source));
     viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
-  hostConnected(): void {
+  /** Takes its place beside the picture. */
+  connect({ surface, panel }: ViewerTree): void {
+    this.#surface = surface;
+    surface.after(this.#reader);
     for (const type of PANEL_EVENTS)
-      this.#viewer.shadowRoot?.addEventListener(type, this.#onPanel, { capture: true, passive: true });
+      panel.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
   }
 
   hostDisconnected(): void {
@@ -64,7 +72,16 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#forget();
   }
 
-  #drawn(): void {
+  /** The viewer's own attributes have changed. */
+  update(): void {
+    if (this.#surface === null) return;
+    this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
+    write(this.#keys, keysText(this.#viewer, this.#texts));
+    if (this.#described) this.#update();
+  }
+
+  /** Describes the scene soon. */
+  #update(): void {
     if (this.#timer === 0) this.#wait(this.#described ? PAUSE : 0);
   }
 
@@ -82,41 +99,31 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#userActed();
   }
 
-  readonly #onPanel = (event: Event): void => {
-    if (event.target instanceof Element && event.target.closest('.panel') !== null) this.#panelEvent = event;
-  };
-
   #userActed(): void {
     // Screen readers announce only changes of a region that is there already.
-    if (this.#message === null) {
-      this.#message = '';
-      this.#describe();
-    }
+    if (this.#region === null) this.#reader.append((this.#region = create('p', { 'aria-live': 'polite' })));
     // A new timer instead of a longer one: once the user has stopped, only the announcement itself is left to do.
     clearTimeout(this.#timer);
     this.#wait(PAUSE);
   }
 
   #wait(ms: number): void {
-    this.#timer = window.setTimeout(this.#update, ms);
+    this.#timer = window.setTimeout(() => {
+      this.#timer = 0;
+      this.#announce();
+      this.#describe();
+    }, ms);
   }
 
-  readonly #update = (): void => {
-    this.#timer = 0;
-    const changes = this.#changes();
-    if (changes !== '') this.#message = changes;
-    this.#describe();
-  };
-
-  /** What the user changed since the last announcement, in words; empty if nothing. */
-  #changes(): string {
+  /** Says what the user has changed since the last announcement. */
+  #announce(): void {
     const { camera, lights } = this.#viewer;
-    const texts = this.#cameraMoved ? [cameraText(camera)] : [];
-    if (this.#counted) texts.push(lightCountText(lights.length));
+    const texts = this.#cameraMoved ? [cameraText(this.#texts, camera)] : [];
+    if (this.#counted) texts.push(lightCountText(this.#texts, lights.length));
     const changed = [...this.#lights].filter((light) => lights.includes(light)).slice(-ANNOUNCED);
-    for (const light of changed) texts.push(`${textOf(light, lights.indexOf(light))}.`);
+    for (const light of changed) texts.push(`${this.#lightText(light, lights.indexOf(light))}.`);
     this.#forget();
-    return texts.join(' ');
+    if (texts.length > 0 && this.#region !== null) this.#region.textContent = texts.join(' ');
   }
 
   #forget(): void {
@@ -126,19 +133,30 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   #describe(): void {
-    const viewer = this.#viewer;
     this.#described = true;
-    const { lights, meshes } = viewer;
-    const names = lights.map((light, i) => lightName(nameOf(light, i), light));
-    const items = [...lights.map(textOf), ...meshes.map((mesh, i) => meshText(mesh, i))];
-    render(
-      html`<p id="scene" hidden>${cameraText(viewer.camera)} ${lightsText(names)}</p>
-        <ul role="list" aria-label=${PHRASES.contents} ?hidden=${items.length === 0}>
-          ${items.map((item) => html`<li>${item}</li>`)}
-        </ul>
-        ${this.#message === null ? nothing : html`<p aria-live="polite">${this.#message}</p>`}`,
-      this.node,
-    );
+    const texts = this.#texts;
+    const { camera, lights, meshes } = this.#viewer;
+    const names = lights.map((light, i) => lightName(texts, nameOf(light, i), light));
+    write(this.#scene, `${cameraText(texts, camera)} ${lightsText(texts, names)}`);
+    const items = [
+      ...lights.map((light, i) => this.#lightText(light, i)),
+      ...meshes.map((mesh, i) => meshText(texts, mesh, i)),
+    ];
+    const list = this.#list;
+    while (list.childElementCount > items.length) list.lastChild?.remove();
+    items.forEach((item, i) => write(list.children[i] ?? list.appendChild(create('li', {})), item));
+    set(list, 'aria-label', phrase(texts, 'Lights and meshes'));
+    // A list without items is a mistake to checkers.
+    if (items.length === 0) list.remove();
+    else if (list.parentNode === null) this.#scene.after(list);
+  }
+
+  #lightText(light: PhongLight, index: number): string {
+    return lightText(this.#texts, nameOf(light, index), fieldsOf(light).store.values);
+  }
+
+  get #texts(): Texts {
+    return (this.#viewer as { readonly texts?: Texts }).texts ?? null;
   }
 }
 
@@ -146,5 +164,7 @@ export class ViewerAnnouncements implements ReactiveController {
 const nameOf = (light: PhongLight, index: number): string =>
   fieldsOf(light).store.values.name || numberedName(index);
 
-const textOf = (light: PhongLight, index: number): string =>
-  lightText(nameOf(light, index), fieldsOf(light).store.values);
+/** Screen readers may read again what is written, even if it is the same. */
+function write(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}

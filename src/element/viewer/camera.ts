@@ -1,12 +1,13 @@
 // How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Knows
 // neither lights nor meshes.
-import type { ReactiveController } from 'lit';
+import type { ReactiveController } from '@lit/reactive-element';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
 import { newBasis } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { PictureCorners } from '../page/picture-box.js';
 import type { CameraValues, ViewerValues } from '../fields/viewer-fields.js';
 
 /** What moved the camera. */
@@ -26,8 +27,6 @@ export interface CameraState {
 export interface CameraHost {
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
-  /** CSS pixels. */
-  readonly size: () => { readonly width: number; readonly height: number };
   moved(source: CameraSource): void;
 }
 
@@ -36,30 +35,31 @@ const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', '
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;
   readonly #turntable = new Turntable();
-  readonly #reducedMotion: MediaQueryList | null;
+  #reducedMotion: MediaQueryList | null = null;
+  #inView = false;
   #input: OrbitInput | null = null;
   #source: CameraSource = 'script';
 
   constructor(host: CameraHost) {
     this.#host = host;
-    this.#reducedMotion =
-      typeof matchMedia === 'function' ? matchMedia('(prefers-reduced-motion: reduce)') : null;
   }
 
   /** Takes input from `surface`: the picture without the panel. */
   listenTo(surface: HTMLElement): void {
-    this.#input = new OrbitInput(surface, this.#inputHost());
+    this.#input = new OrbitInput(surface, this.#inputHost(surface));
     this.#input.connect();
   }
 
   hostConnected(): void {
     this.#input?.connect();
+    const view = this.#host.viewport.holder.ownerDocument.defaultView;
+    this.#reducedMotion = view?.matchMedia('(prefers-reduced-motion: reduce)') ?? null;
     this.#reducedMotion?.addEventListener('change', this.#startTurning);
   }
 
   hostDisconnected(): void {
     this.#input?.disconnect();
-    this.#turntable.rest();
+    this.inView = false;
     this.#reducedMotion?.removeEventListener('change', this.#startTurning);
   }
 
@@ -141,14 +141,21 @@ export class ViewerCamera implements ReactiveController {
     return true;
   }
 
-  /** The picture is out of view. Time that passes there does not turn the scene. */
-  rest(): void {
-    this.#turntable.rest();
+  /** Whether the picture is in view. Time that passes elsewhere does not turn the scene. */
+  set inView(inView: boolean) {
+    this.#inView = inView;
+    if (inView) this.#startTurning();
+    else this.#turntable.rest();
   }
 
   get turning(): boolean {
     const { autoRotate } = this.#host.values;
-    return autoRotate !== 0 && this.#reducedMotion?.matches !== true && this.#input?.dragging !== true;
+    return (
+      autoRotate !== 0 &&
+      this.#inView &&
+      this.#reducedMotion?.matches !== true &&
+      this.#input?.dragging !== true
+    );
   }
 
   readonly #startTurning = (): void => {
@@ -160,11 +167,14 @@ export class ViewerCamera implements ReactiveController {
     this.#host.moved(source);
   }
 
-  #inputHost(): OrbitInputHost {
-    const { viewport, values, size } = this.#host;
+  #inputHost(surface: HTMLElement): OrbitInputHost {
+    const { viewport, values } = this.#host;
+    const corners = new PictureCorners(surface);
     return {
       orbit: viewport.orbit,
-      size,
+      size: () => corners.box,
+      // The whole element, panel included.
+      focusArea: (surface.getRootNode() as ShadowRoot).host,
       fov: () => viewport.fov,
       radiusLimits: () => viewport.zoomLimits,
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),

@@ -21,7 +21,7 @@ export interface ChildrenHost {
 interface ShownMesh {
   readonly mesh: SceneMesh;
   /** Listens to the element's values. */
-  readonly written: () => void;
+  readonly written: (key?: string) => void;
 }
 
 /** Lights a viewer that declares no light. */
@@ -154,7 +154,11 @@ export class ViewerChildren implements ChildListener {
     let shown = this.#shown.get(element);
     if (shown === undefined) {
       const mesh = new SceneMesh(store, this.#host.meshHost);
-      shown = { mesh, written: () => this.#update(mesh) };
+      const written = (key?: string): void => {
+        if (key === 'src' || key === 'geometry') mesh.retry();
+        this.#update(mesh);
+      };
+      shown = { mesh, written };
       this.#shown.set(element, shown);
       this.#meshElements.set(mesh, element);
       this.#host.viewport.add(mesh);

@@ -2,96 +2,70 @@
 // text; degrees and scene units. Knows neither the elements' tree nor when a text is read.
 import { kindOf } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
+import { fileName } from '../../scene/mesh/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { CameraState } from './camera.js';
 
-/** Every phrase that assistive technology gets from a viewer. Words in braces are replaced by values. */
-export const PHRASES = {
-  /** The name of a viewer that has none. */
-  scene: '3D scene',
-  rotate: 'Arrow keys rotate.',
-  zoom: 'Plus and minus zoom.',
-  reset: 'Home resets the camera.',
-  camera: 'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.',
-  /** Names of lights, or their number. */
-  lights: 'Lights: {lights}.',
-  /** The name of a light that is off. */
-  off: '{name} (off)',
-  /** The name of the list. */
-  contents: 'Lights and meshes',
-  directional: '{name}: directional light, position {position}, diffuse {diffuse}',
-  point: '{name}: point light, position {position}, diffuse {diffuse}',
-  spot: '{name}: spot light, position {position}, diffuse {diffuse}',
-  /** A light with `space="camera"`. */
-  fromCamera: '{light}, in camera space',
-  mesh: '{name}: mesh',
-} as const;
+/** Replacements of English texts, by the English text. Words in braces stand for values. */
+export type Texts = Readonly<Record<string, string | undefined>> | null;
 
 /** Lights that the description names. It is read in one go, so it must be short; the list names all of them. */
 const NAMED = 8;
 
-export interface Allowed {
-  readonly orbit: boolean;
-  readonly zoom: boolean;
-}
+const LIGHTS = 'Lights: {lights}.';
 
-/** For `aria-keyshortcuts`; empty if no key does anything. */
-export const keyShortcuts = (allowed: Allowed): string =>
-  used(allowed, 'ArrowLeft ArrowRight ArrowUp ArrowDown', 'Plus - PageUp PageDown', 'Home');
-
-export const keyText = (allowed: Allowed): string =>
-  used(allowed, PHRASES.rotate, PHRASES.zoom, PHRASES.reset);
-
-const used = ({ orbit, zoom }: Allowed, rotate: string, scale: string, reset: string): string =>
-  [orbit ? rotate : '', zoom ? scale : '', orbit || zoom ? reset : '']
-    .filter((part) => part !== '')
-    .join(' ');
-
-export const cameraText = ({ theta, phi, radius }: Pick<CameraState, 'theta' | 'phi' | 'radius'>): string =>
-  fill(PHRASES.camera, {
+export const cameraText = (
+  texts: Texts,
+  { theta, phi, radius }: Pick<CameraState, 'theta' | 'phi' | 'radius'>,
+): string =>
+  phrase(texts, 'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.', {
     theta: numbers([Math.round(theta)]),
     phi: numbers([Math.round(phi)]),
     radius: numbers([radius]),
   });
 
-/** All lights in one sentence; empty for none. */
-export const lightsText = (names: readonly string[]): string =>
+/** All lights in one sentence; empty for none. `names`: of {@link lightName}. */
+export const lightsText = (texts: Texts, names: readonly string[]): string =>
   names.length === 0
     ? ''
-    : fill(PHRASES.lights, {
+    : phrase(texts, LIGHTS, {
         lights: names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ', …' : ''),
       });
 
-export const lightCountText = (count: number): string => fill(PHRASES.lights, { lights: String(count) });
+export const lightCountText = (texts: Texts, count: number): string =>
+  phrase(texts, LIGHTS, { lights: String(count) });
 
 /** A light's name, and whether it is off. */
-export const lightName = (name: string, { active }: Pick<LightValues, 'active'>): string =>
-  active ? name : fill(PHRASES.off, { name });
+export const lightName = (texts: Texts, name: string, { active }: Pick<LightValues, 'active'>): string =>
+  active ? name : phrase(texts, '{name} (off)', { name });
 
-export function lightText(name: string, values: LightValues): string {
-  const light = fill(PHRASES[kindOf(values)], {
-    name: lightName(name, values),
+export function lightText(texts: Texts, name: string, values: LightValues): string {
+  const light = phrase(texts, `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`, {
+    name: lightName(texts, name, values),
     position: numbers(values.position.slice(0, 3)),
     diffuse: numbers(values.diffuse),
   });
-  return values.space === 'camera' ? fill(PHRASES.fromCamera, { light }) : light;
+  return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
 }
 
-export const meshText = (mesh: MeshValues, index: number): string =>
-  fill(PHRASES.mesh, { name: meshTitle(mesh, index) });
+export const meshText = (texts: Texts, mesh: MeshNames, index: number): string =>
+  phrase(texts, '{name}: mesh', { name: meshTitle(mesh, index) });
+
+type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
 
 /** A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts from 0. */
-export const meshTitle = (
-  { name, src, geometry }: Pick<MeshValues, 'name' | 'src' | 'geometry'>,
-  index: number,
-): string => name || (src === '' ? geometry : fileOf(src)) || `mesh ${String(index + 1)}`;
+export const meshTitle = ({ name, src, geometry }: MeshNames, index: number): string =>
+  name ||
+  (src === '' ? geometry : typeof src === 'string' ? fileOf(src) : fileName(src)) ||
+  `mesh ${String(index + 1)}`;
 
 /** `teapot.glb` from `models/teapot.glb?v=2`. */
 const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
-/** By a function: in a replacement text `$&` would have a meaning, and names may contain it. */
-const fill = (phrase: string, values: Readonly<Record<string, string>>): string =>
-  phrase.replace(/\{(\w+)\}/g, (_, key: string) => values[key] ?? '');
+/** A text, in the page's words if it has its own, with values in place of the words in braces. */
+export const phrase = (texts: Texts, text: string, values: Readonly<Record<string, string>> = {}): string =>
+  // By a function: in a replacement text `$&` would have a meaning, and names may contain it.
+  (texts?.[text] ?? text).replace(/\{(\w+)\}/g, (_, key: string) => values[key] ?? '');
 
 /** Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is used. */
 const numbers = (values: readonly number[]): string =>

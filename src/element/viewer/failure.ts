@@ -1,6 +1,6 @@
 // What has failed and still does: reported once by an event, shown as a message until it works again. Knows nothing of
 // how the message is shown.
-import type { ReactiveControllerHost } from 'lit';
+import type { ReactiveControllerHost } from '@lit/reactive-element';
 import type { EventQueue } from './event-queue.js';
 import { errorDetail, type ViewerErrorDetail } from './loading.js';
 
@@ -35,16 +35,21 @@ export class ViewerFailure {
   }
 
   contextMissing(error: Error): void {
-    this.report(CONTEXT, errorDetail(error, null));
+    this.#reportContext(errorDetail(error, null));
   }
 
   contextLost(): void {
     const message =
       'The graphics context was lost. The picture returns when the browser restores the context.';
-    this.report(CONTEXT, { code: 'context-lost', message, url: null });
+    this.#reportContext({ code: 'context-lost', message, url: null });
   }
 
   contextRestored(): void {
     this.cleared(CONTEXT);
+  }
+
+  /** Once, however often the context is lost again or refused before it works. */
+  #reportContext(detail: ViewerErrorDetail): void {
+    if (this.#present.get(CONTEXT)?.code !== detail.code) this.report(CONTEXT, detail);
   }
 }

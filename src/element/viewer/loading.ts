@@ -1,5 +1,6 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
 // are read nor how anything is drawn.
+import type { ReactiveController } from '@lit/reactive-element';
 import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { NoWebGL2Error } from '../../scene/gpu/stage.js';
@@ -7,10 +8,13 @@ import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../scene/model/load-model.js';
 import { ModelError } from '../../scene/model/model.js';
+import { isOutOfMemory } from '../../scene/out-of-memory.js';
 import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
 import type { Viewport } from '../../scene/viewport.js';
-import type { ViewerValues } from '../fields/viewer-fields.js';
+import { LOADING_KEYS, type ViewerValues } from '../fields/viewer-fields.js';
+import type { PhongViewer } from '../phong-viewer.js';
 import type { EventQueue } from './event-queue.js';
+import { takeDrops } from './file-drop.js';
 
 export type ViewerErrorCode =
   'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
@@ -24,16 +28,21 @@ export interface ViewerErrorDetail {
 }
 
 export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
-  const message = clipMessage(error instanceof Error ? error.message : String(error));
-  return { code: codeOf(error), message, url: url?.href ?? null };
+  const code = codeOf(error);
+  let message = error instanceof Error ? error.message : String(error);
+  if (code === 'too-large' && !(error instanceof ModelError))
+    message = 'There is not enough memory to show this.';
+  return { code, message: clipMessage(message), url: url?.href ?? null };
 }
 
 function codeOf(error: unknown): ViewerErrorCode {
   if (error instanceof ModelError) return error.code;
+  if (isOutOfMemory(error)) return 'too-large';
   return error instanceof NoWebGL2Error ? 'no-webgl2' : 'load-failed';
 }
 
 export interface LoadingHost {
+  readonly viewer: PhongViewer;
   readonly store: FieldStore<ViewerValues>;
   readonly viewport: Viewport;
   readonly events: EventQueue;
@@ -47,17 +56,22 @@ export interface LoadingHost {
   ended(): void;
 }
 
-export class ViewerLoading implements MeshHost {
+export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #host: LoadingHost;
   readonly #progress = new LoadProgress();
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
-  #seen = false;
+  #near = false;
+  #suspended = false;
+  #removal: ReturnType<typeof setTimeout> | undefined;
+  /** Meshes whose content has not been drawn yet. */
+  readonly #undrawn = new Set<SceneMesh>();
 
   constructor(host: LoadingHost) {
     this.#host = host;
     this.ownMesh = new SceneMesh(host.store as unknown as FieldStore<ShapeValues>, this);
     host.viewport.add(this.ownMesh);
+    takeDrops(host.viewer);
   }
 
   get materials(): SharedMaterials {
@@ -69,7 +83,7 @@ export class ViewerLoading implements MeshHost {
   }
 
   get mayLoad(): boolean {
-    return this.#seen || this.#host.store.values.loading !== 'lazy';
+    return !this.#suspended && (this.#near || this.#host.store.values.loading !== 'lazy');
   }
 
   changed(): void {
@@ -78,6 +92,41 @@ export class ViewerLoading implements MeshHost {
 
   reshaped(): void {
     this.#host.viewport.reshaped();
+  }
+
+  shown(mesh: SceneMesh): boolean {
+    this.#undrawn.add(mesh);
+    return this.#host.viewport.drawable;
+  }
+
+  /** All content has been drawn. */
+  drawn(): void {
+    for (const mesh of this.#undrawn) mesh.drawn();
+    this.#undrawn.clear();
+  }
+
+  /** Drawing has thrown. Takes new content back, unless `draw` throws without it too: then something else is wrong. */
+  undrawable(error: unknown, draw: () => void): boolean {
+    const meshes = [...this.#undrawn];
+    if (meshes.length === 0) return false;
+    const show = (visible: boolean): void => {
+      for (const { root } of meshes) if (root !== null) root.visible = visible;
+    };
+    show(false);
+    try {
+      draw();
+    } catch {
+      return false;
+    } finally {
+      show(true);
+    }
+    this.#undrawn.clear();
+    for (const mesh of meshes) mesh.revert(error);
+    return true;
+  }
+
+  removed(mesh: SceneMesh): void {
+    this.#undrawn.delete(mesh);
   }
 
   progress(mesh: SceneMesh, loaded: number, total: number): void {
@@ -111,16 +160,40 @@ export class ViewerLoading implements MeshHost {
     return this.#meshes().some((mesh) => mesh.loading);
   }
 
-  /** At least one model is there and none is pending. */
+  /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */
   get loaded(): boolean {
-    return !this.pending && this.#meshes().some((mesh) => mesh.showsModel);
+    const wanted = this.#meshes().filter((mesh) => mesh.wanted);
+    const there = (mesh: SceneMesh): boolean =>
+      mesh.complete === 'model' || (mesh.complete === 'shape' && !this.#undrawn.has(mesh));
+    return wanted.length > 0 && wanted.every(there);
   }
 
-  /** The viewer is visible: lazy loading begins. */
-  seen(): void {
-    if (this.#seen) return;
-    this.#seen = true;
+  hostConnected(): void {
+    clearTimeout(this.#removal);
+    if (!this.#suspended) return;
+    this.#suspended = false;
+    this.update();
+  }
+
+  /** Nothing is downloaded for a removed viewer. One that only moves is back before the next task. */
+  hostDisconnected(): void {
+    this.#removal = setTimeout(() => {
+      this.#suspended = true;
+      for (const mesh of this.#meshes()) mesh.suspend();
+    });
+  }
+
+  /** The viewer is in view or near it: lazy loading begins. */
+  neared(): void {
+    if (this.#near) return;
+    this.#near = true;
     if (this.#host.store.values.loading === 'lazy') this.update();
+  }
+
+  /** Values of the viewer have changed, or were assigned again. */
+  apply(changed: { has(key: string): boolean }): void {
+    if (changed.has('src') || changed.has('geometry')) this.ownMesh.retry();
+    if (LOADING_KEYS.some((key) => changed.has(key))) this.update();
   }
 
   update(): void {

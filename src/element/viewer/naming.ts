@@ -1,26 +1,51 @@
-// How does the author name the picture, or is it decoration? By attributes, as HTML and ARIA define them. Must not know how
-// the picture is drawn.
+// What is the picture to assistive technology: its role, name, keys and description? Follows the author's attributes as HTML
+// and ARIA define them. Must not know how the picture is drawn.
 import { fieldsOf } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
+import { phrase, type Texts } from './description.js';
+import { set } from './template.js';
 
 /** Attributes, besides `alt`, that name the picture or say what it is. */
 export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
 
-export interface Naming {
-  /** Text alternative; empty for none. */
-  readonly label: string;
-  /** Elements of the page that name the picture, instead of `label`; null for none. */
-  readonly labelledBy: readonly Element[] | null;
-  /** The picture has no name and needs none. */
-  readonly decoration: boolean;
-}
+/** Of the element that describes the keys, and of the one that describes camera and lights. */
+export const KEYS_ID = 'keys';
+export const SCENE_ID = 'scene';
 
-export function namingOf(viewer: PhongViewer): Naming {
+/**
+ * Writes role, name and keys to the surface. An application gets the keys that a screen reader would keep for itself on an
+ * image. False if nothing of the viewer is to be read.
+ */
+export function nameSurface(surface: HTMLElement, viewer: PhongViewer, texts: Texts): boolean {
   const label = viewer.getAttribute('aria-label') || viewer.alt;
   // Missing in browsers without element reflection, whatever the types say.
   const labelledBy = (viewer as Partial<Element>).ariaLabelledByElements ?? null;
-  return { label, labelledBy, decoration: label === '' && labelledBy === null && isDecoration(viewer) };
+  const keys = usable(viewer, 'ArrowLeft ArrowRight ArrowUp ArrowDown', 'Plus - PageUp PageDown', 'Home');
+  // Nothing that can have the focus may be hidden or nameless.
+  const hidden = keys === '' && label === '' && labelledBy === null && isDecoration(viewer);
+  set(surface, 'tabindex', keys === '' ? null : '0');
+  set(surface, 'role', keys === '' ? 'img' : 'application');
+  set(surface, 'aria-hidden', hidden ? 'true' : null);
+  set(surface, 'aria-label', label || phrase(texts, '3D scene'));
+  set(surface, 'aria-keyshortcuts', keys || null);
+  set(surface, 'aria-describedby', `${KEYS_ID} ${SCENE_ID}`);
+  if (labelledBy !== null || surface.hasAttribute('aria-labelledby'))
+    surface.ariaLabelledByElements = labelledBy;
+  return !hidden;
 }
+
+export const keysText = (viewer: PhongViewer, texts: Texts): string =>
+  usable(
+    viewer,
+    phrase(texts, 'Arrow keys rotate.'),
+    phrase(texts, 'Plus and minus zoom.'),
+    phrase(texts, 'Home resets the camera.'),
+  );
+
+const usable = ({ orbit, zoom }: PhongViewer, rotate: string, scale: string, reset: string): string =>
+  [orbit ? rotate : '', zoom ? scale : '', orbit || zoom ? reset : '']
+    .filter((part) => part !== '')
+    .join(' ');
 
 /** The picture has a name, needs none, or is hidden from assistive technology. */
 export const isNamed = (viewer: PhongViewer): boolean =>

@@ -29,13 +29,12 @@ export class ViewerPanel {
       return;
     }
     if (loadPanel === null || place === null) return;
-    const code = await loadPanel().catch(() => null);
-    if (code === null) {
-      console.warn('<phong-viewer>: the code of the control panel could not be fetched; it is not shown.');
-      return;
-    }
-    const root = place.getRootNode();
-    if (!this.#wanted || this.#panel !== null || !(root instanceof ShadowRoot)) return;
+    const code = await loadPanel().catch((error: unknown) => {
+      console.warn(`<phong-viewer gui>: ${(error as Error).message}`);
+    });
+    if (code === undefined) return;
+    const root = this.#viewer.shadowRoot;
+    if (!this.#wanted || this.#panel !== null || root === null) return;
     this.#panel = code.createPanel(this.#viewer, place, root);
   }
 

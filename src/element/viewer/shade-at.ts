@@ -4,6 +4,7 @@ import type { Mesh } from 'three';
 import type { LightValues } from '../../light/light-state.js';
 import { add, map, subtract, type Vec3 } from '../../math/vector.js';
 import type { LightShare } from '../../reference/index.js';
+import { lazyCode } from '../../scene/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
 import { pick } from '../../scene/snapshot/pick.js';
 import { surfaceAt } from '../../scene/snapshot/surface-at.js';
@@ -62,6 +63,8 @@ export interface FragmentExplanation {
   readonly color: Vec3;
 }
 
+const referenceCode = lazyCode(() => import('../../reference/index.js'), 'shadeAt');
+
 /** Rejects with TypeError or RangeError unless x and y are finite numbers. */
 export async function shadeAt(
   { scene, width, height, lights }: ViewerSnapshot,
@@ -75,7 +78,7 @@ export async function shadeAt(
   const { object, owner, phong } = hit.drawn;
   const surface = surfaceAt(phong, hit.drawn.geometry, hit, hit.base);
   const subject: Subject = { hit, corners: cornersOf(hit), surface };
-  const equation = await import('../../reference/index.js');
+  const equation = await referenceCode();
   const shaded = shadeHit(
     equation,
     subject,

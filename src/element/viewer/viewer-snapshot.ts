@@ -1,5 +1,6 @@
 // What shadeAt explains and toBlob encodes, copied when they are called: their code may still have to be fetched, and the
 // scene changes meanwhile. Knows neither rays nor files.
+import { lazyCode } from '../../scene/lazy-code.js';
 import type { LightValues } from '../../light/light-state.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
@@ -55,3 +56,9 @@ export function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanv
   const isSize = [width, height].every((side) => Number.isInteger(side) && side >= 1);
   return isSize ? viewport.capture(width, height) : null;
 }
+
+/** Code that the snapshots are for. */
+export const lazy = {
+  picture: /* @__PURE__ */ lazyCode(() => import('./picture-blob.js'), 'toBlob'),
+  shadeAt: /* @__PURE__ */ lazyCode(() => import('./shade-at.js'), 'shadeAt'),
+};

@@ -29,19 +29,32 @@ export class AtlasCopies {
    * that follow each other, and no intermediate canvas or bitmap was faster (src/decisions/one-context.md).
    */
   show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: Place): void {
-    const canvas = this.#canvases.get(client) ?? document.createElement('canvas');
+    const known = this.#canvases.get(client);
+    const canvas = known ?? this.#newCanvas(client);
     this.#canvases.delete(client);
     this.#canvases.set(client, canvas);
     this.#fresh.add(client);
-    if (canvas.width !== width || canvas.height !== height) {
+    const resized = canvas.width !== width || canvas.height !== height;
+    if (resized) {
       canvas.width = width;
       canvas.height = height;
     }
+    const blank = known === undefined || resized;
     const context = canvas.getContext('2d');
     if (context === null) return; // out of memory: the picture stays as it was
-    context.globalCompositeOperation = 'copy';
+    // For print, Chromium replays what was drawn since the last frame. There, `copy` erases all that lies below: the CSS background.
+    context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
     if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);
+  }
+
+  /** A crash of the GPU process clears 2D canvases too, and may give them back later than the WebGL context. */
+  #newCanvas(client: CopyClient): HTMLCanvasElement {
+    const canvas = client.holder.ownerDocument.createElement('canvas');
+    canvas.addEventListener('contextrestored', () => {
+      if (this.#canvases.get(client) === canvas) client.invalidate();
+    });
+    return canvas;
   }
 
   /** Releases one copy's pixels now. Garbage collection would release them late. */

@@ -1,5 +1,5 @@
 // The page's WebGL 2 context and three.js's renderer on it. Knows nothing of what is drawn.
-import { WebGLRenderer } from 'three';
+import { getConsoleFunction, setConsoleFunction, WebGLRenderer } from 'three';
 import type { Size } from './atlas.js';
 
 /** The browser gave no WebGL 2 context. */
@@ -16,26 +16,55 @@ const CONTEXT: WebGLContextAttributes = {
 };
 
 /**
- * Opens the context on a canvas of the size of the first drawing. A later change of size allocates all buffers again, once
- * for each side, and blocks the page. Throws {@link NoWebGL2Error}.
+ * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel. Tiles of a capture and the
+ * canvas of a new context are not larger.
+ */
+export const SAFE_SIDE = 4096;
+
+/**
+ * Opens the context on a canvas of the size of the first drawing: opening small and growing takes 6 ms longer at 600 × 400
+ * and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts on a canvas of one pixel: Chromium
+ * gives no context for 8192 × 8192, nor any other to this page afterwards, but a canvas that grows gets a smaller drawing
+ * buffer at worst. Throws {@link NoWebGL2Error}.
  */
 export function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
-  canvas.width = width;
-  canvas.height = height;
-  const context = canvas.getContext('webgl2', CONTEXT);
-  if (context === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context');
-  return context;
+  const isSafe = Math.max(width, height) <= SAFE_SIDE;
+  canvas.width = isSafe ? width : 1;
+  canvas.height = isSafe ? height : 1;
+  let cause: unknown;
+  try {
+    const context = canvas.getContext('webgl2', CONTEXT);
+    if (context !== null) return context;
+  } catch (error) {
+    cause = error; // some privacy tools replace getContext by a function that throws
+  }
+  throw new NoWebGL2Error('this browser gives no WebGL 2 context', { cause });
 }
 
+/** Throws if the context is lost, or gets lost meanwhile. */
 export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   const canvas = context.canvas as HTMLCanvasElement;
-  const renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  // three.js logs what it cannot read, and a lost context answers null. The stage reports the loss.
+  const log = getConsoleFunction() as ConsoleFunction | null; // null if none was set, whatever the types say
+  setConsoleFunction((type, ...parts) => {
+    if (context.isContextLost()) return;
+    if (log === null) console.warn(...parts);
+    else log(type, ...parts);
+  });
+  let renderer: WebGLRenderer;
+  try {
+    renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+  } finally {
+    setConsoleFunction(log as ConsoleFunction);
+  }
   renderer.autoClear = false; // the stage clears once for all pictures of a frame
   renderer.setOpaqueSort(byScene);
   renderer.setTransparentSort(fromBehind);
   return renderer;
 }
+
+type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
 
 /**
  * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup shows. three.js would
@@ -55,14 +84,33 @@ interface Ordered {
   readonly z: number;
 }
 
-/** Largest side of one drawing, in pixels. */
-export function maxSizeOf(gl: WebGL2RenderingContext): number {
-  const viewport = gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array;
-  return Math.min(viewport[0] ?? 0, viewport[1] ?? 0, gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) as number);
+/** Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when the canvas has that size. */
+export function largestSideOf(gl: WebGL2RenderingContext): number {
+  // A lost context answers null.
+  const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
+  const sides = [
+    ...viewport,
+    gl.getParameter(gl.MAX_RENDERBUFFER_SIZE),
+    gl.getParameter(gl.MAX_TEXTURE_SIZE),
+  ];
+  return Math.min(...sides.map(Number));
 }
 
-/** Releases the context now. Browsers allow few, and garbage collection would release it late. */
-export function closeContext(renderer: WebGLRenderer): void {
-  renderer.dispose();
-  renderer.getContext().getExtension('WEBGL_lose_context')?.loseContext();
+/**
+ * Whether 2D canvases get the pixels of a restored context. After a crash of the GPU process they get none in Chromium (156),
+ * however often the context draws: only a new canvas helps. Overwrites one drawing.
+ */
+export function canBeCopied(gl: WebGL2RenderingContext): boolean {
+  gl.clearColor(1, 1, 1, 1);
+  gl.clear(gl.COLOR_BUFFER_BIT);
+  const copy = document.createElement('canvas').getContext('2d', { willReadFrequently: true });
+  copy?.drawImage(gl.canvas, 0, 0);
+  return copy?.getImageData(0, 0, 1, 1).data[3] === 255;
+}
+
+/** Releases the context now, or as soon as it is restored. Browsers allow few, and garbage collection would release it late. */
+export function closeContext(gl: WebGL2RenderingContext): void {
+  const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
+  gl.canvas.addEventListener('webglcontextrestored', close, { once: true });
+  close();
 }

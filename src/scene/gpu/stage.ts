@@ -3,9 +3,10 @@
 // Knows nothing of scenes, lights or elements. Reasons and figures: src/decisions/one-context.md.
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
-import { closeContext, maxSizeOf, openContext, rendererOf } from './context.js';
-import { LinkCheck } from './link-check.js';
 import { type AtlasLayout, layOutAtlas, type Place, type Size } from './atlas.js';
+import { NoWebGL2Error, SAFE_SIDE } from './context.js';
+import { newTarget } from './capture-target.js';
+import { SharedContext } from './shared-context.js';
 
 export { NoWebGL2Error } from './context.js';
 
@@ -17,24 +18,40 @@ export interface StageClient extends CopyClient {
   redraw(): void;
   /** The GPU has lost everything: release it. */
   contextLost(): void;
-  /** The context is back: everything has to be uploaded again. */
+  /** Drawing is possible again, after either of the others. */
   contextRestored(): void;
+  /** The browser gives no context. */
+  contextMissing(error: NoWebGL2Error): void;
 }
 
 /** Frames in a row that may leave three quarters of the canvas unused before it shrinks: half a second of motion. */
 const FRAMES_BEFORE_SHRINKING = 30;
 
+const ONE_PIXEL: Size = { width: 1, height: 1 };
+
 class Stage {
   readonly #clients = new Set<StageClient>();
   readonly #copies = new AtlasCopies();
-  #renderer: WebGLRenderer | null = null;
-  #linkCheck: LinkCheck | null = null;
-  #maxSize = Infinity;
+  readonly #context: SharedContext = new SharedContext({
+    lost: () => {
+      this.#drawn.clear();
+      this.#places.clear();
+      for (const client of this.#clients) client.contextLost();
+    },
+    restored: () => {
+      for (const client of this.#clients) client.contextRestored();
+    },
+    missing: (error) => {
+      for (const client of this.#clients) client.contextMissing(error);
+    },
+    retrying: () => {
+      this.#invalidateAll();
+    },
+  });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
   readonly #places = new Map<StageClient, Place>();
   /** Pictures in the atlas that have not been copied yet. */
   readonly #drawn = new Map<StageClient, Place>();
-  #contextLost = false;
   #wastefulFrames = 0;
   #inFrame = false;
   #viewersDrawn = 0;
@@ -44,6 +61,7 @@ class Stage {
     this.#clients.add(client);
     // The first picture shows the shared canvas itself, and the others are about to draw on it.
     if (this.#clients.size === 2) this.#invalidateAll();
+    this.#context.retry();
   }
 
   remove(client: StageClient): void {
@@ -53,19 +71,19 @@ class Stage {
     client.holder.replaceChildren();
     if (this.#clients.size === 1) this.#invalidateAll();
     // The canvas may have been large only for this picture. The next frame finds the size again.
-    else if (this.#clients.size > 1 && this.#renderer !== null) resize(this.#renderer, 1, 1);
+    else if (this.#clients.size > 1) this.#context.resize(ONE_PIXEL);
     // An element that only moves within the page is back before the microtask.
     if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
   }
 
-  /** According to events: `isContextLost()` is a call into WebGL, and every change of a scene reads this. */
+  /** There is no context, and drawing would not open one. */
   get lost(): boolean {
-    return this.#contextLost;
+    return this.#context.unavailable;
   }
 
   /** Programs on the GPU, for `stats`. */
   get programs(): number {
-    return this.#renderer?.info.programs?.length ?? 0;
+    return this.#context.renderer?.info.programs?.length ?? 0;
   }
 
   /** Pictures drawn in the page's last frame, or so far in the present one. */
@@ -75,32 +93,31 @@ class Stage {
 
   /** Scale, at most 1, that makes a picture fit the GPU's largest drawing. 1 until the context is open. */
   shareOf({ width, height }: Size): number {
-    return Math.min(1, this.#maxSize / Math.max(width, height, 1));
+    const { side, area } = this.#context.limit;
+    return Math.min(1, side / Math.max(width, height, 1), Math.sqrt(area / Math.max(width * height, 1)));
   }
 
   /**
    * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page. The
-   * first call opens the context. Throws NoWebGL2Error.
+   * first call opens the context. False: nothing is drawn, because there is no context. All clients are notified of that,
+   * and again when drawing is possible.
    */
-  draw(client: StageClient, render: (renderer: WebGLRenderer) => void): void {
-    const alone = this.#clients.size === 1;
-    const renderer = this.#renderer ?? this.#open(alone ? client : this.#layOut(client).atlas);
-    this.#count();
-    if (alone) {
-      this.#showDrawn();
-      const { width, height } = client;
-      resize(renderer, width, height);
-      clear(renderer);
-      drawInto(renderer, { x: 0, y: 0, width, height }, render);
-      this.#copies.drop(client);
-      const { domElement } = renderer;
-      if (client.holder.firstChild !== domElement) client.holder.replaceChildren(domElement);
-    } else {
-      const place = this.#placeOf(client, renderer);
-      drawInto(renderer, place, render);
-      this.#drawn.set(client, place);
+  draw(client: StageClient, render: (renderer: WebGLRenderer) => void): boolean {
+    try {
+      // The canvas stays in its own document: a picture in a popup is a copy too.
+      const alone = this.#clients.size === 1 && client.holder.ownerDocument === document;
+      const renderer = this.#context.open(alone ? client : this.#layOut(client).atlas);
+      if (renderer === null) return false;
+      this.#count();
+      if (alone) this.#drawAlone(client, renderer, render);
+      else this.#drawPlace(client, renderer, render);
+      this.#context.checkLinks();
+      return true;
+    } catch (error) {
+      if (error instanceof NoWebGL2Error) this.#context.refuse(error);
+      else if (!this.#context.noticeLoss()) throw error; // a lost context answers null, which three.js does not expect
+      return false;
     }
-    this.#linkCheck?.check(renderer);
   }
 
   /**
@@ -112,39 +129,74 @@ class Stage {
     { width, height }: Size,
     render: (renderer: WebGLRenderer, part: Region) => void,
   ): HTMLCanvasElement {
-    if (this.lost) throw new Error('the graphics context is lost: there is no picture until it comes back');
-    const picture = document.createElement('canvas');
-    picture.width = width;
-    picture.height = height;
-    const context = picture.getContext('2d');
-    if (context === null || !hasMemory(context, width, height)) {
+    const target = newTarget(width, height);
+    if (target === null) {
+      // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory for
+      // this many pixels.
+      if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
-    const opened = this.#renderer === null;
-    const firstTile = { width: Math.min(width, LARGEST_PART), height: Math.min(height, LARGEST_PART) };
-    const renderer = this.#renderer ?? this.#open(firstTile);
-    this.#showDrawn(); // the capture overwrites it
+    if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
+    try {
+      const firstTile = { width: Math.min(width, SAFE_SIDE), height: Math.min(height, SAFE_SIDE) };
+      const renderer = this.#context.open(firstTile);
+      if (renderer !== null) this.#drawTiles(renderer, target, render);
+    } catch (error) {
+      if (!this.#context.noticeLoss()) throw error;
+    }
+    // Also when it was lost between two tiles: their pictures would be empty.
+    if (this.#context.noticeLoss()) throw contextLost();
+    return target.canvas;
+  }
+
+  #drawAlone(client: StageClient, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
+    this.#beforeOverwriting();
+    // The second time only if the browser gave less: the client's size has become smaller then.
+    if (!this.#context.resize(client)) this.#context.resize(client);
+    const { width, height } = client;
+    clear(renderer);
+    drawInto(renderer, { x: 0, y: 0, width, height }, render);
+    this.#copies.drop(client);
+    const { domElement } = renderer;
+    if (client.holder.firstChild !== domElement) client.holder.replaceChildren(domElement);
+  }
+
+  #drawPlace(client: StageClient, renderer: WebGLRenderer, render: (renderer: WebGLRenderer) => void): void {
+    const place = this.#placeOf(client, renderer);
+    drawInto(renderer, place, render);
+    this.#drawn.set(client, place);
+  }
+
+  /** Draws a capture into `target`, which has its size, tile by tile. */
+  #drawTiles(
+    renderer: WebGLRenderer,
+    target: CanvasRenderingContext2D,
+    render: (renderer: WebGLRenderer, part: Region) => void,
+  ): void {
+    this.#beforeOverwriting();
+    const { width, height } = target.canvas;
     const canvas = renderer.domElement;
     const before = { width: canvas.width, height: canvas.height };
-    const step = Math.min(this.#maxSize, LARGEST_PART);
+    const step = Math.min(this.#context.limit.side, SAFE_SIDE);
     for (let y = 0; y < height; y += step) {
       for (let x = 0; x < width; x += step) {
         const part = { x, y, width: Math.min(step, width - x), height: Math.min(step, height - y) };
-        resize(renderer, Math.max(canvas.width, part.width), Math.max(canvas.height, part.height));
+        const fits = part.width <= canvas.width && part.height <= canvas.height;
+        if (!fits && !this.#context.resize(part)) {
+          throw new RangeError(`the GPU has no memory to draw ${String(width)} × ${String(height)} pixels`);
+        }
         clear(renderer);
         drawInto(renderer, { x: 0, y: 0, width: part.width, height: part.height }, (r) => {
           render(r, part);
         });
         const top = canvas.height - part.height;
-        context.drawImage(canvas, 0, top, part.width, part.height, x, y, part.width, part.height);
+        target.drawImage(canvas, 0, top, part.width, part.height, x, y, part.width, part.height);
       }
     }
-    this.#linkCheck?.check(renderer);
+    this.#context.checkLinks();
     // The capture has overwritten the canvas that a lone picture shows.
     if (this.#clients.size === 1) for (const client of this.#clients) client.redraw();
-    else resize(renderer, before.width, before.height); // else it would stay large
-    if (opened) queueMicrotask(this.#closeIfEmpty);
-    return picture;
+    else this.#context.resize(before); // else it would stay large
   }
 
   #invalidateAll(): void {
@@ -156,9 +208,12 @@ class Stage {
     const reserved = this.#places.get(client);
     this.#places.delete(client); // a second drawing needs a cleared place
     if (reserved?.width === client.width && reserved.height === client.height) return reserved;
-    this.#showDrawn();
-    const { pictures, atlas } = this.#layOut(client);
-    this.#makeRoom(renderer, atlas);
+    this.#beforeOverwriting();
+    let { pictures, atlas } = this.#layOut(client);
+    if (!this.#makeRoom(renderer, atlas)) {
+      ({ pictures, atlas } = this.#layOut(client)); // in less room
+      this.#makeRoom(renderer, atlas);
+    }
     // Once for all places: 20 clears of 256 × 180 cost as much as drawing a box in each (25 ms of CPU in software).
     clear(renderer);
     atlas.places.forEach((place, i) => {
@@ -172,27 +227,38 @@ class Stage {
   #layOut(client: StageClient): { pictures: readonly StageClient[]; atlas: AtlasLayout } {
     const pictures = [client];
     for (const one of this.#clients) if (one !== client && one.drawable && !one.upToDate) pictures.push(one);
-    return { pictures, atlas: layOutAtlas(pictures, { side: this.#maxSize, area: screenPixels() }) };
+    const { side, area } = this.#context.limit;
+    return { pictures, atlas: layOutAtlas(pictures, { side, area: Math.min(area, screenPixels()) }) };
   }
 
-  /** Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a while. */
-  #makeRoom(renderer: WebGLRenderer, { width, height }: Size): void {
+  /**
+   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a while.
+   * False like {@link #resize}.
+   */
+  #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
     const fits = width <= canvas.width && height <= canvas.height;
     const wasteful = fits && 4 * width * height < canvas.width * canvas.height;
     this.#wastefulFrames = wasteful ? this.#wastefulFrames + 1 : 0;
-    if (fits && this.#wastefulFrames < FRAMES_BEFORE_SHRINKING) return;
+    if (fits && this.#wastefulFrames < FRAMES_BEFORE_SHRINKING) return true;
     this.#wastefulFrames = 0;
     const both = { width: Math.max(width, canvas.width), height: Math.max(height, canvas.height) };
-    if (!fits && both.width * both.height <= screenPixels()) resize(renderer, both.width, both.height);
-    else resize(renderer, width, height);
+    const isSmall = both.width * both.height <= Math.min(this.#context.limit.area, screenPixels());
+    return this.#context.resize(!fits && isSmall ? both : { width, height });
+  }
+
+  /** Throws if the context turns out to be lost: its renderer must not upload anything any more. */
+  #beforeOverwriting(): void {
+    this.#showDrawn();
+    if (this.#context.unavailable) throw contextLost();
   }
 
   /** Copies what has been drawn into the pictures' own canvases. */
   #showDrawn(): void {
     this.#places.clear();
-    if (this.#drawn.size === 0) return;
-    const source = this.#renderer?.domElement;
+    // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked in each frame.)
+    if (this.#drawn.size === 0 || this.#context.noticeLoss()) return;
+    const source = this.#context.renderer?.domElement;
     if (source !== undefined)
       for (const [client, place] of this.#drawn) this.#copies.show(client, source, place);
     this.#drawn.clear();
@@ -213,57 +279,9 @@ class Stage {
     this.#copies.trim();
   };
 
-  /** `size` is that of the first drawing. */
-  #open(size: Size): WebGLRenderer {
-    const context = openContext(size);
-    const canvas = context.canvas as HTMLCanvasElement;
-    canvas.addEventListener('webglcontextlost', this.#lost);
-    canvas.addEventListener('webglcontextrestored', this.#restored);
-    this.#maxSize = maxSizeOf(context);
-    return this.#use(rendererOf(context));
-  }
-
-  #use(renderer: WebGLRenderer): WebGLRenderer {
-    this.#renderer = renderer;
-    this.#linkCheck = new LinkCheck(renderer);
-    return renderer;
-  }
-
-  // three.js must not see either event: it would write to the console, and a restored context gets a new renderer anyway.
-  readonly #lost = (event: Event): void => {
-    event.stopImmediatePropagation();
-    event.preventDefault(); // otherwise the context is never restored
-    this.#contextLost = true;
-    this.#drawn.clear();
-    this.#places.clear();
-    for (const client of this.#clients) client.contextLost();
-    // Now, while the context is lost: deleting these objects on the restored context would be an error.
-    this.#renderer?.dispose();
-  };
-
-  readonly #restored = (event: Event): void => {
-    event.stopImmediatePropagation();
-    if (this.#renderer === null) return;
-    this.#contextLost = false;
-    this.#use(rendererOf(this.#renderer.getContext() as WebGL2RenderingContext));
-    for (const client of this.#clients) client.contextRestored();
-  };
-
   readonly #closeIfEmpty = (): void => {
-    const renderer = this.#renderer;
-    if (renderer === null || this.#clients.size > 0) return;
-    this.#renderer = null;
-    this.#linkCheck = null;
-    this.#contextLost = false;
-    renderer.domElement.removeEventListener('webglcontextlost', this.#lost);
-    renderer.domElement.removeEventListener('webglcontextrestored', this.#restored);
-    closeContext(renderer);
+    if (this.#clients.size === 0) this.#context.close();
   };
-}
-
-function resize(renderer: WebGLRenderer, width: number, height: number): void {
-  const canvas = renderer.domElement;
-  if (canvas.width !== width || canvas.height !== height) renderer.setSize(width, height, false);
 }
 
 /**
@@ -297,22 +315,8 @@ export interface Region {
   readonly height: number;
 }
 
-/** Largest side of one tile in pixels. Every GPU has memory for this size with 4 samples per pixel. */
-const LARGEST_PART = 4096;
-
-/** Whether a canvas really has its pixels: browsers return canvases without memory, and only a drawn pixel shows it. */
-function hasMemory(context: CanvasRenderingContext2D, width: number, height: number): boolean {
-  if (context.canvas.width !== width || context.canvas.height !== height) return false;
-  const corner = [width - 1, height - 1, 1, 1] as const;
-  try {
-    context.fillRect(...corner);
-    const drawn = context.getImageData(...corner).data[3] === 255;
-    context.clearRect(...corner);
-    return drawn;
-  } catch {
-    return false;
-  }
-}
+const contextLost = (): Error =>
+  new Error('the graphics context is lost: there is no picture until the browser restores it');
 
 /** The page's stage. */
 export const stage = new Stage();

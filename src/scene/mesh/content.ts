@@ -4,9 +4,11 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import type { Sides } from '../../material/back-faces.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import { requestModel } from '../model/fetch-bytes.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
+import { lazyCode } from '../lazy-code.js';
+import { isDataUri } from '../model/data-uri.js';
 import type { LoadOptions } from '../model/load-model.js';
+import { requestFile } from '../model/request-file.js';
 
 /** A geometry and how it looks, as far as its file or shape says. */
 export interface ContentPart {
@@ -45,8 +47,11 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
 
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
 
-/** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
-export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const request = requestModel(url, options);
-  return (await import('../model/model-content.js')).modelContent(url, options, request);
+/** The code that reads models. */
+export const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.js'), 'models');
+
+/** A model from its address or a file. A file is requested at once; the code that reads models comes with the first one. */
+export async function modelContent(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
+  const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
+  return (await modelCode()).modelContent(url, options, file ?? request);
 }

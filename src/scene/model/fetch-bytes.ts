@@ -1,50 +1,59 @@
-// How are a model's files downloaded? With progress, abort, a size limit, and errors that a page's author understands. Must not know
-// what the bytes mean.
+// How are a model's files downloaded? With progress, abort, limits of size and silence, and errors that a page's author understands.
+// Must not know what the bytes mean.
 import { decodeDataUri, isDataUri } from './data-uri.js';
+import { BYTE_LIMIT } from './limits.js';
 import { ModelError } from './model.js';
+import { type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
 
-/** Largest size of one model in bytes, all its files together. Browsers' largest buffers are about twice this. */
-export const BYTE_LIMIT = 2 ** 30;
-
-export type CrossOrigin = 'anonymous' | 'use-credentials' | null;
+/**
+ * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough for a server
+ * that has to wake up first; a page that stays open for hours should not hold its connections for good.
+ */
+export const SILENCE_LIMIT_MS = 60_000;
 
 export interface Transfer {
+  /** To be aborted after a failure too: that ends the other requests of the model. */
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
   /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: ((loaded: number, total: number) => void) | undefined;
 }
 
-export type FetchBytes = (url: URL, redirect: RequestRedirect) => Promise<Uint8Array<ArrayBuffer>>;
+/** Downloads a file; `request` if it was requested already. */
+export type FetchBytes = (
+  url: URL,
+  redirect: RequestRedirect,
+  request?: FileRequest | null,
+) => Promise<Uint8Array<ArrayBuffer>>;
 
-/** A model's file being downloaded, and the download function for the files that it refers to. */
-export interface ModelRequest {
-  readonly bytes: Promise<Uint8Array<ArrayBuffer>>;
-  readonly fetchBytes: FetchBytes;
-}
-
-/** Requests a model's file at once, in parallel with the code that reads it. */
-export function requestModel(url: URL, transfer: Transfer): ModelRequest {
-  const fetchBytes = byteFetcher(transfer);
-  const bytes = fetchBytes(url, 'follow');
-  bytes.catch(() => undefined); // the code that awaits it reports the error
-  return { bytes, fetchBytes };
-}
-
-/** A download function for the files of one model, which share size limit and progress. */
-export function byteFetcher(transfer: Transfer): FetchBytes {
+/**
+ * A download function for the files of one model, which share size limit and progress.
+ * @param onType called with the media type of each file; empty if none came with it.
+ */
+export function byteFetcher(
+  transfer: Transfer,
+  onType: (type: string) => void = () => undefined,
+): FetchBytes {
+  const { signal } = transfer;
   let loaded = 0;
   let total = 0;
   let known = true;
-  return async (url, redirect) => {
-    const { signal } = transfer;
+  return async (url, redirect, request) => {
     signal.throwIfAborted();
-    if (isDataUri(url.href)) return decodeDataUri(url.href).bytes;
-    const response = await open(url, redirect, transfer);
+    if (isDataUri(url.href)) {
+      const { type, bytes } = decodeDataUri(url.href);
+      onType(type);
+      return bytes;
+    }
+    const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
+    onType(response.headers.get('content-type') ?? '');
     const expected = expectedLength(response);
     if (expected === 0) known = false;
     total += expected;
-    if (total > BYTE_LIMIT) throw await tooLarge(url, response);
+    if (total > BYTE_LIMIT) {
+      await response.body?.cancel();
+      throw tooLarge(url);
+    }
     const chunks: Uint8Array[] = [];
     let size = 0;
     const reader = response.body?.getReader();
@@ -52,9 +61,10 @@ export function byteFetcher(transfer: Transfer): FetchBytes {
       chunks.push(chunk);
       size += chunk.byteLength;
       loaded += chunk.byteLength;
+      // A compressed file counts as what it unpacks to. The rest of it is not unpacked.
       if (loaded > BYTE_LIMIT) {
         await reader?.cancel();
-        throw await tooLarge(url, null);
+        throw tooLarge(url);
       }
       transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
     }
@@ -62,16 +72,14 @@ export function byteFetcher(transfer: Transfer): FetchBytes {
   };
 }
 
-async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Promise<Response> {
-  const { signal, crossOrigin } = transfer;
-  const credentials = crossOrigin === 'use-credentials' ? 'include' : 'same-origin';
-  const policy = watchPolicy(url);
+async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Promise<Response> {
   let response: Response;
   try {
-    response = await fetch(url, { signal, redirect, credentials });
+    response = await inTime(url, request.response);
   } catch (cause) {
     signal.throwIfAborted();
-    const directive = await policy.refusal();
+    if (cause instanceof ModelError) throw cause;
+    const directive = await Promise.race([request.refusal, later(POLICY_EVENT_WAIT_MS)]);
     signal.throwIfAborted();
     if (directive !== null) {
       throw new ModelError(
@@ -81,14 +89,9 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
         { cause },
       );
     }
-    throw new ModelError(
-      'load-failed',
-      `${url.href} could not be fetched. Is the server reachable, and does it send CORS headers ` +
-        'if it is another origin than the page?',
-      { cause },
-    );
+    throw new ModelError('load-failed', `${url.href} could not be fetched. ${adviceFor(url)}`, { cause });
   } finally {
-    policy.stop();
+    request.stop();
   }
   if (response.ok) return response;
   await response.body?.cancel();
@@ -99,6 +102,21 @@ async function open(url: URL, redirect: RequestRedirect, transfer: Transfer): Pr
   );
 }
 
+/** What can be done where fetching an address gave no answer. */
+const adviceFor = (url: URL): string =>
+  url.protocol === 'file:'
+    ? 'A page opened from disk may not read files: serve the folder, with `npx serve` or `python3 -m http.server`.'
+    : 'Is the server reachable, and does it send CORS headers if it is another origin than the page?';
+// The event of a refusal is queued and can arrive after the fetch has rejected.
+const POLICY_EVENT_WAIT_MS = 100;
+
+const later = (milliseconds: number): Promise<null> =>
+  new Promise((resolve) => {
+    setTimeout(() => {
+      resolve(null);
+    }, milliseconds);
+  });
+
 /** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
 function expectedLength(response: Response): number {
   if (response.headers.has('content-encoding')) return 0;
@@ -106,12 +124,10 @@ function expectedLength(response: Response): number {
   return Number.isFinite(length) && length > 0 ? length : 0;
 }
 
-async function tooLarge(url: URL, response: Response | null): Promise<ModelError> {
-  await response?.body?.cancel();
-  return new ModelError(
-    'too-large',
-    `${url.href} makes the model larger than 1 GiB, the most that can be loaded.`,
-  );
+function tooLarge(url: URL): ModelError {
+  const most = String(BYTE_LIMIT / 2 ** 20);
+  const message = `${url.href} makes the model larger than ${most} MiB, the most that can be loaded.`;
+  return new ModelError('too-large', message);
 }
 
 async function read(
@@ -119,11 +135,29 @@ async function read(
   signal: AbortSignal,
   reader: ReadableStreamDefaultReader<Uint8Array> | undefined,
 ): Promise<Uint8Array | undefined> {
+  if (reader === undefined) return undefined;
   try {
-    return (await reader?.read())?.value;
+    return (await inTime(url, reader.read())).value;
   } catch (cause) {
     signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
     throw new ModelError('load-failed', `The connection broke while ${url.href} was read.`, { cause });
+  }
+}
+
+/** What the server sends next. Rejects if that takes longer than {@link SILENCE_LIMIT_MS}. */
+async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const silence = new Promise<never>((_, reject) => {
+    timer = setTimeout(() => {
+      const seconds = String(SILENCE_LIMIT_MS / 1000);
+      reject(new ModelError('load-failed', `${url.href} was given up: no data came for ${seconds} seconds.`));
+    }, SILENCE_LIMIT_MS);
+  });
+  try {
+    return await Promise.race([next, silence]);
+  } finally {
+    clearTimeout(timer);
   }
 }
 
@@ -135,40 +169,4 @@ function joined(chunks: readonly Uint8Array[], size: number): Uint8Array<ArrayBu
     at += chunk.byteLength;
   }
   return bytes;
-}
-
-// A fetch refused by CSP rejects like a network failure. The event that tells them apart is queued and can arrive later.
-const POLICY_EVENT_WAIT_MS = 100;
-
-interface PolicyWatch {
-  /** The directive that refused the fetch, or null. */
-  refusal(): Promise<string | null>;
-  stop(): void;
-}
-
-function watchPolicy(url: URL): PolicyWatch {
-  if (typeof document === 'undefined') return { refusal: () => Promise.resolve(null), stop: () => undefined };
-  let report: (directive: string) => void = () => undefined;
-  const directive = new Promise<string>((resolve) => {
-    report = resolve;
-  });
-  const address = url.href.split('#', 1)[0];
-  const listener = (event: SecurityPolicyViolationEvent): void => {
-    const mine = event.blockedURI === address || event.blockedURI === url.origin;
-    if (event.disposition === 'enforce' && mine) report(event.effectiveDirective);
-  };
-  document.addEventListener('securitypolicyviolation', listener);
-  return {
-    refusal: () => {
-      const late = new Promise<null>((resolve) => {
-        setTimeout(() => {
-          resolve(null);
-        }, POLICY_EVENT_WAIT_MS);
-      });
-      return Promise.race([directive, late]);
-    },
-    stop: () => {
-      document.removeEventListener('securitypolicyviolation', listener);
-    },
-  };
 }

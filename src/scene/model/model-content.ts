@@ -3,13 +3,19 @@
 import { exponentOfRoughness, NO_FILE_SURFACE } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { Content } from '../mesh/content.js';
-import type { ModelRequest } from './fetch-bytes.js';
 import { nameOf } from './format.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
+import type { FileRequest } from './request-file.js';
+
+export { droppedModel } from './dropped-files.js';
 
 /** The model at `url`; see {@link loadModel}. */
-export async function modelContent(url: URL, options: LoadOptions, request: ModelRequest): Promise<Content> {
-  const model = await loadModel(url, options, request);
+export async function modelContent(
+  url: URL,
+  options: LoadOptions,
+  from: FileRequest | Blob | null,
+): Promise<Content> {
+  const model = await loadModel(url, options, from);
   if (model.dropped !== undefined && model.dropped.size > 0)
     console.warn(
       `${nameOf(url)}: ${[...model.dropped].join(', ')} cannot be shown by this equation and are left out.`,

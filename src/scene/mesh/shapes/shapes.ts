@@ -2,6 +2,8 @@
 // same shape and segments share one BufferGeometry; users are counted, and the last one frees it. Knows neither materials nor
 // lights nor elements.
 import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry } from 'three';
+import { lazyCode } from '../../lazy-code.js';
+import { fitToUnitBox } from './fit.js';
 import type { SOLIDS } from './solids.js';
 
 /** The names that the `geometry` attribute takes, in the order in which menus show them. */
@@ -33,10 +35,13 @@ interface Shape {
   readonly create: (segments: number) => PendingGeometry;
 }
 
+const solidsCode = /* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes');
+const teapotCode = /* @__PURE__ */ lazyCode(() => import('./teapot.js'), 'the teapot');
+
 const solid =
   (name: keyof typeof SOLIDS): Shape['create'] =>
   async (n) =>
-    (await import('./solids.js')).SOLIDS[name](n);
+    (await solidsCode()).SOLIDS[name](n);
 
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
@@ -54,13 +59,13 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     segments: 256,
     // Below this the tube's sections cut through each other, and triangles turn against their normals.
     least: 32,
-    create: solid('torus-knot'),
+    create: async (n) => fitToUnitBox(await solid('torus-knot')(n)),
   },
   teapot: {
     segments: 64,
     // Below this two triangles of the spout turn against their normals.
     least: 12,
-    create: async (n) => (await import('./teapot.js')).teapotGeometry(n),
+    create: async (n) => fitToUnitBox((await teapotCode()).teapotGeometry(n)),
   },
   plane: { segments: 1, least: 1, create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2) },
 };

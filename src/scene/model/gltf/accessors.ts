@@ -1,13 +1,14 @@
-// Do a glTF document's accessors fit into their buffer views? Checks counts and byte lengths only.
-import { BYTE_LIMIT } from '../fetch-bytes.js';
-import { ModelError } from '../model.js';
+// Do a glTF document's accessors fit into their buffer views? Checks counts, alignment and byte lengths only.
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
+import { readMeshoptView, type MeshoptView } from './meshopt-views.js';
 
 export interface BufferView {
   readonly buffer: number;
   readonly byteOffset: number;
   readonly byteLength: number;
   readonly byteStride: number | undefined;
+  /** Null if its bytes are not compressed. */
+  readonly meshopt: MeshoptView | null;
 }
 
 export interface Accessor {
@@ -17,37 +18,39 @@ export interface Accessor {
   readonly components: number;
   /** Throws if the views hold fewer bytes than claimed. */
   readonly requireBytes: () => void;
-  /** Bytes of an accessor without a view, which stands for zeros. */
-  readonly zeroBytes: number;
+  /** Bytes that are allocated beside the copies of its views: zeros without a view, and sparse values put in place. */
+  readonly ownBytes: number;
 }
 
-const COMPONENT_BYTES: Readonly<Record<number, number>> = {
-  5120: 1,
-  5121: 1,
-  5122: 2,
-  5123: 2,
-  5125: 4,
-  5126: 4,
-};
-const COMPONENTS: Readonly<Record<string, number>> = {
-  SCALAR: 1,
-  VEC2: 2,
-  VEC3: 3,
-  VEC4: 4,
-  MAT2: 4,
-  MAT3: 9,
-  MAT4: 16,
-};
+// Maps, because a file can name a type `constructor`.
+const COMPONENT_BYTES: ReadonlyMap<unknown, number> = new Map([
+  [5120, 1],
+  [5121, 1],
+  [5122, 2],
+  [5123, 2],
+  [5125, 4],
+  [5126, 4],
+]);
+const COMPONENTS: ReadonlyMap<unknown, number> = new Map([
+  ['SCALAR', 1],
+  ['VEC2', 2],
+  ['VEC3', 3],
+  ['VEC4', 4],
+  ['MAT2', 4],
+  ['MAT3', 9],
+  ['MAT4', 16],
+]);
 
 export function readBufferViews(json: JsonObject, buffers: number): readonly BufferView[] {
   return objectsAt(json['bufferViews'], 'bufferViews').map((view, i) => {
     const what = `bufferViews[${String(i)}]`;
-    const byteStride = view['byteStride'];
+    const byteStride = view['byteStride'] || undefined; // some exporters write 0 for "packed"
     return {
       buffer: indexAt(view['buffer'], buffers, `${what}.buffer`),
       byteOffset: countAt(view['byteOffset'], `${what}.byteOffset`, 0),
       byteLength: countAt(view['byteLength'], `${what}.byteLength`),
       byteStride: byteStride === undefined ? undefined : countAt(byteStride, `${what}.byteStride`),
+      meshopt: readMeshoptView(view, buffers, what),
     };
   });
 }
@@ -55,21 +58,22 @@ export function readBufferViews(json: JsonObject, buffers: number): readonly Buf
 export function readAccessors(json: JsonObject, views: readonly BufferView[]): readonly Accessor[] {
   return objectsAt(json['accessors'], 'accessors').map((accessor, i) => {
     const what = `accessors[${String(i)}]`;
-    const components = COMPONENTS[String(accessor['type'])];
-    const bytes = COMPONENT_BYTES[countAt(accessor['componentType'], `${what}.componentType`)];
+    const components = COMPONENTS.get(accessor['type']);
+    const bytes = COMPONENT_BYTES.get(accessor['componentType']);
     if (components === undefined || bytes === undefined) throw new Error(`${what} has an unknown type`);
     const count = countAt(accessor['count'], `${what}.count`);
     const offset = countAt(accessor['byteOffset'], `${what}.byteOffset`, 0);
     const item = components * bytes;
     const sparse = accessor['sparse'] === undefined ? undefined : sparseOf(accessor['sparse'], what);
     const requireBytes = (): void => {
-      requireView(accessor['bufferView'], views, { offset, count, item }, what);
+      const stride = requireView(accessor['bufferView'], views, { offset, count, item, unit: bytes }, what);
       if (!sparse) return;
+      if (stride !== item) throw new Error(`${what} is sparse and interleaved, which is not supported`);
       requireView(sparse.indices['bufferView'], views, { ...sparse.indexRun, count: sparse.count }, what);
       requireView(
         sparse.values['bufferView'],
         views,
-        { offset: sparse.valueOffset, count: sparse.count, item },
+        { offset: sparse.valueOffset, count: sparse.count, item, unit: bytes },
         what,
       );
     };
@@ -79,48 +83,43 @@ export function readAccessors(json: JsonObject, views: readonly BufferView[]): r
       count,
       components,
       requireBytes,
-      zeroBytes: accessor['bufferView'] === undefined ? count * item : 0,
+      ownBytes: accessor['bufferView'] === undefined || sparse ? count * item : 0,
     };
   });
 }
 
 const ZERO = [0, 0, 0];
 
-/** Throws unless every used accessor is backed by bytes, and accessors of zeros stay within a limit. */
-export function requireClaims(used: Iterable<Accessor>): void {
-  let zeros = 0;
-  for (const accessor of used) {
-    accessor.requireBytes();
-    zeros += accessor.zeroBytes;
-  }
-  if (zeros > BYTE_LIMIT / 4) {
-    throw new ModelError(
-      'too-large',
-      `The model claims ${String(zeros)} bytes of zeros, more than can be loaded.`,
-    );
-  }
-}
-
 interface Run {
   readonly offset: number;
   readonly count: number;
+  /** Bytes of an element, and of one number in it. */
   readonly item: number;
+  readonly unit: number;
 }
 
-function requireView(index: unknown, views: readonly BufferView[], run: Run, what: string): void {
-  if (index === undefined || run.count === 0) return;
-  const view = views[indexAt(index, views.length, `${what}.bufferView`)];
-  if (!view) return;
-  const end = run.offset + (view.byteStride ?? run.item) * (run.count - 1) + run.item;
-  if (end > view.byteLength) {
-    throw new Error(`${what} claims ${String(run.count)} elements, more than its buffer holds`);
+/** Throws unless the view holds the run. Gives the distance of elements in bytes. */
+function requireView(index: unknown, views: readonly BufferView[], run: Run, what: string): number {
+  const { offset, count, item, unit } = run;
+  const view = index === undefined ? undefined : views[indexAt(index, views.length, `${what}.bufferView`)];
+  if (!view || count === 0) return item;
+  const stride = view.byteStride ?? item;
+  if (stride * (count - 1) + offset + item > view.byteLength) {
+    throw new Error(`${what} claims ${String(count)} elements, more than its buffer holds`);
   }
+  // Typed arrays cannot read numbers across their own size.
+  if (offset % unit !== 0 || stride % unit !== 0) {
+    throw new Error(
+      `${what} is not aligned: its byteOffset and byteStride must be multiples of ${String(unit)}`,
+    );
+  }
+  return stride;
 }
 
 interface Sparse {
   readonly count: number;
   readonly indices: JsonObject;
-  readonly indexRun: { readonly offset: number; readonly item: number };
+  readonly indexRun: Omit<Run, 'count'>;
   readonly values: JsonObject;
   readonly valueOffset: number;
 }
@@ -129,14 +128,14 @@ function sparseOf(value: unknown, what: string): Sparse {
   const sparse = objectAt(value, `${what}.sparse`);
   const indices = objectAt(sparse['indices'], `${what}.sparse.indices`);
   const values = optionalObject(sparse['values'], `${what}.sparse.values`);
-  const item = COMPONENT_BYTES[countAt(indices['componentType'], `${what}.sparse.indices.componentType`)];
+  const item = COMPONENT_BYTES.get(indices['componentType']);
   if (item === undefined || values['bufferView'] === undefined || indices['bufferView'] === undefined) {
     throw new Error(`${what}.sparse is incomplete`);
   }
   return {
     count: countAt(sparse['count'], `${what}.sparse.count`),
     indices,
-    indexRun: { offset: countAt(indices['byteOffset'], `${what}.sparse`, 0), item },
+    indexRun: { offset: countAt(indices['byteOffset'], `${what}.sparse`, 0), item, unit: item },
     values,
     valueOffset: countAt(values['byteOffset'], `${what}.sparse`, 0),
   };

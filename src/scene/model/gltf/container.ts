@@ -1,5 +1,6 @@
 // What are the JSON and the binary chunk of a .glb or .gltf file? Lengths are checked against the size of the file. Must not know
 // what the JSON says.
+import type { ModelBudget } from '../limits.js';
 
 export interface Container {
   readonly json: unknown;
@@ -13,10 +14,11 @@ const CHUNK_BIN = 0x004e4942;
 const HEADER = 12;
 const CHUNK_HEADER = 8;
 
-export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
+/** @param budget gets the values of the JSON. */
+export function openContainer(bytes: Uint8Array<ArrayBuffer>, budget: ModelBudget): Container {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.byteLength < HEADER || view.getUint32(0, true) !== MAGIC) {
-    return { json: parseText(bytes), body: null };
+    return { json: parseText(bytes, budget), body: null };
   }
   const version = view.getUint32(4, true);
   if (version !== 2)
@@ -33,7 +35,7 @@ export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
     const start = at + CHUNK_HEADER;
     if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
     const chunk = bytes.subarray(start, start + size);
-    if (type === CHUNK_JSON && json === undefined) json = parseText(chunk);
+    if (type === CHUNK_JSON && json === undefined) json = parseText(chunk, budget);
     if (type === CHUNK_BIN && body === null) body = chunk;
     at = start + size;
   }
@@ -41,10 +43,25 @@ export function openContainer(bytes: Uint8Array<ArrayBuffer>): Container {
   return { json, body };
 }
 
-function parseText(bytes: Uint8Array): unknown {
+function parseText(bytes: Uint8Array, budget: ModelBudget): unknown {
+  budget.add({ json: countValues(bytes) });
   try {
     return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes)) as unknown;
   } catch (cause) {
     throw new Error('its JSON is broken', { cause });
   }
 }
+
+/** A value follows each opening bracket and comma. Those within strings count too; base64 has none. */
+function countValues(bytes: Uint8Array): number {
+  let count = 0;
+  for (let i = 0; i < bytes.length; i += 1) {
+    const byte = bytes[i];
+    if (byte === COMMA || byte === BRACKET || byte === BRACE) count += 1;
+  }
+  return count;
+}
+
+const COMMA = 0x2c;
+const BRACKET = 0x5b;
+const BRACE = 0x7b;

@@ -2,14 +2,10 @@
 // scenes, cameras, lights, animation, morph targets, other textures, extras) is removed before anything is loaded. Every index and
 // size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../fields/clip.js';
+import type { ModelBudget } from '../limits.js';
 import { ModelError } from '../model.js';
-import {
-  readAccessors,
-  readBufferViews,
-  requireClaims,
-  type Accessor,
-  type BufferView,
-} from './accessors.js';
+import { readAccessors, readBufferViews, type Accessor, type BufferView } from './accessors.js';
+import { countClaims, type DracoClaims } from './claims.js';
 import {
   countAt,
   indexAt,
@@ -22,7 +18,7 @@ import {
   type JsonObject,
 } from './json.js';
 import { readMaterials, readTextures, type GltfTexture } from './materials.js';
-import { DRACO, readPrimitives } from './primitives.js';
+import { DRACO, readPrimitives, type Primitive } from './primitives.js';
 
 export interface GltfDocument {
   /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
@@ -34,15 +30,19 @@ export interface GltfDocument {
   readonly textures: readonly GltfTexture[];
   /** What the equation has no place for, by the file's own names. */
   readonly dropped: ReadonlySet<string>;
-  readonly usesDraco: boolean;
+  /** What the Draco data in a buffer view must decode to at most, by the view's index. */
+  readonly draco: ReadonlyMap<number, DracoClaims>;
 }
 
 /** Required extensions that do not change what is shown, or that are handled elsewhere. */
 const HARMLESS =
-  /^(KHR_draco_mesh_compression|KHR_mesh_quantization|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
+  /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_mesh_quantization|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
 
-/** @throws ModelError for unsupported content, a plain Error for broken content. */
-export function readDocument(value: unknown): GltfDocument {
+/**
+ * @param budget gets everything that the document claims, but images.
+ * @throws ModelError for unsupported or too much content, a plain Error for broken content.
+ */
+export function readDocument(value: unknown, budget: ModelBudget): GltfDocument {
   const json = objectAt(value, 'the document');
   const version = textAt(optionalObject(json['asset'], 'asset')['version']);
   if (!version.startsWith('2.')) {
@@ -60,34 +60,31 @@ export function readDocument(value: unknown): GltfDocument {
   const images = objectsAt(json['images'], 'images');
   const textures = readTextures(json, images.length);
   const { definitions: materials, dropped } = readMaterials(json, textures);
-  const used = new Set<Accessor>();
+  const context = { accessors, materials, views: bufferViews.length };
   const meshes = objectsAt(json['meshes'], 'meshes').map((mesh) => ({
     name: textAt(mesh['name']),
-    primitives: readPrimitives(mesh, {
-      accessors,
-      materials: materials.length,
-      views: bufferViews.length,
-      used,
-    }),
+    primitives: readPrimitives(mesh, context),
   }));
-  const skins = readSkins(json, accessors, used);
-  const { nodes, roots } = readNodes(json, meshes, skins.length);
-  requireClaims(used);
-  const usesDraco = meshes.some((mesh) => mesh.primitives.some((primitive) => DRACO in primitive.extensions));
+  const skins = readSkins(json, accessors);
+  const { nodes, roots } = readNodes(json, meshes, skins);
+  const draco = countClaims(nodes, roots, budget);
   return {
     json: {
       asset: { version: '2.0' },
       scene: 0,
       scenes: [{ nodes: roots }],
-      nodes,
+      nodes: nodes.map(({ definition }) => definition),
       // A mesh without triangles stays as an empty group, so that indices stay valid.
-      meshes,
+      meshes: meshes.map(({ name, primitives }) => ({
+        name,
+        primitives: primitives.map(({ definition }) => definition),
+      })),
       skins,
       materials,
       textures: textures.map(() => ({})),
       accessors: accessors.map(({ definition }) => definition),
       bufferViews: bufferViews.map(({ byteLength, byteStride }) => ({ byteLength, byteStride })),
-      extensionsUsed: [...(usesDraco ? [DRACO] : []), 'KHR_mesh_quantization', 'KHR_texture_transform'],
+      extensionsUsed: [...(draco.size > 0 ? [DRACO] : []), 'KHR_mesh_quantization', 'KHR_texture_transform'],
     },
     bufferViews,
     buffers: bufferDefs.map((buffer, i) => ({
@@ -97,7 +94,7 @@ export function readDocument(value: unknown): GltfDocument {
     images,
     textures,
     dropped,
-    usesDraco,
+    draco,
   };
 }
 
@@ -113,7 +110,7 @@ interface Skin {
   readonly inverseBindMatrices: number | undefined;
 }
 
-function readSkins(json: JsonObject, accessors: readonly Accessor[], used: Set<Accessor>): readonly Skin[] {
+function readSkins(json: JsonObject, accessors: readonly Accessor[]): readonly Skin[] {
   const nodeCount = listAt(json['nodes'], 'nodes').length;
   return objectsAt(json['skins'], 'skins').map((skin, i) => {
     const what = `skins[${String(i)}]`;
@@ -125,43 +122,55 @@ function readSkins(json: JsonObject, accessors: readonly Accessor[], used: Set<A
     const accessor = accessors[index];
     if (accessor?.components !== 16 || accessor.count < joints.length)
       throw new Error(`${what} has too few matrices`);
-    used.add(accessor);
+    accessor.requireBytes();
     return { joints, inverseBindMatrices: index };
   });
 }
 
-interface Meshes {
-  readonly length: number;
-  readonly [index: number]: { readonly primitives: readonly { readonly attributes: JsonObject }[] };
+interface GltfNode {
+  /** For the parser. */
+  readonly definition: JsonObject;
+  readonly children: readonly number[];
+  readonly primitives: readonly Primitive[];
+  readonly skin: Skin | undefined;
 }
 
 function readNodes(
   json: JsonObject,
-  meshes: Meshes,
-  skinCount: number,
-): { nodes: readonly JsonObject[]; roots: readonly number[] } {
+  meshes: readonly { readonly primitives: readonly Primitive[] }[],
+  skins: readonly Skin[],
+): { nodes: readonly GltfNode[]; roots: readonly number[] } {
   const defs = objectsAt(json['nodes'], 'nodes');
-  const nodes = defs.map((node, i): JsonObject => {
+  const nodes = defs.map((node, i): GltfNode => {
     const what = `nodes[${String(i)}]`;
     const mesh =
       node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
-    const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skinCount, `${what}.skin`);
+    const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
     const primitives = mesh === undefined ? [] : (meshes[mesh]?.primitives ?? []);
-    const bound = primitives.length > 0 && primitives.every(({ attributes }) => 'WEIGHTS_0' in attributes);
+    const bound =
+      skin !== undefined &&
+      primitives.length > 0 &&
+      primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes);
+    const children = listAt(node['children'], `${what}.children`).map((child) =>
+      indexAt(child, defs.length, what),
+    );
     return {
-      name: textAt(node['name']),
-      children: listAt(node['children'], `${what}.children`).map((child) =>
-        indexAt(child, defs.length, what),
-      ),
-      mesh: primitives.length > 0 ? mesh : undefined,
-      skin: bound ? skin : undefined,
-      matrix: numbersAt(node['matrix'], 16, `${what}.matrix`),
-      translation: numbersAt(node['translation'], 3, `${what}.translation`),
-      rotation: numbersAt(node['rotation'], 4, `${what}.rotation`),
-      scale: numbersAt(node['scale'], 3, `${what}.scale`),
+      children,
+      primitives,
+      skin: bound ? skins[skin] : undefined,
+      definition: {
+        name: textAt(node['name']),
+        children,
+        mesh: primitives.length > 0 ? mesh : undefined,
+        skin: bound ? skin : undefined,
+        matrix: numbersAt(node['matrix'], 16, `${what}.matrix`),
+        translation: numbersAt(node['translation'], 3, `${what}.translation`),
+        rotation: numbersAt(node['rotation'], 4, `${what}.rotation`),
+        scale: numbersAt(node['scale'], 3, `${what}.scale`),
+      },
     };
   });
-  const children = nodes.map((node) => node['children'] as readonly number[]);
+  const children = nodes.map((node) => node.children);
   requireTree(children);
   const scenes = objectsAt(json['scenes'], 'scenes');
   if (scenes.length === 0) {

@@ -18,18 +18,23 @@ export interface DracoAdapter {
   ): void;
 }
 
-/** A decoder with its own heap, freed with the object. Its console output is suppressed. */
-export async function createDracoAdapter(): Promise<DracoAdapter> {
+/**
+ * A decoder with its own heap, freed with the object. Its console output is suppressed.
+ * @param pause awaited before each mesh, so that every mesh is a task of its own.
+ */
+export async function createDracoAdapter(pause: () => Promise<void>): Promise<DracoAdapter> {
   const silent = (): void => undefined;
+  let last = Promise.resolve();
   const draco = await createDraco({ print: silent, printErr: silent });
   return {
     preload: silent,
     decodeDracoFile(buffer, onLoad, idByName, arrayTypeByName, _colorSpace, onError) {
-      try {
-        onLoad(decodeMesh(draco, new Int8Array(buffer), idByName, arrayTypeByName));
-      } catch (error) {
-        onError(error);
-      }
+      last = last
+        .then(pause)
+        .then(() => {
+          onLoad(decodeMesh(draco, new Int8Array(buffer), idByName, arrayTypeByName));
+        })
+        .catch(onError);
     },
   };
 }

@@ -9,33 +9,44 @@ import {
   SkinnedMesh,
   type MeshStandardMaterial,
   type Object3D,
+  type Skeleton,
   type Texture,
 } from 'three';
 import { srgbEncode } from '../../../math/color.js';
-import { flatGeometry } from '../../../material/flat-geometry.js';
-import { mapsOfLook, ModelError, type ModelLook, type ModelPart } from '../model.js';
-import { encodedColors, floatPositions, floatUvs, unitNormals, type Attribute } from './attributes.js';
-import { posed } from './pose.js';
+import { setBounds } from '../bounds.js';
+import { faceNormals } from '../face-normals.js';
+import { mapsOfLook, type ModelLook, type ModelPart } from '../model.js';
+import type { Slices } from '../slices.js';
+import {
+  type Attribute,
+  type Conversion,
+  encodedColors,
+  floatPositions,
+  floatUvs,
+  gathered,
+  unitNormals,
+} from './attributes.js';
+import { usesFew } from './claims.js';
+import { boneMatrices, type BoneMatrices, posed } from './pose.js';
+import { CORNERS, FAN, STRIP } from './primitives.js';
 import { mapsOf, surfaceOf, uvNameOf } from './surfaces.js';
-import { addTangents } from './tangents.js';
+import { addTangents, unitTangents } from './tangents.js';
 
-/** Most triangle corners in one model. A copy with a normal per corner would take more than 1 GiB beyond that. */
-const CORNER_LIMIT = 2 ** 26;
-
-export function collectParts(scene: Object3D): readonly ModelPart[] {
-  const geometries = new Geometries();
+export async function collectParts(scene: Object3D, slices: Slices): Promise<readonly ModelPart[]> {
+  const geometries = new Geometries(slices);
   const parts: ModelPart[] = [];
   scene.updateMatrixWorld(true);
+  const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
   scene.traverse((object) => {
-    if (!(object instanceof Mesh)) return;
-    const mesh = object as Mesh<BufferGeometry, MeshStandardMaterial>;
-    const { geometry, flat } = geometries.of(mesh);
-    if (geometry.getAttribute('position').count === 0) return;
+    if (object instanceof Mesh) meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
+  });
+  for (const mesh of meshes) {
+    const { geometry, flat } = await geometries.of(mesh);
     const matrix = mesh.matrixWorld.clone();
     if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
     if (isSkinned(mesh)) matrix.identity();
     parts.push({ name: nameOf(mesh), geometry, matrix, look: lookOf(mesh.material, geometry, flat) });
-  });
+  }
   if (parts.length === 0) throw new Error('it has no triangles');
   // Last, because parts can share a map and each has read its channel above.
   for (const { look } of parts) for (const map of mapsOfLook(look)) readUndecoded(map);
@@ -85,79 +96,138 @@ interface BuiltGeometry {
   readonly flat: boolean;
 }
 
-type Conversion = (source: Attribute) => BufferAttribute;
-
 class Geometries {
+  readonly #slices: Slices;
   readonly #cache = new Map<string, BuiltGeometry>();
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
-  #corners = 0;
+  readonly #bones = new Map<Skeleton, BoneMatrices>();
 
-  of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): BuiltGeometry {
+  constructor(slices: Slices) {
+    this.#slices = slices;
+  }
+
+  async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BuiltGeometry> {
     const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
     const uvs = [
       ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
     ];
-    const tangents = normalMap === null ? '' : uvNameOf(normalMap);
-    const skin = isSkinned(mesh) ? mesh.uuid : '';
+    const tangents = normalMap === null ? null : uvNameOf(normalMap);
+    const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
     const key = [mesh.geometry.uuid, ...uvs, 'tangents', tangents, skin].join(' ');
     const present = this.#cache.get(key);
     if (present) return present;
-    const built = this.#build(mesh, uvs);
-    if (tangents !== '') addTangents(built.geometry, mesh.geometry, tangents);
+    const built = await this.#build(mesh, uvs, tangents);
     this.#cache.set(key, built);
     return built;
   }
 
-  #build(mesh: Mesh, uvs: readonly string[]): BuiltGeometry {
+  /** @param tangents the coordinates of the normal map; null for none. */
+  async #build(mesh: Mesh, uvs: readonly string[], tangents: string | null): Promise<BuiltGeometry> {
     const source = mesh.geometry;
-    const geometry = new BufferGeometry();
-    let position = this.#convert(source.getAttribute('position'), floatPositions);
-    const { count } = position;
-    let normal = source.hasAttribute('normal')
-      ? this.#convert(source.getAttribute('normal'), unitNormals)
-      : null;
-    if (isSkinned(mesh)) {
-      ({ position, normal } = posed(mesh, position, normal));
-      floatPositions(position);
-    }
-    geometry.setAttribute('position', position);
-    if (normal) geometry.setAttribute('normal', normal);
-    if (source.hasAttribute('color')) {
-      geometry.setAttribute('color', this.#convert(source.getAttribute('color'), encodedColors));
-    }
-    for (const uv of uvs) geometry.setAttribute(uv, this.#convert(source.getAttribute(uv), floatUvs));
-    for (const [name, attribute] of Object.entries(geometry.attributes)) {
+    const flat = !source.hasAttribute('normal');
+    const attributes = await this.#attributesOf(source, uvs, tangents !== null);
+    const count = attributes.get('position')?.count ?? 0;
+    const joints = isSkinned(mesh) ? ['skinIndex', 'skinWeight'] : [];
+    for (const name of joints) attributes.set(name, source.getAttribute(name));
+    for (const [name, attribute] of attributes) {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
-    if (source.index) geometry.setIndex(checkedIndex(source.index, count));
-    this.#corners += source.index?.count ?? count;
-    if (this.#corners > CORNER_LIMIT) {
-      throw new ModelError(
-        'too-large',
-        `The model has more than ${String(Math.floor(CORNER_LIMIT / 3))} triangles.`,
-      );
+    let corners = await this.#cornersOf(source, count);
+    if (corners && (flat || usesFew(corners.length, count))) {
+      for (const [name, attribute] of attributes) {
+        attributes.set(name, await gathered(attribute, corners, this.#slices));
+      }
+      corners = null;
     }
-    return normal ? { geometry, flat: false } : { geometry: flatGeometry(geometry), flat: true };
+    if (isSkinned(mesh)) await this.#pose(attributes, mesh.skeleton);
+    const geometry = new BufferGeometry();
+    for (const [name, attribute] of attributes)
+      if (!joints.includes(name)) geometry.setAttribute(name, attribute);
+    if (flat) {
+      const { array } = geometry.getAttribute('position');
+      geometry.setAttribute('normal', await faceNormals(array, this.#slices));
+    }
+    if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
+    if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
+    await setBounds(geometry, this.#slices);
+    return { geometry, flat };
   }
 
-  #convert(source: Attribute, conversion: Conversion): BufferAttribute {
+  async #attributesOf(
+    source: BufferGeometry,
+    uvs: readonly string[],
+    tangents: boolean,
+  ): Promise<Map<string, Attribute>> {
+    const attributes = new Map<string, Attribute>();
+    for (const [name, conversion] of [
+      ['position', floatPositions],
+      ['normal', unitNormals],
+      ['color', encodedColors],
+      ...(tangents && source.hasAttribute('normal') ? [['tangent', unitTangents] as const] : []),
+      ...uvs.map((uv) => [uv, floatUvs] as const),
+    ] as const) {
+      if (!source.hasAttribute(name)) continue;
+      attributes.set(name, await this.#convert(source.getAttribute(name), conversion));
+    }
+    return attributes;
+  }
+
+  /** The vertex of each corner of whole triangles. Null if each vertex is a corner. */
+  async #cornersOf(source: BufferGeometry, vertices: number): Promise<Uint16Array | Uint32Array | null> {
+    const { index } = source;
+    const strip = source.hasAttribute(STRIP.toLowerCase());
+    const fan = source.hasAttribute(FAN.toLowerCase());
+    const count = index?.count ?? vertices;
+    const length = strip || fan ? CORNERS.strip(count) : CORNERS.list(count);
+    if (!index && !strip && !fan && length === count) return null;
+    // 8-bit indices become 16-bit, which every GPU reads at full speed.
+    const Type = vertices > 0xffff ? Uint32Array : Uint16Array;
+    const plain = index instanceof BufferAttribute && index.array instanceof Type;
+    const ready = plain && !strip && !fan && length === count;
+    const corners = ready ? (index.array as InstanceType<typeof Type>) : new Type(length);
+    await this.#slices.over(length, (from, to) => {
+      for (let i = from; i < to; i += 1) {
+        const at = strip ? stripCorner(i) : fan ? fanCorner(i) : i;
+        const vertex = index ? index.getX(at) : at;
+        if (!(vertex < vertices))
+          throw new Error(`a triangle refers to vertex ${String(vertex)} of ${String(vertices)}`);
+        corners[i] = vertex;
+      }
+    });
+    return corners;
+  }
+
+  async #pose(attributes: Map<string, Attribute>, skeleton: Skeleton): Promise<void> {
+    const bones = this.#bones.get(skeleton) ?? boneMatrices(skeleton);
+    this.#bones.set(skeleton, bones);
+    const [position, joints, weights] = ['position', 'skinIndex', 'skinWeight'].map((name) =>
+      attributes.get(name),
+    );
+    if (!position || !joints || !weights) return;
+    const bound = { position, normal: attributes.get('normal') ?? null, joints, weights };
+    const pose = await posed(bound, bones, this.#slices);
+    attributes.set('position', await floatPositions(pose.position, this.#slices));
+    if (pose.normal) attributes.set('normal', pose.normal);
+  }
+
+  async #convert(source: Attribute, conversion: Conversion): Promise<BufferAttribute> {
     const known = this.#converted.get(conversion) ?? new Map<Attribute, BufferAttribute>();
     this.#converted.set(conversion, known);
-    const result = known.get(source) ?? conversion(source);
+    const result = known.get(source) ?? (await conversion(source, this.#slices));
     known.set(source, result);
     return result;
   }
 }
 
-/** Complete triangles of existing vertices. 8-bit indices become 16-bit, which every GPU reads at full speed. */
-function checkedIndex(index: BufferAttribute, vertices: number): BufferAttribute {
-  const length = index.count - (index.count % 3);
-  const values = vertices > 0xffff ? new Uint32Array(length) : new Uint16Array(length);
-  for (let i = 0; i < length; i += 1) {
-    const vertex = index.getX(i);
-    if (!(vertex < vertices))
-      throw new Error(`a triangle refers to vertex ${String(vertex)} of ${String(vertices)}`);
-    values[i] = vertex;
-  }
-  return new BufferAttribute(values, 1);
+/** Triangle t of a strip is t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same side. */
+function stripCorner(corner: number): number {
+  const within = corner % 3;
+  const triangle = (corner - within) / 3;
+  return triangle + (within > 0 && triangle % 2 === 1 ? 3 - within : within);
+}
+
+/** Triangle t of a fan is t + 1, t + 2, 0. */
+function fanCorner(corner: number): number {
+  const within = corner % 3;
+  return within === 2 ? 0 : (corner - within) / 3 + within + 1;
 }

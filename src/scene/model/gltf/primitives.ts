@@ -1,70 +1,133 @@
-// Which primitives of a glTF mesh are drawn? Triangles only, with the attributes that are used. Knows the JSON only.
+// Which primitives of a glTF mesh are drawn, and what do they cost? Triangles only, with the attributes that are used. Knows the JSON
+// only.
 import type { Accessor } from './accessors.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
 
 export const DRACO = 'KHR_draco_mesh_compression';
 
+/**
+ * Extra attributes that mark strips and fans for the code that builds the parts. The parser gets all primitives as triangles: it would
+ * turn strips into arrays of numbers and copy their vertices.
+ */
+export const STRIP = '_STRIP';
+export const FAN = '_FAN';
+
+/** Corners of triangles that a list, strip or fan of this many vertices or indices stands for. */
+export const CORNERS = {
+  list: (count: number): number => count - (count % 3),
+  strip: (count: number): number => Math.max(count - 2, 0) * 3,
+} as const;
+
 export interface Primitive {
-  readonly attributes: Readonly<Record<string, number>>;
-  readonly extensions: JsonObject;
-  readonly indices: number | undefined;
-  readonly material: number | undefined;
-  readonly mode: number;
+  /** For the parser. */
+  readonly definition: {
+    readonly attributes: Readonly<Record<string, number>>;
+    readonly extensions: JsonObject;
+    readonly indices: number | undefined;
+    readonly material: number | undefined;
+    readonly mode: number;
+  };
+  /** Equal for primitives that the parser gives one geometry. */
+  readonly key: string;
+  /** As drawn. */
+  readonly corners: number;
+  readonly vertices: number;
+  /** Accessors that are read, each with the numbers per vertex that it becomes. */
+  readonly attributes: readonly {
+    readonly accessor: Accessor;
+    readonly items: number;
+    readonly name: string;
+  }[];
+  readonly order: Accessor | undefined;
+  /** Tangents are computed for its normal map. */
+  readonly tangents: boolean;
+  /** The buffer view of Draco data. */
+  readonly packed: number | undefined;
 }
 
 export interface PrimitiveContext {
   readonly accessors: readonly Accessor[];
-  /** Number of materials. */
-  readonly materials: number;
+  readonly materials: readonly JsonObject[];
   /** Number of buffer views. */
   readonly views: number;
-  /** Output: the accessors that will be read. */
-  readonly used: Set<Accessor>;
 }
 
-const ATTRIBUTES = /^(POSITION|NORMAL|TANGENT|TEXCOORD_[0-3]|COLOR_0|JOINTS_0|WEIGHTS_0)$/;
+/** The attributes that are used, and their numbers per vertex. Colours have 3 or 4, as the accessor says. */
+const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
+  ['POSITION', 3],
+  ['NORMAL', 3],
+  ['TANGENT', 4],
+  ['TEXCOORD_0', 2],
+  ['TEXCOORD_1', 2],
+  ['TEXCOORD_2', 2],
+  ['TEXCOORD_3', 2],
+  ['COLOR_0', 4],
+  ['JOINTS_0', 4],
+  ['WEIGHTS_0', 4],
+]);
 const TRIANGLES = 4;
-const FAN = 6;
+const STRIPS = 5;
+const FANS = 6;
 
 export function readPrimitives(mesh: JsonObject, context: PrimitiveContext): readonly Primitive[] {
   return objectsAt(mesh['primitives'], 'primitives')
     .filter((primitive) => isDrawn(primitive))
     .map((primitive) => readPrimitive(primitive, context))
-    .filter((primitive) => cornersOf(primitive, context) >= 3);
+    .filter(({ corners }) => corners > 0);
 }
 
 function isDrawn(primitive: JsonObject): boolean {
   const mode = countAt(primitive['mode'], 'mode', TRIANGLES);
   return (
-    mode >= TRIANGLES && mode <= FAN && 'POSITION' in optionalObject(primitive['attributes'], 'attributes')
+    mode >= TRIANGLES && mode <= FANS && 'POSITION' in optionalObject(primitive['attributes'], 'attributes')
   );
 }
 
 function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
-  const { accessors, used } = context;
+  const { accessors } = context;
   const read = (value: unknown, what: string): number => indexAt(value, accessors.length, what);
-  const attributes: Record<string, number> = {};
+  const indexes: Record<string, number> = {};
   for (const [name, value] of Object.entries(objectAt(primitive['attributes'], 'attributes'))) {
-    if (ATTRIBUTES.test(name)) attributes[name] = read(value, name);
+    if (ATTRIBUTES.has(name)) indexes[name] = read(value, name);
   }
   const indices = primitive['indices'] === undefined ? undefined : read(primitive['indices'], 'indices');
   const material = primitive['material'];
   const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
   const packed =
-    extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), attributes, context);
-  for (const [name, index] of Object.entries(attributes)) {
+    extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
+  const attributes = Object.entries(indexes).flatMap(([name, index]) => {
     const accessor = accessors[index];
-    if (accessor && !(packed && name in packed.attributes)) used.add(accessor);
-  }
+    return accessor ? [{ name, accessor, items: ATTRIBUTES.get(name) ?? 0 }] : [];
+  });
   const order = indices === undefined ? undefined : accessors[indices];
-  if (order && !packed) used.add(order);
-  return {
-    attributes,
+  const vertices = attributes.find(({ name }) => name === 'POSITION')?.accessor.count ?? 0;
+  const count = (order ?? { count: vertices }).count;
+  // The Draco decoder returns separate triangles, whatever the mode was.
+  const mode = packed ? TRIANGLES : countAt(primitive['mode'], 'mode', TRIANGLES);
+  const position = indexes['POSITION'] ?? 0;
+  const mark = mode === STRIPS ? { [STRIP]: position } : mode === FANS ? { [FAN]: position } : {};
+  const definition = {
+    attributes: { ...indexes, ...mark },
     indices,
-    material: material === undefined ? undefined : indexAt(material, context.materials, 'material'),
-    // The decoder returns separate triangles, whatever the mode was.
-    mode: packed ? TRIANGLES : countAt(primitive['mode'], 'mode', TRIANGLES),
+    material: material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
+    mode: TRIANGLES,
     extensions: packed ? { [DRACO]: packed } : {},
+  };
+  const bytes = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
+  for (const { accessor } of bytes) accessor.requireBytes();
+  const mapped =
+    definition.material !== undefined &&
+    context.materials[definition.material]?.['normalTexture'] !== undefined;
+  if (!packed) order?.requireBytes();
+  return {
+    definition,
+    key: JSON.stringify([packed?.bufferView, indices, definition.attributes, mapped]),
+    corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
+    vertices,
+    attributes,
+    order,
+    tangents: mapped && !('TANGENT' in indexes && 'NORMAL' in indexes),
+    packed: packed?.bufferView,
   };
 }
 
@@ -76,12 +139,7 @@ function readDraco(
 ): { bufferView: number; attributes: JsonObject } {
   const attributes: Record<string, number> = {};
   for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
-    if (name in wanted) attributes[name] = countAt(id, `${DRACO}.${name}`);
+    if (Object.hasOwn(wanted, name)) attributes[name] = countAt(id, `${DRACO}.${name}`);
   }
   return { bufferView: indexAt(extension['bufferView'], context.views, DRACO), attributes };
-}
-
-/** Claimed number of corners. Whether the bytes exist is checked with the accessors. */
-function cornersOf(primitive: Primitive, { accessors }: PrimitiveContext): number {
-  return accessors[primitive.indices ?? primitive.attributes['POSITION'] ?? -1]?.count ?? 0;
 }

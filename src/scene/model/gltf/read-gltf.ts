@@ -2,48 +2,61 @@
 // images are provided by index. A separate chunk.
 import type { BufferGeometry, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
+import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
+import { ModelBudget } from '../limits.js';
 import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
+import { Slices } from '../slices.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
+import { checkDracoHeader } from './draco-header.js';
 import { collectParts } from './parts.js';
 import { gltfTextures, type GltfTextures } from './textures.js';
 
 type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
 
 export const readGltf: ModelReader = async (source) => {
-  const { json, body } = openContainer(source.bytes);
-  const document = readDocument(json);
+  const budget = new ModelBudget();
+  const { json, body } = openContainer(source.bytes, budget);
+  const document = readDocument(json, budget);
   const bytes = gltfBytes(document, body, source);
-  const textures = gltfTextures(document, bytes);
+  const textures = gltfTextures(document, bytes, budget);
   const plugin: GLTFLoaderPlugin = {
     name: 'phong_viewer_bytes',
-    loadBufferView: (index) => bytes.view(index),
+    loadBufferView: async (index) => {
+      const view = await bytes.view(index);
+      const claims = document.draco.get(index);
+      if (claims) checkDracoHeader(new Uint8Array(view), claims);
+      return view;
+    },
     loadTexture: (index) => textures.texture(index),
   };
+  const slices = new Slices(source.signal);
   const loader = new GLTFLoader();
   loader.register(() => plugin);
   try {
-    if (document.usesDraco) loader.setDRACOLoader(await dracoAdapter());
+    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
     source.signal.throwIfAborted();
     const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return { ...modelOf(collectParts(scene), textures), dropped: document.dropped };
+    return { ...modelOf(await collectParts(scene, slices), textures), dropped: document.dropped };
   } catch (error) {
     void textures.close();
     throw error;
   }
 };
 
-async function dracoAdapter(): Promise<DracoLoader> {
-  const module = await import('./draco.js').catch((cause: unknown) => {
+const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
+
+async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
+  const module = await decoderCode().catch((cause: unknown) => {
     throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
       cause,
     });
   });
   // The loader calls only two methods of this class.
-  return (await module.createDracoAdapter()) as unknown as DracoLoader;
+  return (await module.createDracoAdapter(() => slices.pause())) as unknown as DracoLoader;
 }
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {

@@ -1,16 +1,32 @@
 // Which way does a normal map's u run at each vertex? The file's tangents, or ones computed from its texture coordinates (Lengyel,
 // "Computing Tangent Space Basis Vectors for an Arbitrary Mesh", as three.js does it). Knows no materials.
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { Attribute } from './attributes.js';
+import type { Slices } from '../slices.js';
+import type { Attribute, Conversion } from './attributes.js';
 
-/**
- * Adds the attribute `tangent` to `geometry`: unit vectors with w ±1, or zero where there is no direction, which leaves
- * the normal as it is. `source` is the file's geometry, `uv` the map's texture coordinates in `geometry`.
- */
-export function addTangents(geometry: BufferGeometry, source: BufferGeometry, uv: string): void {
-  const given = source.hasAttribute('tangent') && source.hasAttribute('normal');
-  const tangents = given ? source.getAttribute('tangent') : computed(geometry, uv);
-  geometry.setAttribute('tangent', unitTangents(tangents));
+/** The file's tangents: unit vectors with w ±1, or zero where there is no direction, which leaves the normal as it is. */
+export const unitTangents: Conversion = async (source, slices) => {
+  const values = new Float32Array(source.count * 4);
+  await slices.over(source.count, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      const x = source.getX(i);
+      const y = source.getY(i);
+      const z = source.getZ(i);
+      const length = Math.hypot(x, y, z);
+      if (length > 0 && length < Infinity) {
+        values[i * 4] = x / length;
+        values[i * 4 + 1] = y / length;
+        values[i * 4 + 2] = z / length;
+      }
+      values[i * 4 + 3] = source.getW(i) < 0 ? -1 : 1;
+    }
+  });
+  return new BufferAttribute(values, 4);
+};
+
+/** Adds the attribute `tangent` to `geometry`, computed from its texture coordinates `uv`. */
+export async function addTangents(geometry: BufferGeometry, uv: string, slices: Slices): Promise<void> {
+  geometry.setAttribute('tangent', await unitTangents(computed(geometry, uv), slices));
 }
 
 function computed(geometry: BufferGeometry, uv: string): Attribute {
@@ -28,15 +44,4 @@ function computed(geometry: BufferGeometry, uv: string): Attribute {
   );
   bare.computeTangents();
   return bare.getAttribute('tangent');
-}
-
-function unitTangents(source: Attribute): BufferAttribute {
-  const values = new Float32Array(source.count * 4);
-  for (let i = 0; i < source.count; i += 1) {
-    const [x, y, z] = [source.getX(i), source.getY(i), source.getZ(i)];
-    const length = Math.hypot(x, y, z);
-    const scale = length > 0 && length < Infinity ? 1 / length : 0;
-    values.set([x * scale || 0, y * scale || 0, z * scale || 0, source.getW(i) < 0 ? -1 : 1], i * 4);
-  }
-  return new BufferAttribute(values, 4);
 }

@@ -1,5 +1,5 @@
-// How do an image's bytes become a texture with the file's sampler? The browser decodes them without colour conversion and without
-// premultiplication, first row on top. No blob: address is fetched, as a strict CSP requires.
+// How do a glTF document's images become textures with the file's samplers? What is equal in the file is decoded once, and is one texture
+// on the GPU.
 import {
   ClampToEdgeWrapping,
   LinearFilter,
@@ -15,8 +15,12 @@ import {
   type MinificationTextureFilter,
   type Wrapping,
 } from 'three';
+import { claimedSize, decodeImage } from '../image.js';
+import type { ModelBudget } from '../limits.js';
+import { ModelError } from '../model.js';
 import type { GltfBytes } from './bytes.js';
 import { unsupported, type GltfDocument } from './document.js';
+import type { GltfTexture } from './materials.js';
 
 const MAG: Readonly<Record<number, MagnificationTextureFilter>> = { 9728: NearestFilter, 9729: LinearFilter };
 const MIN: Readonly<Record<number, MinificationTextureFilter>> = {
@@ -34,24 +38,59 @@ const WRAP: Readonly<Record<number, Wrapping>> = {
 };
 
 export interface GltfTextures {
+  /** Textures of one image and sampler are one object. */
   texture(index: number): Promise<Texture>;
   /** Waits for images that are being decoded, then closes all images. */
   close(): Promise<void>;
 }
 
-export function gltfTextures(document: GltfDocument, bytes: GltfBytes): GltfTextures {
-  const images = new Map<number, Promise<ImageBitmap>>();
+/** An image that is decoded once, however many textures use it. */
+interface Image {
+  readonly decoded: Promise<{ readonly pixels: number; readonly bitmap: ImageBitmap }>;
+  /** By sampler. */
+  readonly textures: Map<string, Promise<Texture>>;
+  source?: Texture<ImageBitmap>['source'];
+}
 
-  const decode = async (index: number): Promise<ImageBitmap> => {
-    const { bytes: file, type } = await bytes.image(index);
+/** @param budget gets the pixels of every image, once for each sampler: three.js uploads it for each. */
+export function gltfTextures(document: GltfDocument, bytes: GltfBytes, budget: ModelBudget): GltfTextures {
+  const images = new Map<unknown, Image>();
+
+  const decode = async (index: number): Promise<{ pixels: number; bitmap: ImageBitmap }> => {
+    const file = await bytes.image(index);
     try {
-      return await createImageBitmap(new Blob([file], { type }), {
-        premultiplyAlpha: 'none',
-        colorSpaceConversion: 'none',
-      });
+      const size = claimedSize(file);
+      const pixels = size.width * size.height;
+      budget.add({ pixels });
+      return { pixels, bitmap: await decodeImage(file, size) };
     } catch (cause) {
-      throw new Error(`images[${String(index)}] cannot be decoded by this browser`, { cause });
+      if (cause instanceof ModelError) throw cause;
+      throw new Error(`images[${String(index)}] ${(cause as Error).message}`, { cause });
     }
+  };
+
+  const imageAt = (index: number): Image => {
+    const { bufferView, uri } = document.images[index] ?? {};
+    // Exporters repeat the definition of an image that several textures use.
+    const origin = uri ?? bufferView;
+    const image = images.get(origin) ?? { decoded: decode(index), textures: new Map() };
+    images.set(origin, image);
+    return image;
+  };
+
+  const create = async (image: Image, sampler: Sampler): Promise<Texture> => {
+    const { bitmap, pixels } = await image.decoded;
+    const texture = new Texture(bitmap);
+    if (image.source) {
+      budget.add({ pixels });
+      texture.source = image.source;
+    }
+    image.source = texture.source;
+    Object.assign(texture, sampler);
+    texture.flipY = false;
+    texture.generateMipmaps = texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
+    texture.needsUpdate = true;
+    return texture;
   };
 
   return {
@@ -61,23 +100,28 @@ export function gltfTextures(document: GltfDocument, bytes: GltfBytes): GltfText
         if (definition?.needs !== undefined) throw unsupported(definition.needs);
         throw new Error(`textures[${String(index)}] has no image`);
       }
-      const image = images.get(definition.image) ?? decode(definition.image);
-      images.set(definition.image, image);
-      const texture = new Texture(await image);
-      const { sampler } = definition;
-      texture.flipY = false;
-      texture.magFilter = MAG[Number(sampler['magFilter'])] ?? LinearFilter;
-      texture.minFilter = MIN[Number(sampler['minFilter'])] ?? LinearMipmapLinearFilter;
-      texture.wrapS = WRAP[Number(sampler['wrapS'])] ?? RepeatWrapping;
-      texture.wrapT = WRAP[Number(sampler['wrapT'])] ?? RepeatWrapping;
-      texture.generateMipmaps = texture.minFilter !== NearestFilter && texture.minFilter !== LinearFilter;
-      texture.needsUpdate = true;
+      const image = imageAt(definition.image);
+      const sampler = samplerOf(definition);
+      const key = Object.values(sampler).join(' ');
+      const texture = image.textures.get(key) ?? create(image, sampler);
+      image.textures.set(key, texture);
       return texture;
     },
     close: async () => {
-      for (const image of await Promise.allSettled(images.values())) {
-        if (image.status === 'fulfilled') image.value.close();
+      for (const image of await Promise.allSettled(Array.from(images.values(), ({ decoded }) => decoded))) {
+        if (image.status === 'fulfilled') image.value.bitmap.close();
       }
     },
+  };
+}
+
+type Sampler = Readonly<Pick<Texture, 'magFilter' | 'minFilter' | 'wrapS' | 'wrapT'>>;
+
+function samplerOf({ sampler }: GltfTexture): Sampler {
+  return {
+    magFilter: MAG[Number(sampler['magFilter'])] ?? LinearFilter,
+    minFilter: MIN[Number(sampler['minFilter'])] ?? LinearMipmapLinearFilter,
+    wrapS: WRAP[Number(sampler['wrapS'])] ?? RepeatWrapping,
+    wrapT: WRAP[Number(sampler['wrapT'])] ?? RepeatWrapping,
   };
 }

@@ -1,0 +1,112 @@
+/**
+ * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client. Values are
+ * written as the text of attributes: React omits arrays and `false` from a server's markup and does not set them when it hydrates.
+ * Knows neither the values' names nor their domains.
+ */
+import {
+  createElement,
+  forwardRef,
+  type ForwardRefExoticComponent,
+  useEffect,
+  useImperativeHandle,
+  useLayoutEffect,
+  useRef,
+} from 'react';
+import type { PhongViewerEventMap } from './element/events.js';
+import { attributeOf } from './element/fields/attribute-text.js';
+import type { ComponentProps, Handlers } from './element/jsx.js';
+import * as elements from './index.js';
+
+export type PhongLightElement = elements.PhongLight;
+export type PhongMeshElement = elements.PhongMesh;
+export type PhongViewerElement = elements.PhongViewer;
+
+export type PhongLightProps = ComponentProps<elements.PhongLightProps, object>;
+export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.PhongMeshEventMap>;
+export type PhongViewerProps = ComponentProps<elements.PhongViewerProps, elements.PhongViewerEventMap>;
+
+/** `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default. */
+export const PhongLight: ForwardRefExoticComponent<PhongLightProps> = component(
+  'phong-light',
+  elements.PhongLight.observedAttributes,
+);
+
+/** `<phong-mesh>`, as {@link PhongLight}, with the events `onLoad` and `onError`. */
+export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
+  'phong-mesh',
+  elements.PhongMesh.observedAttributes,
+);
+
+/**
+ * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange` and
+ * `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
+ */
+export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(
+  'phong-viewer',
+  elements.PhongViewer.observedAttributes,
+);
+
+/** The elements' own events by their props. React itself adds no such listener when it hydrates. */
+const EVENTS: ReadonlyMap<string, string> = new Map(
+  Object.entries({
+    onLoad: 'load',
+    onProgress: 'progress',
+    onError: 'error',
+    onCameraChange: 'camera-change',
+    onLightChange: 'light-change',
+    onRender: 'render',
+  } satisfies Record<keyof Handlers<PhongViewerEventMap>, keyof PhongViewerEventMap>),
+);
+
+/** Props that are neither a value nor an event of the element are left to React. */
+function component<P extends object>(
+  tag: string,
+  attributes: readonly string[],
+): ForwardRefExoticComponent<P> {
+  const isValue = new Set(attributes);
+  const Component = forwardRef<unknown, object>((props, ref) => {
+    const element = useRef<HTMLElement>(null);
+    const rendered: Record<string, unknown> = { ref: element };
+    const handlers: [type: string, handler: EventListener][] = [];
+    for (const [name, value] of Object.entries(props)) {
+      const type = EVENTS.get(name);
+      const attribute = attributeOf(name);
+      const text = isValue.has(attribute) ? attributeText(value) : undefined;
+      if (type !== undefined) {
+        if (typeof value === 'function') handlers.push([type, value as EventListener]);
+      } else if (text !== undefined) rendered[attributeProp(attribute)] = text;
+      // React 18 knows no className on custom elements.
+      else rendered[name === 'className' ? 'class' : name] = value;
+    }
+    useImperativeHandle(ref, () => element.current, []);
+    useClientEffect(() => {
+      const target = element.current;
+      for (const [type, handler] of handlers) target?.addEventListener(type, handler);
+      return () => {
+        for (const [type, handler] of handlers) target?.removeEventListener(type, handler);
+      };
+    });
+    return createElement(tag, rendered);
+  });
+  Component.displayName = tag;
+  return Component as ForwardRefExoticComponent<P>;
+}
+
+const onServer = typeof document === 'undefined';
+
+/** Runs in the task that inserts or hydrates an element, before its events. React 18 warns of layout effects on servers. */
+const useClientEffect = onServer ? useEffect : useLayoutEffect;
+
+/**
+ * The prop that React writes as this attribute. Where an element has a property of a prop's exact name, React would write the
+ * property, which throws for a bad value and leaves the server's attribute as it was. Attribute names ignore case.
+ */
+const attributeProp = (attribute: string): string => (onServer ? attribute : attribute.toUpperCase());
+
+/** Lists become words separated by spaces. Null removes the attribute; undefined: the value has no text (a file). */
+function attributeText(value: unknown): string | null | undefined {
+  if (Array.isArray(value) || ArrayBuffer.isView(value))
+    return Array.from(value as ArrayLike<unknown>).join(' ');
+  if (value === null || value === undefined) return null;
+  return typeof value === 'object' ? undefined : `${value as string | number | boolean}`;
+}

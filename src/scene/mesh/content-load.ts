@@ -1,0 +1,139 @@
+// Which content do a mesh's values name, and is it there? One load at a time: a newer one replaces it. Knows neither materials nor
+// how content is shown.
+import { sameValue } from '../../fields/field-store.js';
+import type { CrossOrigin } from '../model/load-model.js';
+import { fileName } from './file-name.js';
+import { type Content, modelContent, NOTHING, shapeContent } from './content.js';
+import type { ShapeValues } from './mesh-fields.js';
+
+export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
+
+export interface ContentOwner {
+  readonly crossOrigin: CrossOrigin;
+  /** Whether models may be fetched now. */
+  readonly mayLoad: boolean;
+  progress(loaded: number, total: number): void;
+  /** `late` unless it was there at once. `url` is null for a shape. */
+  arrived(content: Content, url: URL | null, late: boolean): void;
+  failed(url: URL | null, error: unknown): void;
+  /** A load in progress was cancelled, or one that failed is no longer wanted. */
+  dropped(): void;
+}
+
+export class ContentLoad {
+  readonly #owner: ContentOwner;
+  #loading: AbortController | null = null;
+  #failed = false;
+  /** What was requested last; null for nothing. */
+  #request: readonly unknown[] | null = null;
+
+  constructor(owner: ContentOwner) {
+    this.#owner = owner;
+  }
+
+  get pending(): boolean {
+    return this.#loading !== null;
+  }
+
+  /** What these values name was requested, and has arrived. */
+  has(name: ContentName): boolean {
+    return !this.pending && !this.#failed && sameValue(this.#request, this.#keyOf(name));
+  }
+
+  /** Requests what the values name, unless it was requested last. */
+  request(name: ContentName): void {
+    const owner = this.#owner;
+    const { src, type, geometry, segments } = name;
+    const key = this.#keyOf(name);
+    if (sameValue(key, this.#request) || (src !== '' && !owner.mayLoad)) return;
+    this.drop();
+    this.#request = key;
+    if (src !== '') {
+      const url = addressOf(src);
+      this.#await(url, (signal) => this.#loadModel(url, { src, type }, signal));
+      return;
+    }
+    let content: Content | Promise<Content>;
+    try {
+      content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+    } catch (error) {
+      this.fail(null, error);
+      return;
+    }
+    if (content instanceof Promise) this.#await(null, () => content);
+    else owner.arrived(content, null, false);
+  }
+
+  /** What has arrived cannot be used. */
+  fail(url: URL | null, error: unknown): void {
+    this.#failed = true;
+    this.#owner.failed(url, error);
+  }
+
+  /** After a failure, the next {@link request} may be for the same. */
+  retry(): void {
+    if (this.#failed) this.#request = null;
+  }
+
+  /** Cancels a load in progress. The next {@link request} may be for the same. */
+  suspend(): void {
+    if (this.pending) this.drop();
+  }
+
+  drop(): void {
+    const dropped = this.pending || this.#failed;
+    this.#loading?.abort();
+    this.#loading = null;
+    this.#failed = false;
+    this.#request = null;
+    if (dropped) this.#owner.dropped();
+  }
+
+  #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
+    return src === '' ? [geometry, segments] : [src, type, this.#owner.crossOrigin];
+  }
+
+  async #loadModel(
+    url: URL | null,
+    { src, type }: Pick<ContentName, 'src' | 'type'>,
+    signal: AbortSignal,
+  ): Promise<Content> {
+    if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
+    const { crossOrigin } = this.#owner;
+    const onProgress = (loaded: number, total: number): void => {
+      this.#owner.progress(loaded, total);
+    };
+    return modelContent(
+      url,
+      { signal, onProgress, crossOrigin, type: type ?? '' },
+      typeof src === 'string' ? null : src,
+    );
+  }
+
+  #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
+    const loading = new AbortController();
+    this.#loading = loading;
+    load(loading.signal).then(
+      (content) => {
+        if (this.#loading !== loading) {
+          content.dispose();
+          return;
+        }
+        this.#loading = null;
+        this.#owner.arrived(content, url, true);
+      },
+      (error: unknown) => {
+        if (this.#loading !== loading) return;
+        this.#loading = null;
+        loading.abort(); // ends what is still being downloaded
+        this.fail(url, error);
+      },
+    );
+  }
+}
+
+/** A file's address is not fetched: it is for messages and events. */
+function addressOf(src: string | Blob): URL | null {
+  if (typeof src !== 'string') return new URL(encodeURIComponent(fileName(src)), 'file:///');
+  return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
+}

@@ -1,0 +1,107 @@
+// What will a glTF document cost when it is drawn? Counts draws, corners and numbers of what its scene shows, from the JSON alone, before
+// anything is allocated. Must agree with parts.ts about what is shared and what is copied.
+import { DRACO_LIMIT, requireAtMost, type ModelBudget } from '../limits.js';
+import type { Accessor } from './accessors.js';
+import type { Primitive } from './primitives.js';
+
+/** Nodes inside nodes. Beyond it three.js, which visits children by recursion, would overflow the stack in some browsers. */
+const DEPTH_LIMIT = 1000;
+
+export interface ClaimedNode {
+  readonly children: readonly number[];
+  /** Primitives of its mesh. */
+  readonly primitives: readonly Primitive[];
+  readonly skin: ClaimedSkin | undefined;
+}
+
+/** Compared by identity. */
+export interface ClaimedSkin {
+  readonly joints: readonly number[];
+}
+
+/**
+ * Visits the nodes below `roots`, which must be trees.
+ * @returns the largest claims of what each Draco buffer view holds.
+ * @throws ModelError `too-large` past a limit, a plain Error if nodes are nested too deeply.
+ */
+export function countClaims(
+  nodes: readonly ClaimedNode[],
+  roots: readonly number[],
+  budget: ModelBudget,
+): ReadonlyMap<number, DracoClaims> {
+  const geometries = new Map<ClaimedSkin | undefined, Set<string>>();
+  const converted = new Map<string, Set<Accessor>>();
+  const packed = new Map<number, DracoClaims>();
+  for (const { primitives, skin } of visited(nodes, roots, budget)) {
+    for (const primitive of primitives) {
+      const { corners, vertices } = primitive;
+      budget.add({ parts: 1, corners });
+      const known = geometries.get(skin) ?? new Set();
+      if (known.has(primitive.key)) continue;
+      // A joint has a matrix in the file and one in its pose.
+      if (!geometries.has(skin)) budget.add({ values: (skin?.joints.length ?? 0) * 32 });
+      geometries.set(skin, known.add(primitive.key));
+      budget.add({ values: ownValues(primitive, skin !== undefined) });
+      for (const { name, accessor, items } of primitive.attributes) {
+        const sources = converted.get(name) ?? new Set();
+        if (sources.has(accessor)) continue;
+        converted.set(name, sources.add(accessor));
+        const own = primitive.packed === undefined ? accessor.ownBytes : 0;
+        budget.add({ values: accessor.count * items + Math.ceil(own / 4) });
+      }
+      if (primitive.packed !== undefined) {
+        requireAtMost(Math.max(corners, vertices), DRACO_LIMIT, 'corners in one Draco mesh');
+        const most = packed.get(primitive.packed) ?? primitive;
+        packed.set(primitive.packed, {
+          corners: Math.max(most.corners, corners),
+          vertices: Math.max(most.vertices, vertices),
+        });
+      }
+    }
+  }
+  return packed;
+}
+
+export interface DracoClaims {
+  readonly corners: number;
+  readonly vertices: number;
+}
+
+/** What a computed tangent costs, in values: three.js makes two vectors for each vertex. */
+const TANGENT_VALUES = 30;
+
+/** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
+function ownValues(primitive: Primitive, skinned: boolean): number {
+  const { attributes, order, corners, vertices, packed, tangents } = primitive;
+  const flat = attributes.every(({ name }) => name !== 'NORMAL');
+  // Strips, and vertices that do not fill the last triangle, get an index.
+  const indexed = order !== undefined || corners !== vertices;
+  const separate = indexed && (flat || usesFew(corners, vertices));
+  const items = attributes.reduce((sum, attribute) => sum + attribute.items, 0);
+  return (
+    (packed === undefined ? Math.ceil((order?.ownBytes ?? 0) / 4) : 0) +
+    (separate ? corners * items : indexed ? corners : 0) +
+    (flat ? corners * 3 : 0) +
+    (skinned ? (separate ? corners : vertices) * 6 : 0) +
+    (tangents ? (separate ? corners : vertices) * TANGENT_VALUES : 0)
+  );
+}
+
+/** Whether a primitive uses so few of its vertices that it gets a copy of its own. */
+export const usesFew = (corners: number, vertices: number): boolean => corners * 2 < vertices;
+
+function* visited(
+  nodes: readonly ClaimedNode[],
+  roots: readonly number[],
+  budget: ModelBudget,
+): Iterable<ClaimedNode> {
+  let level: readonly number[] = roots;
+  for (let depth = 0; level.length > 0; depth += 1) {
+    if (depth > DEPTH_LIMIT)
+      throw new Error(`its nodes are nested deeper than ${String(DEPTH_LIMIT)} levels`);
+    budget.add({ nodes: level.length });
+    const here = level.flatMap((index) => nodes[index] ?? []);
+    yield* here;
+    level = here.flatMap(({ children }) => children);
+  }
+}

@@ -1,0 +1,73 @@
+// How do an image file's bytes become pixels? The browser decodes them without colour conversion and without premultiplication, first row on
+// top. No blob: address is fetched, as a strict CSP requires. Knows no model format.
+import { imageSize, type ImageSize } from './image-size.js';
+import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
+
+/** Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its result. */
+const PIXELS_AT_ONCE = 2 ** 24;
+
+export interface ImageFile {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Media type; may be empty. */
+  readonly type: string;
+}
+
+/** The size of an image that is to be decoded. @throws Error for a file that is no image. */
+export function claimedSize({ bytes }: ImageFile): ImageSize {
+  const size = imageSize(bytes);
+  if (size) return size;
+  throw new Error('is no PNG, JPEG, WebP or AVIF image');
+}
+
+/**
+ * Decodes an image, scaled down if it is larger than the limits of one image. Count its pixels first ({@link claimedSize}).
+ * @throws if this browser cannot decode it.
+ */
+export async function decodeImage({ bytes, type }: ImageFile, size: ImageSize): Promise<ImageBitmap> {
+  const pixels = Math.min(size.width * size.height, PIXELS_AT_ONCE);
+  await acquire(pixels);
+  try {
+    return await createImageBitmap(new Blob([bytes], { type }), {
+      premultiplyAlpha: 'none',
+      colorSpaceConversion: 'none',
+      ...scaledDown(size),
+    });
+  } catch (cause) {
+    throw new Error('cannot be decoded by this browser', { cause });
+  } finally {
+    release(pixels);
+  }
+}
+
+function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {
+  const factor = Math.min(
+    IMAGE_SIDE_LIMIT / Math.max(width, height),
+    Math.sqrt(IMAGE_PIXEL_LIMIT / (width * height)),
+  );
+  if (factor >= 1) return {};
+  return {
+    resizeWidth: Math.max(Math.floor(width * factor), 1),
+    resizeHeight: Math.max(Math.floor(height * factor), 1),
+    resizeQuality: 'medium',
+  };
+}
+
+let decoding = 0;
+const waiting: { readonly pixels: number; readonly start: () => void }[] = [];
+
+async function acquire(pixels: number): Promise<void> {
+  if (waiting.length > 0 || decoding + pixels > PIXELS_AT_ONCE) {
+    await new Promise<void>((resolve) => waiting.push({ pixels, start: resolve }));
+  } else {
+    decoding += pixels;
+  }
+}
+
+function release(pixels: number): void {
+  decoding -= pixels;
+  for (let next = waiting[0]; next && decoding + next.pixels <= PIXELS_AT_ONCE; next = waiting[0]) {
+    waiting.shift();
+    decoding += next.pixels;
+    next.start();
+  }
+}

@@ -1,0 +1,51 @@
+// How does long work keep the page alive? Loops over vertices run in slices and let the browser handle input and frames between them. Must
+// not know what is computed.
+
+/** Time that a task may take: half a frame at 60 Hz. */
+const TASK_MS = 8;
+
+/** Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than a microsecond. */
+const SLICE = 2 ** 13;
+
+/** Steps between two looks at the clock, minus 1, in loops that call {@link Slices.pause} themselves. */
+export const PAUSE_MASK = 0x7ff;
+
+/** Loops of one model, that share a clock and end when the load is aborted. */
+export class Slices {
+  readonly #signal: AbortSignal;
+  #since = performance.now();
+
+  constructor(signal: AbortSignal) {
+    this.#signal = signal;
+  }
+
+  /**
+   * Calls `work` for consecutive ranges from 0 to `count`, all a multiple of 3 long but the last.
+   * @throws the signal's reason after an abort.
+   */
+  async over(count: number, work: (from: number, to: number) => void): Promise<void> {
+    for (let from = 0; from < count; from += SLICE * 3) {
+      work(from, Math.min(from + SLICE * 3, count));
+      if (this.due) await this.pause();
+    }
+  }
+
+  /** Whether the task has taken long enough: call {@link pause}. */
+  get due(): boolean {
+    return performance.now() - this.#since > TASK_MS;
+  }
+
+  /** Lets other tasks run. Faster than a timer, which browsers delay by 4 ms, and by a second in hidden pages. */
+  async pause(): Promise<void> {
+    await new Promise<void>((resolve) => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => {
+        port1.close();
+        resolve();
+      };
+      port2.postMessage(null);
+    });
+    this.#signal.throwIfAborted();
+    this.#since = performance.now();
+  }
+}

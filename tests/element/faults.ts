@@ -1,0 +1,108 @@
+// Faults of the graphics context, from outside: `getContext` that fails, contexts that get lost at any call, and what a page
+// holds of contexts. Wrapped before any script runs. Knows no test.
+
+import type { Page } from '@playwright/test';
+
+/** What `getContext('webgl2')` does from now on. `lost`: the context is lost as soon as it is there. */
+export type Opening = 'works' | 'null' | 'throws' | 'lost';
+
+interface Faults {
+  opening: Opening;
+  /** Calls of WebGL functions after which the context is lost; Infinity: never. Counts down. */
+  callsLeft: number;
+  /** Contexts that are open now: opened, and not lost. */
+  readonly open: number;
+  /** Calls of `getContext('webgl2')` so far, whatever they gave. */
+  readonly asked: number;
+  /** Programs that exist now: created and neither deleted nor lost. */
+  readonly programs: number;
+  /** Loses the newest context that is open. */
+  lose(): void;
+  /** Restores the lost contexts whose `webglcontextlost` was dispatched and prevented. Browsers refuse others. */
+  restore(): void;
+}
+
+declare global {
+  interface Window {
+    faults: Faults;
+  }
+}
+
+/** For pages of this context that are opened from now on. */
+export async function installFaults(page: Page): Promise<void> {
+  await page.addInitScript(wrapContexts);
+}
+
+/** Runs in the page. */
+function wrapContexts(): void {
+  type Call = (this: unknown, ...given: unknown[]) => unknown;
+  const gl = WebGL2RenderingContext.prototype;
+  const isLost = gl.isContextLost;
+  const getExtension = gl.getExtension;
+  /** All that were ever opened, by the package or to read a texture. */
+  const contexts: { context: WebGL2RenderingContext; loss: WEBGL_lose_context | null }[] = [];
+  /** Lost, and the page has asked to have them back. */
+  const restorable = new Set<WEBGL_lose_context>();
+  const programs = new Map<WeakRef<object>, WeakRef<WebGL2RenderingContext>>();
+  const isOpen = (weak: WeakRef<WebGL2RenderingContext> | undefined): boolean => {
+    const context = weak?.deref();
+    return context !== undefined && !isLost.call(context);
+  };
+
+  const faults: Faults = {
+    opening: 'works',
+    callsLeft: Infinity,
+    asked: 0,
+    get open() {
+      return contexts.filter(({ context }) => !isLost.call(context)).length;
+    },
+    get programs() {
+      return [...programs.values()].filter(isOpen).length;
+    },
+    lose: () => {
+      contexts.findLast(({ context }) => !isLost.call(context))?.loss?.loseContext();
+    },
+    restore: () => {
+      for (const loss of restorable) loss.restoreContext();
+      restorable.clear();
+    },
+  };
+  window.faults = faults;
+
+  for (const name of Object.getOwnPropertyNames(gl)) {
+    const real = Object.getOwnPropertyDescriptor(gl, name)?.value as Call | undefined;
+    if (typeof real !== 'function' || name === 'isContextLost') continue;
+    Reflect.set(gl, name, function (this: WebGL2RenderingContext, ...given: unknown[]) {
+      faults.callsLeft -= 1;
+      if (faults.callsLeft < 0) {
+        faults.callsLeft = Infinity;
+        faults.lose();
+      }
+      const result = Reflect.apply(real, this, given);
+      if (name === 'createProgram' && result !== null && !isLost.call(this))
+        programs.set(new WeakRef(result as object), new WeakRef(this));
+      if (name === 'deleteProgram')
+        for (const weak of programs.keys()) if (weak.deref() === given[0]) programs.delete(weak);
+      return result;
+    });
+  }
+
+  const getContext = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...given: unknown[]) {
+    if (given[0] !== 'webgl2') return Reflect.apply(getContext, this, given) as unknown;
+    (faults as { asked: number }).asked += 1;
+    if (faults.opening === 'null') return null;
+    if (faults.opening === 'throws') throw new Error('getContext is not allowed here');
+    const context = Reflect.apply(getContext, this, given) as WebGL2RenderingContext | null;
+    if (context === null) return null;
+    const loss = Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null;
+    contexts.push({ context, loss });
+    this.addEventListener('webglcontextlost', (event) => {
+      setTimeout(() => {
+        if (event.defaultPrevented && loss !== null) restorable.add(loss);
+      });
+    });
+    if (faults.opening === 'lost') faults.lose();
+    return context;
+  } as typeof getContext;
+}

@@ -1,0 +1,14 @@
+// A few hostile models, as a sample of what tests/release/fuzz-models.spec.ts loads by the thousand.
+import { fuzzModels } from '../fuzz/model-run.js';
+import { test } from '../support/test.js';
+
+const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+test(`thirty hostile models each end in an event, and the picture stays (seed ${SEED})`, async ({
+  browser,
+  page,
+  mount,
+}) => {
+  test.slow();
+  await fuzzModels(browser, page, mount, { seed: SEED, count: 30 });
+});

@@ -1,0 +1,81 @@
+// Writes small GLB and PNG files from parts, sound or not: what a document claims need not be in its bytes. Runs in Node.
+import { crc32 } from './crc32.js';
+import { deflateSync } from 'node:zlib';
+
+export type Json = Record<string, unknown>;
+
+const MAGIC = 0x46546c67;
+const CHUNK_JSON = 0x4e4f534a;
+const CHUNK_BIN = 0x004e4942;
+
+/** A GLB of this document and binary chunk; both are padded to whole words. */
+export function glbOf(json: unknown, body: Uint8Array = new Uint8Array()): Buffer {
+  return glbOfText(JSON.stringify(json), body);
+}
+
+/** As {@link glbOf}, for JSON that no object stands for. */
+export function glbOfText(text: string, body: Uint8Array = new Uint8Array()): Buffer {
+  const chunks = [chunk(CHUNK_JSON, Buffer.from(text), 0x20), chunk(CHUNK_BIN, Buffer.from(body), 0)];
+  const size = 12 + chunks.reduce((sum, { length }) => sum + length, 0);
+  return Buffer.concat([words(MAGIC, 2, size), ...chunks]);
+}
+
+/** The document and the binary chunk of a sound GLB. */
+export function openGlb(file: Buffer): { json: Json; body: Buffer } {
+  const size = file.readUInt32LE(12);
+  return { json: JSON.parse(file.toString('utf8', 20, 20 + size)) as Json, body: file.subarray(28 + size) };
+}
+
+/** A PNG of this size in one colour. @param bits per pixel: 1 is black and white, 32 is colour with alpha. */
+export function pngOf(width: number, height: number, bits: 1 | 32): Buffer {
+  const row = 1 + Math.ceil((width * bits) / 8);
+  return pngWith(width, height, bits, deflateSync(Buffer.alloc(row * height), { level: 1 }));
+}
+
+/** A PNG whose header claims this size, whatever its data hold. */
+export function pngWith(width: number, height: number, bits: 1 | 32, data: Uint8Array): Buffer {
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(width);
+  header.writeUInt32BE(height, 4);
+  header[8] = bits === 1 ? 1 : 8;
+  header[9] = bits === 1 ? 0 : 6;
+  const parts = [pngChunk('IHDR', header), pngChunk('IDAT', data), pngChunk('IEND', new Uint8Array())];
+  return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), ...parts]);
+}
+
+/** Buffer views end to end in one binary chunk. */
+export function viewsOf(blobs: readonly Uint8Array[]): {
+  bufferViews: Json[];
+  buffers: Json[];
+  body: Buffer;
+} {
+  let byteOffset = 0;
+  const padded = blobs.map((blob) => Buffer.concat([blob, Buffer.alloc((4 - (blob.length % 4)) % 4)]));
+  const bufferViews = padded.map(({ length }, i) => {
+    const view = { buffer: 0, byteOffset, byteLength: blobs[i]?.length };
+    byteOffset += length;
+    return view;
+  });
+  return { bufferViews, buffers: [{ byteLength: byteOffset }], body: Buffer.concat(padded) };
+}
+
+export const floats = (...values: readonly number[]): Buffer => Buffer.from(Float32Array.from(values).buffer);
+
+function chunk(type: number, bytes: Buffer, filler: number): Buffer {
+  const padding = Buffer.alloc((4 - (bytes.length % 4)) % 4, filler);
+  return Buffer.concat([words(bytes.length + padding.length, type), bytes, padding]);
+}
+
+function words(...values: readonly number[]): Buffer {
+  const buffer = Buffer.alloc(values.length * 4);
+  values.forEach((value, i) => buffer.writeUInt32LE(value, i * 4));
+  return buffer;
+}
+
+function pngChunk(type: string, data: Uint8Array): Buffer {
+  const named = Buffer.concat([Buffer.from(type), data]);
+  const [length, sum] = [Buffer.alloc(4), Buffer.alloc(4)];
+  length.writeUInt32BE(data.length);
+  sum.writeUInt32BE(crc32(named));
+  return Buffer.concat([length, named, sum]);
+}

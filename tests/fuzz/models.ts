@@ -1,0 +1,275 @@
+// Files that claim too much, or are wrong in ways that authors and attackers come by: constructed ones, each about one claim, and real
+// ones with something changed. The same seed gives the same files. Knows nothing about how they are loaded.
+import type { Random } from '../stress/random.js';
+import { floats, glbOf, glbOfText, type Json, openGlb, pngWith, viewsOf } from './glb.js';
+
+export interface HostileFile {
+  /** What is wrong with it. */
+  readonly what: string;
+  readonly bytes: Buffer;
+}
+
+const FLOAT = 5126;
+const TYPES = [5120, 5121, 5122, 5123, 5125, FLOAT];
+const TRIANGLE = floats(0, 0, 0, 1, 0, 0, 0, 1, 0);
+
+/** A sound document with one triangle; `more` replaces its entries. */
+export function triangleDocument(more: Json = {}): Json {
+  const { bufferViews, buffers } = viewsOf([TRIANGLE]);
+  return {
+    asset: { version: '2.0' },
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+    accessors: [{ bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' }],
+    bufferViews,
+    buffers,
+    ...more,
+  };
+}
+
+export const triangleGlb = (more: Json = {}): Buffer => glbOf(triangleDocument(more), TRIANGLE);
+
+/** Triangles of `count` vertices or indices that are not in the file: an accessor without a view stands for zeros. */
+export function zerosGlb(count: number, primitive: Json = {}, accessor: Json = {}): Buffer {
+  const zeros = { componentType: FLOAT, count, type: 'VEC3', ...accessor };
+  return triangleGlb({
+    accessors: [zeros, { componentType: 5125, count, type: 'SCALAR' }],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, ...primitive }] }],
+  });
+}
+
+/** The triangle at `count` nodes, which share a mesh or have one each. */
+export function instancesGlb(count: number, shared: boolean): Buffer {
+  const nodes = Array.from({ length: count }, (_, i) => ({
+    mesh: shared ? 0 : i,
+    translation: [i % 99, i / 99, 0],
+  }));
+  const mesh = { primitives: [{ attributes: { POSITION: 0 } }] };
+  return triangleGlb({
+    scenes: [{ nodes: nodes.map((_, i) => i) }],
+    nodes,
+    meshes: shared ? [mesh] : nodes.map(() => mesh),
+  });
+}
+
+/** The triangle below `depth` nodes, each in the one before. */
+export function deepGlb(depth: number): Buffer {
+  const nodes = Array.from({ length: depth }, (_, i) =>
+    i + 1 < depth ? { children: [i + 1] } : { mesh: 0 },
+  );
+  return triangleGlb({ nodes });
+}
+
+/** Triangles with a texture each: `textures` name the images by their index. */
+export function texturedGlb(images: readonly Buffer[], textures: readonly Json[]): Buffer {
+  const { bufferViews, buffers, body } = viewsOf([TRIANGLE, floats(0, 0, 1, 0, 0, 1), ...images]);
+  return glbOf(
+    {
+      ...triangleDocument(),
+      scenes: [{ nodes: textures.map((_, i) => i) }],
+      nodes: textures.map((_, i) => ({ mesh: i })),
+      meshes: textures.map((_, material) => ({
+        primitives: [{ attributes: { POSITION: 0, TEXCOORD_0: 1 }, material }],
+      })),
+      materials: textures.map((_, index) => ({ pbrMetallicRoughness: { baseColorTexture: { index } } })),
+      textures,
+      images: images.map((_, i) => ({ bufferView: i + 2, mimeType: 'image/png' })),
+      accessors: [
+        { bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' },
+        { bufferView: 1, componentType: FLOAT, count: 3, type: 'VEC2' },
+      ],
+      bufferViews,
+      buffers,
+    },
+    body,
+  );
+}
+
+/** Draco data that end after a header with these counts; the accessors claim their own. */
+export function dracoGlb(faces: number, points: number, claimed: { faces: number; points: number }): Buffer {
+  const header = Buffer.concat([Buffer.from('DRACO'), Buffer.from([2, 2, 1, 1, 0, 0, 0])]);
+  const counts = [varint(points), varint(faces), Buffer.from([0]), varint(faces), varint(0)];
+  const data = Buffer.concat([header, ...counts, Buffer.alloc(600)]);
+  const { bufferViews, buffers, body } = viewsOf([data]);
+  return glbOf(
+    {
+      ...triangleDocument(),
+      extensionsUsed: ['KHR_draco_mesh_compression'],
+      meshes: [
+        {
+          primitives: [
+            {
+              attributes: { POSITION: 0 },
+              indices: 1,
+              extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } } },
+            },
+          ],
+        },
+      ],
+      accessors: [
+        { componentType: FLOAT, count: claimed.points, type: 'VEC3' },
+        { componentType: 5125, count: claimed.faces * 3, type: 'SCALAR' },
+      ],
+      bufferViews,
+      buffers,
+    },
+    body,
+  );
+}
+
+function varint(value: number): Buffer {
+  const bytes: number[] = [];
+  for (let rest = value; ; rest = Math.floor(rest / 128)) {
+    if (rest < 128) return Buffer.from([...bytes, rest]);
+    bytes.push((rest % 128) + 128);
+  }
+}
+
+const whole = (random: Random, low: number, high: number): number => Math.floor(random.magnitude(low, high));
+
+type Construct = (random: Random) => HostileFile;
+
+const CONSTRUCTED: readonly Construct[] = [
+  (random) => {
+    const [count, mode] = [whole(random, 3, 1e9), random.pick([4, 5, 6])];
+    return {
+      what: `${count} indices of mode ${mode} without bytes`,
+      bytes: zerosGlb(count, { indices: 1, mode }),
+    };
+  },
+  (random) => {
+    const [count, componentType] = [whole(random, 3, 1e9), random.pick(TYPES)];
+    const type = random.pick(['VEC3', 'VEC3', 'VEC4', 'MAT4', 'SCALAR']);
+    const sparse = { count: 1, indices: { bufferView: 0, componentType: 5123 }, values: { bufferView: 0 } };
+    const more = random.chance(0.3) ? { sparse } : {};
+    return {
+      what: `${count} elements of ${type} ${componentType}${'sparse' in more ? ', sparse' : ''}`,
+      bytes: zerosGlb(count, random.chance(0.5) ? { indices: 1 } : {}, { componentType, type, ...more }),
+    };
+  },
+  (random) => {
+    const [width, height] = [whole(random, 1, 70_000), whole(random, 1, 70_000)];
+    return {
+      what: `an image of ${width} × ${height}`,
+      bytes: texturedGlb([pngWith(width, height, random.pick([1, 32]), Buffer.alloc(64))], [{ source: 0 }]),
+    };
+  },
+  (random) => {
+    const count = whole(random, 2, 300_000);
+    const shared = random.chance(0.7);
+    return {
+      what: `${count} nodes, shared: ${shared}`,
+      bytes: instancesGlb(shared ? count : count / 10, shared),
+    };
+  },
+  (random) => {
+    const depth = whole(random, 10, 100_000);
+    return { what: `${depth} levels`, bytes: deepGlb(depth) };
+  },
+  (random) => {
+    const [faces, points] = [whole(random, 1, 2e9), whole(random, 1, 2e9)];
+    const claimed = random.chance(0.5) ? { faces: 1, points: 3 } : { faces, points };
+    return {
+      what: `Draco data of ${faces} and ${points}, claimed ${claimed.faces}`,
+      bytes: dracoGlb(faces, points, claimed),
+    };
+  },
+  (random) => {
+    const byteStride = random.pick([1, 2, 3, 5, 7, 13, 252, 255, 1e6, 2 ** 31, -4, 0.5]);
+    const byteOffset = random.pick([0, 0, 1, 2, 3, 35, 1e9]);
+    const document = triangleDocument({
+      bufferViews: [{ buffer: 0, byteLength: 36, byteStride }],
+      accessors: [{ bufferView: 0, byteOffset, componentType: random.pick(TYPES), count: 3, type: 'VEC3' }],
+    });
+    return { what: `stride ${byteStride}, offset ${byteOffset}`, bytes: glbOf(document, TRIANGLE) };
+  },
+  (random) => {
+    const name = random.pick(['constructor', '__proto__', 'toString', 'hasOwnProperty', 'length']);
+    const accessor = { bufferView: 0, componentType: FLOAT, count: 3, type: name };
+    return { what: `an accessor of type ${name}`, bytes: triangleGlb({ accessors: [accessor] }) };
+  },
+  (random) => {
+    const [open, times] = [random.pick(['[', '{"a":', '[{},']), whole(random, 1e3, 1e6)];
+    return { what: `JSON that opens ${times} ${open}`, bytes: glbOfText(open.repeat(times)) };
+  },
+  (random) => {
+    const times = whole(random, 1e3, 1e6);
+    return {
+      what: `JSON with ${times} values`,
+      bytes: glbOfText(
+        JSON.stringify(triangleDocument()).replace(/}$/, `,"extras":[${'{},'.repeat(times)}0]}`),
+      ),
+    };
+  },
+];
+
+const EXTREMES: readonly unknown[] = [
+  ...[0, -1, 1, 2, 3, 0.5, 255, 65_535, 65_536, 1e6, 2 ** 31, 2 ** 32 - 1, 2 ** 53, 1e300, -1e9],
+  ...[
+    null,
+    true,
+    '',
+    'constructor',
+    '__proto__',
+    'data:,',
+    '../x',
+    'SCALAR',
+    'MAT4',
+    [],
+    {},
+    [[]],
+    [0],
+    [1e9],
+  ],
+];
+
+/** A real file of which one to four values, keys or bytes are changed. */
+function mutated(random: Random, files: readonly Buffer[]): HostileFile {
+  const file = random.pick(files);
+  if (random.chance(0.4)) return changedBytes(random, file);
+  const { json, body } = openGlb(file);
+  const changes = Array.from({ length: whole(random, 1, 5) }, () => changeValue(random, json));
+  return { what: changes.join('; '), bytes: glbOf(json, body) };
+}
+
+function changedBytes(random: Random, file: Buffer): HostileFile {
+  if (random.chance(0.2)) {
+    const length = whole(random, 1, file.length);
+    return { what: `the first ${length} bytes`, bytes: file.subarray(0, length) };
+  }
+  const bytes = Buffer.from(file);
+  const changes = Array.from({ length: whole(random, 1, 9) }, () => {
+    const [at, value] = [Math.floor(random.from(0, bytes.length)), random.pick([0, 1, 127, 128, 255])];
+    bytes[at] = value;
+    return `byte ${at} is ${value}`;
+  });
+  return { what: changes.join('; '), bytes };
+}
+
+/** Replaces, removes or repeats a value anywhere in the tree. */
+function changeValue(random: Random, root: Json): string {
+  let place = root;
+  let path = '';
+  for (;;) {
+    const keys = Object.keys(place);
+    if (keys.length === 0) return `nothing at ${path}`;
+    const key = random.pick(keys);
+    path += `/${key}`;
+    const value = place[key];
+    if (typeof value === 'object' && value !== null && !random.chance(0.15)) {
+      place = value as Json;
+      continue;
+    }
+    const deed = random.pick(['replace', 'replace', 'remove', 'repeat']);
+    if (deed === 'remove') Reflect.deleteProperty(place, key);
+    else if (deed === 'repeat' && Array.isArray(value)) place[key] = Array<unknown>(99).fill(value).flat();
+    else place[key] = random.pick(EXTREMES);
+    return `${deed} ${path}: ${JSON.stringify(place[key] ?? null).slice(0, 40)}`;
+  }
+}
+
+/** One hostile file: constructed, or made of one of these. */
+export function hostileFile(random: Random, files: readonly Buffer[]): HostileFile {
+  return random.chance(0.4) ? random.pick(CONSTRUCTED)(random) : mutated(random, files);
+}

@@ -1,0 +1,160 @@
+// What happens when a part of the package cannot be fetched? A clear sentence, nothing stuck, and the next use on the same viewer
+// fetches it. From the standalone file and from the ES modules.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { Page } from '@playwright/test';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+import type { PhongViewer } from '../../src/index.js';
+import { allReady, expect, test } from '../support/test.js';
+import { usages } from './requests.js';
+
+interface Part {
+  readonly chunk: string;
+  readonly use: Use;
+  readonly sentence: RegExp;
+}
+
+/** A shape, a method (and a pixel), or a model's address. */
+type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
+
+/** Runs in the page. What the failure says, or null where it worked. */
+async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
+  if (use === 'toBlob') return viewer.toBlob({ width: 8, height: 8 }).then(() => null, String);
+  if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
+  if (use === 'shadeAt on')
+    return viewer.shadeAt(300, 200).then((hit) => (hit === null ? 'no hit' : null), String);
+  const said: string[] = [];
+  viewer.addEventListener('error', ({ detail }) => said.push(`${detail.code}: ${detail.message}`), {
+    once: true,
+  });
+  if (use === 'torus') viewer.geometry = use;
+  else viewer.src = use;
+  await viewer.ready;
+  return viewer.loaded ? null : said.join();
+}
+
+const parts: readonly Part[] = [
+  {
+    chunk: 'solids',
+    use: 'torus',
+    sentence: /^load-failed: The code of the solid shapes could not be fetched/,
+  },
+  { chunk: 'picture-blob', use: 'toBlob', sentence: /The code of toBlob could not be fetched/ },
+  { chunk: 'shade-at', use: 'shadeAt beside', sentence: /The code of shadeAt could not be fetched/ },
+  { chunk: 'reference', use: 'shadeAt on', sentence: /The code of shadeAt could not be fetched/ },
+  {
+    chunk: 'model-content',
+    use: '/fixtures/models/textured.glb',
+    sentence: /^load-failed: The code of models could not be fetched/,
+  },
+  {
+    chunk: 'read-gltf',
+    use: '/fixtures/models/textured.glb',
+    sentence: /^load-failed: The code .*glTF.* could not be fetched/,
+  },
+  {
+    chunk: 'read-obj',
+    use: '/fixtures/models/quads.obj',
+    sentence: /^load-failed: The code .*OBJ.* could not be fetched/,
+  },
+  {
+    chunk: 'draco',
+    use: '/assets/models/bunny.glb',
+    sentence: /^load-failed: The Draco decoder.* could not be fetched/,
+  },
+];
+
+async function open(page: Page, address: string): Promise<void> {
+  await page.goto(address);
+  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  await allReady(page);
+}
+
+const scene = '<phong-viewer geometry="box"></phong-viewer>';
+
+for (const usage of ['standalone', 'modules'] as const) {
+  for (const { chunk, use, sentence } of parts) {
+    test(`${chunk} that could not be fetched is fetched with the next use (${usage})`, async ({
+      page,
+      site,
+      consoleGuard,
+    }) => {
+      consoleGuard.allow(/error: Failed to load resource/);
+      await open(page, site.page(scene, usages[usage]));
+      const viewer = page.locator('phong-viewer');
+      const path = new RegExp(`/${chunk}(-[\\w-]{8})?\\.js`);
+      await page.route(path, (route) => route.abort());
+      for (let time = 0; time < 2; time++) expect(await viewer.evaluate(useIn, use)).toMatch(sentence);
+      await page.unroute(path);
+      expect(await viewer.evaluate(useIn, use)).toBeNull();
+      expect(await viewer.evaluate(useIn, use)).toBeNull();
+    });
+  }
+
+  test(`a panel that could not be fetched is fetched when gui is set again (${usage})`, async ({
+    page,
+    site,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(/error: Failed to load resource/);
+    consoleGuard.allow(
+      /warning: <phong-viewer gui>: .*The code of the control panel could not be fetched/,
+      2,
+    );
+    await open(page, site.page(scene, usages[usage]));
+    const viewer = page.locator('phong-viewer');
+    const show = (): Promise<void> =>
+      viewer.evaluate((element: PhongViewer) => {
+        element.gui = true;
+        return element.ready;
+      });
+    await page.route(/\/panel/, (route) => route.abort());
+    for (let time = 0; time < 2; time++) {
+      const failed = page.waitForEvent('console', (message) => message.text().includes('<phong-viewer gui>'));
+      await show();
+      await failed;
+    }
+    await page.unroute(/\/panel/);
+    await show();
+    await expect(viewer.locator('.lil-gui').first()).toBeVisible();
+  });
+}
+
+test('a later attempt of the standalone file uses another address, which every browser requests', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/error: Failed to load resource/);
+  await open(page, site.page(scene, usages.standalone));
+  const asked: string[] = [];
+  await page.route(/\/picture-blob/, (route) => {
+    asked.push(new URL(route.request().url()).search);
+    return asked.length < 2 ? route.abort() : route.continue();
+  });
+  const outcome = await page.locator('phong-viewer').evaluate(async (viewer: PhongViewer) => {
+    const blob = (): Promise<string> =>
+      viewer.toBlob({ width: 8, height: 8 }).then(
+        () => 'blob',
+        () => 'error',
+      );
+    return [await blob(), await blob(), await blob()];
+  });
+  expect(outcome).toEqual(['error', 'blob', 'blob']);
+  expect(asked).toEqual(['', '?1']);
+});
+
+test('no chunk is both a first use and a part of another one, which could not be fetched again', () => {
+  const folder = join(outputFolder('dist'), 'chunks');
+  const files = readdirSync(folder).filter((name) => name.endsWith('.js'));
+  const codes = [...files.map((name) => join('chunks', name)), 'phong-viewer.standalone.js'].map((path) =>
+    readFileSync(join(outputFolder('dist'), path), 'utf8'),
+  );
+  const imported = (pattern: RegExp): Set<string> =>
+    new Set(codes.flatMap((code) => [...code.matchAll(pattern)].map(([, name]) => name ?? '')));
+  const asParts = imported(/\bfrom\s*["'`]\.\/([^"'`]+)/g);
+  const asUses = imported(/\bimport\(\s*[`'"]\.\/(?:chunks\/)?([^`'"]+)/g);
+  expect(asUses.size).toBeGreaterThan(7);
+  expect([...asUses].filter((name) => asParts.has(name))).toEqual([]);
+});

@@ -1,0 +1,154 @@
+// Does a page opened from disk show something? dist/phong-viewer.classic.js in a folder of its own, opened as file://.
+
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import type { PhongViewer } from '../../src/index.js';
+import { outputFolder } from '../../.ci/output-folder.mjs';
+import { allReady, compare, expect, pixelAt, pixels, test } from '../support/test.js';
+
+const fixtures = fileURLToPath(new URL('../fixtures', import.meta.url));
+const size = { width: 60, height: 40 };
+const sized = 'style="display: block; width: 600px; height: 400px"';
+const classic = '<script src="phong-viewer.classic.js"></script>';
+
+const scene =
+  `<phong-viewer ${sized} geometry="sphere" ka="255"><phong-light ambient="200 100 50" diffuse="0" specular="0">` +
+  '</phong-light></phong-viewer>';
+
+let folder: string;
+
+test.beforeEach(() => {
+  folder = mkdtempSync(join(tmpdir(), 'phong-viewer-disk-'));
+  cpSync(join(outputFolder('dist'), 'phong-viewer.classic.js'), join(folder, 'phong-viewer.classic.js'));
+});
+
+test.afterEach(() => rmSync(folder, { recursive: true, force: true }));
+
+/** Keeps a page as people write it, with no word about its encoding. @returns its address */
+function handout(text: string): string {
+  const path = join(folder, 'handout.html');
+  writeFileSync(path, `<!doctype html>\n<title>Handout</title>\n${text}\n`);
+  return pathToFileURL(path).href;
+}
+
+for (const place of ['before', 'after'] as const) {
+  test(`a page opened from disk shows the picture, with the script ${place} the element`, async ({
+    page,
+  }) => {
+    await page.goto(handout(place === 'before' ? classic + scene : scene + classic));
+    await allReady(page);
+    const picture = await pixels(page.locator('phong-viewer'), size);
+    expect(pixelAt(picture, 30, 20)).toEqual([200, 100, 50, 255]);
+    expect(pixelAt(picture, 0, 0)).toEqual([0, 0, 0, 0]);
+  });
+}
+
+test('a page opened from disk has every shape, the panel, shadeAt and toBlob, without a request', async ({
+  page,
+}) => {
+  const requests: string[] = [];
+  page.on('request', (request) => requests.push(new URL(request.url()).pathname.split('/').at(-1)!));
+  const shapes = ['cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
+  const meshes = shapes.map((name, i) => `<phong-mesh geometry="${name}" position="${i} 0 0"></phong-mesh>`);
+  await page.goto(
+    handout(
+      `${classic}<phong-viewer ${sized} geometry="box" target="0 0 0" radius="12" gui>${meshes.join('')}</phong-viewer>`,
+    ),
+  );
+  await allReady(page);
+  const viewer = page.locator('phong-viewer');
+  await expect(viewer.getByText('Controls')).toBeVisible();
+  await viewer.getByText('Camera').click();
+  await expect(viewer.getByText('θ azimuth °')).toBeVisible();
+  const found = await viewer.evaluate(async (element: PhongViewer) => ({
+    drawn: element.stats.drawCalls,
+    shares: (await element.shadeAt(300, 200))?.shares.length,
+    type: (await element.toBlob({ type: 'image/jpeg' })).type,
+    globals: ['phongViewer', '__THREE__'].filter((name) => name in window),
+  }));
+  expect(found).toEqual({ drawn: 8, shares: 1, type: 'image/jpeg', globals: [] });
+  expect(requests).toEqual(['handout.html', 'phong-viewer.classic.js']);
+});
+
+test('a page opened from disk shows a model that it contains', async ({ page }) => {
+  const model = readFileSync(join(fixtures, 'models/textured.glb')).toString('base64');
+  await page.goto(
+    handout(`${classic}<phong-viewer ${sized} src="data:model/gltf-binary;base64,${model}"></phong-viewer>`),
+  );
+  await allReady(page);
+  const empty = {
+    width: size.width,
+    height: size.height,
+    data: new Uint8Array(4 * size.width * size.height),
+  };
+  expect(compare(await pixels(page.locator('phong-viewer'), size), empty).share).toBeGreaterThan(0.1);
+});
+
+test('a model beside a page opened from disk is an error that names a server', async ({
+  page,
+  consoleGuard,
+}) => {
+  // The browser's own words.
+  consoleGuard.allow(
+    /^error: (Access to fetch at 'file:.* blocked by CORS policy|Failed to load resource)/,
+    2,
+  );
+  cpSync(join(fixtures, 'models/textured.glb'), join(folder, 'textured.glb'));
+  await page.goto(handout(`${classic}<phong-viewer ${sized} src="textured.glb"></phong-viewer>`));
+  const notice = page.locator('phong-viewer').locator('[part=notice]');
+  await expect(notice).toContainText('opened from disk');
+  await expect(notice).toContainText('npx serve');
+  await expect(notice).toContainText('python3 -m http.server');
+});
+
+test('a page opened from disk with the module instead shows nothing, and the browser says why', async ({
+  page,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(
+    /^error: Access to script at 'file:.*phong-viewer\.standalone\.js'.* blocked by CORS policy/,
+    1,
+  );
+  consoleGuard.allow(/^error: Failed to load resource/, 1);
+  cpSync(
+    join(outputFolder('dist'), 'phong-viewer.standalone.js'),
+    join(folder, 'phong-viewer.standalone.js'),
+  );
+  const module = '<script type="module" src="phong-viewer.standalone.js"></script>';
+  await page.goto(handout(`${module}<phong-viewer ${sized} geometry="box"></phong-viewer>`));
+  expect(await page.evaluate(() => customElements.get('phong-viewer') === undefined)).toBe(true);
+});
+
+test('the classic script works under a strict policy too, where it draws what the module draws', async ({
+  page,
+  site,
+  mount,
+}) => {
+  const markup = '<phong-viewer geometry="box" theta="20" gui><phong-light></phong-light></phong-viewer>';
+  const expected = await pixels(await mount(markup), size);
+  await page.goto(site.page(markup, { head: '<script src="/dist/phong-viewer.classic.js"></script>' }));
+  await allReady(page);
+  const viewer = page.locator('phong-viewer');
+  await expect(viewer.getByText('Controls')).toBeVisible();
+  expect(compare(await pixels(viewer, size), expected).max).toBe(0);
+});
+
+test('the classic script works in a sandboxed frame, where learning platforms put pages', async ({
+  page,
+  site,
+}) => {
+  const inner = site.page(scene, { csp: '', head: '<script src="/dist/phong-viewer.classic.js"></script>' });
+  await page.goto(site.page(`<iframe sandbox="allow-scripts" src="${inner}"></iframe>`, { csp: '' }));
+  const viewer = page.frameLocator('iframe').locator('phong-viewer');
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  expect(pixelAt(await pixels(viewer, size), 30, 20)).toEqual([200, 100, 50, 255]);
+});
+
+test('the classic script imports nothing and is ASCII after its notice', () => {
+  const text = readFileSync(join(outputFolder('dist'), 'phong-viewer.classic.js'), 'utf8');
+  const code = text.slice(text.indexOf('*/'));
+  expect(code).not.toMatch(/\bimport\s*\(|import\.meta|^\s*(import|export)\b/m);
+  expect(/[\u0080-\uffff]/.exec(code)?.[0]).toBeUndefined();
+});

@@ -1,0 +1,17 @@
+// The long form of histories of faults: more of them, longer ones, and pictures of 9000 × 9000 pixels.
+
+import { expectRecovery } from '../element/fault-history.js';
+import { seedsFrom } from '../element/history.js';
+import { test } from '../support/test.js';
+
+const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+const COUNT = Number(process.env['PHONG_VIEWER_FAULTS'] ?? 120);
+
+test(`@release pages recover from long histories of faults (seeds from ${FIRST})`, async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  test.setTimeout(1_800_000);
+  await expectRecovery({ page, mount, consoleGuard }, seedsFrom(FIRST, COUNT), { tasks: 40, withLargest: true }); // prettier-ignore
+});

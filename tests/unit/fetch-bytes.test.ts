@@ -1,0 +1,112 @@
+// When does a download end? At the limit, however small its bytes are on the way; with the load; and after a silent minute.
+import { once } from 'node:events';
+import { createServer, type Server, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import { createGzip } from 'node:zlib';
+import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
+import { byteFetcher, SILENCE_LIMIT_MS } from '../../src/scene/model/fetch-bytes.js';
+
+const LIMIT = 2 ** 22;
+
+vi.mock(import('../../src/scene/model/limits.js'), async (original) => ({
+  ...(await original()),
+  BYTE_LIMIT: 2 ** 22,
+}));
+
+let server: Server;
+let origin = '';
+let responses: ServerResponse[] = [];
+let unpacked = 0;
+
+/** Zeros without end, compressed: a thousandth of them is on the way. */
+async function bomb(response: ServerResponse): Promise<void> {
+  response.writeHead(200, { 'content-encoding': 'gzip' });
+  const closed = once(response, 'close');
+  const gzip = createGzip();
+  gzip.pipe(response);
+  const zeros = Buffer.alloc(2 ** 18);
+  while (!response.destroyed && unpacked < 100 * LIMIT) {
+    unpacked += zeros.length;
+    if (!gzip.write(zeros)) await Promise.race([once(gzip, 'drain'), closed]);
+  }
+  gzip.destroy();
+}
+
+beforeAll(async () => {
+  server = createServer((request, response) => {
+    responses.push(response);
+    if (request.url === '/bomb') void bomb(response);
+    else if (request.url === '/slow') response.writeHead(200).write('glTF');
+  });
+  await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
+  origin = `http://127.0.0.1:${String((server.address() as AddressInfo).port)}`;
+});
+
+afterAll(() => {
+  server.closeAllConnections();
+  server.close();
+});
+
+afterEach(() => {
+  vi.useRealTimers();
+  responses = [];
+});
+
+const { signal: never } = new AbortController();
+
+/** Requests `path`; gives what it ends with, and the bytes so far. */
+function download(path: string, signal = never): { ended: Promise<unknown>; loaded: () => number } {
+  let bytes = 0;
+  const fetchBytes = byteFetcher({
+    signal,
+    crossOrigin: null,
+    onProgress: (loaded) => {
+      bytes = loaded;
+    },
+  });
+  const ended = fetchBytes(new URL(path, origin), 'follow').catch((error: unknown) => error);
+  return { ended, loaded: () => bytes };
+}
+
+const hungUp = (): Promise<unknown> => vi.waitUntil(() => responses[0]?.destroyed, { timeout: 10_000 });
+
+describe('a download', () => {
+  it('of a compressed file ends at the limit, before the rest is unpacked', async () => {
+    const { ended, loaded } = download('/bomb');
+    expect(await ended).toMatchObject({ code: 'too-large' });
+    expect(loaded()).toBeLessThanOrEqual(LIMIT);
+    await hungUp();
+    expect(unpacked).toBeLessThan(50 * LIMIT);
+  });
+
+  it('ends with the load, and its connection with it', async () => {
+    const load = new AbortController();
+    const { ended, loaded } = download('/slow', load.signal);
+    await vi.waitUntil(() => loaded() === 4);
+    load.abort(new Error('enough'));
+    expect(await ended).toMatchObject({ message: 'enough' });
+    await hungUp();
+  });
+
+  it.each([
+    ['before its answer', '/silent', 0],
+    ['in the middle', '/slow', 4],
+  ])('is given up where the server says nothing for a minute %s', async (_, path, bytes) => {
+    vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+    const { ended, loaded } = download(path);
+    const { setImmediate: tick } = await import('node:timers/promises');
+    while (responses.length === 0 || loaded() < bytes) await tick();
+    vi.advanceTimersByTime(SILENCE_LIMIT_MS - 1);
+    if (bytes > 0) {
+      responses[0]?.write('more');
+      while (loaded() < 2 * bytes) await tick();
+      vi.advanceTimersByTime(SILENCE_LIMIT_MS - 1);
+    }
+    expect(await Promise.race([ended, tick('still waiting')])).toBe('still waiting');
+    vi.advanceTimersByTime(1);
+    expect(await ended).toMatchObject({
+      code: 'load-failed',
+      message: expect.stringMatching(/60 seconds/) as unknown,
+    });
+  });
+});

@@ -1,0 +1,284 @@
+// What does a file that claims too much, or claims nonsense, come to? Everything here is refused from its JSON or headers: the files are small,
+// and nothing that they claim is allocated.
+import { deflateSync } from 'node:zlib';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import {
+  CORNER_LIMIT,
+  MEMORY_LIMIT,
+  ModelBudget,
+  PART_LIMIT,
+  PIXEL_LIMIT,
+  VALUE_LIMIT,
+} from '../../src/scene/model/limits.js';
+import { loadModel, ModelError, type Model } from '../../src/scene/model/load-model.js';
+import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
+import {
+  deepGlb,
+  dracoGlb,
+  instancesGlb,
+  texturedGlb,
+  triangleDocument,
+  triangleGlb,
+  zerosGlb,
+} from '../fuzz/models.js';
+
+const load = (file: Buffer): Promise<Model> =>
+  loadModel(new URL(`data:model/gltf-binary;base64,${file.toString('base64')}`), {
+    signal: new AbortController().signal,
+    crossOrigin: null,
+  });
+
+/** The error's code and message, or what was loaded. Fails where more than 25 million floats are allocated at once. */
+async function outcome(file: Buffer): Promise<string> {
+  const construct = (target: Float32ArrayConstructor, args: [number]): Float32Array => {
+    if (typeof args[0] === 'number') expect(args[0]).toBeLessThan(25e6);
+    return Reflect.construct(target, args) as Float32Array;
+  };
+  vi.stubGlobal('Float32Array', new Proxy(Float32Array, { construct }));
+  const result: unknown = await load(file).catch((error: unknown) => error);
+  if (result instanceof ModelError) return `${result.code}: ${result.message}`;
+  const { parts } = result as Model;
+  return `${String(parts.length)} parts`;
+}
+
+const UBYTE = 5121;
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+describe('the limits', () => {
+  it('let five million triangles, two thousand parts and 64 megapixels through', () => {
+    new ModelBudget().add({ corners: 15e6, values: 15e6 * 6 });
+    new ModelBudget().add({ parts: 2000, nodes: 2000, values: 1e6, json: 5e5 });
+    new ModelBudget().add({ pixels: 64e6, values: 1e6, parts: 100 });
+  });
+
+  it.each([
+    ['draws', { parts: PART_LIMIT + 1 }],
+    ['triangle corners', { corners: CORNER_LIMIT + 1 }],
+    ['numbers in its vertices', { values: VALUE_LIMIT + 1 }],
+    ['pixels in its images', { pixels: PIXEL_LIMIT + 1 }],
+    ['bytes in memory', { values: VALUE_LIMIT, pixels: PIXEL_LIMIT }],
+    ['bytes in memory', { pixels: PIXEL_LIMIT, values: MEMORY_LIMIT / 10 }],
+  ] as const)('of %s are too-large beyond, with the figures', (what, claims) => {
+    expect(() => new ModelBudget().add(claims)).toThrow(
+      expect.objectContaining({ code: 'too-large', message: expect.stringMatching(what) as string }),
+    );
+  });
+});
+
+describe('accessors count as what they become', () => {
+  it.each([
+    ['a strip of 40 million indices', zerosGlb(40e6, { indices: 1, mode: 5 })],
+    ['a fan of 6 million vertices', zerosGlb(6e6, { mode: 6 })],
+    ['bytes that become floats', zerosGlb(40e6, {}, { componentType: UBYTE })],
+    ['vertices that no triangle uses', zerosGlb(1e9, { indices: 0 })],
+    ['corners that get a normal each', zerosGlb(16e6, { indices: 1 })],
+    ['elements larger than those used', zerosGlb(7e6, {}, { type: 'MAT4' })],
+  ])('%s are too-large', async (_, file) => {
+    expect(await outcome(file)).toMatch(/^too-large: The model has [\d,]+ \w+.* at most/);
+  });
+
+  it('and one buffer view read by many accessors counts for each', async () => {
+    const accessors = Array.from({ length: 200 }, () => ({
+      componentType: 5126,
+      count: 300_000,
+      type: 'VEC3',
+    }));
+    const meshes = accessors.map((_, i) => ({ primitives: [{ attributes: { POSITION: i } }] }));
+    const nodes = meshes.map((_, mesh) => ({ mesh }));
+    const scenes = [{ nodes: nodes.map((_, i) => i) }];
+    expect(await outcome(triangleGlb({ accessors, meshes, nodes, scenes }))).toMatch(/^too-large/);
+  });
+
+  it('and one accessor counts for each attribute that is made of it', async () => {
+    const attributes = { POSITION: 0, NORMAL: 0, COLOR_0: 0, TEXCOORD_0: 0 };
+    expect(await outcome(zerosGlb(10e6, { attributes }))).toMatch(/^too-large/);
+  });
+
+  it('and primitives that use few of shared vertices get copies of those', async () => {
+    const count = 3000;
+    const accessors = [
+      { componentType: 5126, count: 1e6, type: 'VEC3' },
+      { bufferView: 1, componentType: 5121, count: 3, type: 'SCALAR' },
+    ];
+    const { bufferViews, buffers, body } = viewsOf([floats(0), Buffer.from([0, 1, 2])]);
+    const primitive = { attributes: { POSITION: 0, NORMAL: 0 }, indices: 1 };
+    const primitives = Array.from({ length: count }, () => primitive);
+    const model = await load(
+      glbOf({ ...triangleDocument({ accessors, meshes: [{ primitives }] }), bufferViews, buffers }, body),
+    );
+    expect(model.parts).toHaveLength(count);
+    expect(new Set(model.parts.map(({ geometry }) => geometry)).size).toBe(1);
+    expect(model.parts[0]?.geometry.getAttribute('position').count).toBe(3);
+  });
+});
+
+describe('parts', () => {
+  it('of 200,000 nodes are too-large', async () => {
+    expect(await outcome(instancesGlb(200_000, true))).toMatch(/^too-large: The model has .* (draws|nodes)/);
+  });
+
+  it('of two thousand nodes load, and equal ones share one geometry', async () => {
+    for (const shared of [true, false]) {
+      const { parts } = await load(instancesGlb(2000, shared));
+      expect(parts).toHaveLength(2000);
+      expect(new Set(parts.map(({ geometry }) => geometry)).size).toBe(1);
+    }
+  });
+
+  it('are counted with their triangles each time a mesh is repeated', async () => {
+    const nodes = Array.from({ length: 6000 }, () => ({ mesh: 0 }));
+    const accessors = [{ componentType: 5126, count: 3000, type: 'VEC3' }];
+    const scenes = [{ nodes: nodes.map((_, i) => i) }];
+    expect(await outcome(triangleGlb({ accessors, nodes, scenes }))).toMatch(
+      /^too-large: .*triangle corners/,
+    );
+  });
+});
+
+describe('images', () => {
+  const dataOf = (size: number): Buffer => deflateSync(Buffer.alloc(size));
+
+  it.each([
+    ['one of 16384²', [pngWith(16384, 16384, 32, dataOf(10))]],
+    ['many whose sum is too much', Array.from({ length: 65 }, () => pngWith(1024, 1024, 32, dataOf(10)))],
+  ])('are too-large by their headers: %s', async (_, images) => {
+    const decode = vi.fn(() => Promise.resolve({ close: vi.fn() }));
+    vi.stubGlobal('createImageBitmap', decode);
+    const file = texturedGlb(
+      images,
+      images.map((_, source) => ({ source })),
+    );
+    expect(await outcome(file)).toMatch(/^too-large: .*pixels in its images/);
+    expect(decode.mock.calls.length).toBeLessThan(65);
+  });
+
+  it('used by two thousand textures are decoded once and are one texture', async () => {
+    const decode = vi.fn(() => Promise.resolve({ close: vi.fn() }));
+    vi.stubGlobal('createImageBitmap', decode);
+    const textures = Array.from({ length: 2000 }, () => ({ source: 0 }));
+    const { parts } = await load(texturedGlb([pngWith(4096, 4096, 32, dataOf(10))], textures));
+    expect(decode).toHaveBeenCalledTimes(1);
+    expect(new Set(parts.map(({ look }) => look.map)).size).toBe(1);
+  });
+
+  it('count again for another sampler, because they are uploaded again', async () => {
+    vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close: vi.fn() }));
+    const { bufferViews, buffers, body } = viewsOf([
+      floats(0, 0, 0, 1, 0, 0, 0, 1, 0),
+      floats(0, 0, 1, 0, 0, 1),
+      pngWith(4096, 4096, 32, dataOf(10)),
+    ]);
+    const samplers = [10497, 33071, 33648, 10497, 33071].map((wrapS, i) => ({
+      wrapS,
+      wrapT: i > 2 ? 33648 : 10497,
+    }));
+    const materials = samplers.map((_, index) => ({ pbrMetallicRoughness: { baseColorTexture: { index } } }));
+    const primitives = samplers.map((_, material) => ({
+      attributes: { POSITION: 0, TEXCOORD_0: 1 },
+      material,
+    }));
+    const document: Json = {
+      ...triangleDocument({ samplers, materials, meshes: [{ primitives }] }),
+      textures: samplers.map((_, sampler) => ({ source: 0, sampler })),
+      images: [{ bufferView: 2, mimeType: 'image/png' }],
+      accessors: [
+        { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' },
+        { bufferView: 1, componentType: 5126, count: 3, type: 'VEC2' },
+      ],
+      bufferViews,
+      buffers,
+    };
+    expect(await outcome(glbOf(document, body))).toMatch(/^too-large: .*pixels in its images/);
+  });
+
+  it('larger than 8192 pixels on a side, or half of all pixels, are decoded smaller', async () => {
+    const decode = vi.fn((_blob: Blob, _options: ImageBitmapOptions) => Promise.resolve({ close: vi.fn() }));
+    vi.stubGlobal('createImageBitmap', decode);
+    await load(texturedGlb([pngWith(16384, 1000, 32, dataOf(10))], [{ source: 0 }]));
+    await load(texturedGlb([pngWith(8192, 8192, 32, dataOf(10))], [{ source: 0 }]));
+    await load(texturedGlb([pngWith(8192, 4096, 32, dataOf(10))], [{ source: 0 }]));
+    const sizes = decode.mock.calls.map(([, { resizeWidth, resizeHeight }]) => [resizeWidth, resizeHeight]);
+    expect(sizes).toEqual([
+      [8192, 500],
+      [5792, 5792],
+      [undefined, undefined],
+    ]);
+  });
+
+  it('that are none are an error with their number', async () => {
+    const file = texturedGlb([Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')], [{ source: 0 }]);
+    expect(await outcome(file)).toMatch(/^bad-model: .*images\[0\] is no PNG, JPEG, WebP or AVIF image/);
+  });
+});
+
+describe('Draco data', () => {
+  it('that claim more than the accessors are refused before they are decoded', async () => {
+    for (const [faces, points] of [
+      [9, 3],
+      [1, 7],
+    ] as const) {
+      const file = dracoGlb(faces, points, { faces: 1, points: 3 });
+      expect(await outcome(file)).toMatch(/^bad-model: .*its Draco data claims \d triangles/);
+    }
+    expect(await outcome(dracoGlb(50e6, 3, { faces: 1, points: 3 }))).toMatch(/^too-large/);
+  });
+
+  it('that agree with accessors beyond the limits are too-large', async () => {
+    expect(await outcome(dracoGlb(50e6, 25e6, { faces: 50e6, points: 25e6 }))).toMatch(/^too-large/);
+    expect(await outcome(dracoGlb(1.2e6, 6e5, { faces: 1.2e6, points: 6e5 }))).toMatch(/in one Draco mesh/);
+    expect(await outcome(dracoGlb(1.2e6, 6e5, { faces: 8e5, points: 4e5 }))).toMatch(/in one Draco mesh/);
+  });
+
+  it('that end after their header are broken', async () => {
+    expect(await outcome(dracoGlb(1e6, 5e5, { faces: 1e6, points: 5e5 }))).toMatch(
+      /^bad-model: .*Draco data/,
+    );
+  });
+});
+
+describe('documents that are wrong', () => {
+  it.each(['constructor', '__proto__', 'toString'])('by an accessor of the type %s say so', async (type) => {
+    const accessor = { bufferView: 0, componentType: 5126, count: 3, type };
+    expect(await outcome(triangleGlb({ accessors: [accessor] }))).toMatch(
+      /accessors\[0\] has an unknown type/,
+    );
+  });
+
+  it.each([
+    [3, 0],
+    [13, 0],
+    [undefined, 2],
+  ])('by a stride of %s or an offset of %s say what it must be', async (byteStride, byteOffset) => {
+    const body = Buffer.alloc(64);
+    const file = glbOf(
+      triangleDocument({
+        bufferViews: [{ buffer: 0, byteLength: 64, byteStride }],
+        buffers: [{ byteLength: 64 }],
+        accessors: [{ bufferView: 0, byteOffset, componentType: 5126, count: 3, type: 'VEC3' }],
+      }),
+      body,
+    );
+    expect(await outcome(file)).toMatch(/bad-model: .*byteOffset and byteStride must be multiples of 4/);
+  });
+
+  it('by nodes nested too deeply say so; a thousand levels load', async () => {
+    expect(await outcome(deepGlb(100_000))).toMatch(/nodes are nested deeper than 1000 levels|too-large/);
+    expect(await outcome(deepGlb(1000))).toBe('1 parts');
+  });
+
+  it('by their JSON: deep, or with millions of values', async () => {
+    expect(await outcome(glbOfText('['.repeat(1e6)))).toMatch(/^bad-model/);
+    expect(await outcome(glbOfText(`[${'{},'.repeat(2e6)}0]`))).toMatch(/^too-large: .*values in its JSON/);
+  });
+
+  it('by keys such as __proto__ change nothing', async () => {
+    const document = JSON.stringify(triangleDocument()).replace(
+      /^\{/,
+      '{"__proto__":{"scenes":[]},"constructor":0,',
+    );
+    expect(await outcome(glbOfText(document, floats(0, 0, 0, 1, 0, 0, 0, 1, 0)))).toBe('1 parts');
+  });
+});

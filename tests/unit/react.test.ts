@@ -1,0 +1,64 @@
+// Which markup do the components of `phong-viewer/react` render on a server?
+
+import { createElement, type FunctionComponent } from 'react';
+import { renderToStaticMarkup } from 'react-dom/server';
+import { describe, expect, it } from 'vitest';
+import { PhongLight, PhongMesh, PhongViewer, type PhongViewerProps } from '../../src/react.js';
+
+const markup = <P extends object>(component: FunctionComponent<P>, props: P): string =>
+  renderToStaticMarkup(createElement(component, props));
+
+describe('the React components on a server', () => {
+  it('write lists, numbers, booleans and words as text', () => {
+    const props = {
+      position: [1, 2.5, -3, 1],
+      diffuse: '#fc8',
+      cutoff: 0,
+      active: true,
+      space: 'camera',
+    } as const;
+    expect(markup(PhongLight, props)).toBe(
+      '<phong-light position="1 2.5 -3 1" diffuse="#fc8" cutoff="0" active="true" space="camera"></phong-light>',
+    );
+  });
+
+  it('write typed arrays like arrays', () => {
+    const props = { position: new Float32Array([0.5, 1, 2]), ka: new Uint8ClampedArray([1, 2, 3]) };
+    expect(markup(PhongMesh, props)).toBe('<phong-mesh position="0.5 1 2" ka="1 2 3"></phong-mesh>');
+  });
+
+  it('omit null and undefined', () => {
+    expect(markup(PhongMesh, { geometry: null, segments: undefined })).toBe('<phong-mesh></phong-mesh>');
+  });
+
+  it('name attributes as HTML does, however the prop is written', () => {
+    const props = { autoRotate: 5, 'color-interpolation': 'linear', crossOrigin: 'anonymous' } as const;
+    expect(markup(PhongViewer, props)).toBe(
+      '<phong-viewer auto-rotate="5" color-interpolation="linear" crossorigin="anonymous"></phong-viewer>',
+    );
+  });
+
+  it('leave other props and children to React, and write no handler', () => {
+    const props: PhongViewerProps = {
+      id: 'scene',
+      className: 'wide',
+      style: { width: 10 },
+      hidden: true,
+      tabIndex: 0,
+      'aria-label': 'A box',
+      onClick: () => undefined,
+      onLoad: () => undefined,
+      onCameraChange: () => undefined,
+      children: createElement(PhongLight, { name: 'sun' }),
+    };
+    expect(markup(PhongViewer, props)).toBe(
+      '<phong-viewer id="scene" class="wide" style="width:10px" hidden="" tabIndex="0" aria-label="A box">' +
+        '<phong-light name="sun"></phong-light></phong-viewer>',
+    );
+  });
+
+  it('leave a value without a text to the client', () => {
+    const props = { src: new Blob(['solid']) } as object;
+    expect(markup(PhongViewer, props)).toBe('<phong-viewer></phong-viewer>');
+  });
+});

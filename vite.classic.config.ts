@@ -1,0 +1,37 @@
+// Builds dist/phong-viewer.classic.js: everything in one script that is no module, for pages opened from disk. Browsers refuse
+// modules, and so chunks, on file:// pages. Runs after vite.lib.config.ts, which empties dist/.
+
+import { fileURLToPath } from 'node:url';
+import { defineConfig } from 'vite';
+import { licences } from './.ci/licences/plugin.js';
+import { dracoDecoder } from './.ci/draco-decoder.js';
+import { outputFolder } from './.ci/output-folder.mjs';
+import { standaloneThree } from './.ci/standalone-three/plugin.js';
+import { strippedGlsl } from './.ci/strip-glsl.js';
+
+export default defineConfig({
+  publicDir: false,
+  plugins: [dracoDecoder(), standaloneThree(), strippedGlsl(), licences({ listed: false })],
+  define: { 'process.env.NODE_ENV': '"production"' },
+  build: {
+    outDir: outputFolder('dist'),
+    emptyOutDir: false,
+    target: 'es2022',
+    chunkSizeWarningLimit: 2048,
+    lib: {
+      entry: { 'phong-viewer.classic': fileURLToPath(new URL('src/classic.ts', import.meta.url)) },
+      formats: ['iife'],
+      // Required, but unused: the entry exports nothing, so there is no global.
+      name: 'phongViewer',
+      fileName: (_format, name) => `${name}.js`,
+    },
+    rolldownOptions: {
+      output: {
+        codeSplitting: false,
+        minify: true,
+        // A script that is no module is read in the page's encoding, which need not be UTF-8.
+        charset: 'ascii',
+      },
+    },
+  },
+});
