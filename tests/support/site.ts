@@ -105,7 +105,7 @@ export async function startSite(
 /** Gives each viewer of this markup an `alt`, unless it has a name or is hidden from assistive technology. */
 export const named = (markup: string): string =>
   markup.replace(
-    /<phong-viewer(?=[\s>])(?![^>]*\s(?:alt|aria-label|aria-labelledby|aria-hidden|role)\b)/g,
+    /<phong-viewer(?=[\s>])(?![^>]*\s(?:alt\b|aria-label\b|aria-labelledby\b|aria-hidden\b|role="(?:none|presentation)))/g,
     '<phong-viewer alt="A test scene"',
   );
 
