@@ -4,9 +4,9 @@ import type { GUI } from 'lil-gui';
 import { fieldsOf } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
+import { meshTitle } from '../element/viewer/description.js';
 import type { SurfaceValues } from '../material/material-values.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/program/variant.js';
-import { fileName } from '../scene/mesh/file-name.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
 import { addButton, addChoice, addColor, addNumber, addVector, axesOf, named } from './rows.js';
@@ -52,18 +52,11 @@ export class MeshFolder implements ChildFolder {
   }
 
   update(index: number): void {
-    const { name, src, geometry } = this.#mesh;
-    const title =
-      name ||
-      (src === '' ? geometry : fileOf(typeof src === 'string' ? src : fileName(src))) ||
-      `mesh ${String(index + 1)}`;
+    const title = meshTitle(this.#mesh, index);
     if (title !== this.#title) this.folder.gui.title((this.#title = title));
     this.folder.update();
   }
 }
-
-/** `teapot.glb` from `models/teapot.glb?v=2`. */
-const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
 /** `restore` returns a value to its default; for a model, to the one in its file. */
 function addSurface(gui: GUI, surface: SurfaceValues, restore: (key: keyof SurfaceValues) => void): void {
