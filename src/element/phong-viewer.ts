@@ -60,7 +60,7 @@ export class PhongViewer extends ReactiveElement {
     if (RETRY_KEYS.has(key)) this.requestUpdate(key);
   });
 
-  readonly #holder = Object.assign(document.createElement('div'), { className: 'holder' });
+  readonly #holder: HTMLElement = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
   readonly #announcements = new ViewerAnnouncements(this);

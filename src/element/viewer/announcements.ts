@@ -17,7 +17,7 @@ import {
   phrase,
   type Texts,
 } from './description.js';
-import { KEYS_ID, keysText, nameSurface, SCENE_ID } from './naming.js';
+import { keysText, nameSurface } from './naming.js';
 import { create, set, type ViewerTree } from './template.js';
 
 /**
@@ -35,14 +35,15 @@ const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as c
 export class ViewerAnnouncements implements ReactiveController {
   readonly #viewer: PhongViewer;
   readonly #reader = create('div', { class: 'reader' });
-  readonly #keys = create('p', { id: KEYS_ID, hidden: '' });
-  readonly #scene = create('p', { id: SCENE_ID, hidden: '' });
   readonly #list = create('ul', { role: 'list' });
   #surface: HTMLElement | null = null;
   /** The live region; null before its first use. */
   #region: HTMLElement | null = null;
   #timer = 0;
-  #described = false;
+  /** Camera and lights in words; null before the first picture. */
+  #scene: string | null = null;
+  /** The texts that it is written in. */
+  #language: Texts = null;
   #cameraMoved = false;
   /** Lights were added, removed or moved. */
   #counted = false;
@@ -52,7 +53,6 @@ export class ViewerAnnouncements implements ReactiveController {
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
-    this.#reader.append(this.#keys, this.#scene);
     viewer.addEventListener('render', () => this.#update());
     viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail.source));
     viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
@@ -76,13 +76,13 @@ export class ViewerAnnouncements implements ReactiveController {
   update(): void {
     if (this.#surface === null) return;
     this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
-    write(this.#keys, keysText(this.#viewer, this.#texts));
-    if (this.#described) this.#update();
+    this.#writeDescription();
+    if (this.#scene !== null && this.#language !== this.#texts) this.#update();
   }
 
   /** Describes the scene soon. */
   #update(): void {
-    if (this.#timer === 0) this.#wait(this.#described ? PAUSE : 0);
+    if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
 
   #onCamera(source: CameraSource): void {
@@ -133,11 +133,11 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   #describe(): void {
-    this.#described = true;
-    const texts = this.#texts;
+    const texts = (this.#language = this.#texts);
     const { camera, lights, meshes } = this.#viewer;
     const names = lights.map((light, i) => lightName(texts, nameOf(light, i), light));
-    write(this.#scene, `${cameraText(texts, camera)} ${lightsText(texts, names)}`);
+    this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
+    this.#writeDescription();
     const items = [
       ...lights.map((light, i) => this.#lightText(light, i)),
       ...meshes.map((mesh, i) => meshText(texts, mesh, i)),
@@ -148,7 +148,12 @@ export class ViewerAnnouncements implements ReactiveController {
     set(list, 'aria-label', phrase(texts, 'Lights and meshes'));
     // A list without items is a mistake to checkers.
     if (items.length === 0) list.remove();
-    else if (list.parentNode === null) this.#scene.after(list);
+    else if (list.parentNode === null) this.#reader.prepend(list);
+  }
+
+  #writeDescription(): void {
+    const parts = [keysText(this.#viewer, this.#texts), this.#scene ?? ''];
+    if (this.#surface !== null) set(this.#surface, 'aria-description', parts.join(' ').trim());
   }
 
   #lightText(light: PhongLight, index: number): string {

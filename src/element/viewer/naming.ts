@@ -1,4 +1,4 @@
-// What is the picture to assistive technology: its role, name, keys and description? Follows the author's attributes as HTML
+// What is the picture to assistive technology: its role, name and keys? Follows the author's attributes as HTML
 // and ARIA define them. Must not know how the picture is drawn.
 import { fieldsOf } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -7,10 +7,6 @@ import { set } from './template.js';
 
 /** Attributes, besides `alt`, that name the picture or say what it is. */
 export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
-
-/** Of the element that describes the keys, and of the one that describes camera and lights. */
-export const KEYS_ID = 'keys';
-export const SCENE_ID = 'scene';
 
 /**
  * Writes role, name and keys to the surface. An application gets the keys that a screen reader would keep for itself on an
@@ -28,7 +24,6 @@ export function nameSurface(surface: HTMLElement, viewer: PhongViewer, texts: Te
   set(surface, 'aria-hidden', hidden ? 'true' : null);
   set(surface, 'aria-label', label || phrase(texts, '3D scene'));
   set(surface, 'aria-keyshortcuts', keys || null);
-  set(surface, 'aria-describedby', `${KEYS_ID} ${SCENE_ID}`);
   if (labelledBy !== null || surface.hasAttribute('aria-labelledby'))
     surface.ariaLabelledByElements = labelledBy;
   return !hidden;
