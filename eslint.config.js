@@ -24,7 +24,7 @@ export default defineConfig(
   {
     ignores: [
       'dist/',
-      'dist-demo/',
+      'site/',
       'dist-harness/',
       'dist-bench/',
       'test-results/',

@@ -1,37 +1,18 @@
-// The demo: served from source by `npm start`, built to dist-demo/ by `npm run demo:build`.
-// Every page is an entry and links are relative. Files in demo/assets keep their names, because Vite does not follow the `src`
-// of a custom element.
+// The site: served from demo/ by `npm start`, built to site/ by `npm run build:site`. Every page is an entry and links are
+// relative, so the folder can be copied anywhere.
 
-import { cpSync, existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { defineConfig, type Plugin } from 'vite';
+import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { packageAliases } from './.ci/package-aliases.js';
+import { pageFiles, sitePages } from './.ci/site/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
 const repository = fileURLToPath(new URL('.', import.meta.url));
 const demo = join(repository, 'demo');
-const output = outputFolder('dist-demo');
-
-function pages(): string[] {
-  return readdirSync(demo, { recursive: true, encoding: 'utf8' })
-    .filter((path) => path.endsWith('.html'))
-    .map((path) => join(demo, path));
-}
-
-function copiedAssets(): Plugin {
-  const assets = join(demo, 'assets');
-  return {
-    name: 'copied-assets',
-    apply: 'build',
-    writeBundle() {
-      if (existsSync(assets)) cpSync(assets, join(output, 'assets'), { recursive: true });
-    },
-  };
-}
 
 export default defineConfig({
   root: demo,
@@ -39,7 +20,7 @@ export default defineConfig({
   // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl(), licences(), copiedAssets()],
+  plugins: [dracoDecoder(), strippedGlsl(), licences(), sitePages()],
   resolve: {
     alias: packageAliases,
     // Lit's development build would log a warning on every page.
@@ -58,7 +39,7 @@ export default defineConfig({
   },
   server: { fs: { allow: [repository] } },
   build: {
-    outDir: output,
+    outDir: outputFolder('site'),
     emptyOutDir: true,
     target: 'es2022',
     assetsDir: 'built',
@@ -66,6 +47,6 @@ export default defineConfig({
     assetsInlineLimit: 0,
     modulePreload: { polyfill: false },
     chunkSizeWarningLimit: 1024,
-    rolldownOptions: { input: pages() },
+    rolldownOptions: { input: pageFiles() },
   },
 });

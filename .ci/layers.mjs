@@ -25,7 +25,7 @@ export const layers = {
     layers: ['core', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
     lazy: ['reference'],
     packages: ['@lit/reactive-element'],
-    types: ['three', 'react'],
+    types: ['three', 'react', 'solid-js', 'svelte', 'vue'],
   },
   gui: {
     layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],

@@ -1,6 +1,6 @@
 // @ts-check
 // Where do generated folders go? Into the repository's root, or into the folder named by PHONG_VIEWER_OUT, so that two runs in
-// one checkout do not overwrite each other's dist/, dist-demo/ and test-results/.
+// one checkout do not overwrite each other's dist/, site/ and test-results/.
 
 import { join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
 /**
- * @param {'dist' | 'dist-demo' | 'dist-harness' | 'test-results'} name
+ * @param {'dist' | 'site' | 'dist-harness' | 'test-results'} name
  * @returns {string} absolute path
  */
 export function outputFolder(name) {

@@ -14,7 +14,8 @@ import {
 } from 'react';
 import type { PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
-import type { ComponentProps, Handlers } from './element/jsx.js';
+import type { ComponentProps } from './element/jsx.js';
+import type { Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
 
 export type PhongLightElement = elements.PhongLight;

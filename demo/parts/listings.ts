@@ -48,6 +48,13 @@ function folded(viewers: readonly Element[]): HTMLElement {
 /** Keeps `text` equal to the markup of one of the viewers. */
 function follow(viewers: readonly Element[], text: HTMLElement): void {
   let [shown] = viewers;
+  const caption = text.previousElementSibling;
+  const title = caption?.firstElementChild?.textContent ?? '';
+  caption?.append(
+    pressable('Edit', `Edit in the playground: ${title}`, () => {
+      if (shown !== undefined) void edit(shown);
+    }),
+  );
   const write = (): void => {
     if (shown !== undefined) text.replaceChildren(...markupOf(shown, lineLength()).map(span));
   };
@@ -62,6 +69,27 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   write();
 }
 
+/** Opens the playground with this viewer's markup. */
+async function edit(viewer: Element): Promise<void> {
+  const { fragmentOf } = await import('../playground/address.js');
+  const root = document.querySelector<HTMLAnchorElement>('.mark')?.href ?? document.baseURI;
+  const markup = markupOf(viewer, 76).map((piece) => piece.text);
+  // Models are in this site's folder; the playground is in another folder than this page.
+  const text = markup.join('').replaceAll(/ src="([^"]*)"/g, (_, source: string) => {
+    return ` src="${new URL(source, document.baseURI).href.replace(root, '../')}"`;
+  });
+  location.assign(new URL(`playground/${await fragmentOf(text)}`, root));
+}
+
+function pressable(words: string, label: string, press: () => void): HTMLButtonElement {
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = words;
+  button.setAttribute('aria-label', label);
+  button.addEventListener('click', press);
+  return button;
+}
+
 /** Characters of a listing that fit into the page: 76, or fewer on a phone. */
 const lineLength = (): number => Math.min(76, Math.floor(document.documentElement.clientWidth / 8.5));
 
@@ -74,11 +102,7 @@ function span({ kind, text }: { readonly kind: string; readonly text: string }):
 }
 
 function copyButton(text: HTMLElement, title: string): HTMLButtonElement {
-  const button = document.createElement('button');
-  button.type = 'button';
-  button.textContent = 'Copy';
-  button.setAttribute('aria-label', `Copy: ${title}`);
-  button.addEventListener('click', () => {
+  const button = pressable('Copy', `Copy: ${title}`, () => {
     void copy(text).then((done) => {
       button.textContent = done ? 'Copied' : 'Selected';
       setTimeout(() => (button.textContent = 'Copy'), 1500);

@@ -1,11 +1,11 @@
 // What this package's own code, the panel included, can reach on an element while users cannot: its declared values, and
-// camera moves that count as the panel's.
+// its camera.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 import type { PhongViewer } from './phong-viewer.js';
-import type { CameraSource, ViewerCamera } from './viewer/camera.js';
+import type { ViewerCamera } from './viewer/camera.js';
 
 interface ValuesByTag {
   'phong-light': LightValues;
@@ -21,8 +21,3 @@ export const fieldsOf = <T extends Tag>(
 ): FieldBinding<ValuesByTag[T]> => bindingOf(element);
 
 export const viewerCameras = new WeakMap<PhongViewer, ViewerCamera>();
-
-/** Camera properties assigned inside `write` count as moved by `source`. */
-export function moveCameraFrom(viewer: PhongViewer, source: CameraSource, write: () => void): void {
-  viewerCameras.get(viewer)?.from(source, write);
-}

@@ -1,105 +1,118 @@
-// Where is the camera now, and how does the user move it? The camera's folder of the panel. Moves go through the viewer's public
-// properties with the source `panel`. Reset returns to what was declared before the panel moved anything. Degrees, scene units.
+// Where is the camera now, and how does the user move it? The camera's folder of the panel. It moves the camera as a drag does, with the
+// source `panel`: the declared values stay, and reset returns to them. Degrees, scene units.
 import type { GUI } from 'lil-gui';
-import { fieldsOf, moveCameraFrom } from '../element/internals.js';
+import type { Pose } from '../camera/orbit.js';
+import { fieldsOf, viewerCameras } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { CameraState } from '../element/viewer/camera.js';
-import { sameValue } from '../fields/field-store.js';
-import type { Vec3 } from '../math/vector.js';
+import { cameraOf, historyOf, valuesOf } from '../element/viewer/history.js';
 import { Folder } from './folder.js';
 import { Readout } from './readout.js';
-import { addButton, addNumber, addVector, axesOf } from './rows.js';
+import { addButton, addNumber, addVector, axesOf, type Rows } from './rows.js';
 import type { SceneRange } from './scene-range.js';
 import { linear, logarithmic, numberText } from './travel.js';
-
-const MOVED = ['theta', 'phi', 'radius', 'target'] as const;
-
-/** Declared values; null for those that are not given. */
-type Declaration = readonly unknown[];
 
 export class CameraFolder {
   readonly folder: Folder;
   readonly #viewer: PhongViewer;
   readonly #range: SceneRange;
   #now: CameraState;
-  /** The declaration before the panel's first move, and what the panel wrote since. Null before its first move. */
-  #before: { readonly declared: Declaration; readonly written: Declaration } | null = null;
 
   constructor(root: GUI, viewer: PhongViewer, range: SceneRange) {
     this.#viewer = viewer;
     this.#range = range;
     this.#now = viewer.camera;
-    this.folder = new Folder(root, 'Camera', (gui) => this.#build(gui));
+    const history = historyOf(viewer);
+    this.folder = new Folder(
+      root,
+      'Camera',
+      (write, gesture) => {
+        history.edit(cameraOf(viewer), write, gesture);
+      },
+      (rows) => this.#build(rows),
+    );
   }
 
   update(): void {
     this.folder.update();
   }
 
-  #build(gui: GUI): () => void {
+  #build(rows: Rows): () => void {
     const viewer = this.#viewer;
     addNumber(
-      gui,
+      rows,
       'θ azimuth °',
       linear(-180, 180, 1),
       () => this.#now.theta,
       (theta) => {
-        this.#move(() => (viewer.theta = theta));
+        this.#move({ theta });
       },
     );
     addNumber(
-      gui,
+      rows,
       'φ polar °',
       linear(0, 180, 1),
       () => this.#now.phi,
       (phi) => {
-        this.#move(() => (viewer.phi = phi));
+        this.#move({ phi });
       },
     );
     const radius = addNumber(
-      gui,
+      rows,
       'radius',
       this.#radiusTravel,
       () => this.#now.radius,
       (distance) => {
-        this.#move(() => (viewer.radius = distance));
+        this.#move({ radius: distance });
       },
     );
-    new Readout(gui, () => this.#eyeText, 'eye');
+    new Readout(rows.gui, () => this.#eyeText, 'eye');
     const target = addVector(
-      gui,
+      rows,
+      'target',
       axesOf('target'),
       (axis) => this.#range.place(axis),
       () => this.#now.target,
       (place) => {
-        this.#setTarget(place);
+        this.#move({ target: place });
       },
     );
-    addNumber(
+    this.#addLens(rows);
+    addButton(rows.gui, 'reset camera', () => {
+      rows.edit(() => viewerCameras.get(viewer)?.reset('panel'), null);
+    });
+    return () => {
+      this.#now = viewer.camera;
+      radius.travel = this.#radiusTravel;
+      target.travel = (axis) => this.#range.place(axis);
+    };
+  }
+
+  /** What is declared, rather than where the camera is. */
+  #addLens({ gui }: Rows): void {
+    const viewer = this.#viewer;
+    const history = historyOf(viewer);
+    const rows: Rows = {
       gui,
+      edit: (write, gesture) => {
+        history.edit(valuesOf(viewer), write, gesture);
+      },
+    };
+    addNumber(
+      rows,
       'fov °',
       linear(1, 170, 1),
       () => viewer.fov,
       (fov) => (viewer.fov = fov),
     );
     const turning = addNumber(
-      gui,
+      rows,
       'auto-rotate',
       linear(-90, 90, 1),
       () => viewer.autoRotate,
       (speed) => (viewer.autoRotate = speed),
     );
     turning.domElement.title = 'Degrees per second about y';
-    addButton(gui, 'reset camera', () => {
-      this.#reset();
-    });
-    return () => {
-      this.#now = viewer.camera;
-      radius.travel = this.#radiusTravel;
-      target.forEach((row, axis) => {
-        row.travel = this.#range.place(axis as 0 | 1 | 2);
-      });
-    };
   }
 
   get #radiusTravel() {
@@ -113,42 +126,13 @@ export class CameraFolder {
     return eye.map((n) => numberText(Math.round(n / unit) * unit, unit)).join(', ');
   }
 
-  /** Moves only the target. A radius of `auto` would be refitted, so the present radius is written first. */
-  #setTarget(place: Vec3): void {
+  /** Throws RangeError, as the properties do, for values outside their domain. Nothing fits the camera to the scene afterwards. */
+  #move(part: Partial<Pose>): void {
     const viewer = this.#viewer;
-    this.#move(() => {
-      if (viewer.radius === 'auto') viewer.radius = this.#now.radius;
-      viewer.target = place;
-    });
-  }
-
-  #move(write: () => void): void {
-    const declared = this.#declaration;
-    const unchanged = this.#before !== null && sameDeclaration(this.#before.written, declared);
-    try {
-      moveCameraFrom(this.#viewer, 'panel', write);
-    } finally {
-      this.#before = { declared: unchanged ? this.#before!.declared : declared, written: this.#declaration };
-      this.#now = this.#viewer.camera;
-    }
-  }
-
-  #reset(): void {
-    const before = this.#before;
-    const unchanged = before !== null && sameDeclaration(before.written, this.#declaration);
-    const declared = unchanged ? before.declared : this.#declaration;
-    this.#before = null;
-    // Assigning a camera property moves the camera, even if the value is the same.
-    moveCameraFrom(this.#viewer, 'panel', () => {
-      MOVED.forEach((key, i) => fieldsOf(this.#viewer).set(key, declared[i]));
-    });
-  }
-
-  get #declaration(): Declaration {
-    const { store } = fieldsOf(this.#viewer);
-    return MOVED.map((key) => (store.given(key) ? store.values[key] : null));
+    const { fields } = fieldsOf(viewer).store;
+    for (const [key, value] of Object.entries(part)) fields[key as keyof Pose].check(value);
+    const camera = viewerCameras.get(viewer);
+    camera?.place({ pose: { ...camera.placement.pose, ...part }, framing: null }, 'panel');
+    this.#now = viewer.camera;
   }
 }
-
-const sameDeclaration = (a: Declaration, b: Declaration): boolean =>
-  a.every((value, i) => sameValue(value, b[i]));

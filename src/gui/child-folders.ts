@@ -25,6 +25,20 @@ export class ChildFolders<E extends HTMLElement> {
 
   /** Adds, removes and reorders folders to match these children, and refreshes all of them. */
   update(elements: readonly E[]): void {
+    const { domElement, $title } = this.#group;
+    const { activeElement } = domElement.getRootNode() as ShadowRoot;
+    const focused = domElement.contains(activeElement) ? (activeElement as HTMLElement) : null;
+    this.#arrange(elements);
+    // A folder that moves or goes drops the focus, and with it the keys for undo.
+    if (focused?.matches(':focus') === false)
+      (focused.isConnected ? focused : $title).focus({ preventScroll: true });
+  }
+
+  refreshVisible(): void {
+    for (const { folder } of this.#folders.values()) folder.refreshVisible();
+  }
+
+  #arrange(elements: readonly E[]): void {
     const present = new Set(elements);
     for (const [element, { folder }] of this.#folders) {
       if (present.has(element)) continue;
@@ -42,10 +56,6 @@ export class ChildFolders<E extends HTMLElement> {
       after = node;
       child.update(index);
     });
-  }
-
-  refreshVisible(): void {
-    for (const { folder } of this.#folders.values()) folder.refreshVisible();
   }
 
   #add(element: E): ChildFolder {

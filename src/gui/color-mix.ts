@@ -1,5 +1,5 @@
-// How does a light colour split into a colour to pick and an intensity, and back? 255 = full; intensity 1 is the picked colour
-// itself. Numbers only: knows no controls and no elements.
+// How does a colour map to a picker, which ends at 255, and to a brightness, and back? 255 = full. A picked colour is the value
+// itself; a value above 255 keeps its factor. Numbers only: knows no controls and no elements.
 import { LIMITS } from '../light/light-state.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';
@@ -7,58 +7,47 @@ import type { Vec3 } from '../math/vector.js';
 export interface Tint {
   /** 0–255 per channel, not rounded. */
   readonly color: Vec3;
-  /** >= 0. Colour times intensity is the value. */
-  readonly intensity: number;
+  /** 1, or more for values that are brighter than the picker can show. Colour times factor is the value. */
+  readonly factor: number;
 }
 
-const BLACK: Vec3 = [0, 0, 0];
 const WHITE: Vec3 = [255, 255, 255];
 
-/**
- * Splits a value the way it was composed here, or so that the largest channel is full if it came from elsewhere. A value that
- * becomes black keeps the last colour, with intensity 0.
- */
 export class ColorMix {
-  #last: Tint | null = null;
+  #picked: Tint | null = null;
+  /** The last value that was not black. */
+  #hue: Vec3 = WHITE;
 
+  /** Splits a value the way it was picked here, or with the smallest factor if it came from elsewhere. */
   split(value: Vec3): Tint {
-    if (this.#last !== null && sameValue(composed(this.#last), value)) return this.#last;
-    const largest = Math.max(...value);
-    if (largest === 0) return { color: this.#last?.color ?? BLACK, intensity: 0 };
-    const full = (channel: number): number => (channel * 255) / largest;
-    const tint: Tint = {
-      color: [full(value[0]), full(value[1]), full(value[2])],
-      intensity: largest / 255,
-    };
-    this.#last = tint;
-    return tint;
+    if (this.#picked !== null && sameValue(times(this.#picked.color, this.#picked.factor), value))
+      return this.#picked;
+    const factor = Math.max(brightnessOf(value), 1);
+    const [r, g, b] = value;
+    return { color: [r / factor, g / factor, b / factor], factor };
   }
 
-  /** The value with a new colour and the same intensity; intensity 1 if the value has always been black. */
+  /** The value after picking a colour: the colour itself, or times the factor of a value above 255. */
   recolor(value: Vec3, color: Vec3): Vec3 {
-    const { intensity } = this.split(value);
-    return this.#compose({ color, intensity: this.#alwaysBlack(value) ? 1 : intensity });
+    const picked = { color, factor: this.split(value).factor };
+    this.#picked = picked;
+    return times(color, picked.factor);
   }
 
-  /** The value with a new intensity and the same colour; white if the value has always been black. */
-  intensify(value: Vec3, intensity: number): Vec3 {
-    const { color } = this.split(value);
-    return this.#compose({ color: this.#alwaysBlack(value) ? WHITE : color, intensity });
-  }
-
-  #alwaysBlack(value: Vec3): boolean {
-    return this.#last === null && sameValue(value, BLACK);
-  }
-
-  #compose(tint: Tint): Vec3 {
-    this.#last = tint;
-    return composed(tint);
+  /** The value with another brightness and the same hue, also after it was black; white if it has always been black. */
+  brighten(value: Vec3, brightness: number): Vec3 {
+    if (brightnessOf(value) > 0) this.#hue = value;
+    return times(this.#hue, brightness / brightnessOf(this.#hue));
   }
 }
 
-/** Rounded to six digits: finer than any screen, and short in markup. */
-function composed({ color, intensity }: Tint): Vec3 {
-  const channel = (c: number): number => Math.min(Number((c * intensity).toPrecision(6)), LIMITS.color);
+/** The largest channel; 1 is 255. */
+export const brightnessOf = (value: Vec3): number => Math.max(...value) / 255;
+
+/** Rounded to six digits: finer than any screen, and short in markup. Factor 1 changes nothing. */
+function times(color: Vec3, factor: number): Vec3 {
+  if (factor === 1) return color;
+  const channel = (c: number): number => Math.min(Number((c * factor).toPrecision(6)), LIMITS.color);
   return [channel(color[0]), channel(color[1]), channel(color[2])];
 }
 

@@ -1,7 +1,6 @@
 // How does the user copy the scene's markup? A button that writes it to the clipboard, or shows it selected if the clipboard is
 // not available. Knows nothing about the markup.
-import type { GUI } from 'lil-gui';
-import { addButton } from './rows.js';
+import type { ButtonRow } from './button-row.js';
 
 const LABEL = 'copy HTML';
 
@@ -9,15 +8,17 @@ const LABEL = 'copy HTML';
 const RESULT_MS = 2000;
 
 export class CopyButton {
-  readonly #button;
+  readonly #row: ButtonRow;
+  readonly #button: HTMLButtonElement;
   readonly #text = document.createElement('textarea');
   #timer = 0;
 
-  constructor(gui: GUI, markup: () => string) {
-    this.#button = addButton(gui, LABEL, () => {
+  constructor(row: ButtonRow, markup: () => string) {
+    this.#row = row;
+    this.#button = row.add(LABEL, () => {
       void this.#copy(markup());
     });
-    this.#button.$name.setAttribute('aria-live', 'polite');
+    this.#button.setAttribute('aria-live', 'polite');
     this.#text.readOnly = true;
     this.#text.className = 'markup';
     this.#text.rows = 6;
@@ -40,7 +41,7 @@ export class CopyButton {
     } catch {
       // Refused, or missing: pages without TLS have no clipboard.
       this.#text.value = markup;
-      this.#button.domElement.after(this.#text);
+      this.#row.domElement.after(this.#text);
       this.#text.select();
       this.#text.scrollIntoView({ block: 'nearest' });
       this.#showResult('select and copy below');
@@ -49,7 +50,7 @@ export class CopyButton {
 
   #showResult(what: string): void {
     clearTimeout(this.#timer);
-    this.#button.name(what);
-    this.#timer = window.setTimeout(() => this.#button.name(LABEL), RESULT_MS);
+    this.#button.textContent = what;
+    this.#timer = window.setTimeout(() => (this.#button.textContent = LABEL), RESULT_MS);
   }
 }

@@ -1,21 +1,23 @@
 // When are a folder's rows built and refreshed? Built when the folder is first opened, refreshed only while they are visible.
 // Opens without animation, so no frame is requested. Knows nothing about what its rows show.
 import type { GUI } from 'lil-gui';
-import { refresh } from './rows.js';
+import { type Edit, refresh, type Rows } from './rows.js';
 
 /** Builds the rows. Returns a function to call before each refresh, if one is needed. */
-export type BuildRows = (gui: GUI) => (() => void) | undefined;
+export type BuildRows = (rows: Rows) => (() => void) | undefined;
 
 export class Folder {
   readonly gui: GUI;
+  readonly #edit: Edit;
   readonly #build: BuildRows;
   #prepare: (() => void) | undefined;
   #built = false;
   #stale = true;
 
-  /** Starts closed. */
-  constructor(parent: GUI, title: string, build: BuildRows) {
+  /** Starts closed. `edit`: how its rows write. */
+  constructor(parent: GUI, title: string, edit: Edit, build: BuildRows) {
     this.gui = addGroup(parent, title).close();
+    this.#edit = edit;
     this.#build = build;
   }
 
@@ -31,7 +33,7 @@ export class Folder {
     this.#stale = false;
     if (!this.#built) {
       this.#built = true;
-      this.#prepare = this.#build(this.gui);
+      this.#prepare = this.#build({ gui: this.gui, edit: this.#edit });
     }
     this.#prepare?.();
     for (const row of this.gui.controllers) refresh(row);

@@ -7,11 +7,12 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import { isSpot, kindOf } from '../light/light-features.js';
 import { LIGHT_SPACES } from '../light/light-state.js';
 import type { Vec3 } from '../math/vector.js';
+import { historyOf, valuesOf } from '../element/viewer/history.js';
+import type { ChildEditor } from './child-editor.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
 import { KIND_RULE, KindChoice, LIGHT_KINDS } from './kind-choice.js';
 import {
-  addButton,
   addChoice,
   addColor,
   addFlag,
@@ -19,33 +20,52 @@ import {
   addText,
   addVector,
   axesOf,
+  type Edit,
   named,
+  type Rows,
 } from './rows.js';
 import type { SceneRange } from './scene-range.js';
+import type { TextControl } from './text-control.js';
 import { linear, logarithmic } from './travel.js';
 
-/** Initial end of the intensity slider. */
-const USUAL_INTENSITY = 4;
+/** Initial end of the brightness slider. */
+const USUAL_BRIGHTNESS = 4;
 
 export class LightFolder implements ChildFolder {
   readonly folder: Folder;
   readonly #light: PhongLight;
   readonly #viewer: PhongViewer;
   readonly #range: SceneRange;
-  readonly #remove: () => void;
+  readonly #editor: ChildEditor<PhongLight>;
+  readonly #edit: Edit;
   readonly #kind = new KindChoice();
   readonly #switch = document.createElement('input');
+  #nameRow: TextControl | null = null;
   #index = -1;
   #name = '';
   #title = '';
 
-  constructor(group: GUI, light: PhongLight, viewer: PhongViewer, range: SceneRange, remove: () => void) {
+  constructor(
+    group: GUI,
+    light: PhongLight,
+    viewer: PhongViewer,
+    range: SceneRange,
+    editor: ChildEditor<PhongLight>,
+  ) {
     this.#light = light;
     this.#viewer = viewer;
     this.#range = range;
-    this.#remove = remove;
-    this.folder = new Folder(group, '', (gui) => this.#build(gui));
+    this.#editor = editor;
+    const history = historyOf(viewer);
+    this.#edit = (write, gesture) => {
+      history.edit(valuesOf(light), write, gesture);
+    };
+    this.folder = new Folder(group, '', this.#edit, (rows) => this.#build(rows));
     this.#addSwitch();
+    editor.listenToKeys(this.folder, light, () => {
+      this.folder.gui.open();
+      this.#nameRow?.input.focus();
+    });
   }
 
   update(index: number): void {
@@ -71,29 +91,30 @@ export class LightFolder implements ChildFolder {
     this.#switch.type = 'checkbox';
     this.#switch.className = 'switch';
     this.#switch.addEventListener('change', () => {
-      this.#light.active = this.#switch.checked;
+      this.#edit(() => (this.#light.active = this.#switch.checked), null);
     });
     this.folder.gui.$title.after(this.#switch);
   }
 
-  #build(gui: GUI): () => void {
+  #build(rows: Rows): () => void {
     const light = this.#light;
     const { store } = fieldsOf(light);
     const { values } = store;
     const name = addText(
-      gui,
+      rows,
       'name',
       () => values.name,
       (text) => (light.name = text),
     );
+    this.#nameRow = name;
     addFlag(
-      gui,
+      rows,
       'active',
       () => values.active,
       (active) => (light.active = active),
     );
     const kind = addChoice(
-      gui,
+      rows,
       'kind',
       named(LIGHT_KINDS),
       () => kindOf(values),
@@ -104,70 +125,71 @@ export class LightFolder implements ChildFolder {
     kind.domElement.title = KIND_RULE;
     for (const key of ['ambient', 'diffuse', 'specular'] as const) {
       addColor(
-        gui,
+        rows,
         key,
-        USUAL_INTENSITY,
+        USUAL_BRIGHTNESS,
         () => values[key],
         (color) => (light[key] = color),
       );
     }
     const position = addVector(
-      gui,
+      rows,
+      'position',
       axesOf('position'),
       () => this.#range.vector(),
       () => [values.position[0], values.position[1], values.position[2]],
       ([x, y, z]) => (light.position = [x, y, z, values.position[3]]),
     );
-    const spot = this.#addSpot(gui);
+    const spot = this.#addSpot(rows);
     const attenuation = addVector(
-      gui,
+      rows,
+      'attenuation',
       ['kc constant', 'kl linear', 'kq quadratic'],
       () => linear(0, 2, 0.01),
       () => values.attenuation,
       (factors) => (light.attenuation = factors),
     );
     addChoice(
-      gui,
+      rows,
       'space',
       named(LIGHT_SPACES),
       () => values.space,
       (space) => (light.space = space),
     );
-    addButton(gui, 'remove', this.#remove);
+    this.#editor.addButtons(rows.gui, light);
     return () => {
-      name.$input.placeholder = this.#title;
+      name.input.placeholder = this.#title;
       const placed = values.position[3] === 1;
-      for (const row of attenuation) row.show(placed);
+      attenuation.show(placed);
       // Keep a row visible while it is being edited.
       const cone = isSpot(values) || spot.some((row) => row.domElement.matches(':focus-within'));
       for (const row of spot) row.show(cone);
       const inWorld = placed && values.space === 'world';
-      position.forEach((row, axis) => {
-        row.travel = inWorld ? this.#range.place(axis as 0 | 1 | 2) : this.#range.vector();
-      });
+      position.travel = (axis) => (inWorld ? this.#range.place(axis) : this.#range.vector());
     };
   }
 
-  #addSpot(gui: GUI) {
+  #addSpot(rows: Rows) {
     const light = this.#light;
     const { values } = fieldsOf(light).store;
     return [
-      ...addVector(
-        gui,
+      addVector(
+        rows,
+        'axis',
         axesOf('axis'),
         () => linear(-1, 1, 0.01),
         () => values.axis,
         (axis) => (light.axis = axis),
       ),
       addNumber(
-        gui,
+        rows,
         'aperture °',
         linear(0, 180, 0.5),
         () => values.aperture,
         (aperture) => (light.aperture = aperture),
       ),
       addNumber(
-        gui,
+        rows,
         'cutoff',
         logarithmic(1, 1000),
         () => values.cutoff,

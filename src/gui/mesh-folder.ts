@@ -7,10 +7,26 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import { meshTitle } from '../element/viewer/description.js';
 import type { SurfaceValues } from '../material/material-values.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/program/variant.js';
+import { historyOf, valuesOf } from '../element/viewer/history.js';
+import type { ChildEditor } from './child-editor.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
-import { addButton, addChoice, addColor, addNumber, addVector, axesOf, named } from './rows.js';
+import { ButtonRow } from './button-row.js';
+import { chooseModel } from './model-choice.js';
+import {
+  addButton,
+  addChoice,
+  addColor,
+  addNumber,
+  addText,
+  addVector,
+  axesOf,
+  type Edit,
+  named,
+  type Rows,
+} from './rows.js';
 import type { SceneRange } from './scene-range.js';
+import type { TextControl } from './text-control.js';
 import { linear, logarithmic } from './travel.js';
 
 const AS_VIEWER = 'as viewer';
@@ -19,9 +35,10 @@ const AS_VIEWER = 'as viewer';
 export function ownSurfaceFolder(
   root: GUI,
   viewer: PhongViewer,
+  edit: Edit,
 ): { update(): void; readonly folder: Folder } {
-  const folder = new Folder(root, 'Material', (gui) => {
-    addSurface(gui, viewer, (key) => {
+  const folder = new Folder(root, 'Material', edit, (rows) => {
+    addSurface(rows, viewer, (key) => {
       fieldsOf(viewer).set(key, null);
     });
     return undefined;
@@ -39,15 +56,43 @@ export class MeshFolder implements ChildFolder {
   readonly folder: Folder;
   readonly #mesh: PhongMesh;
   #title = '';
+  #nameRow: TextControl | null = null;
 
-  constructor(group: GUI, mesh: PhongMesh, range: SceneRange) {
+  constructor(
+    group: GUI,
+    mesh: PhongMesh,
+    viewer: PhongViewer,
+    range: SceneRange,
+    editor: ChildEditor<PhongMesh>,
+  ) {
     this.#mesh = mesh;
-    this.folder = new Folder(group, '', (gui) => {
-      addSurface(gui, mesh, (key) => {
+    const history = historyOf(viewer);
+    const edit: Edit = (write, gesture) => {
+      history.edit(valuesOf(mesh), write, gesture);
+    };
+    this.folder = new Folder(group, '', edit, (rows) => {
+      const name = addText(
+        rows,
+        'name',
+        () => mesh.name,
+        (text) => (mesh.name = text),
+      );
+      this.#nameRow = name;
+      addModel(rows, mesh);
+      addSurface(rows, mesh, (key) => {
         fieldsOf(mesh).set(key, null);
       });
-      addStyle(gui, mesh);
-      return addTransform(gui, mesh, range);
+      addStyle(rows, mesh);
+      const refreshRanges = addTransform(rows, mesh, range);
+      editor.addButtons(rows.gui, mesh);
+      return () => {
+        name.input.placeholder = this.#title;
+        refreshRanges();
+      };
+    });
+    editor.listenToKeys(this.folder, mesh, () => {
+      this.folder.gui.open();
+      this.#nameRow?.input.focus();
     });
   }
 
@@ -58,11 +103,20 @@ export class MeshFolder implements ChildFolder {
   }
 }
 
+/** A button that shows a file of the user's instead of the mesh's model or shape. */
+function addModel({ gui, edit }: Rows, mesh: PhongMesh): void {
+  new ButtonRow(gui, 'Model').add('choose model file…', () => {
+    chooseModel((file) => {
+      edit(() => (mesh.src = file), null);
+    });
+  });
+}
+
 /** `restore` returns a value to its default; for a model, to the one in its file. */
-function addSurface(gui: GUI, surface: SurfaceValues, restore: (key: keyof SurfaceValues) => void): void {
+function addSurface(rows: Rows, surface: SurfaceValues, restore: (key: keyof SurfaceValues) => void): void {
   for (const key of ['ka', 'kd', 'ks'] as const) {
     addColor(
-      gui,
+      rows,
       key,
       1,
       () => surface[key],
@@ -70,27 +124,29 @@ function addSurface(gui: GUI, surface: SurfaceValues, restore: (key: keyof Surfa
     );
   }
   addNumber(
-    gui,
+    rows,
     'shininess',
     logarithmic(1, 1e6),
     () => surface.shininess,
     (shininess) => (surface.shininess = shininess),
   );
-  addButton(gui, 'reset material', () => {
-    for (const key of ['ka', 'kd', 'ks', 'shininess'] as const) restore(key);
+  addButton(rows.gui, 'reset material', () => {
+    rows.edit(() => {
+      for (const key of ['ka', 'kd', 'ks', 'shininess'] as const) restore(key);
+    }, null);
   });
 }
 
-function addStyle(gui: GUI, mesh: PhongMesh): void {
+function addStyle(rows: Rows, mesh: PhongMesh): void {
   addChoice<Shading | null>(
-    gui,
+    rows,
     'shading',
     { [AS_VIEWER]: null, ...named(SHADINGS) },
     () => mesh.shading,
     (shading) => (mesh.shading = shading),
   );
   addChoice<Reflection | null>(
-    gui,
+    rows,
     'reflection',
     { [AS_VIEWER]: null, ...named(REFLECTIONS) },
     () => mesh.reflection,
@@ -98,31 +154,32 @@ function addStyle(gui: GUI, mesh: PhongMesh): void {
   );
 }
 
-function addTransform(gui: GUI, mesh: PhongMesh, range: SceneRange): () => void {
+function addTransform(rows: Rows, mesh: PhongMesh, range: SceneRange): () => void {
   const position = addVector(
-    gui,
+    rows,
+    'position',
     axesOf('position'),
     (axis) => range.place(axis),
     () => mesh.position,
     (place) => (mesh.position = place),
   );
   addVector(
-    gui,
+    rows,
+    'rotation °',
     ['rotation x °', 'rotation y °', 'rotation z °'],
     () => linear(-180, 180, 1),
     () => mesh.rotation,
     (rotation) => (mesh.rotation = rotation),
   );
   addVector(
-    gui,
+    rows,
+    'scale',
     axesOf('scale'),
     () => linear(0, 4, 0.02),
     () => mesh.scale,
     (scale) => (mesh.scale = scale),
   );
   return () => {
-    position.forEach((row, axis) => {
-      row.travel = range.place(axis as 0 | 1 | 2);
-    });
+    position.travel = (axis) => range.place(axis);
   };
 }

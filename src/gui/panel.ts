@@ -5,17 +5,23 @@ import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-ap
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
+import { historyOf, valuesOf } from '../element/viewer/history.js';
+import { ButtonRow } from './button-row.js';
 import { CameraFolder } from './camera-folder.js';
+import { ChildEditor } from './child-editor.js';
 import { ChildFolders } from './child-folders.js';
 import { CopyButton } from './copy-html.js';
 import { addGroup, withoutAnimation, type Folder } from './folder.js';
 import { LightFolder } from './light-folder.js';
 import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
+import { chooseModel } from './model-choice.js';
 import { newLight } from './new-light.js';
 import { adoptStyles } from './panel-styles.js';
-import { addButton } from './rows.js';
+import { addButton, type Edit } from './rows.js';
+import { savePicture } from './save-picture.js';
 import { SceneRange } from './scene-range.js';
 import { shadingFolder } from './shading-folder.js';
+import { listenForUndo } from './undo-keys.js';
 
 /** In viewers narrower than this, in CSS pixels, the panel starts closed, because it would hide the picture. */
 const WIDE = 480;
@@ -36,6 +42,7 @@ class ControlPanel implements Panel {
   readonly #copy: CopyButton;
   readonly #dropStyles: () => void;
   readonly #stopWaiting: () => void;
+  readonly #stopHistory: () => void;
   #meshList: readonly PhongMesh[] = [];
 
   constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
@@ -44,20 +51,42 @@ class ControlPanel implements Panel {
     const gui = newRoot(place);
     this.#gui = gui;
     this.#range = new SceneRange(viewer);
+    this.#stopHistory = addUndo(gui, viewer);
     this.#lightGroup = addGroup(gui, 'Lights');
+    this.#lights = new ChildFolders(
+      this.#lightGroup,
+      (light) => new LightFolder(this.#lightGroup, light, viewer, this.#range, lights),
+    );
+    const lights = new ChildEditor(viewer, this.#lightGroup, this.#lights, () => viewer.lights);
     addButton(this.#lightGroup, 'add light', () => {
-      this.#addLight();
+      const light = document.createElement('phong-light');
+      Object.assign(light, newLight(viewer.lights.length, this.#range.center, this.#range.reach));
+      lights.add(light, () => {
+        viewer.append(light);
+      });
     });
-    this.#lights = new ChildFolders(this.#lightGroup, (light) => this.#lightFolder(light));
+    const edit: Edit = (write, gesture) => {
+      historyOf(viewer).edit(valuesOf(viewer), write, gesture);
+    };
     this.#camera = new CameraFolder(gui, viewer, this.#range);
-    this.#shading = shadingFolder(gui, viewer);
-    this.#surface = ownSurfaceFolder(gui, viewer);
+    this.#shading = shadingFolder(gui, viewer, edit);
+    this.#surface = ownSurfaceFolder(gui, viewer, edit);
     this.#meshGroup = addGroup(gui, 'Meshes').close();
     this.#meshes = new ChildFolders(
       this.#meshGroup,
-      (mesh) => new MeshFolder(this.#meshGroup, mesh, this.#range),
+      (mesh) => new MeshFolder(this.#meshGroup, mesh, viewer, this.#range, meshes),
     );
-    this.#copy = new CopyButton(gui, () => viewer.toHTML());
+    const meshes = new ChildEditor(viewer, this.#meshGroup, this.#meshes, () => viewer.meshes);
+    const files = new ButtonRow(gui, 'Files');
+    files.add('open model…', () => {
+      chooseModel((file) => {
+        edit(() => (viewer.src = file), null);
+      });
+    });
+    files.add('save PNG', () => {
+      void savePicture(viewer);
+    });
+    this.#copy = new CopyButton(files, () => viewer.toHTML());
     for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.update(change);
     gui.onOpenClose(() => {
       this.#refreshVisible();
@@ -78,6 +107,7 @@ class ControlPanel implements Panel {
   dispose(): void {
     this.#viewer.removeEventListener('load', this.#loaded);
     this.#stopWaiting();
+    this.#stopHistory();
     this.#copy.dispose();
     this.#gui.destroy();
     this.#dropStyles();
@@ -104,37 +134,23 @@ class ControlPanel implements Panel {
     this.#camera.update();
     this.#updateMeshes();
   };
+}
 
-  #lightFolder(light: PhongLight): LightFolder {
-    return new LightFolder(this.#lightGroup, light, this.#viewer, this.#range, () => {
-      this.#removeLight(light);
-    });
-  }
-
-  /** Appends a light, opens its folder and scrolls to it. */
-  #addLight(): void {
-    const light = document.createElement('phong-light');
-    Object.assign(light, newLight(this.#viewer.lights.length, this.#range.center, this.#range.reach));
-    this.#viewer.append(light);
-    this.update('lights');
-    const folder = this.#lights.folderOf(light);
-    if (folder === undefined) return;
-    folder.gui.open();
-    folder.gui.$title.focus({ preventScroll: true });
-    const list = this.#gui.$children;
-    list.scrollTop += folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;
-  }
-
-  /** Removes a light and moves the focus to the next light's title, or to the last one's. */
-  #removeLight(light: PhongLight): void {
-    const at = this.#viewer.lights.indexOf(light);
-    light.remove();
-    this.update('lights');
-    const { lights } = this.#viewer;
-    const next = lights[at] ?? lights.at(-1);
-    const folder = next === undefined ? this.#lightGroup : this.#lights.folderOf(next)?.gui;
-    folder?.$title.focus({ preventScroll: true });
-  }
+/** Buttons and keys for undo and redo. The returned function stops following the history. */
+function addUndo(gui: GUI, viewer: PhongViewer): () => void {
+  const history = historyOf(viewer);
+  const row = new ButtonRow(gui, 'Undo');
+  const undo = row.add('undo', () => history.undo());
+  const redo = row.add('redo', () => history.redo());
+  undo.setAttribute('aria-keyshortcuts', 'Control+Z Meta+Z');
+  redo.setAttribute('aria-keyshortcuts', 'Control+Shift+Z Meta+Shift+Z Control+Y');
+  const update = (): void => {
+    undo.setAttribute('aria-disabled', String(!history.canUndo));
+    redo.setAttribute('aria-disabled', String(!history.canRedo));
+  };
+  update();
+  listenForUndo(gui.domElement, history);
+  return history.listen(update);
 }
 
 function newRoot(place: HTMLElement): GUI {

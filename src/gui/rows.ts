@@ -1,113 +1,97 @@
-// How is a row made for each kind of value? One function per kind, bound to a getter and a setter. Knows no light, mesh or camera.
-import {
-  ColorController,
-  type Controller,
-  FunctionController,
-  type GUI,
-  OptionController,
-  StringController,
-} from 'lil-gui';
+// How is a row made for each kind of value? One function per kind, bound to a getter and a setter, whose writes can be undone. Knows no
+// light, mesh or camera.
+import { type Controller, FunctionController, type GUI, OptionController } from 'lil-gui';
 import type { Vec3 } from '../math/vector.js';
-import { bound } from './bound.js';
-import { colorOf, ColorMix, hexOf } from './color-mix.js';
+import { bound, type Bound } from './bound.js';
+import { ColorControl } from './color-control.js';
 import { NumberControl } from './number-control.js';
-import { linear, type Travel } from './travel.js';
+import { TextControl } from './text-control.js';
+import type { Travel } from './travel.js';
+import { VectorControl } from './vector-control.js';
+
+/** Runs `write` as a step that can be undone. Writes with the same `gesture` are one step until the user lets go. */
+export type Edit = (write: () => void, gesture: object | null) => void;
+
+/** Where rows are added, and how they write. */
+export interface Rows {
+  readonly gui: GUI;
+  readonly edit: Edit;
+}
+
+function edited<T>({ edit }: Rows, get: () => T, set: (value: T) => void): Bound<T> {
+  const row: Bound<T> = bound(get, (value) => {
+    edit(() => {
+      set(value);
+    }, row);
+  });
+  return row;
+}
 
 export function addNumber(
-  gui: GUI,
+  rows: Rows,
   label: string,
   travel: Travel,
   get: () => number,
   set: (value: number) => void,
 ): NumberControl {
-  return new NumberControl(gui, bound(get, set), label, travel);
+  return new NumberControl(rows.gui, edited(rows, get, set), label, travel);
 }
 
-/** One row per axis. `labels`: those of x, y and z. */
+/** `labels`: accessible names of x, y and z; with units, if they have one. */
 export function addVector(
-  gui: GUI,
+  rows: Rows,
+  label: string,
   labels: readonly [string, string, string],
   travel: (axis: 0 | 1 | 2) => Travel,
   get: () => Vec3,
   set: (value: Vec3) => void,
-): NumberControl[] {
-  return ([0, 1, 2] as const).map((axis) =>
-    addNumber(
-      gui,
-      labels[axis],
-      travel(axis),
-      () => get()[axis],
-      (value) => {
-        const [x, y, z] = get();
-        set([axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z]);
-      },
-    ),
-  );
+): VectorControl {
+  return new VectorControl(rows.gui, edited(rows, get, set), label, labels, travel);
 }
 
 export const axesOf = (name: string): [string, string, string] => [`${name} x`, `${name} y`, `${name} z`];
 
-/** A colour picker with an intensity row below it. `usual`: the end of the intensity slider. */
+/** `usual`: the end of the brightness slider; 1 is 255. */
 export function addColor(
-  gui: GUI,
+  rows: Rows,
   label: string,
   usual: number,
   get: () => Vec3,
   set: (value: Vec3) => void,
 ): void {
-  const mix = new ColorMix();
-  const hex = bound(
-    () => hexOf(mix.split(get()).color),
-    (text) => {
-      set(mix.recolor(get(), colorOf(text)));
-    },
-  );
-  const picker = new ColorController(gui, hex, 'value', 1).name(label);
-  // Make the picker itself reachable by keyboard, not only its text field.
-  picker.$input.tabIndex = 0;
-  const intensity = addNumber(
-    gui,
-    '× intensity',
-    linear(0, usual, 0.01),
-    () => mix.split(get()).intensity,
-    (value) => {
-      set(mix.intensify(get(), value));
-    },
-  );
-  const labels = `${picker.$name.id} ${intensity.$name.id}`;
-  for (const input of intensity.$widget.children) input.setAttribute('aria-labelledby', labels);
-  intensity.domElement.classList.add('below');
+  new ColorControl(rows.gui, edited(rows, get, set), label, usual);
 }
 
 export function addFlag(
-  gui: GUI,
+  rows: Rows,
   label: string,
   get: () => boolean,
   set: (value: boolean) => void,
 ): Controller {
-  return gui.add(bound(get, set), 'value').name(label);
+  return rows.gui.add(edited(rows, get, set), 'value').name(label);
 }
 
 export function addText(
-  gui: GUI,
+  rows: Rows,
   label: string,
   get: () => string,
   set: (value: string) => void,
-): StringController {
-  return new StringController(gui, bound(get, set), 'value').name(label);
+): TextControl {
+  return new TextControl(rows.gui, edited(rows, get, set), label);
 }
 
 /** `choices`: from the names shown to their values. */
 export function addChoice<T extends string | null>(
-  gui: GUI,
+  rows: Rows,
   label: string,
   choices: Readonly<Record<string, T>>,
   get: () => T,
   set: (value: T) => void,
 ): OptionController {
-  return new OptionController(gui, bound(get, set), 'value', choices).name(label);
+  return new OptionController(rows.gui, edited(rows, get, set), 'value', choices).name(label);
 }
 
+/** The press is no step of its own: it edits what it needs to. */
 export function addButton(gui: GUI, label: string, press: () => void): FunctionController {
   return new FunctionController(gui, { value: press }, 'value').name(label);
 }
@@ -116,9 +100,8 @@ export function addButton(gui: GUI, label: string, press: () => void): FunctionC
 export const named = <T extends string>(values: readonly T[]): Readonly<Record<string, T>> =>
   Object.fromEntries(values.map((value) => [value, value]));
 
-/** Updates a row, unless the user is editing it. */
+/** Updates a row. Rows keep what the user is typing. */
 export function refresh(row: Controller): void {
-  if (row instanceof StringController && row.$input.matches(':focus')) return;
   // Assigning the index, even the same one, would close an open list.
   if (row instanceof OptionController && row._values[row.$select.selectedIndex] === row.getValue()) return;
   row.updateDisplay();

@@ -3,19 +3,19 @@ import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/program/variant.js';
 import { Folder } from './folder.js';
-import { addChoice, addFlag, named } from './rows.js';
+import { addChoice, addFlag, type Edit, named } from './rows.js';
 
-export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
-  return new Folder(root, 'Shading', (gui) => {
+export function shadingFolder(root: GUI, viewer: PhongViewer, edit: Edit): Folder {
+  return new Folder(root, 'Shading', edit, (rows) => {
     addChoice(
-      gui,
+      rows,
       'shading',
       named(SHADINGS),
       () => viewer.shading,
       (shading) => (viewer.shading = shading),
     );
     addChoice(
-      gui,
+      rows,
       'reflection',
       named(REFLECTIONS),
       () => viewer.reflection,
@@ -23,7 +23,7 @@ export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
     );
     for (const term of TERMS) {
       addFlag(
-        gui,
+        rows,
         `${term} term`,
         () => viewer.terms.includes(term),
         (wanted) => {
@@ -32,14 +32,14 @@ export function shadingFolder(root: GUI, viewer: PhongViewer): Folder {
       );
     }
     addChoice(
-      gui,
+      rows,
       'colour space',
       named(['srgb', 'linear'] as const),
       () => viewer.colorInterpolation,
       (space) => (viewer.colorInterpolation = space),
     );
     addChoice(
-      gui,
+      rows,
       'antialias',
       named(ANTIALIASES),
       () => viewer.antialias,

@@ -97,9 +97,11 @@ export class LightBuffer {
       gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
       gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, TEXTURE_WIDTH, this.#data.length / (TEXTURE_WIDTH * 4));
     }
-    state.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
-    state.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+    // three.js keeps track of these since r184. Before, it set them for each upload.
+    const unpack = 'pixelStorei' in state ? state : gl;
+    unpack.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+    unpack.pixelStorei(gl.UNPACK_PREMULTIPLY_ALPHA_WEBGL, false);
+    unpack.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
     sendRows(gl, this.#data, isNew ? 0 : from, isNew ? this.#written : to);
     return this.#texture;
   }

@@ -254,8 +254,7 @@ export class Viewport implements StageClient, Framed {
     this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
-    for (const mesh of this.#tree.meshes)
-      for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
+    for (const mesh of this.#tree.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
     const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
     return { width, height, frame: copyFrame(frame), camera: camera.clone(), objects };
   }

@@ -9,6 +9,7 @@ import { fileURLToPath } from 'node:url';
 import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
+import { measureModel } from './measure/model.mjs';
 import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { HELP, parseOptions } from './options.mjs';
@@ -133,6 +134,8 @@ async function measure(lab, name, launch, result) {
       return measureScript(lab, subject, options);
     case 'start':
       return measureStart(lab, subject, launch, options);
+    case 'model':
+      return measureModel(lab, subject, launch, options);
     case 'viewers':
       return measureViewers(lab, { ...options, rounds: 1 });
     case 'connect':

@@ -31,6 +31,8 @@ export class Lab {
   /** Folder of built pages. */
   folder;
   origin = '';
+  /** Whether files that are kept in brotli too are sent so, as over a network. */
+  compresses = false;
 
   /** @param {string} folder @param {import('playwright-core').LaunchOptions} options */
   constructor(folder, options) {
@@ -38,12 +40,16 @@ export class Lab {
     this.#options = options;
     this.#server = createServer((request, response) => {
       const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
-      readFile(join(folder, path)).then(
-        (file) =>
-          response
-            .writeHead(200, { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' })
-            .end(file),
-        () => response.writeHead(404).end(),
+      const type = { 'content-type': TYPES[extname(path)] ?? 'application/octet-stream' };
+      const plain = () =>
+        readFile(join(folder, path)).then(
+          (file) => response.writeHead(200, type).end(file),
+          () => response.writeHead(404).end(),
+        );
+      if (!this.compresses) return void plain();
+      readFile(join(folder, `${path}.br`)).then(
+        (file) => response.writeHead(200, { ...type, 'content-encoding': 'br' }).end(file),
+        plain,
       );
     });
   }

@@ -6,8 +6,10 @@ import { execFileSync } from 'node:child_process';
 import { cpSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { brotliCompressSync } from 'node:zlib';
+import { brotliCompressSync, constants } from 'node:zlib';
 import { outputFolder } from '../../.ci/output-folder.mjs';
+import { writeModels } from './models.mjs';
+import { copyPeers, installPeers } from './peers/install.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -34,12 +36,18 @@ export async function buildPages(folder) {
   }
   const dist = outputFolder('dist');
   const standalone = 'phong-viewer.standalone.js';
-  cpSync(join(dist, standalone), join(folder, 'dist', standalone));
-  cpSync(join(dist, 'chunks'), join(folder, 'dist/chunks'), { recursive: true });
+  // What a page may fetch: all but types and source maps.
+  const filter = (/** @type {string} */ file) => !/[\\/]types$|\.map$/.test(file);
+  cpSync(dist, join(folder, 'dist'), { recursive: true, filter });
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
+  await writeModels(join(folder, 'models'));
+  const peers = installPeers();
+  if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
+  else copyPeers(join(folder, 'peers'));
+  compress(folder);
   /** @type {BuiltFrom} */
   const about = {
-    versions: versions(),
+    versions: { ...versions(), ...peers },
     bytes: {
       standalone: brotliSize(join(folder, 'dist', standalone)),
       bundled: pageSize(folder, 'start-element.html'),
@@ -47,6 +55,19 @@ export async function buildPages(folder) {
     },
   };
   writeFileSync(join(folder, 'built-from.json'), JSON.stringify(about, null, 1));
+}
+
+/** Keeps in brotli too what servers compress of the pages that are measured over a network. @param {string} folder */
+function compress(folder) {
+  for (const file of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
+    if (!/^(?:dist|peers|models|start-model).*\.(?:html|js|wasm|gltf)$/.test(file)) continue;
+    // The highest level that does not take minutes for all of them.
+    const params = { [constants.BROTLI_PARAM_QUALITY]: 9 };
+    writeFileSync(
+      join(folder, `${file}.br`),
+      brotliCompressSync(readFileSync(join(folder, file)), { params }),
+    );
+  }
 }
 
 /** @param {string} folder @returns {BuiltFrom} */

@@ -1,6 +1,6 @@
 // @ts-check
-// Writes a triangle mesh as the smallest binary glTF that holds it. Positions and normals have no unit; counter-clockwise
-// triangles face outward.
+// Writes binary glTF: the container, and a triangle mesh as the smallest file that holds it. Positions and normals have no unit;
+// counter-clockwise triangles face outward.
 
 /**
  * @typedef {{ positions: Float32Array, normals: Float32Array, indices: Uint16Array | Uint32Array }} Triangles
@@ -43,8 +43,19 @@ export function glbOf({ positions, normals, indices }) {
     })),
     buffers: [{ byteLength: total }],
   };
+  const bin = new Uint8Array(total);
+  for (const { start, bytes } of parts) bin.set(bytes, start);
+  return glbFile(json, bin);
+}
+
+/**
+ * The container: JSON and one binary chunk.
+ * @param {object} json @param {Uint8Array} bin its length a multiple of 4
+ * @returns {Uint8Array<ArrayBuffer>}
+ */
+export function glbFile(json, bin) {
   const text = new TextEncoder().encode(JSON.stringify(json));
-  const file = new Uint8Array(12 + 8 + padded(text.length) + 8 + total);
+  const file = new Uint8Array(12 + 8 + padded(text.length) + 8 + bin.length);
   const view = new DataView(file.buffer);
   let at = 0;
   /** @param {number} word */
@@ -56,8 +67,8 @@ export function glbOf({ positions, normals, indices }) {
   file.fill(0x20, at, at + padded(text.length)); // JSON is padded with spaces
   file.set(text, at);
   at += padded(text.length);
-  [total, BINARY_CHUNK].forEach(put);
-  for (const { start, bytes } of parts) file.set(bytes, at + start);
+  [bin.length, BINARY_CHUNK].forEach(put);
+  file.set(bin, at);
   return file;
 }
 

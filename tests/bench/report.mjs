@@ -6,9 +6,10 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { AIMS, judge, stackKind } from './aims.mjs';
 import { chartsOf } from './charts.mjs';
-import { ratioOf, readResults, valueOf } from './results.mjs';
+import { MODELS } from './models.mjs';
+import { ratioOf, ratioOverSubjects, ratioToBest, readResults, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
-import { SUBJECTS } from './subjects.mjs';
+import { modelSubject, modelSubjects, NETWORKS, SUBJECTS } from './subjects.mjs';
 
 /** @typedef {import('./results.mjs').BenchResult} BenchResult */
 
@@ -43,6 +44,16 @@ ${framesTables(results).join('\n\n')}
 ## Script, start, heap and size
 
 ${otherTable(results)}
+
+## First picture of a model, next to other viewers
+
+Each cell: element : model-viewer : babylon-viewer; before it the ratio to the better of the two. A fresh browser for each page, the
+viewers' published files, a 400 × 300 element. The picture counts when half of the model's pixels are on the screen; the slow
+line has 10 Mbit/s and 40 ms, with scripts in brotli. Memory is the sum of the peaks of the page's and the GPU's process, MiB. The
+longest task is the page's, from navigation to rest. Upload is the main thread's time in WebGL's upload calls, first draw the time
+from their end to the screen; both, like task and memory, without the slow line.
+
+${modelTables(results).join('\n\n') || 'Not measured yet.'}
 
 ## Light loops: time against error
 
@@ -107,11 +118,54 @@ function both(row, withRatio = true) {
 }
 
 /** @param {readonly BenchResult[]} results */
+function modelTables(results) {
+  const [local, slow] = NETWORKS;
+  const columns = /** @type {const} */ ([
+    ['first picture, ms', local],
+    ['first picture, ms', slow],
+    ['longest task, ms', local],
+    ['peak memory, MiB', local],
+    ['upload, ms', local],
+    ['first draw, ms', local],
+  ]);
+  const head = columns.map(([title, network]) =>
+    title.startsWith('first picture') ? `${title}, ${network}` : title,
+  );
+  /** @param {string} title */
+  const measureOf = (title) => title.split(',')[0] ?? '';
+  return results.flatMap((result) => {
+    const rows = Object.keys(MODELS).map((model) => [
+      model,
+      ...columns.map(([title, network]) => {
+        const subject = modelSubject(model, network);
+        return besideBest(
+          result.measures.find((one) => one.subject === subject && one.measure === measureOf(title)),
+        );
+      }),
+    ]);
+    if (rows.every((cells) => cells.slice(1).every((cell) => cell === '–'))) return [];
+    const medians = columns.map(([title, network]) => {
+      const ratio = ratioOverSubjects(result, modelSubjects(network), measureOf(title));
+      return ratio === undefined ? '–' : spreadText(ratio);
+    });
+    return [`**${result.stack}**\n\n${table(['', ...head], [...rows, ['median ratio', ...medians]])}`];
+  });
+}
+
+/** All sides' values, and the first one's ratio to the better of the others. @param {import('./results.mjs').Measure | undefined} row */
+function besideBest(row) {
+  const ratio = row === undefined ? undefined : ratioToBest(row);
+  if (row === undefined || ratio === undefined) return '–';
+  const values = Object.keys(row.samples).map((side) => digits(valueOf(row, side).median));
+  return `${digits(ratio.median)} = ${values.join(' : ')}`;
+}
+
+/** @param {readonly BenchResult[]} results */
 function otherTable(results) {
   const keys = new Map(
     results
       .flatMap(({ measures }) => measures)
-      .filter(({ subject }) => SUBJECTS[subject]?.kind !== 'frames')
+      .filter(({ subject }) => !['frames', 'model'].includes(SUBJECTS[subject]?.kind ?? ''))
       .flatMap(({ subject, measure, unit, samples }) =>
         Object.keys(samples).map((side) => [
           `${subject}, ${measure}, ${side}, ${unit}`,

@@ -4,7 +4,7 @@
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { pairedRatios, spread } from './statistics.mjs';
+import { median, pairedRatios, spread } from './statistics.mjs';
 
 /**
  * @typedef {object} Measure
@@ -58,6 +58,24 @@ export function ratioOf({ samples }, side = Object.keys(samples)[0] ?? '') {
   const base = Object.keys(samples).at(-1) ?? '';
   if (base === side) return undefined;
   return spread(pairedRatios(samples[side] ?? [], samples[base] ?? []));
+}
+
+/**
+ * Of the first side to the better one of the others: the one with the least median. Undefined where there is one side.
+ * @param {Measure} measure
+ */
+export function ratioToBest({ samples }) {
+  const [ours = [], ...others] = Object.values(samples);
+  const [best] = others.sort((a, b) => median(a) - median(b));
+  return best === undefined ? undefined : spread(pairedRatios(ours, best));
+}
+
+/** Its spread over several subjects: each one's median counts once. Undefined where none was measured. @param {BenchResult} result @param {readonly string[]} subjects @param {string} measure */
+export function ratioOverSubjects({ measures }, subjects, measure) {
+  const ratios = measures
+    .filter((one) => subjects.includes(one.subject) && one.measure === measure)
+    .flatMap((one) => ratioToBest(one)?.median ?? []);
+  return ratios.length === 0 ? undefined : spread(ratios);
 }
 
 /** All results of a folder, by stack. @param {string} folder @returns {BenchResult[]} */

@@ -2,6 +2,8 @@
 // What `npm run bench` measures, by name. A subject has sides (the element, plain three.js, …) that are measured in turns; the
 // last side is the one that the others are divided by.
 
+import { MODELS } from './models.mjs';
+
 /**
  * @typedef {import('./pages/frame.js').SideName} SideName
  *
@@ -19,9 +21,15 @@
  * @property {'start'} kind
  * @property {Readonly<Record<string, string>>} pages by side
  *
+ * @typedef {object} ModelSubject from navigation to the first picture of a model file, next to other viewers
+ * @property {'model'} kind
+ * @property {string} file in the folder that models.mjs fills
+ * @property {boolean} slow over 10 Mbit/s; otherwise from this machine
+ * @property {Readonly<Record<string, string>>} pages by side
+ *
  * @typedef {{ kind: 'viewers' } | { kind: 'connect' } | { kind: 'bytes' }} SingleSubject
  * @typedef {{ kind: 'front', front: string }} FrontSubject
- * @typedef {FrameSubject | ScriptSubject | StartSubject | SingleSubject | FrontSubject} Subject
+ * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | SingleSubject | FrontSubject} Subject
  */
 
 /** @type {readonly SideName[]} */
@@ -38,6 +46,18 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 /** Lights of the sphere that fills the view, as in the table of aims. */
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
 export const SCRIPT_LIGHTS = [1, 8, 32, 128];
+
+/** How a model reaches the page, as a part of a subject's name. */
+export const NETWORKS = /** @type {const} */ (['local', '10 Mbit/s']);
+/** @param {string} model @param {(typeof NETWORKS)[number]} network */
+export const modelSubject = (model, network) => `model, ${model}, ${network}`;
+/** All models over one network. @param {(typeof NETWORKS)[number]} network */
+export const modelSubjects = (network) => Object.keys(MODELS).map((model) => modelSubject(model, network));
+const MODEL_PAGES = {
+  element: 'start-model-element.html',
+  'model-viewer': 'start-model-google.html',
+  'babylon-viewer': 'start-model-babylon.html',
+};
 
 /** @type {Readonly<Record<string, Subject>>} */
 export const SUBJECTS = {
@@ -73,6 +93,14 @@ export const SUBJECTS = {
     kind: 'start',
     pages: { element: 'start-boxes-element.html', three: 'start-boxes-three.html' },
   },
+  ...Object.fromEntries(
+    NETWORKS.flatMap((network) =>
+      Object.entries(MODELS).map(([model, file]) => [
+        modelSubject(model, network),
+        /** @type {ModelSubject} */ ({ kind: 'model', file, pages: MODEL_PAGES, slow: network !== 'local' }),
+      ]),
+    ),
+  ),
   bytes: { kind: 'bytes' },
   'front, 8 lights': { kind: 'front', front: '8 lights' },
   'front, shininess 1,000': { kind: 'front', front: 'shininess 1000' },

@@ -29,8 +29,8 @@ export default defineConfig({
     chunkSizeWarningLimit: 2048,
     rolldownOptions: {
       input: join(pages, process.env['PHONG_VIEWER_BENCH_PAGE'] ?? ''),
-      // The standalone file is measured as it is.
-      external: /phong-viewer\.standalone\.js$/,
+      // The standalone file and others' viewers are measured as they are.
+      external: /(?:phong-viewer\.standalone|model-viewer\.min|babylon-viewer\.esm\.min)\.js$/,
     },
   },
 });

@@ -50,3 +50,24 @@ test('@release measures frames, script, bytes and a front, each side as often as
   expect(front!.errors[shipped]!.max).toBeLessThan(0.02);
   expect(front!.errors[front!.variants.indexOf('Schlick’s lobe')]!.max).toBeGreaterThan(1);
 });
+
+test('@release measures the first picture of a model in three viewers', async ({}, info) => {
+  test.setTimeout(300_000);
+  const file = info.outputPath('result.json');
+  await bench('--quick', '--only', 'model, suzi, local', '--out', file);
+  const { failures, measures } = JSON.parse(readFileSync(file, 'utf8')) as BenchResult;
+  expect(failures).toEqual([]);
+  expect(measures.map(({ measure }) => measure)).toEqual([
+    'first picture',
+    'longest task',
+    'peak memory',
+    'upload',
+    'first draw',
+  ]);
+  for (const { measure, samples } of measures) {
+    expect(Object.keys(samples)).toEqual(['element', 'model-viewer', 'babylon-viewer']);
+    // Uploads can be shorter than the clock's step.
+    if (measure === 'upload') continue;
+    for (const [value] of Object.values(samples)) expect(value, measure).toBeGreaterThan(0);
+  }
+});

@@ -41,12 +41,8 @@ export const choice = (folder: Locator, name: string): Locator =>
 export const button = (folder: Locator, name: string): Locator =>
   folder.getByRole('button', { name, exact: true });
 
-/** The picker of a colour row; the row's text field shows its code. */
-export const picker = (folder: Locator, name: string): Locator =>
-  row(folder, name).locator('input[type=color]');
-
-/** The code of a colour row. */
-export const code = (folder: Locator, name: string): Locator => row(folder, name).locator('input[type=text]');
+/** The picker of a colour row; the row's text field has the row's own name. */
+export const picker = (folder: Locator, name: string): Locator => folder.getByLabel(`${name} picker`);
 
 /** Titles of the folders in a folder, from the top. */
 export const titlesIn = (folder: Locator): Promise<string[]> =>

@@ -1,9 +1,11 @@
 // Does the panel as a whole work? Fetched on first use, styled under a strict CSP, clear of the picture, removed again.
 
+import { readFileSync } from 'node:fs';
 import { AxeBuilder } from '@axe-core/playwright';
+import type { Locator } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import { assign, cameraOf, nextFrame, type PhongViewer, record } from './support.js';
-import { button, field, listOf, opened, panelOf, slider, titleOf, titlesIn } from './panel-rows.js';
+import { button, field, listOf, opened, panelOf, titleOf, titlesIn } from './panel-rows.js';
 
 const light = (name: string): string => `<phong-light name="${name}" diffuse="90 90 90"></phong-light>`;
 const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
@@ -36,7 +38,7 @@ test('has a folder for lights, camera, shading and material, and one for meshes 
 
 test('lies at the top right inside the viewer and scrolls there', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'a', 'b'), { width: 600, height: 300 });
-  await opened(viewer, 'a');
+  for (const title of ['a', 'b']) await opened(viewer, title);
   const outer = (await viewer.boundingBox())!;
   const inner = (await panelOf(viewer).boundingBox())!;
   expect(inner.x + inner.width).toBeLessThanOrEqual(outer.x + outer.width);
@@ -58,7 +60,7 @@ test('opens and closes by pointer and by keys', async ({ page, mount }) => {
   await title.focus();
   await page.keyboard.press('Enter');
   await expect(listOf(viewer)).toBeVisible();
-  await page.keyboard.press('Tab');
+  for (let stops = 0; stops < 3; stops++) await page.keyboard.press('Tab'); // past undo and redo
   await page.keyboard.press('Space');
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
 });
@@ -111,7 +113,7 @@ test('keeps the keyboard focus after a press between its controls', async ({ pag
   const viewer = await mount(scene('gui', 'sun'));
   const folder = await opened(viewer, 'sun');
   const before = await cameraOf(viewer);
-  await folder.getByText('position x', { exact: true }).click();
+  await folder.getByText('position', { exact: true }).click();
   for (const key of ['ArrowLeft', 'ArrowUp', '+', 'Home', 'PageDown']) await page.keyboard.press(key);
   expect(await cameraOf(viewer)).toEqual(before);
 });
@@ -172,7 +174,7 @@ test('keeps two viewers on a page apart', async ({ page, mount }) => {
   await expect(panelOf(a)).toHaveCount(0);
   const sheets = await b.evaluate((element) => element.shadowRoot!.adoptedStyleSheets.length);
   expect(sheets).toBe(2);
-  await slider(b, 'position x').fill('0.5');
+  await field(b, 'position x').fill('0.5');
   expect(await b.evaluate((element: PhongViewer) => element.lights[0]?.position[0])).toBe(0.5);
 });
 
@@ -208,6 +210,44 @@ test('is legible and has accessible names', async ({ page, mount }) => {
     expect(violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)])).toEqual([]);
     await titleOf(viewer, title).click();
   }
+});
+
+test.describe('an open panel', () => {
+  const picture = (viewer: Locator) => viewer.locator('[part=surface]');
+
+  test('stands beside the picture where there is room', async ({ mount }) => {
+    const viewer = await mount(scene('gui', 'sun'), { width: 1000, height: 400 });
+    await expect(panelOf(viewer)).toBeVisible();
+    const beside = (await picture(viewer).boundingBox())!;
+    expect(beside.width).toBeGreaterThan(650);
+    expect(beside.x + beside.width).toBeLessThanOrEqual((await panelOf(viewer).boundingBox())!.x);
+    await titleOf(viewer, 'Controls').click();
+    expect((await picture(viewer).boundingBox())!.width).toBe(1000);
+  });
+
+  test('is a sheet below the picture on a phone, which leaves half of it to the picture', async ({
+    page,
+    mount,
+  }) => {
+    await page.setViewportSize({ width: 390, height: 800 });
+    const viewer = await mount(scene('gui', 'sun'), { width: 390, height: 800 });
+    await titleOf(viewer, 'Controls').click();
+    await opened(viewer, 'sun');
+    const above = (await picture(viewer).boundingBox())!;
+    expect([above.width, above.height]).toEqual([390, 400]);
+    const sheet = (await panelOf(viewer).boundingBox())!;
+    expect([sheet.x, sheet.y, sheet.width, sheet.height]).toEqual([0, 400, 390, 400]);
+  });
+});
+
+test('saves the picture as a PNG under a strict policy', async ({ page, mount }) => {
+  const viewer = await mount(scene('gui', 'sun'));
+  const download = page.waitForEvent('download');
+  await button(panelOf(viewer), 'save PNG').click();
+  const file = await download;
+  expect(file.suggestedFilename()).toBe('phong-viewer.png');
+  const bytes = readFileSync(await file.path());
+  expect([...bytes.subarray(1, 4)]).toEqual([...Buffer.from('PNG')]);
 });
 
 test.describe('copy HTML', () => {

@@ -44,7 +44,7 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 /** Address prefix to folder, for the tests of this repository. */
 export const testMounts: Readonly<Record<string, string>> = {
   '/dist/': outputFolder('dist'),
-  '/demo/': outputFolder('dist-demo'),
+  '/demo/': outputFolder('site'),
   '/harness/': outputFolder('dist-harness'),
   '/fixtures/': join(repository, 'tests/fixtures'),
   '/assets/': join(repository, 'demo/assets'),

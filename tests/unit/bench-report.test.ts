@@ -8,7 +8,7 @@ import { describe, expect, test } from 'vitest';
 import { AIMS, judge } from '../bench/aims.mjs';
 import { reportOf } from '../bench/report.mjs';
 import { addSamples, type BenchResult } from '../bench/results.mjs';
-import { SPHERE_LIGHTS, SUBJECTS } from '../bench/subjects.mjs';
+import { modelSubjects, NETWORKS, SPHERE_LIGHTS, SUBJECTS } from '../bench/subjects.mjs';
 
 function resultOf(stack: string): BenchResult {
   const result: BenchResult = {
@@ -30,6 +30,12 @@ function resultOf(stack: string): BenchResult {
     three: 15,
     unlit: 10,
   });
+  for (const network of NETWORKS)
+    for (const subject of modelSubjects(network))
+      for (const measure of ['first picture', 'longest task', 'peak memory', 'upload', 'first draw'])
+        addSamples(result, subject, measure, 'ms', {
+          ...{ element: 10, 'model-viewer': 40, 'babylon-viewer': network === 'local' ? 20 : 12.5 },
+        });
   result.fronts.push({
     ...{ subject: 'front, 8 lights', title: '8 lights', variants: ['as specified', 'shipped'], base: 0 },
     errors: [
@@ -74,8 +80,21 @@ describe('an aim', () => {
     });
   });
 
-  test('is about a subject and a measure that exist', () => {
-    for (const { label, subject } of AIMS) expect(Object.keys(SUBJECTS), label).toContain(subject);
+  test('is about the better of two other viewers, over all models', () => {
+    const label = 'first picture of a model to the better of two viewers’';
+    expect(verdict(`${label}, local`, 'software')).toMatchObject({
+      measured: { median: 0.5, count: 10 },
+      met: true,
+    });
+    expect(verdict(`${label}, 10 Mbit/s`, 'software')).toMatchObject({
+      measured: { median: 0.8 },
+      met: false,
+    });
+  });
+
+  test('is about subjects and a measure that exist', () => {
+    for (const { label, subject, subjects = [] } of AIMS)
+      for (const name of [subject, ...subjects]) expect(Object.keys(SUBJECTS), label).toContain(name);
   });
 
   test('has no verdict where nothing was measured', () => {
@@ -94,6 +113,8 @@ describe('the report', () => {
   test('has figures of every kind of subject', () => {
     expect(row('sphere, 4 lights |')).toContain('0.5 (0.45–0.55) = 1 : 2');
     expect(row('script, 8 moving lights, script per frame, three')).toContain('| 15 |');
+    expect(row('pmndrs')).toContain('| 0.5 = 10 : 40 : 20 | 0.8 = 10 : 40 : 12.5 |');
+    expect(row('median ratio')).toContain('| 0.5 (0.5–0.5) | 0.8 (0.8–0.8) |');
     expect(row('8 lights: shipped')).toContain('0.50, error 0.3');
     expect(report).toContain('- software, bunny: no \\| model');
   });

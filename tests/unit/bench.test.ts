@@ -1,11 +1,23 @@
 // The arithmetic of the bench: statistics, results, progress, scenes and errors, without a browser.
+import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { errorOf } from '../bench/front/errors.js';
 import { glbOf } from '../bench/glb.mjs';
+import { endOfUploads, readTrace } from '../bench/measure/model.mjs';
+import { MODELS, writeModels } from '../bench/models.mjs';
 import { mixedLights, sceneOf } from '../bench/pages/scenes.js';
 import { parseOptions } from '../bench/options.mjs';
 import { Progress } from '../bench/progress.mjs';
-import { addSamples, type BenchResult, ratioOf, valueOf } from '../bench/results.mjs';
+import {
+  addSamples,
+  type BenchResult,
+  ratioOf,
+  ratioOverSubjects,
+  ratioToBest,
+  valueOf,
+} from '../bench/results.mjs';
 import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
 import { chosenSubjects, SUBJECTS } from '../bench/subjects.mjs';
 
@@ -54,6 +66,92 @@ describe('a result', () => {
     const kept = result();
     addSamples(kept, 'connecting', 'time', 'ms', { element: 900 });
     expect(ratioOf(kept.measures[0]!)).toBeUndefined();
+  });
+});
+
+describe('the ratio to other viewers', () => {
+  test('is to the better one, and counts every model once', () => {
+    const kept: BenchResult = {
+      ...{ stack: 'software', machine: {}, date: '', launches: 1, size: [1, 1] },
+      ...{ measures: [], fronts: [], failures: [] },
+    };
+    for (const element of [10, 12, 14])
+      addSamples(kept, 'a', 'first picture', 'ms', { element, one: 40, other: 20 });
+    addSamples(kept, 'b', 'first picture', 'ms', { element: 10, one: 10, other: 20 });
+    expect(ratioToBest(kept.measures[0]!)?.median).toBe(0.6);
+    expect(ratioOverSubjects(kept, ['a', 'b', 'c'], 'first picture')).toMatchObject({
+      median: 0.8,
+      count: 2,
+    });
+    expect(ratioOverSubjects(kept, ['c'], 'first picture')).toBeUndefined();
+  });
+});
+
+describe('models', () => {
+  test('are at most 5 MB, and their views lie within their buffers', async () => {
+    const folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+    try {
+      await writeModels(folder);
+      const names = readdirSync(folder);
+      expect(names.sort()).toEqual([...Object.values(MODELS), 'text.bin'].sort());
+      for (const name of names) {
+        const file = readFileSync(join(folder, name));
+        expect(file.length, name).toBeLessThan(5e6);
+        if (name.endsWith('.bin')) continue;
+        const text = name.endsWith('.gltf');
+        const json = JSON.parse(
+          text ? file.toString() : file.toString('utf8', 20, 20 + file.readUInt32LE(12)),
+        ) as {
+          readonly bufferViews: readonly { readonly byteOffset?: number; readonly byteLength: number }[];
+          readonly buffers: readonly { readonly byteLength: number }[];
+        };
+        const { byteLength: size } = json.buffers[0]!;
+        expect(size, name).toBeLessThanOrEqual(
+          text ? readFileSync(join(folder, 'text.bin')).length : file.length,
+        );
+        for (const { byteOffset = 0, byteLength } of json.bufferViews)
+          expect(byteOffset + byteLength, name).toBeLessThanOrEqual(size);
+      }
+    } finally {
+      rmSync(folder, { recursive: true });
+    }
+  });
+});
+
+describe('a trace of a page', () => {
+  test('gives frames and the longest task of the page since its navigation', () => {
+    const task = (ts: number, dur: number, tid = 1) => ({ name: 'RunTask', pid: 1, tid, ts, dur, args: {} });
+    const navigation = (ts: number, documentLoaderURL: string) => ({
+      ...{ name: 'navigationStart', pid: 1, tid: 1, ts },
+      args: { data: { documentLoaderURL } },
+    });
+    const frame = (ts: number, snapshot: string) => ({
+      name: 'Screenshot',
+      pid: 2,
+      tid: 2,
+      ts,
+      args: { snapshot },
+    });
+    const traceEvents = [
+      ...[navigation(0, ''), task(100, 900_000), frame(200, 'before')],
+      ...[
+        navigation(1000, 'http://localhost/'),
+        task(2000, 30_000),
+        task(3000, 70_000, 2),
+        frame(41_000, 'after'),
+      ],
+    ];
+    expect(readTrace(Buffer.from(JSON.stringify({ traceEvents })))).toEqual({
+      frames: [{ ms: 40, jpeg: 'after' }],
+      longestTask: 30,
+    });
+    expect(() => readTrace(Buffer.from('{"traceEvents":[]}'))).toThrow('the trace holds no navigation');
+  });
+
+  test('ends the uploads where only the uniforms of frames are left', () => {
+    const upload = (end: number, bytes: number) => ({ start: end - 1, end, bytes });
+    expect(endOfUploads([upload(5, 0), upload(10, 9000), upload(20, 900), upload(30, 100)])).toBe(20);
+    expect(endOfUploads([])).toBeNaN();
   });
 });
 

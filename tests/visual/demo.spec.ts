@@ -2,7 +2,22 @@
 import { allReady, compare, expect, expectPicture, pixelAt, pixels, test, type Picture } from '../support/test.js'; // prettier-ignore
 import { decodePng } from '../support/picture.js';
 
-const PAGES = ['', 'bunny/', 'shapes/', 'article/', 'lights/', 'explain/'];
+const PAGES = [
+  '',
+  'bunny/',
+  'shapes/',
+  'article/',
+  'lights/',
+  'explain/',
+  'gallery/',
+  'guide/lights/',
+  'guide/spots/',
+  'guide/camera/',
+  'guide/materials/',
+  'guide/models/',
+  'guide/accuracy/',
+  'guide/speed/',
+];
 const TILE = { width: 160, height: 120 };
 const COLUMNS = 6;
 
@@ -22,7 +37,7 @@ function contactSheet(tiles: readonly Picture[]): Picture {
 }
 
 for (const path of PAGES) {
-  const name = path === '' ? 'landing' : path.slice(0, -1);
+  const name = path === '' ? 'landing' : path.slice(0, -1).replace('/', '-');
   test(`shows the ${name} page as it was, under a strict policy`, async ({ page }) => {
     test.setTimeout(120_000);
     await page.goto(`/demo/${path}`);

@@ -2,10 +2,11 @@
 // neither lights nor meshes.
 import type { ReactiveController } from '@lit/reactive-element';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
-import { newBasis } from '../../camera/orbit.js';
+import { newBasis, type Pose } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
+import type { Framing } from '../../scene/auto-fit.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { PictureCorners } from '../page/picture-box.js';
 import type { CameraValues, ViewerValues } from '../fields/viewer-fields.js';
@@ -24,6 +25,13 @@ export interface CameraState {
   readonly radius: number;
 }
 
+/** Where the camera is and whether it fits the scene, apart from what is declared. */
+export interface Placement {
+  readonly pose: Pose;
+  /** What is `auto`; null once the user has moved the camera. */
+  readonly framing: Framing | null;
+}
+
 export interface CameraHost {
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
@@ -38,7 +46,6 @@ export class ViewerCamera implements ReactiveController {
   #reducedMotion: MediaQueryList | null = null;
   #inView = false;
   #input: OrbitInput | null = null;
-  #source: CameraSource = 'script';
 
   constructor(host: CameraHost) {
     this.#host = host;
@@ -79,50 +86,49 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
+  get placement(): Placement {
+    const { viewport } = this.#host;
+    viewport.settle();
+    return { pose: viewport.orbit.pose, framing: viewport.framing };
+  }
+
+  /** Moves the camera there. The declared values stay, as when the user drags it. */
+  place({ pose, framing }: Placement, source: CameraSource): void {
+    this.#move(source, () => {
+      const { viewport } = this.#host;
+      viewport.orbit.set(pose);
+      viewport.framing = framing;
+      viewport.settle();
+    });
+  }
+
   /** A property was assigned. Moves the camera there, even if the value is the same as before. */
   assigned(key: string): void {
     if (!CAMERA_KEYS.has(key)) return;
     const { values, viewport } = this.#host;
     const { theta, phi, radius, target } = values;
     const { orbit } = viewport;
-    const before = orbit.version;
-    const byPanel = this.#source === 'panel';
-    if (key === 'theta' || key === 'phi') {
-      orbit.set(key === 'theta' ? { theta } : { phi });
-      // The panel is the user's as well: from now on nothing fits the camera to the scene.
-      if (byPanel) viewport.framing = null;
-    } else {
-      const { pose } = orbit;
-      const kept = viewport.framing ?? { radius: pose.radius, target: pose.target };
-      viewport.framing = key === 'radius' ? { ...kept, radius } : { ...kept, target };
-      viewport.settle();
-      if (byPanel && values[key as 'radius' | 'target'] !== 'auto') viewport.framing = null;
-    }
-    this.#input?.reanchor();
-    if (orbit.version !== before) this.#moved(this.#source);
+    this.#move('script', () => {
+      if (key === 'theta' || key === 'phi') {
+        orbit.set(key === 'theta' ? { theta } : { phi });
+      } else {
+        const kept = viewport.framing ?? orbit.pose;
+        viewport.framing =
+          key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
+        viewport.settle();
+      }
+    });
   }
 
   /** Back to the declared camera. */
   reset(source: CameraSource = 'script'): void {
     const { values, viewport } = this.#host;
     const { theta, phi, radius, target } = values;
-    const before = viewport.orbit.version;
-    viewport.orbit.set({ theta, phi });
-    viewport.framing = { radius, target };
-    viewport.settle();
-    this.#input?.reanchor();
-    if (viewport.orbit.version !== before) this.#moved(source);
-  }
-
-  /** Camera properties assigned inside `write` count as moved by `source`. */
-  from(source: CameraSource, write: () => void): void {
-    const outer = this.#source;
-    this.#source = source;
-    try {
-      write();
-    } finally {
-      this.#source = outer;
-    }
+    this.#move(source, () => {
+      viewport.orbit.set({ theta, phi });
+      viewport.framing = { radius, target };
+      viewport.settle();
+    });
   }
 
   /** The picture has another size. A drag in progress continues from here. */
@@ -161,6 +167,15 @@ export class ViewerCamera implements ReactiveController {
   readonly #startTurning = (): void => {
     if (this.turning) this.#host.viewport.animate();
   };
+
+  /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
+  #move(source: CameraSource, write: () => void): void {
+    const { viewport } = this.#host;
+    const before = viewport.orbit.version;
+    write();
+    this.#input?.reanchor();
+    if (viewport.orbit.version !== before) this.#moved(source);
+  }
 
   #moved(source: CameraSource): void {
     this.#host.viewport.invalidate();

@@ -1,36 +1,90 @@
 // A viewer's scene as markup that gives the same picture. Text only: building elements would upgrade them.
 import type { FieldStore } from '../../fields/field-store.js';
 import { fileName } from '../../scene/mesh/file-name.js';
+import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
-import { fieldsOf } from '../internals.js';
+import { fieldsOf, viewerCameras } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
 
-/** The viewer with its meshes and lights, one child per line. The camera is the one shown now. */
+/** The page's own attributes that are kept. */
+const KEPT = ['id', 'class', 'style'];
+
+/** Wrappers that are written as they are; others, such as custom elements, which may bring lights of their own, become `div`. */
+const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
+
+/** The viewer with its meshes and lights in document order, in their wrappers. The camera is the one shown now. */
 export function sceneMarkup(viewer: PhongViewer): string {
   const { theta, phi, radius, target } = viewer.camera;
-  const children = [
-    ...viewer.meshes.map((mesh) => startTag(mesh, fieldsOf(mesh).store) + endTag(mesh)),
-    ...viewer.lights.map((light) => startTag(light, fieldsOf(light).store) + endTag(light)),
-  ];
-  const inner = children.length === 0 ? '' : `\n${children.map((child) => `  ${child}\n`).join('')}`;
-  return startTag(viewer, fieldsOf(viewer).store, { theta, phi, radius, target }) + inner + endTag(viewer);
+  const framing = viewerCameras.get(viewer)?.placement.framing;
+  const shown = {
+    theta,
+    phi,
+    radius: framing?.radius === 'auto' ? 'auto' : radius,
+    target: framing?.target === 'auto' ? 'auto' : target,
+  };
+  const tree = treeOf(viewer);
+  const write = (element: Element, indent: string): string => {
+    const { localName } = element;
+    const isOurs = localName.startsWith('phong-');
+    const name = isOurs || WRAPPERS.test(localName) ? localName : 'div';
+    const { store } = isOurs ? fieldsOf(element as PhongViewer) : { store: null };
+    const values = store === null ? '' : attributes(name, store, element === viewer ? shown : {}, radius);
+    const inner = (tree.get(element) ?? []).map((child) => `${write(child, `${indent}  `)}\n`).join('');
+    return `${indent}<${name}${kept(element)}${values}>${inner === '' ? '' : `\n${inner}${indent}`}</${name}>`;
+  };
+  return write(viewer, '');
 }
 
-/** With the attributes that were given, in the order of the fields, and `instead` in place of the values it names. */
-function startTag<V extends object>(
-  { localName }: Element,
+/** The meshes, lights and wrappers in the viewer and in each other. Shadow trees count as their hosts' children. */
+function treeOf(viewer: Element): ReadonlyMap<Element, readonly Element[]> {
+  const tree = new Map<Element, Element[]>();
+  for (const child of registryOf(viewer).inOrder) {
+    for (let node: Element = child; node !== viewer;) {
+      const parent: Element = node.parentElement ?? (node.getRootNode() as ShadowRoot).host;
+      const list = tree.get(parent) ?? [];
+      tree.set(parent, list);
+      if (list.at(-1) === node) break;
+      list.push(node);
+      node = parent;
+    }
+  }
+  return tree;
+}
+
+const kept = (element: Element): string =>
+  KEPT.map((name) => {
+    const text = element.getAttribute(name) ?? '';
+    return text === '' ? '' : attribute(name, text);
+  }).join('');
+
+/** The values that were given, in the order of the fields, and `instead` in place of those it names. */
+function attributes<V extends object>(
+  tag: string,
   store: FieldStore<V>,
-  instead: { readonly [K in keyof V]?: unknown } = {},
+  instead: { readonly [K in keyof V]?: unknown },
+  radius: number,
 ): string {
-  let tag = `<${localName}`;
+  let all = '';
   for (const key of Object.keys(store.fields) as (keyof V & string)[]) {
     const replaced = key in instead;
     if (!replaced && !store.given(key)) continue;
-    const value = replaced ? instead[key] : store.values[key];
-    const text = value instanceof Blob ? hostedName(localName, value) : formatValue(value, store.fields[key]);
-    if (text !== null) tag += ` ${attributeOf(key)}${text === '' ? '' : `="${escape(text)}"`}`;
+    const value: unknown = replaced ? instead[key] : store.values[key];
+    const text =
+      value instanceof Blob ? hostedName(tag, value) : formatValue(rounded(value, radius), store.fields[key]);
+    if (text !== null) all += attribute(attributeOf(key), text);
   }
-  return `${tag}>`;
+  return all;
+}
+
+/**
+ * Rounds to eight digits, counted from the first digit of the value or of the camera's radius, whichever is smaller. The error is
+ * below half a step of the float32 numbers that the GPU gets, which are relative to the camera's target.
+ */
+function rounded(value: unknown, radius: number): unknown {
+  if (Array.isArray(value)) return value.map((item) => rounded(item, radius));
+  if (typeof value !== 'number' || value === 0) return value;
+  const larger = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(radius));
+  return Number(value.toPrecision(Math.min(8 + Math.max(larger, 0), 17)));
 }
 
 /** Files of the user's that were warned about. */
@@ -48,6 +102,5 @@ function hostedName(tag: string, file: Blob): string {
   return encodeURIComponent(name);
 }
 
-const endTag = ({ localName }: Element): string => `</${localName}>`;
-
-const escape = (text: string): string => text.replace(/[&"<>\r]/g, (c) => `&#${String(c.charCodeAt(0))};`);
+const attribute = (name: string, text: string): string =>
+  ` ${name}${text === '' ? '' : `="${text.replace(/[&"<>\r]/g, (c) => `&#${String(c.charCodeAt(0))};`)}"`}`;

@@ -67,7 +67,7 @@ async function startOf(lab, path) {
 }
 
 /** It belongs to the browser's start, not to the page's. @param {import('playwright-core').Browser} browser */
-async function startGpuProcess(browser) {
+export async function startGpuProcess(browser) {
   const page = await browser.newPage();
   await page.evaluate(() => {
     const gl = document.createElement('canvas').getContext('webgl2');

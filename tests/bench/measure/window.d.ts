@@ -1,6 +1,10 @@
-// What `watchFirstPicture` leaves in a page.
+// What the measures leave in a page.
 
 interface Window {
   /** Milliseconds from navigation until the first picture was drawn. */
   firstPicture?: number;
+  /** The viewer has loaded its model; set by the page. */
+  modelLoaded?: boolean;
+  /** Uploads to WebGL in order: milliseconds since navigation. */
+  uploads: { readonly start: number; readonly end: number; readonly bytes: number }[];
 }

@@ -1,0 +1,38 @@
+// Which pages does the site have, and in what order are they read? Paths are relative to the site's root and end with a
+// slash. Knows no page's text.
+
+export interface Entry {
+  readonly path: string;
+  readonly label: string;
+}
+
+/** The header's navigation, on every page. */
+export const sections: readonly Entry[] = [
+  { path: 'guide/', label: 'Guide' },
+  { path: 'playground/', label: 'Playground' },
+  { path: 'gallery/', label: 'Gallery' },
+  { path: 'api/', label: 'API' },
+  { path: 'bench/', label: 'Bench' },
+  { path: 'releases/', label: 'Releases' },
+];
+
+/** The short pages of the guide. */
+export const guide: readonly Entry[] = [
+  { path: 'guide/lights/', label: 'Lights' },
+  { path: 'guide/spots/', label: 'Spots' },
+  { path: 'guide/camera/', label: 'Camera' },
+  { path: 'guide/materials/', label: 'Materials' },
+  { path: 'guide/models/', label: 'Models' },
+  { path: 'guide/accuracy/', label: 'Accuracy' },
+  { path: 'guide/speed/', label: 'Speed' },
+  { path: 'guide/frameworks/', label: 'Frameworks' },
+];
+
+/** The pages that the guide builds on. */
+export const closerLooks: readonly Entry[] = [
+  { path: 'article/', label: 'Equation' },
+  { path: 'explain/', label: 'Fragment' },
+  { path: 'shapes/', label: 'Shapes' },
+  { path: 'lights/', label: 'Many lights' },
+  { path: 'bunny/', label: 'Bunny' },
+];

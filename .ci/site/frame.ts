@@ -1,0 +1,126 @@
+// What do all pages of the site share? The head for browsers, search engines and link previews, the header with the
+// navigation, the footer with the way to the package. Text only; knows no page's content.
+
+import { closerLooks, guide, sections, type Entry } from './contents.js';
+import { escapeHtml } from './markdown.js';
+
+/** Scripts, styles, models and pictures come from the site itself; nothing inline, nothing evaluated. */
+const POLICY = {
+  'default-src': "'none'",
+  'script-src': "'self'",
+  'style-src': "'self'",
+  'img-src': "'self' blob: data:",
+  'connect-src': "'self'",
+  'base-uri': "'none'",
+  'form-action': "'none'",
+};
+
+/** The playground loads models from other hosts after a click (demo/playground/sources.ts). */
+const PLAYGROUND_POLICY = {
+  ...POLICY,
+  'img-src': `${POLICY['img-src']} https:`,
+  'connect-src': `${POLICY['connect-src']} https:`,
+};
+
+export interface Page {
+  /** Relative to the site's root: `''`, `guide/lights/`. */
+  readonly path: string;
+  readonly title: string;
+  readonly description: string;
+}
+
+export interface Facts {
+  readonly version: string;
+  /** The repository's address in a browser. */
+  readonly repository: string;
+  /** Where the site is published: absolute, with a slash at the end. Link previews need absolute addresses. */
+  readonly site: string;
+}
+
+/** The way from a page to the site's root. */
+const rootFrom = (path: string): string => '../'.repeat(path.split('/').length - 1) || './';
+
+/** @param policy whether to add the Content-Security-Policy. The development server's own scripts would break it. */
+export function headHtml({ path, title, description }: Page, { site }: Facts, policy: boolean): string {
+  const root = rootFrom(path);
+  const full = escapeHtml(path === '' ? title : `${title} – phong-viewer`);
+  const rules = Object.entries(path === 'playground/' ? PLAYGROUND_POLICY : POLICY);
+  const csp = rules.map(([name, value]) => `${name} ${value}`).join('; ');
+  return `
+    <meta charset="utf-8" />
+    <meta name="viewport" content="width=device-width, initial-scale=1" />
+    ${policy ? `<meta http-equiv="Content-Security-Policy" content="${csp}" />` : ''}
+    <title>${full}</title>
+    <meta name="description" content="${description}" />
+    <meta name="color-scheme" content="light dark" />
+    <link rel="canonical" href="${site}${path}" />
+    <meta property="og:type" content="website" />
+    <meta property="og:site_name" content="phong-viewer" />
+    <meta property="og:title" content="${full}" />
+    <meta property="og:description" content="${description}" />
+    <meta property="og:url" content="${site}${path}" />
+    <meta property="og:image" content="${site}assets/images/preview.png" />
+    <meta property="og:image:width" content="1200" />
+    <meta property="og:image:height" content="630" />
+    <meta property="og:image:alt" content="A knot, a sphere, a cone and a box under a sun, a lamp and a spot" />
+    <meta name="twitter:card" content="summary_large_image" />
+    <link rel="icon" href="${root}assets/images/icon.svg" type="image/svg+xml" />
+    <link rel="stylesheet" href="${root}page.css" />`;
+}
+
+export function headerHtml(path: string): string {
+  const root = rootFrom(path);
+  const deep = closerLooks.some((page) => page.path === path);
+  const items = sections.map((section) => {
+    const inside = path.startsWith(section.path) || (deep && section.path === 'guide/');
+    const current = section.path === path ? 'page' : inside ? 'true' : '';
+    return link(section, root, current);
+  });
+  const topics = path.startsWith('guide/') || deep ? [...guide, ...closerLooks] : [];
+  return `
+      <a class="skip" href="#main">Skip to the text</a>
+      <header class="head">
+        <a class="mark" href="${root}">&lt;phong-viewer&gt;</a>
+        <nav aria-label="Pages"><ul>${items.join('')}</ul></nav>
+      </header>${
+        topics.length === 0
+          ? ''
+          : `
+      <nav class="topics" aria-label="Guide"><ul>${topics
+        .map((topic) => link(topic, root, topic.path === path ? 'page' : ''))
+        .join('')}</ul></nav>`
+      }`;
+}
+
+export function footerHtml(path: string, { version, repository }: Facts): string {
+  const root = rootFrom(path);
+  return `${neighboursHtml(path, root)}
+      <footer class="foot">
+        <p class="get">
+          Get it: <code>npm install phong-viewer three</code>, or
+          <a href="${root}#install">one file without a bundler</a>.
+        </p>
+        <p>
+          phong-viewer ${escapeHtml(version)}, MIT licence, <a href="${escapeHtml(repository)}">source</a>. Every picture
+          on these pages is drawn as you look at it.
+        </p>
+      </footer>`;
+}
+
+/** Links to the page before and after, in the guide's order. */
+function neighboursHtml(path: string, root: string): string {
+  const order = [{ path: 'guide/', label: 'Guide' }, ...guide];
+  const at = order.findIndex((page) => page.path === path);
+  if (at < 0) return '';
+  const [before, after] = [order[at - 1], order[at + 1]];
+  const parts = [
+    before ? `<a rel="prev" href="${root}${before.path}">← ${before.label}</a>` : '<span></span>',
+    after ? `<a rel="next" href="${root}${after.path}">${after.label} →</a>` : '',
+  ];
+  return `
+      <nav class="neighbours" aria-label="Next and previous">${parts.join('')}</nav>`;
+}
+
+function link({ path, label }: Entry, root: string, current: string): string {
+  return `<li><a href="${root}${path}"${current === '' ? '' : ` aria-current="${current}"`}>${label}</a></li>`;
+}

@@ -1,0 +1,153 @@
+// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api -->` by generated parts,
+// and gives the playground the documented attributes. The same in the development server and in the build.
+
+import { spawnSync } from 'node:child_process';
+import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Package as Manifest } from 'custom-elements-manifest';
+import type { Plugin } from 'vite';
+import { outputFolder } from '../output-folder.mjs';
+import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
+import { apiHtml, kilobytes, releasesHtml, sizesHtml } from './generated.js';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const demo = join(repository, 'demo');
+const dist = outputFolder('dist');
+
+/** Every index.html under demo/. */
+export const pageFiles = (): string[] =>
+  readdirSync(demo, { recursive: true, encoding: 'utf8' })
+    .filter((path) => path.endsWith('index.html'))
+    .map((path) => join(demo, path));
+
+/** The data of tags and attributes that editors read; the playground completes and filters by it. */
+const HTML_DATA = 'virtual:html-data';
+/** The names of the documented attributes by tag. */
+const ATTRIBUTES = 'virtual:attributes';
+
+export function sitePages(): Plugin {
+  let building = false;
+  return {
+    name: 'site-pages',
+    configResolved(config) {
+      building = config.command === 'build';
+    },
+    resolveId: (id) => (id === HTML_DATA || id === ATTRIBUTES ? `\0${id}` : null),
+    load(id) {
+      if (id === `\0${HTML_DATA}`) return `export default ${readBuilt('vscode.html-custom-data.json')}.tags;`;
+      if (id === `\0${ATTRIBUTES}`) return `export default ${JSON.stringify(documentedAttributes())};`;
+      return null;
+    },
+    transformIndexHtml: {
+      order: 'pre',
+      handler: (html, { path }) =>
+        pageHtml(html, path.replace(/^\//, '').replace(/index\.html$/, ''), building),
+    },
+    writeBundle() {
+      if (!building) return;
+      const output = outputFolder('site');
+      // Files in demo/assets keep their names: Vite does not follow the `src` of a custom element.
+      cpSync(join(demo, 'assets'), join(output, 'assets'), { recursive: true });
+      writeFileSync(join(output, 'sitemap.xml'), sitemap());
+    },
+  };
+}
+
+function pageHtml(source: string, path: string, building: boolean): string {
+  const title = /<title>([^<]*)<\/title>\s*/.exec(source);
+  const description = /<meta\s+name="description"\s+content="([^"]*)"\s*\/>\s*/.exec(source);
+  if (title === null || description === null)
+    throw new Error(`demo/${path}: needs a title and a description`);
+  const facts = packageFacts();
+  const head = headHtml({ path, title: title[1]!, description: description[1]! }, facts, building);
+  return source
+    .replace(title[0], '')
+    .replace(description[0], '')
+    .replace('<head>', () => `<head>${head}`)
+    .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path))
+    .replace('</main>', () => `</main>${footerHtml(path, facts)}`)
+    .replaceAll('href="repository:', () => `href="${facts.repository}/blob/main/`)
+    .replace(
+      /<!-- ([a-z]+)(?: ([a-z-]+))? -->/g,
+      (comment: string, name: string, argument?: string) => generated.get(name)?.(argument ?? '') ?? comment,
+    );
+}
+
+/** What replaces the comments `<!-- name -->` and `<!-- name argument -->`. */
+const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
+  string,
+  (argument: string) => string
+>([
+  ['api', () => apiHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
+  [
+    'releases',
+    () => releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository),
+  ],
+  ['sizes', () => sizesHtml(dist)],
+  [
+    'size',
+    () => {
+      const file = join(dist, 'phong-viewer.standalone.js');
+      return existsSync(file) ? kilobytes(file) : '…';
+    },
+  ],
+  ['scene', sceneHtml],
+  ['panelled', (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui')],
+]);
+
+function sceneHtml(name: string): string {
+  return readFileSync(join(demo, 'scenes', `${name}.html`), 'utf8');
+}
+
+/** A file of dist/ that `npm run manifest` writes; written now if the package has not been built. */
+function readBuilt(name: string): string {
+  const file = join(dist, name);
+  if (!existsSync(file)) {
+    mkdirSync(dist, { recursive: true });
+    const { status } = spawnSync(process.execPath, [join(repository, '.ci/manifest.mjs')], {
+      stdio: 'inherit',
+    });
+    if (status !== 0) throw new Error('npm run manifest failed');
+  }
+  return readFileSync(file, 'utf8');
+}
+
+function documentedAttributes(): Record<string, string[]> {
+  const manifest = JSON.parse(readBuilt('custom-elements.json')) as Manifest;
+  const entries = manifest.modules
+    .flatMap((module) => module.declarations ?? [])
+    .flatMap((declaration) =>
+      'customElement' in declaration
+        ? [[declaration.tagName ?? '', (declaration.attributes ?? []).map(({ name }) => name)] as const]
+        : [],
+    );
+  return Object.fromEntries(entries);
+}
+
+function packageFacts(): Facts {
+  const { version, repository: source } = JSON.parse(
+    readFileSync(join(repository, 'package.json'), 'utf8'),
+  ) as { version: string; repository: { url: string } };
+  const address = source.url.replace(/^git\+/, '').replace(/\.git$/, '');
+  const [, owner = '', name = ''] = /\/([^/]+)\/([^/]+)$/.exec(address) ?? [];
+  // GitHub Pages' address, unless the build is told another one.
+  const site = process.env['SITE_URL'] ?? `https://${owner}.github.io/${name}`;
+  return { version, repository: address, site: site.replace(/\/*$/, '/') };
+}
+
+function sitemap(): string {
+  const { site } = packageFacts();
+  const addresses = pageFiles().map((file) =>
+    file
+      .slice(demo.length + 1)
+      .replaceAll('\\', '/')
+      .replace(/index\.html$/, ''),
+  );
+  const urls = addresses.sort().map((path) => `  <url><loc>${site}${path}</loc></url>`);
+  return `<?xml version="1.0" encoding="UTF-8"?>
+<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">
+${urls.join('\n')}
+</urlset>
+`;
+}

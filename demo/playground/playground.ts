@@ -1,0 +1,212 @@
+// The playground: what is written is shown, what is changed in the picture is written, and both are in the address.
+import '../page.js';
+import { markupOf } from '../parts/markup.js';
+import { fragmentOf, readFragment } from './address.js';
+import type { Editor } from './editor.js';
+import { EXAMPLES } from './examples.js';
+import { readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
+import { showScene } from './show.js';
+
+/** Milliseconds without a keystroke before the scene is in the address. */
+const ADDRESS_MS = 400;
+/** Milliseconds without a change in the picture before it is written into the markup. */
+const SETTLE_MS = 300;
+/** Characters per line of markup that the page writes. */
+const LINE_LENGTH = 76;
+
+const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
+const viewer = part<HTMLElementTagNameMap['phong-viewer']>('scene');
+const gate = part('gate');
+const choice = part<HTMLSelectElement>('example');
+const area = part<HTMLTextAreaElement>('text');
+
+let text = '';
+/** The scene that the viewer shows; null before the first. */
+let shown: Scene | null = null;
+/** The viewer's own markup of that scene. Other markup means that the user has changed something in the picture. */
+let shownMarkup = '';
+/** Origins that the user has allowed on this page. */
+const allowed = new Set<string>();
+let editor: Editor | null = null;
+
+// -- From the text to the picture --------------------------------------------------------------------------------------
+
+function write(next: string): void {
+  text = next;
+  const scene = readScene(text, document.baseURI);
+  if (typeof scene === 'string') {
+    say([scene]);
+    return;
+  }
+  say(scene.leftOut);
+  const waiting = scene.hosts.filter((host) => !allowed.has(host));
+  askFor(waiting);
+  const permitted = withoutHosts(scene, allowed, document.baseURI);
+  touched = false;
+  showScene(viewer, shown, permitted);
+  shown = permitted;
+  shownMarkup = viewer.toHTML();
+}
+
+function say(messages: readonly string[]): void {
+  part('messages').replaceChildren(
+    ...messages.map((message) => {
+      const item = document.createElement('li');
+      item.textContent = message;
+      return item;
+    }),
+  );
+}
+
+/** Shows a question with one button, or nothing if no host waits. */
+function askFor(hosts: readonly string[]): void {
+  gate.hidden = hosts.length === 0;
+  const question = document.createElement('p');
+  question.textContent = `This scene wants to load files from ${hosts.slice(0, 3).join(', ')}${hosts.length > 3 ? ` and ${String(hosts.length - 3)} more` : ''}.`;
+  const button = document.createElement('button');
+  button.type = 'button';
+  button.textContent = 'Load them';
+  button.addEventListener('click', () => {
+    for (const host of hosts) allowed.add(host);
+    write(text);
+  });
+  gate.replaceChildren(...(hosts.length === 0 ? [] : [question, button]));
+}
+
+// -- From the picture to the text --------------------------------------------------------------------------------------
+
+/** Whether the user has touched the picture since the text was shown. */
+let touched = false;
+/** Whether a press that began in the picture lasts: a whole drag is one change of the markup. */
+let pressed = false;
+let settling = 0;
+
+function settle(): void {
+  clearTimeout(settling);
+  if (touched && !pressed) settling = window.setTimeout(writeBack, SETTLE_MS);
+}
+
+function writeBack(): void {
+  // Files that wait for a click are not in the viewer, and so not in its markup.
+  if (!gate.hidden) return;
+  const markup = viewer.toHTML();
+  if (markup === shownMarkup) return;
+  const scene = readScene(markup, document.baseURI);
+  if (typeof scene === 'string') return;
+  shown = scene;
+  shownMarkup = markup;
+  text = written(scene);
+  area.value = text;
+  editor?.setText(text);
+  remember();
+}
+
+for (const type of ['pointerdown', 'keydown', 'wheel', 'input', 'drop'] as const) {
+  const noteTouch = (): void => {
+    touched = true;
+    if (type === 'pointerdown') pressed = true;
+    settle();
+  };
+  viewer.addEventListener(type, noteTouch, { passive: true });
+}
+for (const type of ['pointerup', 'pointercancel', 'blur'] as const) {
+  addEventListener(type, () => {
+    pressed = false;
+    settle();
+  });
+}
+viewer.addEventListener('light-change', settle);
+viewer.addEventListener('camera-change', ({ detail: { source } }) => {
+  if (source !== 'auto') settle();
+});
+// Meshes and shading have no event of their own; while the camera turns by itself, frames say nothing.
+viewer.addEventListener('render', () => {
+  if (viewer.autoRotate === 0) settle();
+});
+
+// -- The address -------------------------------------------------------------------------------------------------------
+
+let remembering = 0;
+
+function remember(): void {
+  clearTimeout(remembering);
+  remembering = window.setTimeout(() => void putInAddress(), ADDRESS_MS);
+}
+
+async function putInAddress(): Promise<void> {
+  clearTimeout(remembering);
+  const now = text;
+  const example = EXAMPLES.find((e) => textOf(e.text) === now);
+  choice.value = example?.name ?? '';
+  const fragment = example === undefined ? await fragmentOf(now) : `#example=${example.name}`;
+  if (now === text) history.replaceState(null, '', fragment);
+}
+
+async function open(): Promise<void> {
+  const addressed = await readFragment(location.hash);
+  if (addressed !== null && 'text' in addressed) {
+    start(addressed.text);
+    return;
+  }
+  const name = addressed !== null && 'example' in addressed ? addressed.example : 'room';
+  const example = EXAMPLES.find((e) => e.name === name);
+  start(textOf((example ?? EXAMPLES[0]!).text));
+  if (addressed !== null && 'fault' in addressed) say([addressed.fault]);
+  else if (example === undefined) say(['There is no example of this name.']);
+}
+
+/** Shows a text that did not come from the editor. */
+function start(next: string): void {
+  choice.value = EXAMPLES.find((e) => textOf(e.text) === next)?.name ?? '';
+  area.value = next;
+  editor?.setText(next);
+  // The camera and values that the user has moved belong to the scene before.
+  viewer.resetCamera();
+  write(next);
+}
+
+/** An example as the playground writes markup: several attributes on a line, and with the panel. */
+function textOf(source: string): string {
+  const scene = readScene(source.replace('<phong-viewer', '<phong-viewer gui'), document.baseURI);
+  return typeof scene === 'string' ? source : written(scene);
+}
+
+/** The scene as markup. */
+function written(scene: Scene): string {
+  const element = sceneElement(scene);
+  const pieces = element === null ? [] : markupOf(element, LINE_LENGTH);
+  return `${pieces.map((piece) => piece.text).join('')}\n`;
+}
+
+// -- The page ----------------------------------------------------------------------------------------------------------
+
+const typed = (next: string): void => {
+  write(next);
+  remember();
+};
+
+choice.append(new Option('your own', ''), ...EXAMPLES.map(({ name, title }) => new Option(title, name)));
+choice.addEventListener('change', () => {
+  if (choice.value !== '') location.hash = `#example=${choice.value}`;
+});
+area.addEventListener('input', () => typed(area.value));
+addEventListener('hashchange', () => void open());
+part('share').addEventListener('click', () => {
+  void putInAddress().then(async () => {
+    const said = part<HTMLOutputElement>('shared');
+    try {
+      await navigator.clipboard.writeText(location.href);
+      said.textContent = 'Copied.';
+    } catch {
+      said.textContent = 'The link is in the address bar.';
+    }
+  });
+});
+
+await open();
+// The picture comes first. The text can be changed in the plain field until the editor is there.
+await viewer.ready;
+const { startEditor } = await import('./editor.js');
+const focused = document.activeElement === area;
+editor = startEditor(part('editor'), text, typed);
+if (focused) part('editor').querySelector<HTMLElement>('.host')?.focus();

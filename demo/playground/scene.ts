@@ -1,0 +1,150 @@
+// Which scene does a text describe? The text may come from a stranger's link. It is parsed into a document that runs and
+// fetches nothing; of that, only the package's elements and their documented attributes are kept. Knows no live element.
+import attributes from 'virtual:attributes';
+import { LONGEST_TEXT } from './address.js';
+import { sourceKind } from './sources.js';
+
+export interface SceneElement {
+  readonly tag: string;
+  readonly attributes: ReadonlyMap<string, string>;
+}
+
+export interface Scene {
+  /** The viewer first, then its lights and meshes in document order. */
+  readonly elements: readonly SceneElement[];
+  /** What the text contains besides, as sentences for the user. At most {@link MOST_MESSAGES}. */
+  readonly leftOut: readonly string[];
+  /** Origins of other hosts that the scene wants to load files from. */
+  readonly hosts: readonly string[];
+}
+
+/** Far more than a person writes. Each mesh costs memory, so a short link must not ask for tens of thousands. */
+export const MOST_ELEMENTS = 1000;
+const MOST_MESSAGES = 5;
+/** Characters of a name in a message. */
+const LONGEST_NAME = 40;
+
+const HTML = 'http://www.w3.org/1999/xhtml';
+const VIEWER = 'phong-viewer';
+const documented: ReadonlyMap<string, ReadonlySet<string>> = new Map(
+  Object.entries(attributes).map(([tag, names]) => [tag, new Set(names)]),
+);
+/** Attributes that make the browser fetch something. */
+const LOADING = new Set(['src', 'poster']);
+
+/** The scene, or a sentence that says why there is none. */
+export function readScene(text: string, base: string): Scene | string {
+  if (text.length > LONGEST_TEXT) {
+    return `The markup is too long to show: at most ${LONGEST_TEXT.toLocaleString('en')} characters.`;
+  }
+  const parsed = new DOMParser().parseFromString(text, 'text/html');
+  const viewer = [...parsed.getElementsByTagName(VIEWER)].find(isHtml);
+  if (viewer === undefined) return 'Write a <phong-viewer> to see a picture.';
+  const reader = new SceneReader(base);
+  reader.readAround(parsed, viewer);
+  reader.readViewer(viewer);
+  if (reader.elements.length > MOST_ELEMENTS) {
+    return `The scene has too many elements to show: at most ${MOST_ELEMENTS.toLocaleString('en')}.`;
+  }
+  return { elements: reader.elements, leftOut: reader.sentences(), hosts: [...reader.hosts] };
+}
+
+const isHtml = (element: Element): boolean => element.namespaceURI === HTML;
+
+class SceneReader {
+  readonly elements: SceneElement[] = [];
+  readonly hosts = new Set<string>();
+  readonly #base: string;
+  readonly #leftOut = new Set<string>();
+
+  constructor(base: string) {
+    this.#base = base;
+  }
+
+  /** Names what stands outside the viewer. */
+  readAround(parsed: Document, viewer: Element): void {
+    for (const element of parsed.querySelectorAll('head > *, body > *')) {
+      if (!element.contains(viewer)) this.#leave(`<${clipped(element.localName)}>`);
+    }
+  }
+
+  readViewer(viewer: Element): void {
+    this.#keep(viewer);
+    const filter = (node: Node): number => this.#filter(node as Element);
+    const walker = viewer.ownerDocument.createTreeWalker(viewer, NodeFilter.SHOW_ELEMENT, filter);
+    for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
+      if (this.elements.length > MOST_ELEMENTS) return;
+      this.#keep(node as Element);
+    }
+  }
+
+  sentences(): readonly string[] {
+    const names = [...this.#leftOut];
+    const shown = names.slice(0, MOST_MESSAGES).map((name) => `Left out: ${name}.`);
+    const more = names.length - shown.length;
+    return more > 0 ? [...shown, `And ${String(more)} more.`] : shown;
+  }
+
+  #filter(element: Element): number {
+    const known = isHtml(element) && documented.has(element.localName);
+    if (known && element.localName !== VIEWER) return NodeFilter.FILTER_ACCEPT;
+    this.#leave(`<${clipped(element.localName)}>`);
+    // Lights may stand in wrappers. Those of another viewer belong to it.
+    return element.localName === VIEWER ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_SKIP;
+  }
+
+  #keep(element: Element): void {
+    const tag = element.localName;
+    const names = documented.get(tag);
+    const kept = new Map<string, string>();
+    for (const { name, value } of element.attributes) {
+      if (names?.has(name) !== true) this.#leave(`${clipped(name)} of <${tag}>`);
+      else if (!LOADING.has(name) || this.#mayLoad(name, value, tag)) kept.set(name, value);
+    }
+    this.elements.push({ tag, attributes: kept });
+  }
+
+  #mayLoad(name: string, value: string, tag: string): boolean {
+    const kind = sourceKind(value, this.#base);
+    if (kind === 'refused') {
+      this.#leave(`${name} of <${tag}>: files are loaded by http: and https: only`);
+      return false;
+    }
+    if (kind !== 'own') this.hosts.add(kind.host);
+    return true;
+  }
+
+  #leave(what: string): void {
+    this.#leftOut.add(what);
+  }
+}
+
+const clipped = (name: string): string =>
+  name.length > LONGEST_NAME ? `${name.slice(0, LONGEST_NAME)}…` : name;
+
+/** The scene as one element of a document that runs nothing, to be written as markup. */
+export function sceneElement(scene: Scene): Element | null {
+  const inert = document.implementation.createHTMLDocument('');
+  const [viewer, ...children] = scene.elements.map(({ tag, attributes: all }) => {
+    const element = inert.createElement(tag);
+    for (const [name, value] of all) element.setAttribute(name, value);
+    return element;
+  });
+  viewer?.append(...children);
+  return viewer ?? null;
+}
+
+/** The scene without the files of other hosts, unless the user has allowed these. */
+export function withoutHosts(scene: Scene, allowed: ReadonlySet<string>, base: string): Scene {
+  const elements = scene.elements.map(({ tag, attributes: all }) => ({
+    tag,
+    attributes: new Map(
+      [...all].filter(([name, value]) => {
+        if (!LOADING.has(name)) return true;
+        const kind = sourceKind(value, base);
+        return kind === 'own' || (kind !== 'refused' && allowed.has(kind.host));
+      }),
+    ),
+  }));
+  return { ...scene, elements };
+}

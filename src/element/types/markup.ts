@@ -1,0 +1,54 @@
+// What templates of any framework accept on the elements: every value under its property's and its attribute's name, and
+// the element's own events. Derived from the interfaces behind the tables of fields. Knows no framework. Types only.
+import type { LightValues } from '../../light/light-state.js';
+import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
+import type { PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
+import type { Inputs } from '../fields/properties.js';
+import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { PhongLight } from '../phong-light.js';
+import type { PhongMesh } from '../phong-mesh.js';
+import type { PhongViewer } from '../phong-viewer.js';
+
+/** Class, values and events of each element. */
+export interface Elements {
+  readonly light: { readonly element: PhongLight; readonly values: LightValues; readonly events: object };
+  readonly mesh: {
+    readonly element: PhongMesh;
+    readonly values: MeshValues;
+    readonly events: PhongMeshEventMap;
+  };
+  readonly viewer: {
+    readonly element: PhongViewer;
+    readonly values: ViewerValues;
+    readonly events: PhongViewerEventMap;
+  };
+}
+
+export type AnyElement = Elements[keyof Elements];
+
+type Dashed<S extends string> = S extends `${infer Head}${infer Tail}`
+  ? `${Head extends Lowercase<Head> ? Head : `-${Lowercase<Head>}`}${Dashed<Tail>}`
+  : S;
+
+/** As `attributeOf` names them. */
+export type AttributeName<K extends string> = K extends 'crossOrigin' ? 'crossorigin' : Dashed<K>;
+
+/** Every value under its property's and its attribute's name. */
+export type ValueProps<V> = {
+  readonly [K in keyof V & string as K | AttributeName<K>]?: Inputs<V>[K];
+};
+
+/** Handlers by the events' names, with a prefix such as `on`. */
+export type EventProps<Events, Prefix extends string> = {
+  readonly [K in keyof Events & string as `${Prefix}${K}`]?: ((event: Events[K]) => unknown) | undefined;
+};
+
+/** As frameworks spell events in camel case: `CameraChange` for `camera-change`. */
+export type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
+  ? `${Capitalize<Head>}${Pascal<Tail>}`
+  : Capitalize<S>;
+
+/** Handlers such as `onCameraChange` for `camera-change`. */
+export type Handlers<Events> = {
+  readonly [K in keyof Events & string as `on${Pascal<K>}`]?: ((event: Events[K]) => unknown) | undefined;
+};

@@ -1,0 +1,181 @@
+// What can be undone? A list of edits of one viewer: declared values, the camera, and the order of its children. Used by the panel and
+// by anything else that edits for the user. Loaded with its first user. Knows no controls.
+import { sameValue } from '../../fields/field-store.js';
+import { registryOf } from '../child-registry.js';
+import { fieldsOf, viewerCameras } from '../internals.js';
+import type { PhongLight } from '../phong-light.js';
+import type { PhongMesh } from '../phong-mesh.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import type { Placement } from './camera.js';
+
+/** Something whose state can be read and put back. */
+export interface Subject<S> {
+  read(): S;
+  same(a: S, b: S): boolean;
+  /** Puts back what differs between the two states, and leaves everything else as it is now. */
+  restore(from: S, to: S): void;
+}
+
+interface Step {
+  readonly subject: Subject<unknown>;
+  readonly before: unknown;
+  after: unknown;
+  readonly gesture: object | null;
+}
+
+/** Older steps are forgotten. A step holds a few small values. */
+const MOST_STEPS = 500;
+
+export class History {
+  readonly #done: Step[] = [];
+  readonly #undone: Step[] = [];
+  readonly #changed = new Set<() => void>();
+  #open = false;
+
+  get canUndo(): boolean {
+    return this.#done.length > 0;
+  }
+
+  get canRedo(): boolean {
+    return this.#undone.length > 0;
+  }
+
+  /**
+   * Runs `write` and records what it changes as one step. Edits with the same `gesture`, such as those of one drag, are one step
+   * until {@link seal}.
+   */
+  edit<S>(subject: Subject<S>, write: () => void, gesture: object | null = null): void {
+    const before = subject.read();
+    try {
+      write();
+    } finally {
+      const after = subject.read();
+      if (!subject.same(before, after)) this.#record({ subject, before, after, gesture });
+    }
+  }
+
+  /** Ends the gesture: the next edit is a step of its own. */
+  seal(): void {
+    this.#open = false;
+  }
+
+  /** Takes the last step back. False if there is none. */
+  undo(): boolean {
+    return this.#shift(this.#done, this.#undone, ({ subject, before, after }) => {
+      subject.restore(after, before);
+    });
+  }
+
+  /** Repeats the step taken back last. False if there is none. */
+  redo(): boolean {
+    return this.#shift(this.#undone, this.#done, ({ subject, before, after }) => {
+      subject.restore(before, after);
+    });
+  }
+
+  /** Calls `changed` after every step, undo and redo. The returned function stops that. */
+  listen(changed: () => void): () => void {
+    this.#changed.add(changed);
+    return () => {
+      this.#changed.delete(changed);
+    };
+  }
+
+  #record(step: Step): void {
+    const last = this.#done.at(-1);
+    if (this.#open && step.gesture !== null && last?.gesture === step.gesture) last.after = step.after;
+    else this.#done.push(step);
+    if (this.#done.length > MOST_STEPS) this.#done.shift();
+    this.#undone.length = 0;
+    this.#open = true;
+    this.#notify();
+  }
+
+  #shift(from: Step[], to: Step[], restore: (step: Step) => void): boolean {
+    const step = from.pop();
+    this.#open = false;
+    if (step === undefined) return false;
+    to.push(step);
+    restore(step);
+    this.#notify();
+    return true;
+  }
+
+  #notify(): void {
+    for (const changed of this.#changed) changed();
+  }
+}
+
+const histories = new WeakMap<PhongViewer, History>();
+
+/** The one history of a viewer. */
+export function historyOf(viewer: PhongViewer): History {
+  const history = histories.get(viewer) ?? new History();
+  histories.set(viewer, history);
+  return history;
+}
+
+/** Given values by key; a key without one has its default. */
+type Given = ReadonlyMap<string, unknown>;
+
+/** The declared values of a light, mesh or viewer. */
+export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Subject<Given> {
+  const binding = fieldsOf(element as PhongViewer);
+  const { store } = binding;
+  const keys = Object.keys(store.fields) as (keyof typeof store.values)[];
+  const changed = (a: Given, b: Given) => keys.filter((key) => !sameValue(a.get(key), b.get(key)));
+  return {
+    read: () => new Map(keys.filter((key) => store.given(key)).map((key) => [key, store.values[key]])),
+    same: (a, b) => changed(a, b).length === 0,
+    restore(from, to) {
+      for (const key of changed(from, to)) binding.set(key, to.get(key) ?? null);
+    },
+  };
+}
+
+/** Where the camera is now, which its declared values do not say. */
+export function cameraOf(viewer: PhongViewer): Subject<Placement> {
+  const camera = viewerCameras.get(viewer)!;
+  return {
+    read: () => camera.placement,
+    same: (a, b) => sameParts(a.pose, b.pose) && sameParts(a.framing ?? {}, b.framing ?? {}),
+    restore: (_, to) => {
+      camera.place(to, 'panel');
+    },
+  };
+}
+
+const sameParts = (a: object, b: object): boolean => {
+  const [left, right] = [Object.entries(a), Object.entries(b)];
+  return left.length === right.length && left.every(([, value], i) => sameValue(value, right[i]?.[1]));
+};
+
+interface Place {
+  readonly parent: Node | null;
+  readonly next: Node | null;
+}
+
+/** Which children the viewer has, and where they are in the document. */
+export function childrenOf(viewer: PhongViewer): Subject<ReadonlyMap<HTMLElement, Place>> {
+  const stays = (a: Place | undefined, b: Place | undefined): boolean =>
+    a?.parent === b?.parent && a?.next === b?.next;
+  return {
+    read: () =>
+      new Map(
+        registryOf(viewer).inOrder.map((child) => [
+          child,
+          { parent: child.parentNode, next: child.nextSibling },
+        ]),
+      ),
+    same: (a, b) => a.size === b.size && [...a].every(([child, place]) => stays(place, b.get(child))),
+    restore(from, to) {
+      for (const child of from.keys()) if (!to.has(child)) child.remove();
+      // Backwards, so that the sibling a child stands before is in its place already.
+      for (const [child, place] of [...to].reverse()) {
+        const { parent, next } = place;
+        if (parent === null || stays(from.get(child), place)) continue;
+        parent.insertBefore(child, next?.parentNode === parent ? next : null);
+      }
+    },
+  };
+}

@@ -1,0 +1,305 @@
+// @ts-check
+// The model files that the bench loads in every viewer: three real ones and seven made here, each with another kind of work
+// (triangles, textures, parts, materials, several files). Knows no viewer.
+
+import { mkdirSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { crc32, deflateSync } from 'node:zlib';
+import { glbFile } from './glb.mjs';
+
+/** Name of each model, and its file in the folder that `writeModels` fills. */
+export const MODELS = /** @type {const} */ ({
+  bunny: 'bunny.glb',
+  suzi: 'suzi.glb',
+  pmndrs: 'pmndrs.glb',
+  '10 k triangles': '10k.glb',
+  '100 k triangles': '100k.glb',
+  '400 k triangles': '400k.glb',
+  'four textures': 'textures.glb',
+  '500 parts': 'parts.glb',
+  'metal and rough': 'metal.glb',
+  'text with a .bin': 'text.gltf',
+});
+
+const FLOAT = 5126;
+const SHORT = 5122;
+const BYTE = 5120;
+const UNSIGNED_SHORT = 5123;
+const UNSIGNED_INT = 5125;
+const TEXTURE_SIZE = 1024;
+const PARTS = 500;
+
+/** @param {string} folder */
+export async function writeModels(folder) {
+  mkdirSync(folder, { recursive: true });
+  /** @param {string} name @param {string | Uint8Array} file */
+  const write = (name, file) => writeFileSync(join(folder, name), file);
+  for (const name of /** @type {const} */ (['bunny', 'suzi', 'pmndrs'])) {
+    /** @type {{ default: string }} */
+    const asset = await import(`@pmndrs/assets/models/${name}.glb.js`);
+    write(MODELS[name], Buffer.from(asset.default.slice(asset.default.indexOf(',') + 1), 'base64'));
+  }
+  write(MODELS['10 k triangles'], one(bumpySphere(100, 51)).glb());
+  write(MODELS['100 k triangles'], one(bumpySphere(320, 158)).glb());
+  write(MODELS['400 k triangles'], quantizedPatches().glb());
+  write(MODELS['four textures'], texturedSpheres().glb());
+  write(MODELS['500 parts'], manyParts().glb());
+  write(MODELS['metal and rough'], metalSpheres().glb());
+  const text = one(bumpySphere(200, 76)).text('text.bin');
+  write(MODELS['text with a .bin'], text.gltf);
+  write('text.bin', text.bin);
+}
+
+/**
+ * @typedef {object} Grid a surface over (u, v) in 0–1, as glTF's attributes
+ * @property {Float32Array} positions @property {Float32Array} normals @property {Float32Array} uvs
+ * @property {Uint16Array | Uint32Array} indices
+ */
+
+/**
+ * A sphere of radius about 1 with bumps: `columns` × `rows` quads, over a part of the turn.
+ * @param {number} columns @param {number} rows @param {number} [from] 0–1 @param {number} [to] 0–1 @returns {Grid}
+ */
+function bumpySphere(columns, rows, from = 0, to = 1) {
+  const count = (columns + 1) * (rows + 1);
+  const [positions, normals, uvs] = [3, 3, 2].map((size) => new Float32Array(size * count));
+  const indices = new (count > 65_535 ? Uint32Array : Uint16Array)(6 * columns * rows);
+  let [vertex, index] = [0, 0];
+  for (let row = 0; row <= rows; row++) {
+    for (let column = 0; column <= columns; column++, vertex++) {
+      const [u, v] = [from + ((to - from) * column) / columns, row / rows];
+      const [turn, polar] = [2 * Math.PI * u, Math.PI * v];
+      const normal = [Math.sin(polar) * Math.cos(turn), Math.cos(polar), -Math.sin(polar) * Math.sin(turn)];
+      const radius = 1 + 0.03 * Math.sin(12 * turn) * Math.sin(9 * polar);
+      positions?.set(
+        normal.map((x) => x * radius),
+        3 * vertex,
+      );
+      normals?.set(normal, 3 * vertex);
+      uvs?.set([u, v], 2 * vertex);
+      if (row === rows || column === columns) continue;
+      const below = vertex + columns + 1;
+      indices.set([vertex, below, vertex + 1, vertex + 1, below, below + 1], index);
+      index += 6;
+    }
+  }
+  return /** @type {Grid} */ ({ positions, normals, uvs, indices });
+}
+
+/** A glTF file under construction: adds pieces to the JSON and their bytes to one buffer. */
+class Gltf {
+  /** @type {Uint8Array[]} */
+  #chunks = [];
+  #length = 0;
+  json = {
+    asset: { version: '2.0' },
+    scene: 0,
+    scenes: [{ nodes: /** @type {number[]} */ ([]) }],
+    nodes: /** @type {object[]} */ ([]),
+    meshes: /** @type {object[]} */ ([]),
+    accessors: /** @type {object[]} */ ([]),
+    bufferViews: /** @type {object[]} */ ([]),
+    buffers: /** @type {object[]} */ ([]),
+  };
+
+  /** @param {ArrayBufferView} data @param {object} [more] @returns {number} index of the view */
+  view(data, more = {}) {
+    const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);
+    const view = { buffer: 0, byteOffset: this.#length, byteLength: bytes.length, ...more };
+    this.#chunks.push(bytes, new Uint8Array(-bytes.length & 3));
+    this.#length += (bytes.length + 3) & ~3;
+    return this.json.bufferViews.push(view) - 1;
+  }
+
+  /** @param {ArrayBufferView} data @param {object} accessor @param {object} [view] @returns {number} */
+  accessor(data, accessor, view) {
+    return this.json.accessors.push({ bufferView: this.view(data, view), ...accessor }) - 1;
+  }
+
+  /** @param {Uint16Array | Uint32Array} indices */
+  indices(indices) {
+    const componentType = indices instanceof Uint32Array ? UNSIGNED_INT : UNSIGNED_SHORT;
+    return this.accessor(indices, { componentType, count: indices.length, type: 'SCALAR' });
+  }
+
+  /** One mesh of one primitive. @param {Grid} grid @param {object} [more] of the primitive @returns {number} */
+  mesh({ positions, normals, uvs, indices }, more = {}) {
+    const count = positions.length / 3;
+    const vector = { componentType: FLOAT, count, type: 'VEC3' };
+    const attributes = {
+      POSITION: this.accessor(positions, { ...vector, ...bounds(positions) }),
+      NORMAL: this.accessor(normals, vector),
+      ...('material' in more && {
+        TEXCOORD_0: this.accessor(uvs, { componentType: FLOAT, count, type: 'VEC2' }),
+      }),
+    };
+    return (
+      this.json.meshes.push({ primitives: [{ attributes, indices: this.indices(indices), ...more }] }) - 1
+    );
+  }
+
+  /** @param {number} mesh @param {object} [more] */
+  node(mesh, more = {}) {
+    this.json.scenes[0]?.nodes.push(this.json.nodes.push({ mesh, ...more }) - 1);
+  }
+
+  /** All chunks in one. */
+  #bin() {
+    return Buffer.concat(this.#chunks);
+  }
+
+  glb() {
+    this.json.buffers = [{ byteLength: this.#length }];
+    return glbFile(this.json, this.#bin());
+  }
+
+  /** @param {string} uri of the buffer */
+  text(uri) {
+    this.json.buffers = [{ byteLength: this.#length, uri }];
+    return { gltf: JSON.stringify(this.json), bin: this.#bin() };
+  }
+}
+
+/** @param {Float32Array | Int16Array} positions */
+function bounds(positions) {
+  const [min, max] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
+  positions.forEach((x, i) => {
+    min[i % 3] = Math.min(min[i % 3] ?? x, x);
+    max[i % 3] = Math.max(max[i % 3] ?? x, x);
+  });
+  return { min, max };
+}
+
+/** @param {Grid} grid */
+function one(grid) {
+  const gltf = new Gltf();
+  gltf.node(gltf.mesh(grid));
+  return gltf;
+}
+
+/** 400,000 triangles in 4.8 MB: KHR_mesh_quantization, in patches that short indices reach. */
+function quantizedPatches() {
+  const gltf = new Gltf();
+  const patches = 8;
+  for (let i = 0; i < patches; i++) {
+    const { positions, normals, indices } = bumpySphere(125, 200, i / patches, (i + 1) / patches);
+    const count = positions.length / 3;
+    // 1.1 is more than the largest radius. Vertices are aligned to 4 bytes.
+    const places = new Int16Array(4 * count);
+    const directions = new Int8Array(4 * count);
+    for (let at = 0; at < positions.length; at++) {
+      const slot = 4 * Math.floor(at / 3) + (at % 3);
+      places[slot] = Math.round(((positions[at] ?? 0) / 1.1) * 32_767);
+      directions[slot] = Math.round((normals[at] ?? 0) * 127);
+    }
+    const box = bounds(places.filter((_, slot) => slot % 4 < 3));
+    const vector = { count, type: 'VEC3', normalized: true };
+    const attributes = {
+      POSITION: gltf.accessor(places, { ...vector, componentType: SHORT, ...box }, { byteStride: 8 }),
+      NORMAL: gltf.accessor(directions, { ...vector, componentType: BYTE }, { byteStride: 4 }),
+    };
+    gltf.node(gltf.json.meshes.push({ primitives: [{ attributes, indices: gltf.indices(indices) }] }) - 1);
+  }
+  const used = ['KHR_mesh_quantization'];
+  Object.assign(gltf.json, { extensionsUsed: used, extensionsRequired: used });
+  return gltf;
+}
+
+function texturedSpheres() {
+  const gltf = new Gltf();
+  const images = [1, 2, 3, 4].map((seed) => ({
+    mimeType: 'image/png',
+    bufferView: gltf.view(noisePng(TEXTURE_SIZE, seed)),
+  }));
+  Object.assign(gltf.json, {
+    images,
+    textures: images.map((_, source) => ({ source })),
+    materials: images.map((_, index) => ({
+      pbrMetallicRoughness: { baseColorTexture: { index }, metallicFactor: 0 },
+    })),
+  });
+  images.forEach((_, material) => {
+    const translation = [2.2 * (material % 2), 2.2 * Math.floor(material / 2), 0];
+    gltf.node(gltf.mesh(bumpySphere(48, 24), { material }), { translation });
+  });
+  return gltf;
+}
+
+function manyParts() {
+  const gltf = new Gltf();
+  Object.assign(gltf.json, {
+    materials: Array.from({ length: 10 }, (_, i) => ({
+      pbrMetallicRoughness: { baseColorFactor: [0.1 * i, 0.5, 1 - 0.1 * i, 1], metallicFactor: 0 },
+    })),
+  });
+  for (let i = 0; i < PARTS; i++) {
+    const mesh = gltf.mesh(bumpySphere(10, 6), { material: i % 10 });
+    gltf.node(mesh, {
+      translation: [i % 10, Math.floor(i / 10) % 10, Math.floor(i / 100)],
+      scale: [0.45, 0.45, 0.45],
+    });
+  }
+  return gltf;
+}
+
+function metalSpheres() {
+  const gltf = new Gltf();
+  const side = 3;
+  const texture = { index: 0 };
+  const image = { mimeType: 'image/png', bufferView: gltf.view(noisePng(256, 5)) };
+  Object.assign(gltf.json, {
+    images: [image],
+    textures: [{ source: 0 }],
+    materials: Array.from({ length: side * side }, (_, i) => ({
+      pbrMetallicRoughness: {
+        baseColorFactor: [0.9, 0.7, 0.3, 1],
+        metallicFactor: (i % side) / (side - 1),
+        roughnessFactor: (1 + Math.floor(i / side)) / side,
+        metallicRoughnessTexture: texture,
+      },
+    })),
+  });
+  for (let material = 0; material < side * side; material++) {
+    const translation = [2.2 * (material % side), 2.2 * Math.floor(material / side), 0];
+    gltf.node(gltf.mesh(bumpySphere(64, 32), { material }), { translation });
+  }
+  return gltf;
+}
+
+/** An RGB picture of stripes under noise of 8 levels, so that it shrinks to about a third as photographs do. @param {number} size @param {number} seed */
+function noisePng(size, seed) {
+  const rows = Buffer.alloc(size * (3 * size + 1));
+  let state = seed;
+  for (let y = 0; y < size; y++) {
+    for (let x = 0; x < size; x++) {
+      state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+      const light = 96 + 64 * ((x >> 6) % 2) + 8 * (state >>> 29);
+      const at = y * (3 * size + 1) + 1 + 3 * x;
+      rows[at] = light;
+      rows[at + 1] = light - 10 * seed;
+      rows[at + 2] = light - 40;
+    }
+  }
+  const header = Buffer.alloc(13);
+  header.writeUInt32BE(size, 0);
+  header.writeUInt32BE(size, 4);
+  header.set([8, 2], 8); // 8 bits, RGB
+  return Buffer.concat([
+    Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'),
+    pngChunk('IHDR', header),
+    pngChunk('IDAT', deflateSync(rows)),
+    pngChunk('IEND', Buffer.alloc(0)),
+  ]);
+}
+
+/** @param {string} type @param {Buffer} data */
+function pngChunk(type, data) {
+  const body = Buffer.concat([Buffer.from(type, 'latin1'), data]);
+  const [length, check] = [Buffer.alloc(4), Buffer.alloc(4)];
+  length.writeUInt32BE(data.length);
+  check.writeUInt32BE(crc32(body));
+  return Buffer.concat([length, body, check]);
+}

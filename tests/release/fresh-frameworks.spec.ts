@@ -1,0 +1,359 @@
+// Does the packed tarball work in fresh projects with Vue, Svelte, Solid and Angular, written as their users write it? Templates are
+// type-checked, mistakes in them are errors, and the built page sets values and hears events. Installs from the registry, so it is
+// slow: @release.
+
+import { rmSync } from 'node:fs';
+import { join } from 'node:path';
+import type { PhongLight, PhongViewer } from '../../src/index.js';
+import { startSite, type Site } from '../support/site.js';
+import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
+import { freshProject, strictOptions, type FreshProject } from './fresh-project.js';
+
+interface Framework {
+  readonly name: string;
+  readonly packages: readonly string[];
+  readonly files: Readonly<Record<string, string>>;
+  /** Type-checks the project. */
+  readonly check: string;
+  /** A template where each line with `id="wrong"` has one mistake, and no other line has any. */
+  readonly mistakes?: { readonly path: string; readonly text: string };
+  readonly build: string;
+  readonly output: string;
+}
+
+const page = (script: string): string => `<!doctype html>
+<html lang="en">
+  <head><meta charset="utf-8" /><title>Fresh</title><link rel="icon" href="data:," /></head>
+  <body><div id="app"></div><script type="module" src="${script}"></script></body>
+</html>`;
+
+const vite = ['three', '@types/three', 'typescript', 'vite'];
+
+const typescript = (options: object, more: object = {}): string =>
+  JSON.stringify({ compilerOptions: { ...strictOptions, ...options }, include: ['src'], ...more });
+
+const vue: Framework = {
+  name: 'Vue',
+  packages: [...vite, 'vue@^3.5', '@vitejs/plugin-vue@^6', 'vue-tsc@^3'],
+  files: {
+    'vite.config.js': `
+      import vue from '@vitejs/plugin-vue';
+      const isCustomElement = (tag) => tag.startsWith('phong-');
+      export default { plugins: [vue({ template: { compilerOptions: { isCustomElement } } })] };
+    `,
+    'tsconfig.json': typescript(
+      { jsx: 'preserve', skipLibCheck: true },
+      { vueCompilerOptions: { strictTemplates: true } },
+    ),
+    'index.html': page('/src/main.ts'),
+    'src/main.ts': `
+      import { createApp } from 'vue';
+      import App from './App.vue';
+      createApp(App).mount('#app');
+    `,
+    'src/App.vue': `
+      <script setup lang="ts">
+      import 'phong-viewer';
+      import type { PhongViewer } from 'phong-viewer';
+      import { ref, useTemplateRef } from 'vue';
+      const light = ref({ active: false, ambient: [0, 0, 255] });
+      const moved = ref('nothing');
+      const viewer = useTemplateRef<PhongViewer>('viewer');
+      </script>
+      <template>
+        <phong-viewer
+          ref="viewer" class="picture" aria-label="A sphere" geometry="sphere" :ka="255" :orbit="false"
+          color-interpolation="linear" radius="auto" :terms="['ambient']"
+          @camera-change="moved = $event.detail.source + ' to ' + viewer!.camera.theta" @click="(event) => event.clientX"
+        >
+          <phong-light key="a" :active="light.active" :ambient="light.ambient" :diffuse="0" :specular="0" />
+          <phong-light :ambient="[200, 100, 50]" diffuse="#000" :specular="0" />
+        </phong-viewer>
+        <button @click="light = { active: true, ambient: [20, 30, 40] }">light up</button>
+        <output>{{ moved }}</output>
+      </template>
+    `,
+  },
+  check: 'npx vue-tsc -p . --pretty false',
+  mistakes: {
+    path: 'src/Mistakes.vue',
+    text: `
+      <script setup lang="ts">
+      import 'phong-viewer';
+      </script>
+      <template>
+        <phong-viewer id="wrong" :theta="true" />
+        <phong-mesh id="wrong" geometry="cube" />
+        <phong-mesh id="wrong" :position="2" />
+        <phong-light id="wrong" :strength="2" />
+        <phong-light id="wrong" :aperture="null" />
+        <phong-viewer id="wrong" @camera-change="(event: MouseEvent) => event" />
+        <phong-mesh id="right" :scale="2" rotation="0 10 0" @load="(event) => event.detail.url" style="width: 9px" title="A mesh" />
+        <phong-viewer id="right" :autoRotate="5" :crossOrigin="'anonymous'" />
+        <phong-viewer id="right" radius="auto" :target="[0, 1, 2]" gui auto-rotate="5" crossorigin="anonymous" />
+      </template>
+    `,
+  },
+  build: 'npx vite build --logLevel warn',
+  output: 'dist',
+};
+
+const svelte: Framework = {
+  name: 'Svelte',
+  packages: [...vite, 'svelte@^5', '@sveltejs/vite-plugin-svelte@^7', 'svelte-check@^4'],
+  files: {
+    'vite.config.js': `
+      import { svelte } from '@sveltejs/vite-plugin-svelte';
+      export default { plugins: [svelte()] };
+    `,
+    'tsconfig.json': typescript({ verbatimModuleSyntax: true, skipLibCheck: true }),
+    'index.html': page('/src/main.ts'),
+    'src/main.ts': `
+      import { mount } from 'svelte';
+      import App from './App.svelte';
+      mount(App, { target: document.getElementById('app')! });
+    `,
+    'src/App.svelte': `
+      <script lang="ts">
+        import 'phong-viewer';
+        import type { PhongViewer } from 'phong-viewer';
+        let light = $state({ active: false, ambient: [0, 0, 255] });
+        let moved = $state('nothing');
+        let viewer: PhongViewer;
+      </script>
+      <phong-viewer
+        bind:this={viewer} class="picture" aria-label="A sphere" geometry="sphere" ka={255} orbit={false}
+        color-interpolation="linear" radius="auto" terms={['ambient']}
+        oncamera-change={({ detail }) => (moved = detail.source + ' to ' + viewer.camera.theta)} onfocusin={(event) => event.relatedTarget}
+      >
+        <phong-light active={light.active} ambient={light.ambient} diffuse={0} specular={0}></phong-light>
+        <phong-light ambient={[200, 100, 50]} diffuse="#000" specular={0}></phong-light>
+      </phong-viewer>
+      <button onclick={() => (light = { active: true, ambient: [20, 30, 40] })}>light up</button>
+      <output>{moved}</output>
+    `,
+  },
+  check: 'npx svelte-check --output machine --fail-on-warnings',
+  mistakes: {
+    path: 'src/Mistakes.svelte',
+    text: `
+      <script lang="ts">
+        import 'phong-viewer';
+      </script>
+      <phong-viewer id="wrong" theta={true}></phong-viewer>
+      <phong-mesh id="wrong" geometry="cube"></phong-mesh>
+      <phong-mesh id="wrong" position={2}></phong-mesh>
+      <phong-light id="wrong" strength={2}></phong-light>
+      <phong-viewer id="wrong" oncamera-change={(event: MouseEvent) => event}></phong-viewer>
+      <phong-mesh id="right" scale={2} rotation="0 10 0" onload={(event) => event.detail.url} data-kind="x" style="width: 9px"></phong-mesh>
+      <phong-viewer id="right" radius="auto" target={[0, 1, 2]} gui autoRotate={5} auto-rotate={5} crossorigin="anonymous" fov={null}></phong-viewer>
+    `,
+  },
+  build: 'npx vite build --logLevel warn',
+  output: 'dist',
+};
+
+const solid: Framework = {
+  name: 'Solid',
+  packages: [...vite, 'solid-js@^1.9', 'vite-plugin-solid@^2'],
+  files: {
+    'vite.config.js': `
+      import solid from 'vite-plugin-solid';
+      export default { plugins: [solid()] };
+    `,
+    'tsconfig.json': typescript({ jsx: 'preserve', jsxImportSource: 'solid-js' }),
+    'index.html': page('/src/main.tsx'),
+    'src/main.tsx': `
+      import 'phong-viewer';
+      import type { PhongViewer } from 'phong-viewer';
+      import { createSignal } from 'solid-js';
+      import { render } from 'solid-js/web';
+
+      function App() {
+        const [light, setLight] = createSignal({ active: false, ambient: [0, 0, 255] });
+        const [moved, setMoved] = createSignal('nothing');
+        let viewer!: PhongViewer;
+        return (
+          <>
+            <phong-viewer
+              ref={viewer} class="picture" aria-label="A sphere" geometry="sphere" ka={255} orbit={false}
+              color-interpolation="linear" radius="auto" terms={['ambient']}
+              on:camera-change={({ detail }) => setMoved(detail.source + ' to ' + viewer.camera.theta)} onClick={(event) => event.clientX}
+            >
+              <phong-light active={light().active} ambient={light().ambient} diffuse={0} specular={0} />
+              <phong-light ambient={[200, 100, 50]} diffuse="#000" specular={0} />
+            </phong-viewer>
+            <button onClick={() => setLight({ active: true, ambient: [20, 30, 40] })}>light up</button>
+            <output>{moved()}</output>
+          </>
+        );
+      }
+
+      render(() => <App />, document.getElementById('app')!);
+    `,
+  },
+  check: 'npx tsc -p . --pretty false',
+  mistakes: {
+    path: 'src/Mistakes.tsx',
+    text: `
+      import 'phong-viewer';
+      export const list = [
+        <phong-viewer id="wrong" theta={true} />,
+        <phong-mesh id="wrong" geometry="cube" />,
+        <phong-mesh id="wrong" position={2} />,
+        <phong-light id="wrong" strength={2} />,
+        <phong-viewer id="wrong" autoRotate={5} />,
+        <phong-viewer id="wrong" onLoad={() => undefined} />,
+        <phong-viewer id="wrong" on:camera-change={(event: MouseEvent) => event} />,
+        <phong-mesh id="right" scale={2} rotation="0 10 0" on:load={(event) => event.detail.url} data-kind="x" style="width: 9px" />,
+        <phong-viewer id="right" radius="auto" target={[0, 1, 2]} gui auto-rotate={5} prop:autoRotate={5} attr:crossorigin="anonymous" fov={null} />,
+      ];
+    `,
+  },
+  build: 'npx vite build --logLevel warn',
+  output: 'dist',
+};
+
+const angular: Framework = {
+  name: 'Angular',
+  packages: [
+    ...['three', '@types/three', 'typescript@~5.9', 'rxjs@^7', 'tslib@^2'],
+    // Angular 22 and later need Node 22.
+    ...['core', 'common', 'compiler', 'compiler-cli', 'platform-browser', 'build', 'cli'].map(
+      (name) => `@angular/${name}@^21`,
+    ),
+  ],
+  files: {
+    'angular.json': JSON.stringify({
+      version: 1,
+      cli: { analytics: false },
+      projects: {
+        fresh: {
+          projectType: 'application',
+          root: '',
+          sourceRoot: 'src',
+          architect: {
+            build: {
+              builder: '@angular/build:application',
+              options: {
+                browser: 'src/main.ts',
+                index: 'src/index.html',
+                tsConfig: 'tsconfig.json',
+                optimization: { scripts: true, styles: false, fonts: false },
+              },
+            },
+          },
+        },
+      },
+    }),
+    'tsconfig.json': JSON.stringify({
+      compilerOptions: { ...strictOptions, noEmit: false, experimentalDecorators: true },
+      angularCompilerOptions: { strictTemplates: true },
+      files: ['src/main.ts'],
+    }),
+    'src/index.html':
+      '<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Fresh</title><link rel="icon" href="data:,">' +
+      '</head><body><app-root></app-root></body></html>',
+    'src/main.ts': `
+      import 'phong-viewer';
+      import type { PhongViewer } from 'phong-viewer';
+      import { Component, CUSTOM_ELEMENTS_SCHEMA, type ElementRef, signal, viewChild } from '@angular/core';
+      import { bootstrapApplication } from '@angular/platform-browser';
+
+      @Component({
+        selector: 'app-root',
+        schemas: [CUSTOM_ELEMENTS_SCHEMA],
+        template: \`
+          <phong-viewer
+            #viewer class="picture" aria-label="A sphere" geometry="sphere" [ka]="255" [orbit]="false"
+            color-interpolation="linear" radius="auto" [terms]="['ambient']" (camera-change)="hear($event)"
+          >
+            <phong-light [active]="light().active" [ambient]="light().ambient" [diffuse]="0" [specular]="0" />
+            <phong-light [ambient]="[200, 100, 50]" diffuse="#000" [specular]="0" />
+          </phong-viewer>
+          <button (click)="light.set({ active: true, ambient: [20, 30, 40] })">light up</button>
+          <output>{{ moved() }}</output>
+        \`,
+      })
+      class App {
+        readonly light = signal({ active: false, ambient: [0, 0, 255] });
+        readonly moved = signal('nothing');
+        readonly viewer = viewChild.required<ElementRef<PhongViewer>>('viewer');
+        hear({ detail }: CustomEvent<{ readonly source: string }>): void {
+          this.moved.set(detail.source + ' to ' + this.viewer().nativeElement.camera.theta);
+        }
+      }
+
+      void bootstrapApplication(App);
+    `,
+  },
+  check: 'npx ngc -p . --noEmit',
+  build: 'npx ng build',
+  output: 'dist/fresh/browser',
+};
+
+for (const { name, packages, files, check, mistakes, build, output } of [vue, svelte, solid, angular]) {
+  test.describe(`the packed tarball in a fresh ${name} project @release`, () => {
+    test.describe.configure({ mode: 'serial', timeout: 400_000 });
+    let project: FreshProject | undefined;
+    let site: Site | undefined;
+
+    test.beforeAll(() => {
+      test.setTimeout(400_000);
+      project = freshProject(packages);
+      for (const [path, text] of Object.entries(files)) project.write(path, text);
+    });
+
+    test.afterAll(async () => {
+      await site?.close();
+      project?.remove();
+    });
+
+    test('accepts values and events in templates', () => {
+      project!.run(check);
+    });
+
+    if (mistakes !== undefined)
+      test('refuses mistakes in templates, each where it is, and nothing else', () => {
+        project!.write(mistakes.path, mistakes.text);
+        const lines = mistakes.text.split('\n');
+        const wrong = lines.flatMap((line, i) => (line.includes('id="wrong"') ? [i + 1] : []));
+        let said = '';
+        try {
+          project!.run(check);
+        } catch (error) {
+          said = String(error);
+        }
+        rmSync(join(project!.folder, mistakes.path));
+        const places = said.matchAll(/Mistakes\.\w+(?:" |\()(\d+)[:,]\d+/g);
+        expect([...new Set(Array.from(places, ([, line]) => Number(line)))], said).toEqual(wrong);
+      });
+
+    test('sets lists and false, hears events and follows state', async ({ page }) => {
+      project!.run(build);
+      // The strict policy: no framework's production build needs more.
+      site = await startSite({ '/': join(project!.folder, output) });
+      await page.goto(`${site.origin}/`);
+      const viewer = page.locator('phong-viewer.picture');
+      const lights = () =>
+        viewer.evaluate(({ lights }: PhongViewer) =>
+          lights.map(({ active, ambient }: PhongLight) => [active, ambient]),
+        );
+      await expect.poll(lights).toEqual([
+        [false, [0, 0, 255]],
+        [true, [200, 100, 50]],
+      ]);
+      await allReady(page);
+      const values = ({ orbit, colorInterpolation, terms, ka }: PhongViewer) => [
+        ...[orbit, colorInterpolation, terms, ka],
+      ];
+      expect(await viewer.evaluate(values)).toEqual([false, 'linear', ['ambient'], [255, 255, 255]]);
+      expect(pixelAt(await pixels(viewer, { width: 60, height: 40 }), 30, 20)).toEqual([200, 100, 50, 255]);
+
+      await viewer.evaluate((element: PhongViewer) => (element.theta = 50));
+      await expect(page.locator('output')).toHaveText('script to 50');
+      await page.getByText('light up').click();
+      await expect.poll(async () => (await lights())[0]).toEqual([true, [20, 30, 40]]);
+    });
+  });
+}

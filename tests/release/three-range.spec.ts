@@ -1,0 +1,113 @@
+// Does the packed tarball work with the oldest and the newest three.js that its peer range allows, types included? Few lights
+// (uniforms) and many (a texture), a model with a texture, and an object of the page's own. Installs from the registry, so it is slow:
+// @release.
+
+import { cpSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { PhongViewer } from '../../src/index.js';
+import { startSite } from '../support/site.js';
+import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
+import { freshProject, strictOptions, type FreshProject } from './fresh-project.js';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const { peerDependencies } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+  peerDependencies: Readonly<Record<string, string>>;
+};
+
+/** Light number `i` of many: all light up a plane seen from above. */
+const lamp = (_: unknown, i: number): string =>
+  `<phong-light position="${(i % 20) - 10} 3 ${(i >> 4) - 10} 1" diffuse="${i % 7} 9 ${i % 5}" specular="1" attenuation="1 0.3 0.1"></phong-light>`;
+
+const many = Array.from({ length: 300 }, lamp).join('');
+
+const body = `
+<script type="module" src="./main.ts"></script>
+<phong-viewer id="few" geometry="plane" theta="0" phi="20" shininess="20">
+  <phong-light position="1 2 1 1" ambient="20 10 5" diffuse="90 120 150" attenuation="1 0.1 0.1"></phong-light>
+  <phong-light position="0 2 0 1" axis="0 -1 0" aperture="40" cutoff="3" diffuse="60 90 30"></phong-light>
+</phong-viewer>
+<phong-viewer id="many" geometry="plane" theta="0" phi="20">${many}</phong-viewer>
+<phong-viewer id="model" src="./model.glb" theta="0" phi="90"></phong-viewer>
+<phong-viewer id="own" theta="0" phi="90" radius="4"></phong-viewer>
+`;
+
+const main = `
+import 'phong-viewer';
+import { LightSet, LightState, PhongLighting, PhongMaterial } from 'phong-viewer/core';
+import { DoubleSide, Mesh, MeshBasicMaterial, PlaneGeometry, REVISION, type Scene } from 'three';
+
+const scene: Scene = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('#own')!.scene;
+scene.add(new Mesh(new PlaneGeometry(2, 2), new MeshBasicMaterial({ color: 0x3366cc, side: DoubleSide })));
+Object.assign(window, { revision: REVISION, core: [LightSet, LightState, PhongLighting, PhongMaterial] });
+`;
+
+const range = peerDependencies['three']!;
+const oldest = /^>=(\d+\.\d+\.\d+) /.exec(range)![1]!;
+
+// The oldest types contradict those of TypeScript 6 about WebGPU.
+for (const [end, version, typescript] of [
+  ['oldest', oldest, 'typescript@~5.9'],
+  ['newest', range, 'typescript'],
+] as const) {
+  test.describe(`with the ${end} three.js that is allowed, the packed tarball @release`, () => {
+    test.describe.configure({ mode: 'serial', timeout: 300_000 });
+    let project: FreshProject | undefined;
+
+    test.beforeAll(() => {
+      test.setTimeout(300_000);
+      project = freshProject([`three@${version}`, `@types/three@${version}`, typescript, 'vite']);
+      cpSync(
+        join(repository, 'tests/fixtures/models/textured.glb'),
+        join(project.folder, 'public/model.glb'),
+      );
+      project.write('main.ts', main);
+    });
+
+    test.afterAll(() => project?.remove());
+
+    test('has types that a strict project accepts', () => {
+      const compilerOptions = { ...strictOptions, lib: ['ES2022', 'DOM', 'DOM.Iterable'] };
+      project!.write('tsconfig.json', JSON.stringify({ compilerOptions, files: ['main.ts'] }));
+      project!.run('npx tsc -p .');
+    });
+
+    test('draws the equation, models and objects of the page', async ({ page }) => {
+      const site = await startSite({ '/': project!.build(body) });
+      await page.goto(`${site.origin}/`);
+      await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+      await allReady(page);
+      if (end === 'oldest')
+        expect(oldest).toContain(await page.evaluate(() => Reflect.get(window, 'revision') as string));
+
+      for (const id of ['few', 'many', 'model']) {
+        const viewer = page.locator(`#${id}`);
+        const [width, height] = [300, 150];
+        const check = async (): Promise<void> => {
+          const picture = await pixels(viewer, { width, height });
+          for (const [x, y] of [
+            [150, 75],
+            [140, 60],
+            [165, 85],
+          ] as const) {
+            const color = await viewer.evaluate(
+              async (element: PhongViewer, [x, y]) => (await element.shadeAt(x + 0.5, y + 0.5))?.color,
+              [x, y] as const,
+            );
+            const codes = pixelAt(picture, x, y);
+            for (const [i, share] of color!.entries())
+              expect(Math.abs(codes[i]! - 255 * share), `${id} at ${x}, ${y}`).toBeLessThanOrEqual(1);
+          }
+        };
+        await check();
+        await viewer.evaluate((element: PhongViewer) => {
+          for (const light of element.lights) light.diffuse = [10, 5, 9];
+        });
+        await check();
+      }
+      const own = await pixels(page.locator('#own'), { width: 300, height: 150 });
+      expect(pixelAt(own, 150, 75)).toEqual([0x33, 0x66, 0xcc, 255]);
+      await site.close();
+    });
+  });
+}

@@ -1,0 +1,60 @@
+// Does every scene survive its way through the playground's address, and does every other address fail gently?
+import { deflateRawSync } from 'node:zlib';
+import fc from 'fast-check';
+import { expect, test } from 'vitest';
+import { fragmentOf, LONGEST_TEXT, readFragment } from '../../demo/playground/address.js';
+import { sourceKind } from '../../demo/playground/sources.js';
+
+test('any text comes back as it was, random texts with seed 17', async () => {
+  await fc.assert(
+    fc.asyncProperty(fc.string({ unit: 'grapheme', maxLength: 300 }), async (text) => {
+      const fragment = await fragmentOf(text);
+      expect(fragment).toMatch(/^#scene=[\w-]*$/);
+      expect(await readFragment(fragment)).toEqual({ text });
+    }),
+    { seed: 17, numRuns: 100 },
+  );
+});
+
+test('any fragment gives a text, an example or a fault and never throws, random ones with seed 18', async () => {
+  await fc.assert(
+    fc.asyncProperty(fc.string({ maxLength: 60 }), async (letters) => {
+      const read = await readFragment(`#scene=${letters}`);
+      expect(Object.keys(read ?? {})).toHaveLength(1);
+    }),
+    { seed: 18, numRuns: 300 },
+  );
+});
+
+test('an empty fragment is no fault', async () => {
+  expect(await readFragment('')).toBeNull();
+  expect(await readFragment('#')).toBeNull();
+});
+
+test('a longest text of any letters fits', async () => {
+  const text = '😀'.repeat(LONGEST_TEXT / 2);
+  expect(await readFragment(await fragmentOf(text))).toEqual({ text });
+});
+
+test('a few letters that claim a gigabyte are not inflated', async () => {
+  const bomb = deflateRawSync(Buffer.alloc(100_000_000, ' ')).toString('base64url');
+  expect(await readFragment(`#scene=${bomb}`)).toEqual({
+    fault: expect.stringContaining('too long') as string,
+  });
+});
+
+test.each([
+  ['../assets/a.glb', 'own'],
+  ['https://site.example/a.glb', 'own'],
+  ['//other.example/a.glb', { host: 'https://other.example' }],
+  ['https://site.example@other.example/a.glb', { host: 'https://other.example' }],
+  ['http://site.example/a.glb', { host: 'http://site.example' }],
+  ['https://site.example:8443/a.glb', { host: 'https://site.example:8443' }],
+  [' java\nscript:alert(1)', 'refused'],
+  ['blob:https://site.example/1', 'refused'],
+  ['data:,x', 'refused'],
+  ['file:///etc/passwd', 'refused'],
+  ['https://', 'refused'],
+])('a source %j is %j', (source, kind) => {
+  expect(sourceKind(source, 'https://site.example/playground/')).toEqual(kind);
+});
