@@ -15,6 +15,7 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import styles from './phong-viewer.css?inline';
+import { ViewerAnnouncements } from './viewer/announcements.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { EventQueue } from './viewer/event-queue.js';
@@ -22,6 +23,7 @@ import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/panel.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
+import { NAMING } from './viewer/naming.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
@@ -49,7 +51,7 @@ export interface PhongViewer extends ViewerProperties {
 export class PhongViewer extends ReactiveElement {
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
-    return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), 'aria-label'];
+    return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
   }
 
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
@@ -58,9 +60,10 @@ export class PhongViewer extends ReactiveElement {
     if (RETRY_KEYS.has(key)) this.requestUpdate(key);
   });
 
-  readonly #holder = Object.assign(document.createElement('div'), { className: 'holder' });
+  readonly #holder: HTMLElement = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
+  readonly #announcements = new ViewerAnnouncements(this);
   readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
@@ -133,7 +136,8 @@ export class PhongViewer extends ReactiveElement {
     super();
     this.#store.listen((key) => this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
-    for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
+    for (const part of [this.#visibility, this.#camera, this.#loading, this.#announcements])
+      this.addController(part);
     viewerCameras.set(this, this.#camera);
   }
 
@@ -259,18 +263,18 @@ export class PhongViewer extends ReactiveElement {
     const root = super.createRenderRoot();
     this.#tree = new ViewerTree(root, this.#holder);
     this.#camera.listenTo(this.#tree.surface);
+    this.#announcements.connect(this.#tree);
     return root;
   }
 
   protected override update(changed: PropertyValues): void {
     super.update(changed);
-    const { alt, poster, orbit } = this.#store.values;
     this.#tree?.update({
-      label: this.getAttribute('aria-label') ?? alt,
-      poster: this.#revealed ? '' : poster,
-      fixed: !orbit,
+      poster: this.#revealed ? '' : this.poster,
+      fixed: !this.orbit,
       notice: this.#failure.message,
     });
+    this.#announcements.update();
   }
 
   protected override updated(changed: PropertyValues): void {

@@ -4,9 +4,9 @@ import type { GUI } from 'lil-gui';
 import { fieldsOf } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
+import { meshTitle } from '../element/viewer/description.js';
 import type { SurfaceValues } from '../material/material-values.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/program/variant.js';
-import { fileName } from '../scene/mesh/file-name.js';
 import { historyOf, valuesOf } from '../element/viewer/history.js';
 import type { ChildEditor } from './child-editor.js';
 import type { ChildFolder } from './child-folders.js';
@@ -97,18 +97,11 @@ export class MeshFolder implements ChildFolder {
   }
 
   update(index: number): void {
-    const { name, src, geometry } = this.#mesh;
-    const title =
-      name ||
-      (src === '' ? geometry : fileOf(typeof src === 'string' ? src : fileName(src))) ||
-      `mesh ${String(index + 1)}`;
+    const title = meshTitle(this.#mesh, index);
     if (title !== this.#title) this.folder.gui.title((this.#title = title));
     this.folder.update();
   }
 }
-
-/** `teapot.glb` from `models/teapot.glb?v=2`. */
-const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
 
 /** A button that shows a file of the user's instead of the mesh's model or shape. */
 function addModel({ gui, edit }: Rows, mesh: PhongMesh): void {

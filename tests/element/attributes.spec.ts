@@ -34,7 +34,7 @@ for (const [tag, rows] of Object.entries(tables)) {
       (name) => (customElements.get(name) as unknown as { observedAttributes: string[] }).observedAttributes,
       tag,
     );
-    const known = [...rows.map(({ attribute }) => attribute), 'aria-label'];
+    const known = [...rows.map(({ attribute }) => attribute), 'aria-label', 'aria-labelledby', 'role'];
     expect(observed.filter((attribute) => !known.includes(attribute))).toEqual([]);
   });
 }

@@ -170,7 +170,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     const site = await startSite({
       '/': project.build(
         '<script type="module" src="./main.ts"></script>' +
-          '<phong-viewer geometry="sphere" kd="255" phi="90" theta="0">' +
+          '<phong-viewer alt="A sphere" geometry="sphere" kd="255" phi="90" theta="0">' +
           '<phong-light position="0 0 1 0" diffuse="255 128 0" specular="0"></phong-light></phong-viewer>',
       ),
     });
@@ -188,7 +188,7 @@ test.describe('the packed tarball in a fresh TypeScript project @release', () =>
     project.write('standalone.ts', "import 'phong-viewer/standalone';\n");
     const folder = project.build(
       '<script type="module" src="./standalone.ts"></script>' +
-        '<phong-viewer geometry="torus" gui><phong-light name="sun"></phong-light></phong-viewer>',
+        '<phong-viewer alt="A torus" geometry="torus" gui><phong-light name="sun"></phong-light></phong-viewer>',
     );
     const site = await startSite({ '/': folder });
     await page.goto(`${site.origin}/`);

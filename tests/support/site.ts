@@ -17,6 +17,8 @@ export interface PageOptions {
   readonly csp?: string;
   /** Rules of the page's one style sheet (inline styles are refused by the strict policy). */
   readonly css?: string;
+  /** true: viewers without a name stay so, and the package warns. Default: they get an `alt`, because most tests are about other things. */
+  readonly nameless?: boolean;
   /** What goes into the head after the style sheet, such as a `<script type="module" src="…">`. */
   readonly head?: string;
 }
@@ -83,11 +85,11 @@ export async function startSite(
   const origin = `http://localhost:${port}`;
   return {
     origin,
-    page(body, { csp = strictPolicy, css = '', head = '' } = {}) {
+    page(body, { csp = strictPolicy, css = '', head = '', nameless = false } = {}) {
       const path = `/page/${stored.size}`;
       const text =
         `<!doctype html>\n<html lang="en">\n<head><meta charset="utf-8"><title>Test page</title>\n` +
-        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${body}\n</body>\n</html>\n`;
+        `<link rel="stylesheet" href="${path}.css">${head}</head>\n<body>${nameless ? body : named(body)}\n</body>\n</html>\n`;
       stored.set(path, { type: '.html', text, csp });
       stored.set(`${path}.css`, { type: '.css', text: css, csp });
       return origin + path;
@@ -99,6 +101,13 @@ export async function startSite(
     close: () => stop(server),
   };
 }
+
+/** Gives each viewer of this markup an `alt`, unless it has a name or is hidden from assistive technology. */
+export const named = (markup: string): string =>
+  markup.replace(
+    /<phong-viewer(?=[\s>])(?![^>]*\s(?:alt\b|aria-label\b|aria-labelledby\b|aria-hidden\b|role="(?:none|presentation)))/g,
+    '<phong-viewer alt="A test scene"',
+  );
 
 function fileUnder(mounts: Readonly<Record<string, string>>, path: string): string | undefined {
   const prefix = Object.keys(mounts).find((start) => path.startsWith(start));

@@ -3,6 +3,8 @@
 import { clip } from '../../fields/clip.js';
 import { nearest } from '../../fields/nearest.js';
 import { registryAround } from '../child-registry.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import { isNamed } from '../viewer/naming.js';
 import { attributeAdvice } from './attribute-advice.js';
 import { strayAttributes } from './inspect.js';
 
@@ -22,10 +24,15 @@ export function diagnose(elements: readonly Element[]): void {
       if (advice !== undefined) warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
     }
     if (!element.isConnected) continue;
-    if (tag === 'phong-viewer') diagnoseContent(element);
-    else if (registryAround(element) === null) warn(lonely(element));
+    if (tag === 'phong-viewer') {
+      diagnoseContent(element);
+      if (!isNamed(element as PhongViewer)) warn(UNNAMED);
+    } else if (registryAround(element) === null) warn(lonely(element));
   }
 }
+
+const UNNAMED =
+  'A <phong-viewer> has no alt. Write alt="…", the picture in words for people who do not see it, or alt="" if it is decoration.';
 
 /** As the element was defined with. */
 function attributesOf(tag: string): readonly string[] {

@@ -2,6 +2,8 @@
 // the parsing that connected it. The tests are cheap and coarse; the code that knows the mistakes and their cures is
 // fetched only if one fails.
 import { registryAround } from '../child-registry.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import { isNamed } from '../viewer/naming.js';
 
 const waiting = new Set<Element>();
 const inspected = new WeakSet<Element>();
@@ -50,6 +52,7 @@ function isSuspect(element: Element): boolean {
   if (strayAttributes(element).length > 0) return true;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
+    !isNamed(element as PhongViewer) ||
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
     Array.from(element.childNodes).some(
       (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',

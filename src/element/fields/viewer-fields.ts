@@ -41,7 +41,7 @@ export interface CameraValues {
 }
 
 export interface ViewerValues extends ShapeValues, CameraValues {
-  /** Text alternative of the picture. Default empty. */
+  /** The picture in words. Empty, the default: none. The attribute alt="" says that the picture is decoration. */
   alt: string;
   /** Address of an image shown until the first picture is drawn. Default empty: none. */
   poster: string;

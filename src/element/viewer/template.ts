@@ -2,8 +2,6 @@
 // own calls: a template library needs a Trusted Types policy, which a page under `trusted-types 'none'` refuses.
 
 export interface ViewerLook {
-  /** Text alternative of the picture; empty for none. */
-  readonly label: string;
   /** Address of an image over the picture; empty for none. */
   readonly poster: string;
   /** A drag does not rotate the picture. */
@@ -14,7 +12,7 @@ export interface ViewerLook {
 
 export class ViewerTree {
   /** The picture, without the panel. */
-  readonly surface = create('div', { part: 'surface', tabindex: '0' });
+  readonly surface = create('div', { part: 'surface' });
   /** The control panel's place. */
   readonly panel = create('div', { class: 'panel', part: 'panel' });
   readonly #poster = create('img', { class: 'poster', part: 'poster', alt: '' });
@@ -30,10 +28,8 @@ export class ViewerTree {
     for (const part of [this.surface, this.panel, create('slot', {})]) root.appendChild(part);
   }
 
-  update({ label, poster, fixed, notice }: ViewerLook): void {
+  update({ poster, fixed, notice }: ViewerLook): void {
     set(this.surface, 'class', fixed ? 'surface fixed' : 'surface');
-    set(this.surface, 'role', label === '' ? null : 'img');
-    set(this.surface, 'aria-label', label === '' ? null : label);
     set(this.#poster, 'src', poster === '' ? null : poster);
     if (poster === '') this.#poster.remove();
     else if (this.#poster.parentNode === null) this.surface.after(this.#poster);
@@ -44,7 +40,7 @@ export class ViewerTree {
   }
 }
 
-function create<Tag extends keyof HTMLElementTagNameMap>(
+export function create<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Readonly<Record<string, string>>,
 ): HTMLElementTagNameMap[Tag] {
@@ -54,7 +50,7 @@ function create<Tag extends keyof HTMLElementTagNameMap>(
 }
 
 /** Writes only what changes: every write is a mutation that the browser restyles and the page may observe. */
-function set(element: Element, name: string, value: string | null): void {
+export function set(element: Element, name: string, value: string | null): void {
   if (element.getAttribute(name) === value) return;
   if (value === null) element.removeAttribute(name);
   else element.setAttribute(name, value);

@@ -35,7 +35,7 @@ export async function drawUntilReady(viewer: Viewer): Promise<void> {
 export const openElement: OpenSide = async (holder, scene) => {
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
-  Object.assign(viewer, { theta: 0, phi: 90, fov: FOV });
+  Object.assign(viewer, { alt: 'The scene', theta: 0, phi: 90, fov: FOV });
   if (scene.autoFit !== true) Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
   const lights = scene.lights.map(lightElement);
   const { ka, kd, ks, shininess } = SURFACE;

@@ -1,0 +1,2 @@
+
+var e=e=>(`name`in e?String(e.name):``)||`model`;export{e as t};

@@ -1,0 +1,175 @@
+// What does a screen reader find beside the picture, and what is announced? A description of keys, camera and lights, a list
+// of lights and meshes by name, and a live region. The list is a sibling of the picture: screen readers do not browse inside
+// an application or an image, and the children are in a slot that is not rendered. Follows drawn frames, at most once a
+// second; announces only what the user changed. Knows nothing of drawing.
+import type { ReactiveController } from '@lit/reactive-element';
+import { fieldsOf } from '../internals.js';
+import { numberedName, type PhongLight } from '../phong-light.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import type { CameraSource } from './camera.js';
+import {
+  cameraText,
+  lightCountText,
+  lightName,
+  lightsText,
+  lightText,
+  meshText,
+  phrase,
+  type Texts,
+} from './description.js';
+import { keysText, nameSurface } from './naming.js';
+import { create, set, type ViewerTree } from './template.js';
+
+/**
+ * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart. Also
+ * the time between two updates of the description while the picture moves.
+ */
+const PAUSE = 1000;
+
+/** Lights in one announcement. */
+const ANNOUNCED = 3;
+
+/** Events in which the panel writes to lights. */
+const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
+
+export class ViewerAnnouncements implements ReactiveController {
+  readonly #viewer: PhongViewer;
+  readonly #reader = create('div', { class: 'reader' });
+  readonly #list = create('ul', { role: 'list' });
+  #surface: HTMLElement | null = null;
+  /** The live region; null before its first use. */
+  #region: HTMLElement | null = null;
+  #timer = 0;
+  /** Camera and lights in words; null before the first picture. */
+  #scene: string | null = null;
+  /** The texts that it is written in. */
+  #language: Texts = null;
+  #cameraMoved = false;
+  /** Lights were added, removed or moved. */
+  #counted = false;
+  readonly #lights = new Set<PhongLight>();
+  /** The last event in the panel. */
+  #panelEvent: Event | null = null;
+
+  constructor(viewer: PhongViewer) {
+    this.#viewer = viewer;
+    viewer.addEventListener('render', () => this.#update());
+    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail.source));
+    viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
+  }
+
+  /** Takes its place beside the picture. */
+  connect({ surface, panel }: ViewerTree): void {
+    this.#surface = surface;
+    surface.after(this.#reader);
+    for (const type of PANEL_EVENTS)
+      panel.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
+  }
+
+  hostDisconnected(): void {
+    clearTimeout(this.#timer);
+    this.#timer = 0;
+    this.#forget();
+  }
+
+  /** The viewer's own attributes have changed. */
+  update(): void {
+    if (this.#surface === null) return;
+    this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
+    this.#writeDescription();
+    if (this.#scene !== null && this.#language !== this.#texts) this.#update();
+  }
+
+  /** Describes the scene soon. */
+  #update(): void {
+    if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
+  }
+
+  #onCamera(source: CameraSource): void {
+    if (source === 'script' || source === 'auto') return;
+    this.#cameraMoved = true;
+    this.#userActed();
+  }
+
+  #onLights(lights: readonly PhongLight[]): void {
+    // The panel writes while an event of the user is dispatched to it. All other writes are a script's.
+    if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
+    if (lights.length === 0) this.#counted = true;
+    for (const light of lights) this.#lights.add(light);
+    this.#userActed();
+  }
+
+  #userActed(): void {
+    // Screen readers announce only changes of a region that is there already.
+    if (this.#region === null) this.#reader.append((this.#region = create('p', { 'aria-live': 'polite' })));
+    // A new timer instead of a longer one: once the user has stopped, only the announcement itself is left to do.
+    clearTimeout(this.#timer);
+    this.#wait(PAUSE);
+  }
+
+  #wait(ms: number): void {
+    this.#timer = window.setTimeout(() => {
+      this.#timer = 0;
+      this.#announce();
+      this.#describe();
+    }, ms);
+  }
+
+  /** Says what the user has changed since the last announcement. */
+  #announce(): void {
+    const { camera, lights } = this.#viewer;
+    const texts = this.#cameraMoved ? [cameraText(this.#texts, camera)] : [];
+    if (this.#counted) texts.push(lightCountText(this.#texts, lights.length));
+    const changed = [...this.#lights].filter((light) => lights.includes(light)).slice(-ANNOUNCED);
+    for (const light of changed) texts.push(`${this.#lightText(light, lights.indexOf(light))}.`);
+    this.#forget();
+    if (texts.length > 0 && this.#region !== null) this.#region.textContent = texts.join(' ');
+  }
+
+  #forget(): void {
+    this.#cameraMoved = false;
+    this.#counted = false;
+    this.#lights.clear();
+  }
+
+  #describe(): void {
+    const texts = (this.#language = this.#texts);
+    const { camera, lights, meshes } = this.#viewer;
+    const names = lights.map((light, i) => lightName(texts, nameOf(light, i), light));
+    this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
+    this.#writeDescription();
+    const items = [
+      ...lights.map((light, i) => this.#lightText(light, i)),
+      ...meshes.map((mesh, i) => meshText(texts, mesh, i)),
+    ];
+    const list = this.#list;
+    while (list.childElementCount > items.length) list.lastChild?.remove();
+    items.forEach((item, i) => write(list.children[i] ?? list.appendChild(create('li', {})), item));
+    set(list, 'aria-label', phrase(texts, 'Lights and meshes'));
+    // A list without items is a mistake to checkers.
+    if (items.length === 0) list.remove();
+    else if (list.parentNode === null) this.#reader.prepend(list);
+  }
+
+  #writeDescription(): void {
+    const parts = [keysText(this.#viewer, this.#texts), this.#scene ?? ''];
+    if (this.#surface !== null) set(this.#surface, 'aria-description', parts.join(' ').trim());
+  }
+
+  #lightText(light: PhongLight, index: number): string {
+    return lightText(this.#texts, nameOf(light, index), fieldsOf(light).store.values);
+  }
+
+  get #texts(): Texts {
+    return (this.#viewer as { readonly texts?: Texts }).texts ?? null;
+  }
+}
+
+/** Not the element's `name`: its default takes a search through all lights. */
+const nameOf = (light: PhongLight, index: number): string =>
+  fieldsOf(light).store.values.name || numberedName(index);
+
+/** Screen readers may read again what is written, even if it is the same. */
+function write(element: Element, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}

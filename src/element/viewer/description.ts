@@ -1,0 +1,75 @@
+// How are camera, lights and meshes said in words, for people who do not see the picture? Plain functions from values to
+// text; degrees and scene units. Knows neither the elements' tree nor when a text is read.
+import { kindOf } from '../../light/light-features.js';
+import type { LightValues } from '../../light/light-state.js';
+import { fileName } from '../../scene/mesh/file-name.js';
+import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
+import type { CameraState } from './camera.js';
+
+/** Replacements of English texts, by the English text. Words in braces stand for values. */
+export type Texts = Readonly<Record<string, string | undefined>> | null;
+
+/** Lights that the description names. It is read in one go, so it must be short; the list names all of them. */
+const NAMED = 8;
+
+const LIGHTS = 'Lights: {lights}.';
+
+export const cameraText = (
+  texts: Texts,
+  { theta, phi, radius }: Pick<CameraState, 'theta' | 'phi' | 'radius'>,
+): string =>
+  phrase(texts, 'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.', {
+    theta: numbers([Math.round(theta)]),
+    phi: numbers([Math.round(phi)]),
+    radius: numbers([radius]),
+  });
+
+/** All lights in one sentence; empty for none. `names`: of {@link lightName}. */
+export const lightsText = (texts: Texts, names: readonly string[]): string =>
+  names.length === 0
+    ? ''
+    : phrase(texts, LIGHTS, {
+        lights: names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ', …' : ''),
+      });
+
+export const lightCountText = (texts: Texts, count: number): string =>
+  phrase(texts, LIGHTS, { lights: String(count) });
+
+/** A light's name, and whether it is off. */
+export const lightName = (texts: Texts, name: string, { active }: Pick<LightValues, 'active'>): string =>
+  active ? name : phrase(texts, '{name} (off)', { name });
+
+export function lightText(texts: Texts, name: string, values: LightValues): string {
+  const light = phrase(texts, `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`, {
+    name: lightName(texts, name, values),
+    position: numbers(values.position.slice(0, 3)),
+    diffuse: numbers(values.diffuse),
+  });
+  return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
+}
+
+export const meshText = (texts: Texts, mesh: MeshNames, index: number): string =>
+  phrase(texts, '{name}: mesh', { name: meshTitle(mesh, index) });
+
+type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
+
+/** A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts from 0. */
+export const meshTitle = ({ name, src, geometry }: MeshNames, index: number): string =>
+  name ||
+  (src === '' ? geometry : typeof src === 'string' ? fileOf(src) : fileName(src)) ||
+  `mesh ${String(index + 1)}`;
+
+/** `teapot.glb` from `models/teapot.glb?v=2`. */
+const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
+
+/** A text, in the page's words if it has its own, with values in place of the words in braces. */
+export const phrase = (texts: Texts, text: string, values: Readonly<Record<string, string>> = {}): string =>
+  // By a function: in a replacement text `$&` would have a meaning, and names may contain it.
+  (texts?.[text] ?? text).replace(/\{(\w+)\}/g, (_, key: string) => values[key] ?? '');
+
+/** Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is used. */
+const numbers = (values: readonly number[]): string =>
+  values
+    .map((value) => Number(value.toPrecision(3)))
+    .join(' ')
+    .replaceAll('-', '−');

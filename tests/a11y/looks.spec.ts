@@ -1,0 +1,175 @@
+// Can the focus be seen on any picture, can everything be hit, and does nothing get lost when the page is enlarged, mirrored or
+// recoloured? Measured on the page as drawn.
+
+import type { Locator, Page } from '@playwright/test';
+import { PNG } from 'pngjs';
+import { expect, test } from '../support/test.js';
+import { nextFrame } from '../element/support.js';
+
+type Rgb = readonly [number, number, number];
+
+/** WCAG 2.2, 1.4.11: parts that are needed to understand a control stand out by this ratio. */
+const CONTRAST = 3;
+
+/** Relative luminance and contrast as WCAG 2.2 defines them. */
+const luminance = (color: Rgb): number => {
+  const [r, g, b] = color.map((code) => {
+    const c = code / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
+};
+const contrast = (a: Rgb, b: Rgb): number => {
+  const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (light! + 0.05) / (dark! + 0.05);
+};
+
+async function screenshot(of: Locator): Promise<(x: number, y: number) => Rgb> {
+  const { data, width } = PNG.sync.read(await of.screenshot());
+  return (x, y) => {
+    const at = 4 * (y * width + x);
+    return [data[at]!, data[at + 1]!, data[at + 2]!];
+  };
+}
+
+for (const media of [
+  {},
+  { colorScheme: 'dark' },
+  { forcedColors: 'active' },
+  { forcedColors: 'active', colorScheme: 'dark' },
+] as const) {
+  test(`the focus stands out from any picture: ${JSON.stringify(media)}`, async ({ page, mount }) => {
+    await page.emulateMedia(media);
+    const viewer = await mount('<phong-viewer></phong-viewer>', {
+      width: 80,
+      height: 60,
+      css: ':root { color-scheme: light dark; forced-color-adjust: none } phong-viewer { background: var(--picture) }',
+    });
+    await page.keyboard.press('Tab');
+    for (const picture of [
+      '#000',
+      '#fff',
+      '#767676',
+      '#959595',
+      '#f00',
+      '#00f',
+      '#0f0',
+      '#ff0',
+      '#123',
+      '#4a90d9',
+    ]) {
+      await page.evaluate((color) => document.documentElement.style.setProperty('--picture', color), picture);
+      await nextFrame(page);
+      const at = await screenshot(viewer);
+      for (const [x, y] of [
+        [-1, 0],
+        [1, 0],
+        [0, -1],
+        [0, 1],
+      ] as const) {
+        /** The colour at this distance from the edge on that side. */
+        const from = (edge: number): Rgb =>
+          at(40 + x * (40 - edge) - (x > 0 ? 1 : 0), 30 + y * (30 - edge) - (y > 0 ? 1 : 0));
+        const ring = [from(1), from(3)] as const;
+        expect(contrast(...ring), `the ring's two colours on ${picture}`).toBeGreaterThanOrEqual(CONTRAST);
+        const best = Math.max(...ring.map((color) => contrast(color, from(8))));
+        expect(best, `the ring on ${picture}`).toBeGreaterThanOrEqual(CONTRAST);
+      }
+    }
+    await page.emulateMedia({ colorScheme: null, forcedColors: null });
+  });
+}
+
+/** WCAG 2.2, 2.5.8, CSS pixels. */
+const TARGET = 24;
+
+const scene = `<phong-viewer alt="A box" gui geometry="box" src="/none.glb">
+  <phong-light name="sun"></phong-light>
+  <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
+  <phong-mesh name="floor" geometry="plane"></phong-mesh></phong-viewer>`;
+
+/** Opens every folder of the panel. */
+async function openAll(page: Page, viewer: Locator): Promise<void> {
+  await expect(viewer.locator('.lil-root')).toBeVisible();
+  await viewer.evaluate((element) => {
+    const closed = (): HTMLElement | null => element.shadowRoot!.querySelector('.lil-closed > .lil-title');
+    for (let title = closed(); title !== null; title = closed()) title.click();
+  });
+  await nextFrame(page);
+}
+
+/** What can be pressed in a viewer and is smaller than a target, with its size. A label belongs to its field. */
+const smallTargets = (viewer: Locator): Promise<string[]> =>
+  viewer.evaluate((element, least) => {
+    const controls = element.shadowRoot!.querySelectorAll(
+      'button, input, select, textarea, summary, a[href]',
+    );
+    const sizes = Array.from(controls, (control) => {
+      const { width, height } = (control.closest('label') ?? control).getBoundingClientRect();
+      const name =
+        control.getAttribute('aria-label') ?? control.closest('.lil-controller')?.textContent ?? '';
+      return { width, height, text: `${name} <${control.localName}> ${String(width)} × ${String(height)}` };
+    });
+    return sizes
+      .filter(({ width, height }) => width > 0 && (width < least || height < least))
+      .map(({ text }) => text);
+  }, TARGET);
+
+test('everything in panel and message can be hit: targets of 24 pixels', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/404/);
+  const viewer = await mount(scene, { width: 600, height: 650 });
+  await openAll(page, viewer);
+  expect(await smallTargets(viewer)).toEqual([]);
+});
+
+for (const dir of ['ltr', 'rtl'] as const) {
+  test(`enlarged to 200 %, written ${dir}, nothing is cut off`, async ({ page, mount, consoleGuard }) => {
+    consoleGuard.allow(/404/);
+    // At 200 % a window of 640 pixels is 320 CSS pixels wide.
+    await page.setViewportSize({ width: 320, height: 400 });
+    const viewer = await mount(scene, { width: 320, height: 300, deviceScaleFactor: 2 });
+    await page.evaluate((value) => (document.documentElement.dir = value), dir);
+    await openAll(page, viewer);
+    const { outside, scrolls } = await viewer.evaluate((element) => {
+      const box = element.getBoundingClientRect();
+      const parts = element.shadowRoot!.querySelectorAll(
+        '.panel, .notice, .panel :is(button, input, select)',
+      );
+      const outside = [...parts].filter((part) => {
+        const { left, right, width } = part.getBoundingClientRect();
+        return width > 0 && (left < box.left - 0.5 || right > box.right + 0.5);
+      });
+      const { scrollWidth, clientWidth } = document.documentElement;
+      return { outside: outside.map((part) => part.outerHTML), scrolls: scrollWidth > clientWidth };
+    });
+    expect(outside).toEqual([]);
+    expect(scrolls).toBe(false);
+    await page.setViewportSize({ width: 1000, height: 700 });
+  });
+}
+
+test('a message longer than the viewer can be scrolled', async ({ page, mount, consoleGuard }) => {
+  consoleGuard.allow(/404/);
+  const viewer = await mount(`<phong-viewer alt="None" src="/${'none'.repeat(60)}.glb"></phong-viewer>`, {
+    width: 160,
+    height: 80,
+  });
+  await expect(viewer.getByRole('alert')).toBeVisible();
+  const hidden = await viewer.evaluate((element) => {
+    const notice = element.shadowRoot!.querySelector('.notice')!;
+    notice.scrollTop = 1e6;
+    const { top } = element.getBoundingClientRect();
+    const range = document.createRange();
+    range.selectNodeContents(notice);
+    const last = [...range.getClientRects()].at(-1)!;
+    notice.scrollTop = 0;
+    const first = range.getClientRects()[0]!;
+    return [first.top < top, last.bottom > top + element.clientHeight];
+  });
+  expect(hidden).toEqual([false, false]);
+  await nextFrame(page);
+});
