@@ -1,2 +1,0 @@
-
-var e=Math.PI/180,t=t=>t*e;function n(e){if(e>=-180&&e<180)return e;let t=e%360;return t>=180?t-360:t<-180?t+360:t}function r(e){let t=n(e);return a(t>90?180-t:t<-90?-180-t:t)}var i=e=>{let t=Math.abs(n(e));return t<=90?a(90-t):-a(t-90)};function a(e){return e>45?Math.cos(t(90-e)):e<-45?-Math.cos(t(90+e)):Math.sin(t(e))}export{n as i,t as n,r,i as t};

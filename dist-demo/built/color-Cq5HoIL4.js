@@ -1,2 +1,0 @@
-
-var e={encodedKnee:.04045,linearKnee:.0031308,slope:12.92,offset:.055,exponent:2.4};function t(t){return t>0?t<=e.encodedKnee?t/e.slope:((t+e.offset)/(1+e.offset))**e.exponent:0}function n(t){return t>0?t<=e.linearKnee?t*e.slope:(1+e.offset)*t**(1/e.exponent)-e.offset:0}export{t as n,n as r,e as t};

@@ -1,2 +1,0 @@
-
-import{s as e}from"./three.core-ADDfBTJJ.js";async function t(t,n){let r=new Float32Array(t.length);return await n.over(t.length/9,(e,n)=>{for(let i=e*9;i<n*9;i+=9){let e=t[i+3]-t[i],n=t[i+4]-t[i+1],a=t[i+5]-t[i+2],o=t[i+6]-t[i],s=t[i+7]-t[i+1],c=t[i+8]-t[i+2],l=n*c-a*s,u=a*o-e*c,d=e*s-n*o,f=Math.hypot(l,u,d);if(f>0)for(let e=i;e<i+9;e+=3)r[e]=l/f,r[e+1]=u/f,r[e+2]=d/f}}),new e(r,3)}export{t};

@@ -1,2 +1,0 @@
-
-var e=e=>(`name`in e?String(e.name):``)||`model`;export{e as t};

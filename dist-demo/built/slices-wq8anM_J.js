@@ -1,2 +1,0 @@
-
-var e=8192,t=2047,n=class{#e;#t=performance.now();constructor(e){this.#e=e}async over(t,n){for(let r=0;r<t;r+=e*3)n(r,Math.min(r+e*3,t)),this.due&&await this.pause()}get due(){return performance.now()-this.#t>8}async pause(){await new Promise(e=>{let{port1:t,port2:n}=new MessageChannel;t.onmessage=()=>{t.close(),e()},n.postMessage(null)}),this.#e.throwIfAborted(),this.#t=performance.now()}};export{n,t};
