@@ -138,7 +138,8 @@ class Player {
     }
     faults.push(...this.#difference('toBlob and that of a new page', blob, began.blob));
     camera.forEach((x, i) => {
-      if (!(Math.abs(x - began.camera[i]!) <= 1e-9 * Math.max(1, Math.abs(x))))
+      // toHTML writes eight digits.
+      if (!(Math.abs(x - began.camera[i]!) <= 1e-7 * Math.max(1, Math.abs(x))))
         faults.push(`camera ${String(camera)}, not ${String(began.camera)}`);
     });
     const cost = ({ lightsDeclared, lightsActive, lightsSent, lightsSentByMesh, drawCalls }: Rest['stats']) =>
