@@ -106,7 +106,15 @@ function installWalk(): void {
       const shown = pixels[0] > 0 && pixels[1] > 0;
       const size = shown ? pixels : ([40, 30] as const);
       const blob = await blobOf(viewer, size);
-      const html = viewer.toHTML().replace(/ gui(="[^"]*")?/, '');
+      // The new viewer gets its size from `begin`, and is displayed.
+      const markup = viewer.toHTML().replace(/ (gui|style)(="[^"]*")?(?=[^>]*>)/g, '');
+      // `auto` would fit it to the new viewer's size: a hidden one has none.
+      const { radius, target } = viewer.camera;
+      const html = shown
+        ? markup
+        : markup
+            .replace(/ radius="auto"/, ` radius="${String(radius)}"`)
+            .replace(/ target="auto"/, ` target="${target.join(' ')}"`);
       const { lights, clientWidth, clientHeight } = viewer;
       rests.push({
         ...{ seen, blob, html, pixels },
