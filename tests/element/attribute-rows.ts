@@ -196,14 +196,14 @@ const terms: Row = {
   ],
 };
 
-const gui: Row = {
-  attribute: 'gui',
+const presence = (attribute: string): Row => ({
+  attribute,
   fallback: false,
-  valid: [['false', false], ['FALSE', false], ['', true], ['gui', true], ['true', true]], // prettier-ignore
+  valid: [['false', false], ['FALSE', false], ['', true], [attribute, true], ['true', true]], // prettier-ignore
   malformed: [],
   outside: [],
   refused: [[1, 'TypeError']],
-};
+});
 
 const crossOrigin: Row = {
   ...choice('crossorigin', null, 'anonymous', 'use-credentials'),
@@ -221,6 +221,8 @@ const shape: readonly Row[] = [
     outside: [...notFinite, '0', '513', '1.5', '-3'],
     valid: [['1', 1], ['512', 512], ['7.0', 7]], // prettier-ignore
   },
+  presence('autoplay'),
+  { ...text('animation-name', ''), property: 'animationName' },
   color('ka', [200, 200, 200]),
   color('kd', [200, 200, 200]),
   color('ks', [128, 128, 128]),
@@ -274,6 +276,6 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
     choice('antialias', 'edges', 'edges', 'highlights'),
-    gui,
+    presence('gui'),
   ],
 };

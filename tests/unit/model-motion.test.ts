@@ -18,8 +18,8 @@ beforeAll(() => {
 async function expected(document: object, clip: number, seconds: number): Promise<number[]> {
   const { scene, animations } = await new GLTFLoader().parseAsync(JSON.stringify(document), '');
   const mixer = new AnimationMixer(scene);
-  const animation = animations[clip];
-  if (animation !== undefined) mixer.clipAction(animation).play();
+  const animation = clip < 0 ? undefined : animations.at(clip);
+  if (animation) mixer.clipAction(animation).play();
   mixer.setTime(seconds);
   scene.updateMatrixWorld(true);
   const found: number[] = [];
