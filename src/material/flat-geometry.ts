@@ -22,6 +22,25 @@ export function flatGeometry(source: BufferGeometry): BufferGeometry {
   return flat;
 }
 
+/** Brings the copy of `source`, if there is one, in step with its positions, tangents and bounds, which have changed. */
+export function updateFlatGeometry(source: BufferGeometry): void {
+  const flat = made.get(source);
+  if (!flat) return;
+  const position = flat.getAttribute('position') as BufferAttribute;
+  const count = position.count;
+  for (const name of ['position', 'tangent']) {
+    if (!source.hasAttribute(name)) continue;
+    const copy = flat.getAttribute(name) as BufferAttribute;
+    copy.array.set(gather(source.getAttribute(name), source.index, count));
+    copy.needsUpdate = true;
+  }
+  const normal = flat.getAttribute('normal') as BufferAttribute;
+  normal.array.set(faceNormals(position.array as Float32Array));
+  normal.needsUpdate = true;
+  flat.boundingBox = source.boundingBox;
+  flat.boundingSphere = source.boundingSphere;
+}
+
 function separateTriangles(source: BufferGeometry): BufferGeometry {
   const { index } = source;
   const corners = index?.count ?? source.getAttribute('position').count;
@@ -31,7 +50,9 @@ function separateTriangles(source: BufferGeometry): BufferGeometry {
   for (const [name, attribute] of Object.entries(source.attributes)) {
     if (name === 'normal') continue;
     const values = gather(attribute, index, count);
-    flat.setAttribute(name, new BufferAttribute(values, attribute.itemSize));
+    const copy = new BufferAttribute(values, attribute.itemSize);
+    if ('isBufferAttribute' in attribute) copy.setUsage(attribute.usage);
+    flat.setAttribute(name, copy);
     if (name === 'position') flat.setAttribute('normal', new BufferAttribute(faceNormals(values), 3));
   }
   return flat;

@@ -134,6 +134,8 @@ class Choice {
   changes = 0;
   grid: MeshLightGrid | null = null;
   #geometry: BufferGeometry | null = null;
+  /** The geometry's bounds: another object when its vertices have changed. */
+  #bounds: Box3 | null = null;
   #origin: Vec3 = [0, 0, 0];
   readonly #matrix = new Matrix4();
   #box: Box | null = null;
@@ -154,6 +156,7 @@ class Choice {
     const [x, y, z] = this.#origin;
     const stays =
       this.#geometry === geometry &&
+      this.#bounds === geometry.boundingBox &&
       x === origin[0] &&
       y === origin[1] &&
       z === origin[2] &&
@@ -163,6 +166,7 @@ class Choice {
     this.#origin = [origin[0], origin[1], origin[2]];
     this.#matrix.copy(matrixWorld);
     this.#box = boundsOf(this.#mesh, origin);
+    this.#bounds = geometry.boundingBox;
     return true;
   }
 }

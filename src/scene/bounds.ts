@@ -1,6 +1,6 @@
 // How large is a scene? The centre of its box and its farthest vertex, in world space and float64, from the extreme points
 // of its geometries: after the first time a moved mesh costs no pass over vertices. Knows nothing of cameras.
-import type { BufferGeometry, Mesh, Object3D, Sphere } from 'three';
+import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
 import type { Vec3 } from '../math/vector.js';
 import { type ExtremePoints, extremePointsOf, forgetExtremePoints } from './extreme-points.js';
 
@@ -72,8 +72,12 @@ export function radiusOf(root: Object3D, point: Vec3): number {
     const { x, y, z } = sphere.center;
     if (sphere.radius >= 0) radius = reachOf(e, x, y, z, sphere.radius, point);
   } else if (geometry !== undefined) {
-    const extremes = extremesOf(geometry);
-    if (extremes !== null) {
+    const moving = movingBounds(geometry);
+    const extremes = moving === null ? extremesOf(geometry) : null;
+    if (moving !== null) {
+      const { x, y, z } = moving.center;
+      radius = reachOf(e, x, y, z, moving.radius, point);
+    } else if (extremes !== null) {
       const [x, y, z] = extremes.center;
       radius = reachOf(e, x, y, z, extremes.radius, point);
     }
@@ -118,6 +122,14 @@ function placedMeshes(root: Object3D): Placed[] {
   });
   return placed;
 }
+
+/** The vertices change from frame to frame, as an animation's do. */
+export const hasMovingVertices = ({ attributes }: BufferGeometry): boolean =>
+  (attributes['position'] as { usage?: number } | undefined)?.usage === DynamicDrawUsage;
+
+/** Extreme points are those of the first pose, so that framing keeps still; these are those of the last one. */
+const movingBounds = (geometry: BufferGeometry): Sphere | null =>
+  hasMovingVertices(geometry) ? geometry.boundingSphere : null;
 
 const extremesOf = (geometry: BufferGeometry): ExtremePoints | null =>
   'position' in geometry.attributes ? extremePointsOf(geometry) : null;

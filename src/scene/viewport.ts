@@ -7,6 +7,7 @@ import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
 import type { ShadingStyle } from '../material/phong-material.js';
+import { Animations } from './animations.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
@@ -25,6 +26,7 @@ export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
   readonly orbit = new Orbit();
   readonly materials: SharedMaterials;
+  readonly animations: Animations;
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly #fit: AutoFit;
@@ -48,6 +50,7 @@ export class Viewport implements StageClient, Framed {
     const meshes = new Set<SceneMesh>();
     this.#painter = new Painter(lights, meshes);
     this.materials = new SharedMaterials(this.#painter.lighting);
+    this.animations = new Animations(meshes);
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.#fit = new AutoFit(this.#tree, this.orbit);
     this.#events = events;

@@ -222,6 +222,8 @@ const shape: readonly Row[] = [
     outside: [...notFinite, '0', '513', '1.5', '-3'],
     valid: [['1', 1], ['512', 512], ['7.0', 7]], // prettier-ignore
   },
+  presence('autoplay'),
+  { ...text('animation-name', ''), property: 'animationName' },
   color('ka', [200, 200, 200]),
   color('kd', [200, 200, 200]),
   color('ks', [128, 128, 128]),

@@ -76,6 +76,10 @@ export interface ShapeProperties extends ShapeValues {
   set geometry(value: Shape['geometry']);
   get segments(): ShapeValues['segments'];
   set segments(value: Shape['segments']);
+  get autoplay(): ShapeValues['autoplay'];
+  set autoplay(value: Shape['autoplay']);
+  get animationName(): ShapeValues['animationName'];
+  set animationName(value: Shape['animationName']);
   get ka(): ShapeValues['ka'];
   set ka(value: Shape['ka']);
   get kd(): ShapeValues['kd'];

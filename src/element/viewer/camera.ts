@@ -1,4 +1,5 @@
-// How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Knows
+// How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Also when models may
+// move by themselves, since the same holds for the turntable. Knows
 // neither lights nor meshes.
 import type { ReactiveController } from '@lit/reactive-element';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
@@ -61,13 +62,13 @@ export class ViewerCamera implements ReactiveController {
     this.#input?.connect();
     const view = this.#host.viewport.holder.ownerDocument.defaultView;
     this.#reducedMotion = view?.matchMedia('(prefers-reduced-motion: reduce)') ?? null;
-    this.#reducedMotion?.addEventListener('change', this.#startTurning);
+    this.#reducedMotion?.addEventListener('change', this.#startMotion);
   }
 
   hostDisconnected(): void {
     this.#input?.disconnect();
     this.inView = false;
-    this.#reducedMotion?.removeEventListener('change', this.#startTurning);
+    this.#reducedMotion?.removeEventListener('change', this.#startMotion);
   }
 
   get state(): CameraState {
@@ -136,13 +137,15 @@ export class ViewerCamera implements ReactiveController {
     this.#input?.reanchor();
   }
 
-  /** Turns the scene to where it is at `now`. True while it keeps turning. */
+  /** Turns the scene and plays animations to where they are at `now`. True while something keeps moving. */
   frame(now: number): boolean {
+    const { viewport, values } = this.#host;
+    const plays = this.mayMove && viewport.animations.step(now);
+    if (plays) viewport.invalidate();
     if (!this.turning) {
       this.#turntable.rest();
-      return false;
+      return plays;
     }
-    const { viewport, values } = this.#host;
     if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
     return true;
   }
@@ -150,22 +153,26 @@ export class ViewerCamera implements ReactiveController {
   /** Whether the picture is in view. Time that passes elsewhere does not turn the scene. */
   set inView(inView: boolean) {
     this.#inView = inView;
-    if (inView) this.#startTurning();
-    else this.#turntable.rest();
+    if (inView) this.#startMotion();
+    else {
+      this.#turntable.rest();
+      this.#host.viewport.animations.rest();
+    }
+  }
+
+  /** Whether things may move by themselves: in view, unless the user prefers reduced motion. */
+  get mayMove(): boolean {
+    return this.#inView && this.#reducedMotion?.matches !== true;
   }
 
   get turning(): boolean {
     const { autoRotate } = this.#host.values;
-    return (
-      autoRotate !== 0 &&
-      this.#inView &&
-      this.#reducedMotion?.matches !== true &&
-      this.#input?.dragging !== true
-    );
+    return autoRotate !== 0 && this.mayMove && this.#input?.dragging !== true;
   }
 
-  readonly #startTurning = (): void => {
-    if (this.turning) this.#host.viewport.animate();
+  readonly #startMotion = (): void => {
+    const { viewport } = this.#host;
+    if (this.turning || (this.mayMove && viewport.animations.playing)) viewport.animate();
   };
 
   /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
@@ -202,7 +209,7 @@ export class ViewerCamera implements ReactiveController {
         this.reset('key');
       },
       held: (dragging) => {
-        if (!dragging) this.#startTurning();
+        if (!dragging) this.#startMotion();
       },
     };
   }

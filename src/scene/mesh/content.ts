@@ -14,7 +14,7 @@ import { requestFile } from '../model/request-file.js';
 export interface ContentPart {
   readonly name: string;
   readonly geometry: BufferGeometry;
-  /** Part to mesh. */
+  /** Part to mesh. {@link Motion} changes it. */
   readonly matrix: Matrix4;
   readonly look: BaseLook;
   /** `closed` for opaque closed shapes, `single` or `double` as a file says. */
@@ -23,13 +23,25 @@ export interface ContentPart {
   readonly surface: Partial<SurfaceValues>;
 }
 
+/** The animations of a content. */
+export interface Motion {
+  /** As in the file. */
+  readonly names: readonly string[];
+  /** Length in seconds of the animation with this name; of the first one if the name is empty or unknown. */
+  durationOf(name: string): number;
+  /** Writes a pose into the parts' matrices and geometries. After its end an animation begins again. Null: the pose without animation. */
+  pose(name: string | null, seconds: number): void;
+}
+
 export interface Content {
   readonly parts: readonly ContentPart[];
+  /** Null if nothing in it moves. */
+  readonly motion: Motion | null;
   /** Frees it. Call once. */
   dispose(): void;
 }
 
-export const NOTHING: Content = { parts: [], dispose: () => undefined };
+export const NOTHING: Content = { parts: [], motion: null, dispose: () => undefined };
 
 /** A built-in shape: at once if its code is loaded, else a promise. */
 export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
@@ -38,6 +50,7 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
   const sides = CLOSED.has(name) ? 'closed' : 'double';
   const content = (ready: BufferGeometry): Content => ({
     parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
+    motion: null,
     dispose: () => {
       releaseGeometry(name, wanted);
     },

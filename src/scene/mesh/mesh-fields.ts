@@ -9,6 +9,7 @@ import {
   choiceField,
   numberField,
   optional,
+  presenceField,
   scaleField,
   textField,
   vectorField,
@@ -26,6 +27,10 @@ export interface ShapeValues extends SurfaceValues {
   geometry: GeometryName | null;
   /** Segments around the shape, 1–512; null for the shape's default. */
   segments: number | null;
+  /** Plays the model's animation in a loop, while it is in view. Stopped for users who prefer reduced motion. Default false. */
+  autoplay: boolean;
+  /** Which of the model's animations `autoplay` plays, by its name in the file. Default empty: the first one. */
+  animationName: string;
 }
 
 /** Words and media types for the formats of models. */
@@ -80,6 +85,8 @@ export const SHAPE_FIELDS: Fields<ShapeValues> = {
   type: optional(choiceField<ModelType>('gltf', MODEL_TYPES)),
   geometry: optional(choiceField<GeometryName>('box', GEOMETRIES)),
   segments: optional(numberField(1, { min: 1, max: 512, integer: true })),
+  autoplay: presenceField(),
+  animationName: textField('', 'the name of an animation'),
 };
 
 const coordinates = { min: -LIMITS.coordinate, max: LIMITS.coordinate };

@@ -1,9 +1,10 @@
 // Which three.js meshes show a content, with which geometries and surfaces? Knows neither loads nor frames.
 import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three';
 import type { FieldStore } from '../../fields/field-store.js';
-import { flatGeometry } from '../../material/flat-geometry.js';
+import { flatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { BaseLook, PhongMaterial } from '../../material/phong-material.js';
+import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../extreme-points.js';
 import { VALUE_LIMIT } from '../model/limits.js';
 import { ModelError } from '../model/model.js';
@@ -77,10 +78,10 @@ export function partsOf(
 }
 
 /** A part that its content does not move needs no group around it: 2,000 boxes are 2,000 objects. */
-export function rootOf(parts: readonly Part[]): Object3D | null {
+export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null {
   const [first] = parts;
   if (first === undefined) return null;
-  if (parts.length === 1 && first.source.matrix.equals(IDENTITY)) return first.mesh;
+  if (parts.length === 1 && !moves && first.source.matrix.equals(IDENTITY)) return first.mesh;
   const group = new Group();
   group.matrixAutoUpdate = false;
   for (const { mesh, source } of parts) {
@@ -88,6 +89,16 @@ export function rootOf(parts: readonly Part[]): Object3D | null {
     group.add(mesh);
   }
   return group;
+}
+
+/** Brings meshes in step with the pose that their content has now. */
+export function followPose(parts: readonly Part[]): void {
+  for (const { mesh, source } of parts) {
+    mesh.matrix.copy(source.matrix);
+    mesh.matrixWorldNeedsUpdate = true;
+    if (mesh.geometry !== source.geometry && hasMovingVertices(source.geometry))
+      updateFlatGeometry(source.geometry);
+  }
 }
 
 const IDENTITY = /* @__PURE__ */ new Matrix4();

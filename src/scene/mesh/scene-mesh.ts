@@ -8,6 +8,7 @@ import type { Vec3 } from '../../math/vector.js';
 import type { CrossOrigin } from '../model/load-model.js';
 import { ModelError } from '../model/model.js';
 import { isOutOfMemory } from '../out-of-memory.js';
+import { MeshAnimation } from './animation.js';
 import { ContentLoad } from './content-load.js';
 import type { Content, ContentPart } from './content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
@@ -67,6 +68,7 @@ export class SceneMesh {
   #shading: Shading | null = null;
   /** What the geometries were made for; null for not known. */
   #effective: Shading | null = null;
+  readonly animation = new MeshAnimation(() => this.#shown);
   #reflection: ShadingStyle['reflection'] | null = null;
 
   constructor(state: FieldStore<ShapeValues> | FieldStore<MeshValues>, host: MeshHost) {
@@ -136,6 +138,7 @@ export class SceneMesh {
   /** Brings the scene in step with the values. Cheap where nothing changed. */
   update(): void {
     this.#load.request(this.#values);
+    this.animation.update(this.#values);
     this.#place();
     this.restyle();
   }
@@ -160,6 +163,7 @@ export class SceneMesh {
   revert(error: unknown): void {
     const failed = this.#shown;
     this.#replace(this.#before ?? EMPTY);
+    this.animation.pose();
     this.#before = null;
     this.#free(failed);
     this.#effective = null;
@@ -201,6 +205,7 @@ export class SceneMesh {
           mesh.geometry = geometries[i]!;
         });
         this.#effective = wanted;
+        this.animation.pose(); // a flat copy may be of an earlier pose
       } catch (error) {
         this.#notFlat = true;
         this.#host.ended(this, this.#shown.url, error);
@@ -261,6 +266,7 @@ export class SceneMesh {
    * {@link restyle} next.
    */
   #show(content: Content, url: URL | null): boolean {
+    this.animation.begin(this.#values, content.motion);
     let geometries: readonly BufferGeometry[];
     try {
       geometries = geometriesOf(content.parts, this.#wantedShading === 'flat');
@@ -274,7 +280,7 @@ export class SceneMesh {
     this.#shading = shading;
     this.#reflection = reflection;
     const parts = partsOf(content, geometries, this.#host.materials, (source) => this.#appearanceOf(source));
-    const next = { content, parts, root: rootOf(parts), url };
+    const next = { content, parts, root: rootOf(parts, content.motion !== null), url };
     const before = this.#shown;
     this.#replace(next);
     this.#forgetNotFlat();
@@ -302,9 +308,8 @@ export class SceneMesh {
   }
 }
 
-function undrawable(cause: unknown): ModelError {
-  return new ModelError('bad-model', `Drawing failed: ${String(cause)}`, { cause });
-}
+const undrawable = (cause: unknown): ModelError =>
+  new ModelError('bad-model', `Drawing failed: ${String(cause)}`, { cause });
 
 const ZERO: Vec3 = [0, 0, 0];
 const ONE: Vec3 = [1, 1, 1];

@@ -11,24 +11,33 @@ import type { Slices } from './slices.js';
 export async function faceNormals(positions: ArrayLike<number>, slices: Slices): Promise<BufferAttribute> {
   const normals = new Float32Array(positions.length);
   await slices.over(positions.length / 9, (from, to) => {
-    for (let at = from * 9; at < to * 9; at += 9) {
-      const ux = positions[at + 3]! - positions[at]!;
-      const uy = positions[at + 4]! - positions[at + 1]!;
-      const uz = positions[at + 5]! - positions[at + 2]!;
-      const vx = positions[at + 6]! - positions[at]!;
-      const vy = positions[at + 7]! - positions[at + 1]!;
-      const vz = positions[at + 8]! - positions[at + 2]!;
-      const x = uy * vz - uz * vy;
-      const y = uz * vx - ux * vz;
-      const z = ux * vy - uy * vx;
-      const size = Math.hypot(x, y, z);
-      if (!(size > 0)) continue;
-      for (let corner = at; corner < at + 9; corner += 3) {
-        normals[corner] = x / size;
-        normals[corner + 1] = y / size;
-        normals[corner + 2] = z / size;
-      }
-    }
+    writeFaceNormals(positions, normals, from, to);
   });
   return new BufferAttribute(normals, 3);
+}
+
+/** As {@link faceNormals}, for the triangles from `from` to before `to`, into `normals`. */
+export function writeFaceNormals(
+  positions: ArrayLike<number>,
+  normals: Float32Array,
+  from: number,
+  to: number,
+): void {
+  for (let at = from * 9; at < to * 9; at += 9) {
+    const ux = positions[at + 3]! - positions[at]!;
+    const uy = positions[at + 4]! - positions[at + 1]!;
+    const uz = positions[at + 5]! - positions[at + 2]!;
+    const vx = positions[at + 6]! - positions[at]!;
+    const vy = positions[at + 7]! - positions[at + 1]!;
+    const vz = positions[at + 8]! - positions[at + 2]!;
+    const x = uy * vz - uz * vy;
+    const y = uz * vx - ux * vz;
+    const z = ux * vy - uy * vx;
+    const size = Math.hypot(x, y, z);
+    for (let corner = at; corner < at + 9; corner += 3) {
+      normals[corner] = size > 0 ? x / size : 0;
+      normals[corner + 1] = size > 0 ? y / size : 0;
+      normals[corner + 2] = size > 0 ? z / size : 0;
+    }
+  }
 }

@@ -8,7 +8,14 @@ import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
 import type { CrossOrigin, FileRequest } from './request-file.js';
 
-export { ModelError, type Model, type ModelErrorCode, type ModelLook, type ModelPart } from './model.js';
+export {
+  ModelError,
+  type Model,
+  type ModelErrorCode,
+  type ModelLook,
+  type ModelMotion,
+  type ModelPart,
+} from './model.js';
 export type { CrossOrigin } from './request-file.js';
 
 export interface LoadOptions {

@@ -2,9 +2,9 @@
 // fetched with the first one. Knows neither materials nor elements.
 import { exponentOfRoughness, NO_FILE_SURFACE } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { Content } from '../mesh/content.js';
+import type { Content, Motion } from '../mesh/content.js';
 import { nameOf } from './format.js';
-import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
+import { loadModel, type LoadOptions, type ModelLook, type ModelMotion } from './load-model.js';
 import type { FileRequest } from './request-file.js';
 
 export { droppedModel } from './dropped-files.js';
@@ -17,9 +17,7 @@ export async function modelContent(
 ): Promise<Content> {
   const model = await loadModel(url, options, from);
   if (model.dropped !== undefined && model.dropped.size > 0)
-    console.warn(
-      `${nameOf(url)}: ${[...model.dropped].join(', ')} cannot be shown by this equation and are left out.`,
-    );
+    console.warn(`${nameOf(url)}: ${[...model.dropped].join(', ')} cannot be shown and are left out.`);
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
       name,
@@ -29,8 +27,35 @@ export async function modelContent(
       sides: look.doubleSided ? 'double' : 'single',
       surface: surfaceOf(look),
     })),
+    motion: model.motion ? motionOf(model.motion, nameOf(url)) : null,
     dispose: () => {
       model.dispose();
+    },
+  };
+}
+
+/** @param file its name, for warnings. */
+function motionOf(motion: ModelMotion, file: string): Motion {
+  const { clips } = motion;
+  const unknown = new Set<string>();
+  const indexOf = (wanted: string): number => {
+    const index = wanted === '' ? 0 : clips.findIndex(({ name }) => name === wanted);
+    if (index < 0 && !unknown.has(wanted)) {
+      const names = clips.map(({ name }) => JSON.stringify(name)).join(', ');
+      console.warn(
+        `${file} has no animation ${JSON.stringify(wanted)}, so its first one is shown. It has: ${names}`,
+      );
+      unknown.add(wanted);
+    }
+    return Math.max(index, 0);
+  };
+  const durationOf = (name: string): number => clips[indexOf(name)]?.duration ?? 0;
+  return {
+    names: clips.map(({ name }) => name),
+    durationOf,
+    pose: (name, seconds) => {
+      if (name === null) motion.pose(null, 0);
+      else motion.pose(indexOf(name), durationOf(name) > 0 ? seconds % durationOf(name) : 0);
     },
   };
 }

@@ -9,8 +9,21 @@ export interface Model {
   readonly parts: readonly ModelPart[];
   /** What the file says and the equation has no place for, by the file's own names. */
   readonly dropped?: ReadonlySet<string>;
+  /** Null or absent if nothing in it moves. */
+  readonly motion?: ModelMotion | null;
   /** Frees geometries and textures and closes their images. A second call does nothing. */
   dispose(): void;
+}
+
+/** The animations of a model. */
+export interface ModelMotion {
+  /** At least one, in the file's order. Names can be empty or repeat; durations are in seconds. */
+  readonly clips: readonly { readonly name: string; readonly duration: number }[];
+  /**
+   * Writes a pose into the parts' matrices and geometries, bounds of the latter included. Null for the file's own pose. Times
+   * outside a clip give its first or last one. Never throws.
+   */
+  pose(clip: number | null, seconds: number): void;
 }
 
 export interface ModelPart {
@@ -19,10 +32,11 @@ export interface ModelPart {
   /**
    * Attributes: `position` (float, finite); `normal` (float, unit length or zero); for each map of the look the texture
    * coordinates of its channel (`uv`, `uv1`, …); `tangent` (unit, w ±1) for a normal map; `color` (encoded sRGB, 3 or 4
-   * components, 0 to 1) if the file has vertex colours. Indexed or not. Parts can share geometries or attributes.
+   * components, 0 to 1) if the file has vertex colours. Indexed or not. Parts can share geometries or attributes. Vertices that
+   * {@link ModelMotion} changes have `DynamicDrawUsage`.
    */
   readonly geometry: BufferGeometry;
-  /** Part to model. */
+  /** Part to model. {@link ModelMotion} changes it. */
   readonly matrix: Matrix4;
   readonly look: ModelLook;
 }

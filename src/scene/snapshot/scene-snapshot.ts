@@ -1,10 +1,19 @@
 // What does a picture show at one moment? Taken when shadeAt is called: its code may still have to be fetched, and the scene
 // changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are overwritten.
-import type { BufferGeometry, Material, Matrix4, Mesh, Object3D, PerspectiveCamera } from 'three';
+import type {
+  BufferAttribute,
+  BufferGeometry,
+  Material,
+  Matrix4,
+  Mesh,
+  Object3D,
+  PerspectiveCamera,
+} from 'three';
 import type { Sides } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { type BaseLook, PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
+import { hasMovingVertices } from '../bounds.js';
 
 /** How the Phong material shades an object. */
 export interface DrawnLook {
@@ -53,7 +62,7 @@ export function drawnObjects<Owner>(
     into.push({
       object,
       matrixWorld: object.matrixWorld.clone(),
-      geometry,
+      geometry: geometry !== undefined && owner !== undefined ? still(geometry) : geometry,
       material,
       owner,
       phong: owner === undefined || phong === null ? null : phongLook(phong),
@@ -61,6 +70,21 @@ export function drawnObjects<Owner>(
   }
   for (const child of object.children) drawnObjects(child, camera, ownerOf, into);
   return into;
+}
+
+/** A geometry whose vertices stay as they are: itself, or a copy of one that an animation changes. */
+function still(geometry: BufferGeometry): BufferGeometry {
+  if (!hasMovingVertices(geometry)) return geometry;
+  const Geometry = geometry.constructor as typeof BufferGeometry;
+  const copy = new Geometry();
+  copy.index = geometry.index;
+  Object.assign(copy.attributes, geometry.attributes);
+  for (const name of ['position', 'normal', 'tangent'])
+    if (geometry.hasAttribute(name))
+      copy.setAttribute(name, (geometry.getAttribute(name) as BufferAttribute).clone());
+  copy.boundingBox = geometry.boundingBox?.clone() ?? null;
+  copy.boundingSphere = geometry.boundingSphere?.clone() ?? null;
+  return copy;
 }
 
 const phongLook = ({ look, sides, surface, style, linear }: PhongMaterial): DrawnLook => ({

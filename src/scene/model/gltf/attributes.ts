@@ -8,7 +8,7 @@ export type Attribute = BufferAttribute | InterleavedBufferAttribute;
 export type Conversion = (source: Attribute, slices: Slices) => Promise<BufferAttribute>;
 
 /** Domain of coordinates: products of two stay finite in float32. */
-const COORDINATE_LIMIT = 1e15;
+export const COORDINATE_LIMIT = 1e15;
 
 /** Rejects with an Error if a coordinate is not a number or beyond ±1e15. */
 export const floatPositions: Conversion = async (source, slices) => {

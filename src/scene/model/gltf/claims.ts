@@ -37,9 +37,10 @@ export function countClaims(
       const { corners, vertices } = primitive;
       budget.add({ parts: 1, corners });
       const known = geometries.get(skin) ?? new Set();
-      if (known.has(primitive.key)) continue;
-      // A joint has a matrix in the file and one in its pose.
-      if (!geometries.has(skin)) budget.add({ values: (skin?.joints.length ?? 0) * 32 });
+      // The weights of morph targets belong to a node.
+      if (primitive.targets.length === 0 && known.has(primitive.key)) continue;
+      // A joint has a matrix in the file and one in its pose, in float64.
+      if (!geometries.has(skin)) budget.add({ values: (skin?.joints.length ?? 0) * 64 });
       geometries.set(skin, known.add(primitive.key));
       budget.add({ values: ownValues(primitive, skin !== undefined) });
       for (const { name, accessor, items } of primitive.attributes) {
@@ -70,20 +71,29 @@ export interface DracoClaims {
 /** What a computed tangent costs, in values: three.js makes two vectors for each vertex. */
 const TANGENT_VALUES = 30;
 
+/**
+ * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, and its joints and their
+ * weights.
+ */
+const MOVING_VALUES = 16;
+
 /** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
 function ownValues(primitive: Primitive, skinned: boolean): number {
-  const { attributes, order, corners, vertices, packed, tangents } = primitive;
+  const { attributes, order, corners, vertices, packed, tangents, targets } = primitive;
   const flat = attributes.every(({ name }) => name !== 'NORMAL');
   // Strips, and vertices that do not fill the last triangle, get an index.
   const indexed = order !== undefined || corners !== vertices;
   const separate = indexed && (flat || usesFew(corners, vertices));
+  const own = separate ? corners : vertices;
   const items = attributes.reduce((sum, attribute) => sum + attribute.items, 0);
   return (
     (packed === undefined ? Math.ceil((order?.ownBytes ?? 0) / 4) : 0) +
     (separate ? corners * items : indexed ? corners : 0) +
     (flat ? corners * 3 : 0) +
-    (skinned ? (separate ? corners : vertices) * 6 : 0) +
-    (tangents ? (separate ? corners : vertices) * TANGENT_VALUES : 0)
+    (skinned || targets.length > 0 ? own * MOVING_VALUES : 0) +
+    // As in the file, and as floats.
+    targets.reduce((sum, target) => sum + Object.keys(target).length, 0) * (vertices + own) * 3 +
+    (tangents ? own * TANGENT_VALUES : 0)
   );
 }
 

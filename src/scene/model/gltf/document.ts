@@ -1,15 +1,17 @@
 // Which parts of a glTF document are shown? The nodes and meshes of its scene, base colours and their textures. Everything else (other
-// scenes, cameras, lights, animation, morph targets, other textures, extras) is removed before anything is loaded. Every index and
+// scenes, cameras, lights, other textures, extras) is removed before anything is loaded. Every index and
 // size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../fields/clip.js';
 import type { ModelBudget } from '../limits.js';
 import { ModelError } from '../model.js';
 import { readAccessors, readBufferViews, type Accessor, type BufferView } from './accessors.js';
+import { readAnimations, type GltfAnimation } from './animations.js';
 import { countClaims, type DracoClaims } from './claims.js';
 import {
   countAt,
   indexAt,
   listAt,
+  numberAt,
   numbersAt,
   objectAt,
   objectsAt,
@@ -18,7 +20,7 @@ import {
   type JsonObject,
 } from './json.js';
 import { readMaterials, readTextures, type GltfTexture } from './materials.js';
-import { DRACO, readPrimitives, type Primitive } from './primitives.js';
+import { DRACO, type MorphAccessors, readPrimitives, type Primitive } from './primitives.js';
 
 export interface GltfDocument {
   /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
@@ -30,6 +32,11 @@ export interface GltfDocument {
   readonly textures: readonly GltfTexture[];
   /** What the equation has no place for, by the file's own names. */
   readonly dropped: ReadonlySet<string>;
+  readonly animations: readonly GltfAnimation[];
+  /** The morph targets of each primitive of each mesh. */
+  readonly targets: readonly (readonly (readonly MorphAccessors[])[])[];
+  /** The weights of each node's morph targets; empty without. */
+  readonly weights: readonly (readonly number[])[];
   /** What the Draco data in a buffer view must decode to at most, by the view's index. */
   readonly draco: ReadonlyMap<number, DracoClaims>;
 }
@@ -59,15 +66,21 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
   const accessors = readAccessors(json, bufferViews);
   const images = objectsAt(json['images'], 'images');
   const textures = readTextures(json, images.length);
-  const { definitions: materials, dropped } = readMaterials(json, textures);
+  const { definitions: materials, dropped: unused } = readMaterials(json, textures);
+  const dropped = new Set(unused);
   const context = { accessors, materials, views: bufferViews.length };
   const meshes = objectsAt(json['meshes'], 'meshes').map((mesh) => ({
     name: textAt(mesh['name']),
+    weights: listAt(mesh['weights'], 'weights').map((weight) => numberAt(weight, 'weights', 0)),
     primitives: readPrimitives(mesh, context),
   }));
   const skins = readSkins(json, accessors);
-  const { nodes, roots } = readNodes(json, meshes, skins);
+  const { nodes, roots } = readNodes(json, meshes, skins, budget);
   const draco = countClaims(nodes, roots, budget);
+  const shown = shownNodes(nodes, roots);
+  const weights = nodes.map((node) => node.weights);
+  const targets = weights.map((list, i) => (shown.has(i) ? list.length : undefined));
+  const animations = readAnimations(json, { accessors, targets, budget }, dropped);
   return {
     json: {
       asset: { version: '2.0' },
@@ -94,6 +107,9 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
     images,
     textures,
     dropped,
+    animations,
+    targets: meshes.map(({ primitives }) => primitives.map((primitive) => primitive.targets)),
+    weights,
     draco,
   };
 }
@@ -133,12 +149,14 @@ interface GltfNode {
   readonly children: readonly number[];
   readonly primitives: readonly Primitive[];
   readonly skin: Skin | undefined;
+  readonly weights: readonly number[];
 }
 
 function readNodes(
   json: JsonObject,
-  meshes: readonly { readonly primitives: readonly Primitive[] }[],
+  meshes: readonly { readonly primitives: readonly Primitive[]; readonly weights: readonly number[] }[],
   skins: readonly Skin[],
+  budget: ModelBudget,
 ): { nodes: readonly GltfNode[]; roots: readonly number[] } {
   const defs = objectsAt(json['nodes'], 'nodes');
   const nodes = defs.map((node, i): GltfNode => {
@@ -147,6 +165,11 @@ function readNodes(
       node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
     const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
     const primitives = mesh === undefined ? [] : (meshes[mesh]?.primitives ?? []);
+    const targets = primitives.reduce((most, primitive) => Math.max(most, primitive.targets.length), 0);
+    // A float64 each, in the file's list and in the pose.
+    budget.add({ values: 4 * targets });
+    const given = node['weights'] === undefined ? undefined : listAt(node['weights'], `${what}.weights`);
+    const fallback = mesh === undefined ? [] : (meshes[mesh]?.weights ?? []);
     const bound =
       skin !== undefined &&
       primitives.length > 0 &&
@@ -158,6 +181,9 @@ function readNodes(
       children,
       primitives,
       skin: bound ? skins[skin] : undefined,
+      weights: Array.from({ length: targets }, (_, k) =>
+        numberAt((given ?? fallback)[k], `${what}.weights`, 0),
+      ),
       definition: {
         name: textAt(node['name']),
         children,
@@ -180,6 +206,14 @@ function readNodes(
   const scene = scenes[indexAt(json['scene'] ?? 0, scenes.length, 'scene')] ?? {};
   const roots = listAt(scene['nodes'], 'the scene').map((root) => indexAt(root, nodes.length, 'the scene'));
   return { nodes, roots: [...new Set(roots)] };
+}
+
+/** The nodes of the scene, and the joints of its skins, which may lie outside it. */
+function shownNodes(nodes: readonly GltfNode[], roots: readonly number[]): ReadonlySet<number> {
+  const shown = new Set(roots);
+  for (const index of shown) for (const child of nodes[index]?.children ?? []) shown.add(child);
+  for (const index of [...shown]) for (const joint of nodes[index]?.skin?.joints ?? []) shown.add(joint);
+  return shown;
 }
 
 /** Throws for a cycle of nodes, on which the parser would wait forever. */

@@ -39,11 +39,16 @@ export interface Primitive {
     readonly name: string;
   }[];
   readonly order: Accessor | undefined;
+  /** Accessors of its morph targets, by their attributes' names. */
+  readonly targets: readonly MorphAccessors[];
   /** Tangents are computed for its normal map. */
   readonly tangents: boolean;
   /** The buffer view of Draco data. */
   readonly packed: number | undefined;
 }
+
+/** Indices of accessors; absent where a target leaves an attribute as it is. */
+export type MorphAccessors = Readonly<Partial<Record<(typeof MORPHED)[number], number>>>;
 
 export interface PrimitiveContext {
   readonly accessors: readonly Accessor[];
@@ -65,6 +70,8 @@ const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
   ['JOINTS_0', 4],
   ['WEIGHTS_0', 4],
 ]);
+/** The attributes that morph targets move. */
+export const MORPHED = ['POSITION', 'NORMAL', 'TANGENT'] as const;
 const TRIANGLES = 4;
 const STRIPS = 5;
 const FANS = 6;
@@ -126,9 +133,31 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     vertices,
     attributes,
     order,
+    targets: readTargets(primitive, vertices, accessors),
     tangents: mapped && !('TANGENT' in indexes && 'NORMAL' in indexes),
     packed: packed?.bufferView,
   };
+}
+
+function readTargets(
+  primitive: JsonObject,
+  vertices: number,
+  accessors: readonly Accessor[],
+): readonly MorphAccessors[] {
+  return objectsAt(primitive['targets'], 'targets').map((target, i) => {
+    const read: Partial<Record<(typeof MORPHED)[number], number>> = {};
+    for (const name of MORPHED) {
+      if (target[name] === undefined) continue;
+      const what = `targets[${String(i)}].${name}`;
+      const index = indexAt(target[name], accessors.length, what);
+      const accessor = accessors[index];
+      if (accessor?.components !== 3 || accessor.count < vertices)
+        throw new Error(`${what} has too few numbers`);
+      accessor.requireBytes();
+      read[name] = index;
+    }
+    return read;
+  });
 }
 
 /** @param wanted the primitive's attributes. One that only the extension lists has no accessor type, so it is ignored. */

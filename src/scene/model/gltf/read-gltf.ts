@@ -1,16 +1,19 @@
 // How are glTF 2 and GLB read? By three's own loader, which gets a reduced and checked document and no addresses to fetch. Bytes and
 // images are provided by index. A separate chunk.
-import type { BufferGeometry, Texture } from 'three';
+import type { BufferGeometry, Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
 import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
 import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
+import type { Attribute } from './attributes.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
 import { checkDracoHeader } from './draco-header.js';
+import type { FileIndices } from './geometries.js';
+import { readMotion } from './motion.js';
 import { collectParts } from './parts.js';
 import { gltfTextures, type GltfTextures } from './textures.js';
 
@@ -38,9 +41,19 @@ export const readGltf: ModelReader = async (source) => {
   try {
     if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
     source.signal.throwIfAborted();
-    const { scene } = await loader.parseAsync(JSON.stringify(document.json), '');
+    const { scene, parser } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
-    return { ...modelOf(await collectParts(scene, slices), textures), dropped: document.dropped };
+    const { animations, targets, weights } = document;
+    const accessor = (index: number): Promise<Attribute> =>
+      parser.getDependency('accessor', index) as Promise<Attribute>;
+    const node = (index: number): Promise<Object3D> =>
+      parser.getDependency('node', index) as Promise<Object3D>;
+    const indicesOf = (object: Object3D): FileIndices | undefined => parser.associations.get(object);
+    const { parts, movable } = await collectParts(scene, { indicesOf, accessor, targets, weights }, slices);
+    const dropped = new Set(document.dropped);
+    const motion = await readMotion(animations, { node, accessor }, movable, dropped);
+    source.signal.throwIfAborted();
+    return { ...modelOf(parts, textures), motion, dropped };
   } catch (error) {
     void textures.close();
     throw error;
