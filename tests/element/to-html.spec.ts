@@ -74,7 +74,7 @@ test.describe('toHTML', () => {
   });
 
   test('keeps id, class, style, wrappers and the order of the children', async ({ page, mount }) => {
-    const markup = `<phong-viewer id="scene" class="a b" style="color: red" theta="20" phi="70" radius="auto" target="auto">
+    const markup = `<phong-viewer id="scene" class="a b" style="color: red" alt="A ball" theta="20" phi="70" radius="auto" target="auto">
   <phong-light id="first" name="one"></phong-light>
   <div id="rig" class="rig" style="color: blue">
     <section>

@@ -15,7 +15,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 112_128, modules: 45_056 } as const;
+const budgets = { standalone: 112_896, modules: 45_568 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -54,12 +54,12 @@ test('a bundled app is not larger than measured, and smaller with the standalone
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
   // Measured: 161 kB, because bundlers keep three's shader chunks, and 112 kB.
   expect(await bundled('index.js')).toBeLessThan(162_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(112_700);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(113_500);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 271 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(272_000);
+  // Measured: 275 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(276_000);
 });
 
 test("the React components add little to the elements' own code", () => {
