@@ -25,7 +25,7 @@ async function expected(document: object, clip: number, seconds: number): Promis
   const found: number[] = [];
   scene.traverse((object) => {
     const mesh = object as Mesh;
-    if (!mesh.isMesh) return;
+    if (!('isMesh' in object)) return;
     const { count } = mesh.geometry.getAttribute('position');
     for (let i = 0; i < count; i += 1) {
       // Morph targets and joints, in the mesh's space.
