@@ -290,6 +290,7 @@ export class PhongViewer extends ReactiveElement {
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
     if (changed.has('loading')) this.#visibility.shown();
+    this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#tree?.panel ?? null);
     this.#panel.changed('viewer');
