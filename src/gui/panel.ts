@@ -8,6 +8,7 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import { CameraFolder } from './camera-folder.js';
 import { ChildFolders } from './child-folders.js';
 import { CopyButton } from './copy-html.js';
+import { FullScreenButton } from './full-screen.js';
 import { addGroup, withoutAnimation, type Folder } from './folder.js';
 import { LightFolder } from './light-folder.js';
 import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
@@ -34,6 +35,7 @@ class ControlPanel implements Panel {
   readonly #shading: Folder;
   readonly #surface: ReturnType<typeof ownSurfaceFolder>;
   readonly #copy: CopyButton;
+  readonly #fullScreen: FullScreenButton;
   readonly #dropStyles: () => void;
   readonly #stopWaiting: () => void;
   #meshList: readonly PhongMesh[] = [];
@@ -43,6 +45,7 @@ class ControlPanel implements Panel {
     this.#dropStyles = adoptStyles(root);
     const gui = newRoot(place);
     this.#gui = gui;
+    this.#fullScreen = new FullScreenButton(gui.$title, viewer);
     this.#range = new SceneRange(viewer);
     this.#lightGroup = addGroup(gui, 'Lights');
     addButton(this.#lightGroup, 'add light', () => {
@@ -71,14 +74,23 @@ class ControlPanel implements Panel {
     else if (change === 'mesh' || change === 'meshes') this.#updateMeshes();
     else this.#camera.update();
     if (change !== 'viewer') return;
+    this.#updateTexts();
     this.#shading.update();
     this.#surface.update();
+  }
+
+  #updateTexts(): void {
+    const title = this.#viewer.texts?.controls ?? 'Controls';
+    this.#gui.title(title);
+    this.#gui.domElement.setAttribute('aria-label', title);
+    this.#fullScreen.update();
   }
 
   dispose(): void {
     this.#viewer.removeEventListener('load', this.#loaded);
     this.#stopWaiting();
     this.#copy.dispose();
+    this.#fullScreen.dispose();
     this.#gui.destroy();
     this.#dropStyles();
   }
@@ -138,11 +150,10 @@ class ControlPanel implements Panel {
 }
 
 function newRoot(place: HTMLElement): GUI {
-  const gui = withoutAnimation(new GUI({ container: place, injectStyles: false, title: 'Controls' }));
+  const gui = withoutAnimation(new GUI({ container: place, injectStyles: false }));
   // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
   gui.domElement.tabIndex = -1;
   gui.domElement.setAttribute('role', 'group');
-  gui.domElement.setAttribute('aria-label', 'Controls');
   return gui;
 }
 
