@@ -51,6 +51,7 @@ export default defineConfig({
       'three',
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/geometries/TeapotGeometry.js',
+      'three/addons/libs/meshopt_decoder.module.js',
       '@lit/reactive-element',
       'lil-gui',
     ],

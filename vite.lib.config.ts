@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
+import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
@@ -63,7 +64,7 @@ export default defineConfig(({ mode }) => ({
       output: {
         chunkFileNames: 'shared/[name].js',
         minify: true,
-        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }] },
+        codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
       },
     },
   },

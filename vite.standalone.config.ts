@@ -5,6 +5,7 @@ import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
+import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { retriedImports } from './.ci/retried-imports.js';
 import { standaloneThree } from './.ci/standalone-three/plugin.js';
@@ -32,7 +33,7 @@ export default defineConfig({
       output: {
         chunkFileNames: 'chunks/[name]-[hash].js',
         minify: true,
-        codeSplitting: { groups: [{ name: 'phong-viewer.standalone', tags: ['$initial'] }] },
+        codeSplitting: { groups: [{ name: 'phong-viewer.standalone', tags: ['$initial'] }, ...modelChunks] },
       },
     },
   },

@@ -4,6 +4,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
+import { MeshoptEncoder } from 'meshoptimizer';
 import bunny from '@pmndrs/assets/models/bunny.glb.js';
 
 const fixtures = fileURLToPath(new URL('../tests/fixtures/models/', import.meta.url));
@@ -205,6 +206,37 @@ write('beside/textures/four colours.png', texture);
   write('mask.glb', glb(document({ ...quadParts, material: masked, more, packed }), packed.bytes));
 }
 
+{
+  // The same square as in no-normals.glb. The second buffer is where the unpacked bytes would be.
+  await MeshoptEncoder.ready;
+  const encoded = [
+    MeshoptEncoder.encodeGltfBuffer(quad.positions, 4, 12, 'ATTRIBUTES'),
+    MeshoptEncoder.encodeGltfBuffer(quad.indices, 6, 2, 'TRIANGLES'),
+  ].map((bytes) => Buffer.from(bytes));
+  const packed = pack(encoded);
+  const accessors = [accessor(0, 'VEC3', 4), accessor(1, 'SCALAR', 6, USHORT)];
+  const json = document({ attributes: { POSITION: 0 }, accessors, indices: 1, packed });
+  const kinds = [
+    { count: 4, byteStride: 12, mode: 'ATTRIBUTES' },
+    { count: 6, byteStride: 2, mode: 'TRIANGLES' },
+  ];
+  json.bufferViews = packed.bufferViews.map((view, i) => {
+    const { count, byteStride } = kinds[i];
+    const extensions = { EXT_meshopt_compression: { ...view, ...kinds[i] } };
+    return { buffer: 1, byteOffset: 48 * i, byteLength: count * byteStride, extensions };
+  });
+  const fallback = { EXT_meshopt_compression: { fallback: true } };
+  json.buffers.push({ byteLength: 60, extensions: fallback });
+  json.extensionsUsed = json.extensionsRequired = ['EXT_meshopt_compression'];
+  write('meshopt.glb', glb(json, packed.bytes));
+  const broken = structuredClone(json);
+  broken.bufferViews[0].extensions.EXT_meshopt_compression.count = 5;
+  write('meshopt-claims.glb', glb(broken, packed.bytes));
+  const damaged = Buffer.from(packed.bytes);
+  damaged.fill(255, 0, 8);
+  write('meshopt-damaged.glb', glb(json, damaged));
+}
+
 // -- broken or refused -------------------------------------------------------------------------------------------------
 
 {
@@ -222,9 +254,9 @@ write('beside/textures/four colours.png', texture);
   const loop = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
   loop.nodes = [{ children: [1] }, { mesh: 0, children: [0] }];
   write('node-loop.glb', glb(loop, packed.bytes));
-  const meshopt = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
-  meshopt.extensionsUsed = meshopt.extensionsRequired = ['EXT_meshopt_compression'];
-  write('meshopt.glb', glb(meshopt, packed.bytes));
+  const unknown = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), indices: 1, packed });
+  unknown.extensionsUsed = unknown.extensionsRequired = ['EXT_mesh_of_tomorrow'];
+  write('unknown-extension.glb', glb(unknown, packed.bytes));
   const points = document({ attributes: { POSITION: 0 }, accessors: claims(4, 6), packed });
   points.meshes[0].primitives[0].mode = 0;
   write('points-only.glb', glb(points, packed.bytes));
@@ -249,3 +281,71 @@ writeJson(
   quadFile({ uri: dataUri('image/png', texture) }, '../models/beside/../../quad.bin'),
 );
 writeJson('missing-buffer.gltf', quadFile({ uri: dataUri('image/png', texture) }, 'nowhere.bin'));
+
+// -- OBJ, STL, PLY -------------------------------------------------------------------------------------------------------
+
+// Two squares side by side, facing +z: a plain one, and one with the texture. Its four corners show the four texels.
+write(
+  'quads.obj',
+  `mtllib quads.mtl
+v -1 -0.5 0
+v 0 -0.5 0
+v 0 0.5 0
+v -1 0.5 0
+v 1 -0.5 0
+v 1 0.5 0
+vt 0 0
+vt 1 0
+vt 1 1
+vt 0 1
+vn 0 0 1
+usemtl plain
+f 1//1 2//1 3//1 4//1
+usemtl picture
+f 2/1/1 5/2/1 6/3/1 3/4/1
+`,
+);
+write(
+  'quads.mtl',
+  `newmtl plain
+Ka 0.1 0.2 0.3
+Kd 0.8 0.4 0.2
+Ks 0.5 0.25 0.125
+Ns 20
+newmtl picture
+Kd 1 1 1
+Ks 0 0 0
+map_Kd beside/textures/four colours.png
+`,
+);
+{
+  // A square of two triangles, red and blue by the convention of VisCAM.
+  const bytes = Buffer.alloc(84 + 2 * 50);
+  bytes.writeUInt32LE(2, 80);
+  const corners = [-0.5, -0.5, 0, 0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, -0.5, 0, 0.5, 0.5, 0, -0.5, 0.5, 0];
+  corners.forEach((value, i) => bytes.writeFloatLE(value, 84 + 12 + 4 * i + (i >= 9 ? 14 : 0)));
+  bytes.writeUInt16LE(0x8000 | (31 << 10), 84 + 48);
+  bytes.writeUInt16LE(0x8000 | 31, 84 + 98);
+  write('coloured.stl', bytes);
+}
+write(
+  'coloured.ply',
+  `ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property uchar red
+property uchar green
+property uchar blue
+element face 1
+property list uchar int vertex_indices
+end_header
+-0.5 -0.5 0 255 0 0
+0.5 -0.5 0 0 255 0
+0.5 0.5 0 0 0 255
+-0.5 0.5 0 255 255 255
+4 0 1 2 3
+`,
+);

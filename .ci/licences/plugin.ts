@@ -19,6 +19,15 @@ interface Part {
   readonly text: string;
 }
 
+/** three ships libraries of others, without their licences. By the beginning of their files' names. */
+const LIBRARIES: ReadonlyMap<
+  string,
+  { readonly name: string; readonly licence: string; readonly file: string }
+> = new Map([
+  ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
+  ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
+]);
+
 const ownFolder = fileURLToPath(new URL('../..', import.meta.url));
 
 const manifestIn = (folder: string): Manifest =>
@@ -35,10 +44,10 @@ function partOf(moduleId: string): Part | undefined {
   const [, library] = /^three\/examples\/jsm\/libs\/([^/.]+)/.exec(inside) ?? [];
   if (library === undefined)
     return { name: `${name} ${version}`, licence: license, text: licenceText(folder) };
-  // three ships libraries of others, without their licences.
-  if (library !== 'draco') throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
-  const text = readFileSync(new URL('draco.txt', import.meta.url), 'utf8').trim();
-  return { name: `Draco decoder (in ${name} ${version})`, licence: 'Apache-2.0', text };
+  const known = LIBRARIES.get(library);
+  if (known === undefined) throw new Error(`The licence of ${inside} is not known: add it to .ci/licences/.`);
+  const text = readFileSync(new URL(known.file, import.meta.url), 'utf8').trim();
+  return { name: `${known.name} (in ${name} ${version})`, licence: known.licence, text };
 }
 
 function licenceText(folder: string): string {

@@ -65,7 +65,7 @@ export class PhongViewer extends ReactiveElement {
     if (RETRY_KEYS.has(key)) this.requestUpdate(key);
   });
 
-  readonly #holder = document.createElement('div');
+  readonly #holder = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
   readonly #failure = new ViewerFailure(this, this.#events);
@@ -95,6 +95,7 @@ export class PhongViewer extends ReactiveElement {
     contextRestored: () => this.#failure.contextRestored(),
   });
   readonly #loading: ViewerLoading = new ViewerLoading({
+    viewer: this,
     store: this.#store,
     viewport: this.#viewport,
     events: this.#events,
@@ -142,7 +143,6 @@ export class PhongViewer extends ReactiveElement {
 
   constructor() {
     super();
-    this.#holder.className = 'holder';
     this.#store.listen((key) => this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
     for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);

@@ -6,6 +6,7 @@ import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { SurfaceValues } from '../material/material-values.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/program/variant.js';
+import { fileName } from '../scene/mesh/file-name.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
 import { addButton, addChoice, addColor, addNumber, addVector, axesOf, named } from './rows.js';
@@ -52,7 +53,10 @@ export class MeshFolder implements ChildFolder {
 
   update(index: number): void {
     const { name, src, geometry } = this.#mesh;
-    const title = name || (src === '' ? geometry : fileOf(src)) || `mesh ${String(index + 1)}`;
+    const title =
+      name ||
+      (src === '' ? geometry : fileOf(typeof src === 'string' ? src : fileName(src))) ||
+      `mesh ${String(index + 1)}`;
     if (title !== this.#title) this.folder.gui.title((this.#title = title));
     this.folder.update();
   }

@@ -290,7 +290,7 @@ function deviceOf(renderer: WebGLRenderer): Device {
 }
 
 /** Overwritten by each call of `#viewOf`. */
-const view = new Matrix4();
+const view = /* @__PURE__ */ new Matrix4();
 
 const X: Vec3 = [1, 0, 0];
 const Y: Vec3 = [0, 1, 0];

@@ -254,21 +254,14 @@ export class Viewport implements StageClient, Framed {
     this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
-    for (const mesh of this.#tree.meshes) {
-      const owner = ownerOf(mesh);
-      for (const part of mesh.parts) owners.set(part.mesh, owner);
-    }
+    for (const mesh of this.#tree.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
     const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
     return { width, height, frame: copyFrame(frame), camera: camera.clone(), objects };
   }
 
   get stats(): ViewportStats {
-    return {
-      ...this.#painter.stats,
-      frames: this.#frames,
-      programs: stage.programs,
-      viewersDrawn: stage.viewersDrawn,
-    };
+    const { programs, viewersDrawn } = stage;
+    return { ...this.#painter.stats, frames: this.#frames, programs, viewersDrawn };
   }
 
   contextLost(): void {

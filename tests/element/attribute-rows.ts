@@ -196,14 +196,14 @@ const terms: Row = {
   ],
 };
 
-const gui: Row = {
-  attribute: 'gui',
+const presence = (attribute: string): Row => ({
+  attribute,
   fallback: false,
-  valid: [['false', false], ['FALSE', false], ['', true], ['gui', true], ['true', true]], // prettier-ignore
+  valid: [['false', false], ['FALSE', false], ['', true], [attribute, true], ['true', true]], // prettier-ignore
   malformed: [],
   outside: [],
   refused: [[1, 'TypeError']],
-};
+});
 
 const crossOrigin: Row = {
   ...choice('crossorigin', null, 'anonymous', 'use-credentials'),
@@ -215,6 +215,7 @@ const crossOrigin: Row = {
 const geometries = ['box', 'sphere', 'cylinder', 'cone', 'pyramid', 'torus', 'torus-knot', 'teapot', 'plane'];
 const shape: readonly Row[] = [
   text('src', ''),
+  choice('type', null, 'obj', 'glb', 'model/stl'),
   choice('geometry', null, ...geometries),
   {
     ...number('segments', null, 1, 512),
@@ -255,6 +256,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     text('alt', ''),
     text('poster', ''),
     choice('loading', 'auto', 'auto', 'eager', 'lazy'),
+    presence('droppable'),
     crossOrigin,
     ...shape,
     { ...number('theta', 30, -1e300, 1e300), outside: notFinite, refused: [[NaN, 'RangeError'], ['x', 'TypeError']] }, // prettier-ignore
@@ -279,6 +281,6 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
       outside: ['0', '-1', '1e999', '2e6'],
       refused: [[0, 'RangeError'], [NaN, 'RangeError'], [[1], 'TypeError'], ['sharp', 'TypeError']], // prettier-ignore
     },
-    gui,
+    presence('gui'),
   ],
 };

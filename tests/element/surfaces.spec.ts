@@ -1,4 +1,4 @@
-// Are the materials of files shaded and explained by the rules of the README? Colours of pixels against shadeAt, and shadeAt's
+// Are the materials of files shaded and explained by the rules of src/MODELS.md? Colours of pixels against shadeAt, and shadeAt's
 // values against those rules, worked out here by hand.
 
 import { patch, type PatchOptions, type Texel } from '../support/gltf.js';
@@ -145,7 +145,7 @@ for (const [name, options] of Object.entries(MATERIALS)) {
   });
 }
 
-test.describe('by the rules of the README', () => {
+test.describe('by the rules of src/MODELS.md', () => {
   const base = RED.slice(0, 3).map(encoded);
 
   test('a metal has its base colour in Ks and no Kd', async ({ mount }) => {

@@ -15,7 +15,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 107_776, modules: 38_144 } as const;
+const budgets = { standalone: 112_128, modules: 43_264 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -45,21 +45,21 @@ test('the standalone file is about as large as a bundle of plain three.js with i
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.01. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.02);
+  // Measured: 1.05. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.61.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.06);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 157 kB, because bundlers keep three's shader chunks, and 108 kB.
-  expect(await bundled('index.js')).toBeLessThan(158_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(108_500);
+  // Measured: 161 kB, because bundlers keep three's shader chunks, and 112 kB.
+  expect(await bundled('index.js')).toBeLessThan(162_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(112_700);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 237 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(240_000);
+  // Measured: 267 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(270_000);
 });
 
 test("the React components add little to the elements' own code", () => {

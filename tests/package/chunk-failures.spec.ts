@@ -54,6 +54,11 @@ const parts: readonly Part[] = [
     sentence: /^load-failed: The code .*glTF.* could not be fetched/,
   },
   {
+    chunk: 'read-obj',
+    use: '/fixtures/models/quads.obj',
+    sentence: /^load-failed: The code .*OBJ.* could not be fetched/,
+  },
+  {
     chunk: 'draco',
     use: '/assets/models/bunny.glb',
     sentence: /^load-failed: The Draco decoder.* could not be fetched/,

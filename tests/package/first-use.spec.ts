@@ -66,8 +66,15 @@ const uses: readonly Use[] = [
   {
     what: 'a model',
     use: set({ src: '/fixtures/models/textured.glb' }),
-    chunks: ['model-content', 'read-gltf'],
+    chunks: ['model-content', 'model-shared', 'read-gltf'],
   },
+  {
+    what: 'an STL file',
+    use: set({ src: '/fixtures/models/coloured.stl' }),
+    chunks: ['model-triangles', 'read-stl'],
+  },
+  { what: 'a PLY file', use: set({ src: '/fixtures/models/coloured.ply' }), chunks: ['read-ply'] },
+  { what: 'an OBJ file', use: set({ src: '/fixtures/models/quads.obj' }), chunks: ['read-obj'] },
   { what: 'another model', use: set({ src: '/fixtures/models/mask.glb' }), chunks: [] },
   { what: 'a model compressed with Draco', use: set({ src: '/assets/models/bunny.glb' }), chunks: ['draco'] },
 ];

@@ -36,6 +36,11 @@ test('THIRD-PARTY-LICENSES.txt holds the licence of the Draco decoder', () => {
   expect(licences()).toContain('Apache License');
 });
 
+test('THIRD-PARTY-LICENSES.txt holds the licence of the meshoptimizer decoder', () => {
+  expect(licences()).toContain(`\nmeshoptimizer decoder (in three ${version('three')})\n`);
+  expect(licences()).toContain('Arseny Kapoulkine');
+});
+
 test('every bundle that contains code of others begins with a notice that names it', () => {
   const chunk = (folder: string, name: string): string =>
     `${folder}/${readdirSync(join(dist, folder)).find((file) => file.startsWith(name) && file.endsWith('.js'))}`;
@@ -48,6 +53,7 @@ test('every bundle that contains code of others begins with a notice that names 
     [chunk('chunks', 'panel'), [/George Michael Brower/]],
     [chunk('chunks', 'read-gltf'), [/three\.js authors/]],
     [chunk('chunks', 'teapot'), [/three\.js authors/]],
+    [chunk('chunks', 'meshopt'), [/Arseny Kapoulkine/]],
     [chunk('chunks', 'draco'), [/Draco Authors/]],
     [chunk('shared', 'draco'), [/Draco Authors/]],
   ];

@@ -79,9 +79,11 @@ export function readmeSample(heading: string): string {
   throw new Error(`No page has code under "${heading}"`);
 }
 
-/** The README's scripts that import the elements, in its order. */
+/** The scripts of the README and of its page about frameworks that import the elements, in their order. */
 export function readmeScripts(): string[] {
-  const text = readFileSync(join(repository, 'README.md'), 'utf8');
+  const text = ['README.md', 'src/FRAMEWORKS.md']
+    .map((page) => readFileSync(join(repository, page), 'utf8'))
+    .join('\n');
   const blocks = [...text.matchAll(/```(?:ts|js)\n([^]*?)```/g)].map(([, code = '']) => code);
   return blocks.filter((code) => /(?:from|import) 'phong-viewer'/.test(code));
 }

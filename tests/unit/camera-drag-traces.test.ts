@@ -26,7 +26,10 @@ class Surface {
   focus(): void {
     // It always has the focus.
   }
-  matches(): boolean {
+  getRootNode(): object {
+    return { activeElement: this };
+  }
+  contains(): boolean {
     return true;
   }
   setPointerCapture(): void {

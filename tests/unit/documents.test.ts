@@ -17,7 +17,10 @@ const documents = [
   'CHANGELOG.md',
   'shaders/README.md',
   'src/README.md',
+  'src/API.md',
   'src/CORE.md',
+  'src/FRAMEWORKS.md',
+  'src/MODELS.md',
   ...decisions,
 ];
 

@@ -43,7 +43,9 @@ describe('the custom elements manifest', () => {
 
   it.each(attributes)('describes $title with words, a type and its property', (attribute) => {
     expect(attribute.description).toMatch(/^\S.{10}/);
-    expect(attribute.type!.text).toMatch(/^(string|boolean|number( \| 'auto')?|'[\w-]+'( \| '[\w-]+')+)$/);
+    expect(attribute.type!.text).toMatch(
+      /^(string|boolean|number( \| 'auto')?|'[\w+/-]+'( \| '[\w+/-]+')+)$/,
+    );
     expect(tables.attributeOf(attribute.fieldName!)).toBe(attribute.name);
   });
 

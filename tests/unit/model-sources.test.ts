@@ -103,23 +103,66 @@ describe('data: URIs', () => {
 
 describe('formats', () => {
   const bytes = (text: string): Uint8Array<ArrayBuffer> => new TextEncoder().encode(text);
-  const url = (name: string): URL => new URL(name, 'https://shop.example/');
+  const url = (name: string): string => `https://shop.example/${name}`;
+
+  const ascii = (text: string): Uint8Array<ArrayBuffer> => Uint8Array.from(text, (c) => c.charCodeAt(0));
+  const oneTriangle = new Uint8Array(134);
+  oneTriangle[80] = 1;
 
   it.each([
-    ['glTF\u0002', 'x.bin'],
-    ['{"asset":{}}', 'x'],
-    ['\ufeff \n {"asset":{}}', 'x.txt'],
-    ['nonsense', 'x.GLB'],
-    ['nonsense', 'x.gltf?y=.obj'],
-  ])('take content %j of %s for glTF', (text, name) => {
-    expect(formatOf(url(name), bytes(text)).name).toBe('glTF');
+    ['glTF\u0002', 'x.bin', 'glTF'],
+    ['{"asset":{}}', 'x', 'glTF'],
+    ['\ufeff \n {"asset":{}}', 'x.txt', 'glTF'],
+    ['nonsense', 'x.GLB', 'glTF'],
+    ['nonsense', 'x.gltf?y=.obj', 'glTF'],
+    ['ply\r\nformat', 'x.obj', 'PLY'],
+    ['solid a name\n facet normal', 'x', 'STL'],
+    ['SOLID\r\nENDSOLID', 'x', 'STL'],
+    ['solid', 'x.stl', 'STL'],
+    ['# made by hand\n\nmtllib a.mtl\nv 0 0 0\n', 'x', 'OBJ'],
+    ['nonsense', 'x.obj', 'OBJ'],
+  ])('take content %j of %s for %s', (text, name, format) => {
+    expect(formatOf(url(name), bytes(text)).name).toBe(format);
+  });
+
+  it('take a binary STL by its size, whatever it begins with', () => {
+    expect(formatOf(url('x'), oneTriangle).name).toBe('STL');
+    expect(formatOf(url('x.bin'), Uint8Array.from([...ascii('solid'), ...oneTriangle.subarray(5)])).name).toBe('STL'); // prettier-ignore
+  });
+
+  it('are told by `type` before the extension, and by the extension before the media type', () => {
+    const unclear = bytes('unclear');
+    expect(formatOf(url('x.stl'), unclear, { type: 'OBJ' }).name).toBe('OBJ');
+    expect(formatOf(url('x.stl'), unclear, { type: 'model/obj; charset=utf-8' }).name).toBe('OBJ');
+    expect(formatOf(url('x.stl'), unclear, { mediaType: 'model/obj' }).name).toBe('STL');
+    expect(formatOf(url('x'), unclear, { mediaType: 'model/obj' }).name).toBe('OBJ');
+    expect(formatOf(url('x'), bytes('ply\n'), { type: 'obj' }).name).toBe('PLY');
   });
 
   it.each([
-    ['solid x', 'x.stl', /not in a supported format: glTF/],
+    [
+      'solid x',
+      'x',
+      /not in a supported format: glTF \(\.glb, \.gltf\), PLY \(\.ply\), STL \(\.stl\), OBJ \(\.obj\)/,
+    ],
     ['', 'x.glb', /empty/],
-    ['<!doctype html>', 'x.glb', /web page/],
+    ['<!doctype html>', 'x.obj', /web page/],
+    ['Kaydara FBX Binary  \0', 'x', /is an FBX file.*Export it as glTF \(\.glb\), or as PLY, STL or OBJ/],
+    ['; FBX 7.3.0 project file', 'x', /FBX/],
+    ['PK\x03\x04\x14\0\0\0\0\0scene.usdc', 'x', /USDZ/],
+    ['PK\x03\x04\x14\0\0\0\0\0[Content_Types].xml', 'x.3mf', /3MF/],
+    ['PK\x03\x04\x14\0\0\0\0\0a.txt', 'x', /ZIP archive.*Unpack/],
+    ['MM\x10\0\0\0\0\0\0\0\0\0\0\0\0\0', 'x', /3DS/],
+    ['<?xml version="1.0"?>\n<COLLADA xmlns="">', 'x.xml', /COLLADA.*DAE/],
+    ['BLENDER-v300', 'x', /BLEND/],
+    ['ISO-10303-21;', 'x', /STEP/],
+    ['#VRML V2.0 utf8', 'x', /VRML/],
+    ['anything', 'x.fbx', /FBX/],
+    ['anything', 'x.3ds', /3DS/],
+    ['anything', 'x.dae', /DAE/],
+    ['anything', 'x.usdz', /USDZ/],
+    ['anything', 'a.b/x.mtl', /MTL.*OBJ file that it belongs to/],
   ])('refuse content %j of %s, and say why', (text, name, message) => {
-    expect(() => formatOf(url(name), bytes(text))).toThrow(message);
+    expect(() => formatOf(url(name), ascii(text))).toThrow(message);
   });
 });

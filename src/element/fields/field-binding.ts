@@ -59,7 +59,8 @@ export class FieldBinding<V extends object> {
 
   /** For a property's getter. Lists are frozen here, not when they are written: a moving light is rarely read. */
   get<K extends keyof V>(key: K): V[K] {
-    return Object.freeze(this.store.values[key]) as V[K];
+    const value = this.store.values[key];
+    return Array.isArray(value) ? (Object.freeze(value) as V[K]) : value;
   }
 
   /** For a property's setter. Throws TypeError or RangeError for a bad value and then changes nothing. */

@@ -70,6 +70,8 @@ export interface LightProperties extends LightValues {
 export interface ShapeProperties extends ShapeValues {
   get src(): ShapeValues['src'];
   set src(value: Shape['src']);
+  get type(): ShapeValues['type'];
+  set type(value: Shape['type']);
   get geometry(): ShapeValues['geometry'];
   set geometry(value: Shape['geometry']);
   get segments(): ShapeValues['segments'];
@@ -114,6 +116,8 @@ export interface ViewerProperties extends ShapeProperties, ViewerValues {
   set poster(value: Viewer['poster']);
   get loading(): ViewerValues['loading'];
   set loading(value: Viewer['loading']);
+  get droppable(): ViewerValues['droppable'];
+  set droppable(value: Viewer['droppable']);
   get crossOrigin(): ViewerValues['crossOrigin'];
   set crossOrigin(value: Viewer['crossOrigin']);
   get fov(): ViewerValues['fov'];

@@ -50,6 +50,8 @@ export interface ViewerValues extends ShapeValues, CameraValues {
    * picture is drawn off screen too. `lazy`: drawing and fetching models. Default auto.
    */
   loading: Loading;
+  /** Files dropped on the viewer become its `src`. Default false. */
+  droppable: boolean;
   /** How files that a model names are fetched from other origins. Null, the default: not at all. */
   crossOrigin: 'anonymous' | 'use-credentials' | null;
   /** Vertical field of view in degrees, 1–170. Default 45. */
@@ -94,6 +96,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   alt: textField(),
   poster: textField('', 'the address of an image'),
   loading: choiceField<Loading>('auto', ['auto', 'eager', 'lazy']),
+  droppable: presenceField(),
   crossOrigin: {
     ...optional(choiceField<'anonymous' | 'use-credentials'>('anonymous', ['anonymous', 'use-credentials'])),
     empty: 'anonymous',

@@ -12,7 +12,9 @@ import { isOutOfMemory } from '../../scene/out-of-memory.js';
 import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { LOADING_KEYS, type ViewerValues } from '../fields/viewer-fields.js';
+import type { PhongViewer } from '../phong-viewer.js';
 import type { EventQueue } from './event-queue.js';
+import { takeDrops } from './file-drop.js';
 
 export type ViewerErrorCode =
   'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
@@ -40,6 +42,7 @@ function codeOf(error: unknown): ViewerErrorCode {
 }
 
 export interface LoadingHost {
+  readonly viewer: PhongViewer;
   readonly store: FieldStore<ViewerValues>;
   readonly viewport: Viewport;
   readonly events: EventQueue;
@@ -75,6 +78,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.#host = host;
     this.ownMesh = new SceneMesh(host.store as unknown as FieldStore<ShapeValues>, this);
     host.viewport.add(this.ownMesh);
+    takeDrops(host.viewer);
   }
 
   get materials(): SharedMaterials {

@@ -1,5 +1,6 @@
 // A viewer's scene as markup that gives the same picture. Text only: building elements would upgrade them.
 import type { FieldStore } from '../../fields/field-store.js';
+import { fileName } from '../../scene/mesh/file-name.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
 import { fieldsOf } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -25,10 +26,26 @@ function startTag<V extends object>(
   for (const key of Object.keys(store.fields) as (keyof V & string)[]) {
     const replaced = key in instead;
     if (!replaced && !store.given(key)) continue;
-    const text = formatValue(replaced ? instead[key] : store.values[key], store.fields[key]);
+    const value = replaced ? instead[key] : store.values[key];
+    const text = value instanceof Blob ? hostedName(localName, value) : formatValue(value, store.fields[key]);
     if (text !== null) tag += ` ${attributeOf(key)}${text === '' ? '' : `="${escape(text)}"`}`;
   }
   return `${tag}>`;
+}
+
+/** Files of the user's that were warned about. */
+const local = new WeakSet<Blob>();
+
+/** The name that a file will have once it is hosted beside the page. */
+function hostedName(tag: string, file: Blob): string {
+  const name = fileName(file);
+  if (!local.has(file)) {
+    local.add(file);
+    console.warn(
+      `<${tag} src="${name}"> is a file on this device. The markup shows it once it is hosted beside the page.`,
+    );
+  }
+  return encodeURIComponent(name);
 }
 
 const endTag = ({ localName }: Element): string => `</${localName}>`;

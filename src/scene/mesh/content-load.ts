@@ -1,10 +1,12 @@
 // Which content do a mesh's values name, and is it there? One load at a time: a newer one replaces it. Knows neither materials nor
 // how content is shown.
+import { sameValue } from '../../fields/field-store.js';
 import type { CrossOrigin } from '../model/load-model.js';
+import { fileName } from './file-name.js';
 import { type Content, modelContent, NOTHING, shapeContent } from './content.js';
 import type { ShapeValues } from './mesh-fields.js';
 
-export type ContentName = Pick<ShapeValues, 'src' | 'geometry' | 'segments'>;
+export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
 export interface ContentOwner {
   readonly crossOrigin: CrossOrigin;
@@ -25,7 +27,7 @@ export class ContentLoad {
   #loading: AbortController | null = null;
   #failed = false;
   /** What was requested last; null for nothing. */
-  #request: string | null = null;
+  #request: readonly unknown[] | null = null;
 
   constructor(owner: ContentOwner) {
     this.#owner = owner;
@@ -37,19 +39,20 @@ export class ContentLoad {
 
   /** What these values name was requested, and has arrived. */
   has(name: ContentName): boolean {
-    return !this.pending && !this.#failed && this.#request === this.#keyOf(name);
+    return !this.pending && !this.#failed && sameValue(this.#request, this.#keyOf(name));
   }
 
   /** Requests what the values name, unless it was requested last. */
-  request({ src, geometry, segments }: ContentName): void {
+  request(name: ContentName): void {
     const owner = this.#owner;
-    const key = this.#keyOf({ src, geometry, segments });
-    if (key === this.#request || (src !== '' && !owner.mayLoad)) return;
+    const { src, type, geometry, segments } = name;
+    const key = this.#keyOf(name);
+    if (sameValue(key, this.#request) || (src !== '' && !owner.mayLoad)) return;
     this.drop();
     this.#request = key;
     if (src !== '') {
       const url = addressOf(src);
-      this.#await(url, (signal) => this.#loadModel(url, src, signal));
+      this.#await(url, (signal) => this.#loadModel(url, { src, type }, signal));
       return;
     }
     let content: Content | Promise<Content>;
@@ -88,18 +91,25 @@ export class ContentLoad {
     if (dropped) this.#owner.dropped();
   }
 
-  #keyOf({ src, geometry, segments }: ContentName): string {
-    if (src === '') return `${geometry ?? ''} ${String(segments)}`;
-    return `src ${src} ${this.#owner.crossOrigin ?? ''}`;
+  #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
+    return src === '' ? [geometry, segments] : [src, type, this.#owner.crossOrigin];
   }
 
-  async #loadModel(url: URL | null, src: string, signal: AbortSignal): Promise<Content> {
+  async #loadModel(
+    url: URL | null,
+    { src, type }: Pick<ContentName, 'src' | 'type'>,
+    signal: AbortSignal,
+  ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
     const { crossOrigin } = this.#owner;
     const onProgress = (loaded: number, total: number): void => {
       this.#owner.progress(loaded, total);
     };
-    return modelContent(url, { signal, onProgress, crossOrigin });
+    return modelContent(
+      url,
+      { signal, onProgress, crossOrigin, type: type ?? '' },
+      typeof src === 'string' ? null : src,
+    );
   }
 
   #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
@@ -125,6 +135,8 @@ export class ContentLoad {
   }
 }
 
-function addressOf(src: string): URL | null {
+/** A file's address is not fetched: it is for messages and events. */
+function addressOf(src: string | Blob): URL | null {
+  if (typeof src !== 'string') return new URL(encodeURIComponent(fileName(src)), 'file:///');
   return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
 }

@@ -47,10 +47,11 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
 
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
 
-const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.js'), 'models');
+/** The code that reads models. */
+export const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.js'), 'models');
 
-/** A model from its address. Its file is requested at once; the code that reads models comes with the first one. */
-export async function modelContent(url: URL, options: LoadOptions): Promise<Content> {
-  const request = isDataUri(url.href) ? null : requestFile(url, 'follow', options);
-  return (await modelCode()).modelContent(url, options, request);
+/** A model from its address or a file. A file is requested at once; the code that reads models comes with the first one. */
+export async function modelContent(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
+  const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
+  return (await modelCode()).modelContent(url, options, file ?? request);
 }

@@ -5,6 +5,7 @@ import { SURFACE_FIELDS, type SurfaceValues } from '../../material/material-valu
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/program/variant.js';
 import type { Fields } from '../../fields/field-store.js';
 import {
+  type Field,
   choiceField,
   numberField,
   optional,
@@ -17,13 +18,31 @@ import { GEOMETRIES, type GeometryName } from './shapes/shapes.js';
 
 /** Where a mesh's triangles come from. `src` wins if both are given. */
 export interface ShapeValues extends SurfaceValues {
-  /** URL of a model, relative to the page; empty for none. */
-  src: string;
+  /** URL of a model, relative to the page, or a `Blob` or `File` that holds one (property only); empty for none. */
+  src: string | Blob;
+  /** Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default null. */
+  type: ModelType | null;
   /** A built-in shape; null for none. */
   geometry: GeometryName | null;
   /** Segments around the shape, 1–512; null for the shape's default. */
   segments: number | null;
 }
+
+/** Words and media types for the formats of models. */
+const MODEL_TYPES = [
+  'gltf',
+  'glb',
+  'obj',
+  'stl',
+  'ply',
+  'model/gltf-binary',
+  'model/gltf+json',
+  'model/obj',
+  'model/stl',
+  'model/ply',
+] as const;
+
+export type ModelType = (typeof MODEL_TYPES)[number];
 
 export interface MeshValues extends ShapeValues {
   /** Shown in the panel and in explanations. */
@@ -43,9 +62,22 @@ export interface MeshValues extends ShapeValues {
 /** Largest magnitude of a scale that keeps float32 products finite. */
 const SCALE = 1e12;
 
+const addressField = textField('', 'the address of a model, a Blob or a File');
+
+const sourceField: Field<string | Blob> = {
+  ...addressField,
+  check: (value) => (isBlob(value) ? value : addressField.check(value)),
+};
+
+/** By its tag: those of other windows are no instances of this one's class. */
+function isBlob(value: unknown): value is Blob {
+  return /^\[object (Blob|File)\]$/.test(Object.prototype.toString.call(value));
+}
+
 export const SHAPE_FIELDS: Fields<ShapeValues> = {
   ...SURFACE_FIELDS,
-  src: textField('', 'the address of a model'),
+  src: sourceField,
+  type: optional(choiceField<ModelType>('gltf', MODEL_TYPES)),
   geometry: optional(choiceField<GeometryName>('box', GEOMETRIES)),
   segments: optional(numberField(1, { min: 1, max: 512, integer: true })),
 };

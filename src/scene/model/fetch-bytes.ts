@@ -26,16 +26,27 @@ export type FetchBytes = (
   request?: FileRequest | null,
 ) => Promise<Uint8Array<ArrayBuffer>>;
 
-/** A download function for the files of one model, which share size limit and progress. */
-export function byteFetcher(transfer: Transfer): FetchBytes {
+/**
+ * A download function for the files of one model, which share size limit and progress.
+ * @param onType called with the media type of each file; empty if none came with it.
+ */
+export function byteFetcher(
+  transfer: Transfer,
+  onType: (type: string) => void = () => undefined,
+): FetchBytes {
   const { signal } = transfer;
   let loaded = 0;
   let total = 0;
   let known = true;
   return async (url, redirect, request) => {
     signal.throwIfAborted();
-    if (isDataUri(url.href)) return decodeDataUri(url.href).bytes;
+    if (isDataUri(url.href)) {
+      const { type, bytes } = decodeDataUri(url.href);
+      onType(type);
+      return bytes;
+    }
     const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
+    onType(response.headers.get('content-type') ?? '');
     const expected = expectedLength(response);
     if (expected === 0) known = false;
     total += expected;

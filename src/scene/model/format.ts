@@ -1,7 +1,9 @@
-// Which loader reads these bytes? The content decides, then the file extension. A new format is one more row in the table; its loader
-// is a separate chunk, fetched with the first file that needs it.
+// Which reader fits these bytes? The content decides, then the element's `type`, the file extension and the media type. A new format is
+// one more row in the table; its reader is a separate chunk, fetched with the first file that needs it.
+import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
 import { lazyCode } from '../lazy-code.js';
 import { ModelError, type Model } from './model.js';
+import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
 export interface ModelSource {
   readonly url: URL;
@@ -9,50 +11,116 @@ export interface ModelSource {
   readonly signal: AbortSignal;
   /** Downloads a file that the model names, if it is allowed to name it. */
   readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
+  /** As `linked`, for a file that the model can be shown without: null if it is missing, which is then reported. */
+  readonly optional: (uri: string) => Promise<Uint8Array<ArrayBuffer> | null>;
 }
 
 /** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
 export type ModelReader = (source: ModelSource) => Promise<Model>;
 
-interface Format {
+export interface Format {
   readonly name: string;
   readonly extensions: readonly string[];
+  /** Media types and the words for `type`, lower case. */
+  readonly types: readonly string[];
+  /** Whether the bytes are those of this format and no other. */
   readonly matches: (bytes: Uint8Array) => boolean;
   readonly reader: () => Promise<ModelReader>;
 }
 
 const gltfCode = lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models');
+const plyCode = lazyCode(() => import('./ply/read-ply.js'), 'PLY files');
+const stlCode = lazyCode(() => import('./stl/read-stl.js'), 'STL files');
+const objCode = lazyCode(() => import('./obj/read-obj.js'), 'OBJ files');
 
 const FORMATS: readonly Format[] = [
   {
     name: 'glTF',
     extensions: ['glb', 'gltf'],
+    types: ['gltf', 'glb', 'model/gltf-binary', 'model/gltf+json'],
     matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
     reader: async () => (await gltfCode()).readGltf,
   },
+  {
+    name: 'PLY',
+    extensions: ['ply'],
+    types: ['ply', 'model/ply', 'application/ply', 'application/x-ply', 'text/ply'],
+    matches: (bytes) => startsWith(bytes, 'ply\n') || startsWith(bytes, 'ply\r'),
+    reader: async () => (await plyCode()).readPly,
+  },
+  {
+    name: 'STL',
+    extensions: ['stl'],
+    types: ['stl', 'model/stl', 'model/x.stl-binary', 'model/x.stl-ascii', 'application/sla'],
+    matches: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
+    reader: async () => (await stlCode()).readStl,
+  },
+  {
+    name: 'OBJ',
+    extensions: ['obj'],
+    types: ['obj', 'model/obj', 'application/x-obj', 'text/prs.wavefront-obj'],
+    matches: isObj,
+    reader: async () => (await objCode()).readObj,
+  },
 ];
 
-/** The format of a file. Throws a `bad-model` error that says what the file seems to be. */
-export function formatOf(url: URL, bytes: Uint8Array): Format {
-  const byContent = FORMATS.find((format) => format.matches(bytes));
-  if (byContent) return byContent;
-  if (bytes.byteLength === 0) throw new ModelError('bad-model', `${nameOf(url)} is empty.`);
-  // Many servers answer with a web page when a file is missing.
-  if (firstCharacter(bytes) === '<') {
-    throw new ModelError(
-      'bad-model',
-      `${nameOf(url)} holds a web page or XML, not a model. Check the address.`,
-    );
-  }
-  const extension = /\.([a-z0-9]+)$/i.exec(url.pathname)?.[1]?.toLowerCase() ?? '';
-  const byName = FORMATS.find((format) => format.extensions.includes(extension));
-  if (byName) return byName;
-  const known = FORMATS.map((format) => `${format.name} (.${format.extensions.join(', .')})`).join(', ');
-  throw new ModelError('bad-model', `${nameOf(url)} is not in a supported format: ${known}.`);
+/** What is known of a file besides its bytes. */
+export interface FormatHints {
+  /** What the element's `type` says: a word such as `obj` or a media type; empty for nothing. */
+  readonly type?: string;
+  /** The media type that came with the file; empty for none. */
+  readonly mediaType?: string;
 }
+
+/**
+ * The format of a file.
+ * @param name its address or name, for messages and for the extension.
+ * @throws ModelError `bad-model` that says what the file seems to be.
+ */
+export function formatOf(
+  name: string,
+  bytes: Uint8Array,
+  { type = '', mediaType = '' }: FormatHints = {},
+): Format {
+  if (bytes.byteLength === 0) throw new ModelError('bad-model', `${name} is empty.`);
+  const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(name)?.[1]?.toLowerCase() ?? '';
+  const byType = (written: string): Format | undefined =>
+    FORMATS.find(({ types }) => types.includes(essence(written)));
+  const byContent = FORMATS.find(({ matches }) => matches(bytes));
+  if (byContent) return byContent;
+  refuse(name, foreignContent(bytes));
+  const byHint =
+    byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
+  if (byHint) return byHint;
+  refuse(name, foreignExtension(extension));
+  throw new ModelError('bad-model', `${name} is not in a supported format: ${supportedFormats}.`);
+}
+
+/** For messages: names and extensions. */
+export const supportedFormats = FORMATS.map(
+  ({ name, extensions }) => `${name} (.${extensions.join(', .')})`,
+).join(', ');
+
+/** Extensions of files that can be shown, lower case. */
+export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
 
 /** An address for messages, without the content of a data: URI. */
 export const nameOf = (url: URL): string => (url.protocol === 'data:' ? 'the data: URI' : url.href);
+
+/** @throws ModelError unless `foreign` is null. */
+function refuse(name: string, foreign: ForeignFormat | null): void {
+  if (foreign === null) return;
+  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign;
+  throw new ModelError('bad-model', `${name} is ${what}, which cannot be shown. ${cure}`);
+}
+
+const OTHERS = FORMATS.slice(1)
+  .map(({ name }) => name)
+  .join(', ')
+  .replace(/, (\w+)$/, ' or $1');
+
+/** A media type without its parameters, or a word, as in the table. */
+const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
 
 function startsWith(bytes: Uint8Array, text: string): boolean {
   return Array.from(text).every((character, i) => bytes[i] === character.charCodeAt(0));
@@ -61,4 +129,15 @@ function startsWith(bytes: Uint8Array, text: string): boolean {
 /** The first character of a UTF-8 text that is neither white space nor a byte order mark. */
 function firstCharacter(bytes: Uint8Array): string {
   return new TextDecoder().decode(bytes.subarray(0, 256)).trimStart().charAt(0);
+}
+
+/** Whether each of the first lines begins with a word of OBJ files, and one of them is a vertex, a name or a library. */
+function isObj(bytes: Uint8Array): boolean {
+  const start = new TextDecoder().decode(bytes.subarray(0, 4096)).split(/\r?\n|\r/);
+  if (bytes.byteLength > 4096) start.pop(); // cut in the middle
+  const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
+  const known = words.every(
+    (word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'),
+  );
+  return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
 }

@@ -7,13 +7,15 @@ import { nameOf } from './format.js';
 import { loadModel, type LoadOptions, type ModelLook } from './load-model.js';
 import type { FileRequest } from './request-file.js';
 
+export { droppedModel } from './dropped-files.js';
+
 /** The model at `url`; see {@link loadModel}. */
 export async function modelContent(
   url: URL,
   options: LoadOptions,
-  request: FileRequest | null,
+  from: FileRequest | Blob | null,
 ): Promise<Content> {
-  const model = await loadModel(url, options, request);
+  const model = await loadModel(url, options, from);
   if (model.dropped !== undefined && model.dropped.size > 0)
     console.warn(
       `${nameOf(url)}: ${[...model.dropped].join(', ')} cannot be shown by this equation and are left out.`,

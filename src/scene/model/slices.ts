@@ -7,6 +7,9 @@ const TASK_MS = 8;
 /** Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than a microsecond. */
 const SLICE = 2 ** 13;
 
+/** Steps between two looks at the clock, minus 1, in loops that call {@link Slices.pause} themselves. */
+export const PAUSE_MASK = 0x7ff;
+
 /** Loops of one model, that share a clock and end when the load is aborted. */
 export class Slices {
   readonly #signal: AbortSignal;
@@ -23,8 +26,13 @@ export class Slices {
   async over(count: number, work: (from: number, to: number) => void): Promise<void> {
     for (let from = 0; from < count; from += SLICE * 3) {
       work(from, Math.min(from + SLICE * 3, count));
-      if (performance.now() - this.#since > TASK_MS) await this.pause();
+      if (this.due) await this.pause();
     }
+  }
+
+  /** Whether the task has taken long enough: call {@link pause}. */
+  get due(): boolean {
+    return performance.now() - this.#since > TASK_MS;
   }
 
   /** Lets other tasks run. Faster than a timer, which browsers delay by 4 ms, and by a second in hidden pages. */

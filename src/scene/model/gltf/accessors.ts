@@ -1,11 +1,14 @@
 // Do a glTF document's accessors fit into their buffer views? Checks counts, alignment and byte lengths only.
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
+import { readMeshoptView, type MeshoptView } from './meshopt-views.js';
 
 export interface BufferView {
   readonly buffer: number;
   readonly byteOffset: number;
   readonly byteLength: number;
   readonly byteStride: number | undefined;
+  /** Null if its bytes are not compressed. */
+  readonly meshopt: MeshoptView | null;
 }
 
 export interface Accessor {
@@ -47,6 +50,7 @@ export function readBufferViews(json: JsonObject, buffers: number): readonly Buf
       byteOffset: countAt(view['byteOffset'], `${what}.byteOffset`, 0),
       byteLength: countAt(view['byteLength'], `${what}.byteLength`),
       byteStride: byteStride === undefined ? undefined : countAt(byteStride, `${what}.byteStride`),
+      meshopt: readMeshoptView(view, buffers, what),
     };
   });
 }

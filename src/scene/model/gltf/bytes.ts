@@ -1,11 +1,13 @@
 // Which bytes belong to a glTF document's buffers, buffer views and images? Each is fetched or decoded once, on first use. Must not
 // know what they mean.
+import { lazyCode } from '../../lazy-code.js';
 import { decodeDataUri, isDataUri } from '../data-uri.js';
 import type { ModelSource } from '../format.js';
 import { BYTE_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
+import type { MeshoptView } from './meshopt-views.js';
 
 export interface GltfBytes {
   /** A copy of the view's bytes, padded by the view's stride after the last element. */
@@ -45,8 +47,9 @@ export function gltfBytes(
   };
 
   const slice = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
-    const view = document.bufferViews[index];
-    if (!view) throw new Error(`bufferViews[${String(index)}] is missing`);
+    const definition = document.bufferViews[index];
+    if (!definition) throw new Error(`bufferViews[${String(index)}] is missing`);
+    const view = definition.meshopt ?? definition;
     const bytes = await buffer(view.buffer);
     const end = view.byteOffset + view.byteLength;
     if (end > bytes.byteLength) throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
@@ -55,13 +58,16 @@ export function gltfBytes(
 
   return {
     view: async (index) => {
+      const view = document.bufferViews[index];
+      const meshopt = view?.meshopt;
       const bytes = await slice(index);
-      const size = bytes.byteLength + (document.bufferViews[index]?.byteStride ?? 0);
+      const length = meshopt ? meshopt.count * meshopt.stride : bytes.byteLength;
+      const size = length + (view?.byteStride ?? 0);
       copied += size;
-      // Views may overlap, so a small file can claim any size.
+      // Views may overlap or be compressed, so a small file can claim any size.
       if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 256 MiB.');
       const copy = new Uint8Array(size);
-      copy.set(bytes);
+      copy.set(meshopt ? await (await meshoptDecoder())(bytes, meshopt) : bytes);
       return copy.buffer;
     },
     image: async (index) => {
@@ -78,4 +84,19 @@ export function gltfBytes(
       return { bytes: await slice(view), type };
     },
   };
+}
+
+const meshoptCode = lazyCode(() => import('./meshopt.js'), 'the meshopt decoder');
+
+async function meshoptDecoder(): Promise<(bytes: Uint8Array, view: MeshoptView) => Promise<Uint8Array>> {
+  const { decodeMeshopt } = await meshoptCode().catch((cause: unknown) => {
+    throw new ModelError(
+      'load-failed',
+      'The meshopt decoder, which this model needs, could not be fetched.',
+      {
+        cause,
+      },
+    );
+  });
+  return decodeMeshopt;
 }

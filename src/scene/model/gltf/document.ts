@@ -36,7 +36,7 @@ export interface GltfDocument {
 
 /** Required extensions that do not change what is shown, or that are handled elsewhere. */
 const HARMLESS =
-  /^(KHR_draco_mesh_compression|KHR_mesh_quantization|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
+  /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_mesh_quantization|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
 
 /**
  * @param budget gets everything that the document claims, but images.

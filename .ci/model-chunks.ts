@@ -1,0 +1,10 @@
+// Which chunks hold the code that several readers of models share? Without these groups each shared file would be a request of its own.
+// None of them may be the target of an import(): such a chunk could not be fetched again after a failure.
+
+export const modelChunks = [
+  {
+    name: 'model-shared',
+    test: /\/src\/scene\/model\/(slices|face-normals|image|image-size|stl\/stl-kind)\.ts$/,
+  },
+  { name: 'model-triangles', test: /\/src\/scene\/model\/(owned-model|(text|triangles)\/[^/]+)\.ts$/ },
+];

@@ -1,0 +1,268 @@
+// Are models of every format shown as they are written, from addresses, from files and from drops, under a strict policy? And do files
+// of other formats, missing files and several models at once give an error that says what to do?
+
+import { fileURLToPath } from 'node:url';
+import type { Locator, Page } from '@playwright/test';
+import { compare, expect, pixelAt, pixels, strictPolicy, test } from '../support/test.js';
+import { assign, type PhongMesh, type PhongViewer, record, settled } from './support.js';
+
+const size = { width: 400, height: 200 };
+const folder = fileURLToPath(new URL('../fixtures/models', import.meta.url));
+const model = (name: string): string => `/fixtures/models/${name}`;
+/** The eye sees 2.31 × 4.62 units of the plane z = 0; one light of full strength along the view. */
+const straight = 'theta="0" phi="90" radius="2" target="0 0 0" fov="60"';
+const light = '<phong-light position="0 0 1 0" ambient="255 255 255" diffuse="255 255 255"></phong-light>';
+const viewerOf = (attributes: string, inner = ''): string =>
+  `<phong-viewer ${straight} ${attributes}>${light}${inner}</phong-viewer>`;
+
+/** The colour at a point of the plane z = 0. */
+async function colorAt(viewer: Locator, x: number, y: number): Promise<readonly number[]> {
+  const perUnit = 100 / (2 * Math.tan(Math.PI / 6));
+  return [
+    ...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit)),
+  ].slice(0, 3);
+}
+
+function expectNear(color: readonly number[], wanted: readonly number[], tolerance = 1): void {
+  const far = color.filter((code, i) => Math.abs(code - (wanted[i] ?? NaN)) > tolerance);
+  expect(far, `${color.join(' ')} is not ${wanted.join(' ')}`).toEqual([]);
+}
+
+/** The contents of fixtures as files, in the page. */
+async function filesIn(page: Page, names: readonly string[], as: readonly string[] = names): Promise<void> {
+  await page.evaluate(
+    async ([paths, given]) => {
+      const files = paths.map(async (path, i) => {
+        const bytes = await (await fetch(`/fixtures/models/${path}`)).arrayBuffer();
+        return new File([bytes], given[i] ?? path);
+      });
+      Reflect.set(window, 'files', await Promise.all(files));
+    },
+    [names, as] as const,
+  );
+}
+
+/** Sets a property of the element to the first of those files, or to a Blob of the same bytes. */
+const setFile = (element: Locator, blob = false): Promise<void> =>
+  element.evaluate((target: PhongViewer | PhongMesh, asBlob) => {
+    const [file] = Reflect.get(window, 'files') as File[];
+    if (file === undefined) throw new Error('no file');
+    target.src = asBlob ? new Blob([file]) : file;
+  }, blob);
+
+/** Drops the page's files on the viewer. What became of the event? */
+const dropFiles = (viewer: Locator): Promise<{ taken: boolean }> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const dataTransfer = new DataTransfer();
+    for (const file of Reflect.get(window, 'files') as File[]) dataTransfer.items.add(file);
+    const over = new DragEvent('dragover', { dataTransfer, bubbles: true, cancelable: true });
+    const drop = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+    return { taken: !element.dispatchEvent(over) && !element.dispatchEvent(drop) };
+  });
+
+/** Drops files and folders of this disk, as a user does. */
+async function dropPaths(page: Page, paths: readonly string[]): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const data = { items: [], files: [...paths], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+    await session.send('Input.dispatchDragEvent', { type, x: 200, y: 100, data });
+}
+
+interface Outcome {
+  readonly type: string;
+  readonly detail: { readonly code?: string; readonly message?: string; readonly url?: string };
+}
+
+/** The next load or error of the viewer that `act` leads to. */
+async function outcomeOf(viewer: Locator, act: () => Promise<unknown>): Promise<Outcome> {
+  const events = await record(viewer, 'load', 'error');
+  await act();
+  const heard: Outcome[] = [];
+  await expect
+    .poll(async () => {
+      heard.push(...((await events.take()) as Outcome[]));
+      return heard.length;
+    })
+    .toBe(1);
+  await settled(viewer);
+  const [outcome] = heard;
+  if (outcome === undefined) throw new Error('nothing happened');
+  return outcome;
+}
+
+test('an OBJ file shows the coefficients of its MTL file, unconverted, and its texture the right way up', async ({
+  mount,
+}) => {
+  const viewer = await mount(viewerOf(`src="${model('quads.obj')}" terms="ambient"`), size);
+  expectNear(await colorAt(viewer, -0.5, 0), [25.5, 51, 76.5]);
+  expectNear(await colorAt(viewer, 0.25, 0.25), [255, 0, 0], 8);
+  expectNear(await colorAt(viewer, 0.75, 0.25), [0, 255, 0], 8);
+  expectNear(await colorAt(viewer, 0.25, -0.25), [0, 0, 255], 8);
+  expectNear(await colorAt(viewer, 0.75, -0.25), [188, 64, 20], 8);
+  await assign(viewer, { terms: 'diffuse' });
+  await settled(viewer);
+  expectNear(await colorAt(viewer, -0.5, 0), [204, 102, 51]);
+  await assign(viewer, { terms: 'specular' });
+  await settled(viewer);
+  const [red = 0, green = 0, blue = 0] = await colorAt(viewer, -0.1, 0);
+  expectNear([red], [127], 3); // R·V is nearly 1 there
+  expectNear([green * 2, blue * 4], [red, red], 4);
+  await assign(viewer, { terms: 'diffuse', kd: '255 0 0' });
+  await settled(viewer);
+  expectNear(await colorAt(viewer, -0.5, 0), [255, 0, 0]);
+});
+
+test('STL and PLY files show their colours', async ({ mount }) => {
+  const stl = await mount(viewerOf(`src="${model('coloured.stl')}" kd="255" terms="diffuse"`), size);
+  expectNear(await colorAt(stl, 0.3, -0.3), [255, 0, 0]);
+  expectNear(await colorAt(stl, -0.3, 0.3), [0, 0, 255]);
+  const ply = await mount(viewerOf(`src="${model('coloured.ply')}" kd="255" terms="diffuse"`), size);
+  expectNear(await colorAt(ply, -0.48, -0.48), [245, 5, 5], 12);
+  expectNear(await colorAt(ply, 0.48, -0.48), [5, 245, 5], 12);
+  expectNear(await colorAt(ply, 0, 0), [127, 0, 127], 6);
+});
+
+test('`type` names the format where nothing else does', async ({ mount }) => {
+  const text = 'unknown words\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3';
+  const src = `data:text/plain,${encodeURIComponent(text)}`;
+  const viewer = await mount(viewerOf(`src="${src}"`), size);
+  await expect(viewer.locator('[part=notice]')).toContainText('not in a supported format: glTF');
+  expect((await outcomeOf(viewer, () => assign(viewer, { type: 'model/obj' }))).type).toBe('load');
+  await expect(viewer.locator('[part=notice]')).toHaveCount(0);
+});
+
+test('a File or a Blob can be the src of a viewer and of a mesh, and is what the property returns', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(viewerOf('terms="diffuse"', '<phong-mesh></phong-mesh>'), size);
+  await filesIn(page, ['textured.glb']);
+  const outcome = await outcomeOf(viewer, () => setFile(viewer));
+  expect(outcome).toEqual({ type: 'load', detail: { url: 'file:///textured.glb' } });
+  const shown = await pixels(viewer);
+  const same = await viewer.evaluate((element: PhongViewer) => {
+    const [file] = Reflect.get(window, 'files') as File[];
+    return [element.src === file, Object.isFrozen(file), element.loaded];
+  });
+  expect(same).toEqual([true, false, true]);
+  await assign(viewer, { src: '' });
+  const mesh = viewer.locator('phong-mesh');
+  expect((await outcomeOf(viewer, () => setFile(mesh, true))).type).toBe('load');
+  expect(compare(await pixels(viewer), shown).max).toBe(0);
+});
+
+test('toHTML writes a file’s name, and warns once that it must be hosted', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/warning: <phong-viewer src="my quad.glb"> is a file on this device/, 1);
+  const viewer = await mount(viewerOf(''), size);
+  await filesIn(page, ['textured.glb'], ['my quad.glb']);
+  await outcomeOf(viewer, () => setFile(viewer));
+  const html = (): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
+  expect(await html()).toContain('src="my%20quad.glb"');
+  expect(await html()).toBe(await html());
+});
+
+test('a file that cannot be shown leaves the picture, and the message names it', async ({ page, mount }) => {
+  const viewer = await mount(viewerOf(`src="${model('textured.glb')}"`), size);
+  const before = await pixels(viewer);
+  await filesIn(page, ['truncated.glb']);
+  const outcome = await outcomeOf(viewer, () => setFile(viewer));
+  expect(outcome).toMatchObject({ type: 'error', detail: { code: 'bad-model' } });
+  expect(outcome.detail.message).toMatch(/^truncated\.glb is not a readable model/);
+  expect(compare(await pixels(viewer), before).max).toBe(0);
+});
+
+test('a lone OBJ file is shown without the files that it names, with a warning that lists them', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/warning: quads\.obj is shown without 1 of the files.*quads\.mtl/, 1);
+  const viewer = await mount(viewerOf('terms="diffuse" kd="0 255 0"'), size);
+  await filesIn(page, ['quads.obj']);
+  expect((await outcomeOf(viewer, () => setFile(viewer))).type).toBe('load');
+  expectNear(await colorAt(viewer, -0.5, 0), [0, 255, 0]);
+});
+
+test('a model compressed by meshopt needs WebAssembly, and an error says how to allow it', async ({
+  mount,
+  consoleGuard,
+}) => {
+  const source = `src="${model('meshopt.glb')}"`;
+  const allowed = strictPolicy.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'");
+  const shown = await mount(viewerOf(source), { ...size, csp: allowed });
+  const picture = await pixels(shown);
+  await assign(shown, { src: model('no-normals.glb') });
+  await settled(shown);
+  expect(compare(await pixels(shown), picture).max).toBe(0);
+  consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
+  const refused = await mount(viewerOf(source), size);
+  await expect(refused.locator('[part=notice]')).toContainText("Add 'wasm-unsafe-eval' to script-src");
+});
+
+test.describe('a droppable viewer', () => {
+  test('shows a folder dropped on it as one model, and files dropped together too', async ({
+    page,
+    mount,
+  }) => {
+    const wanted = await pixels(await mount(viewerOf(`src="${model('beside/quad.gltf')}"`), size));
+    const viewer = await mount(viewerOf('droppable'), size);
+    expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe('load');
+    expect(compare(await pixels(viewer), wanted).max).toBe(0);
+    // All in one place: the names inside still name folders.
+    await filesIn(page, ['beside/quad.bin', 'beside/quad.gltf', 'beside/textures/four colours.png'], ['QUAD.BIN', 'quad.gltf', 'four colours.png']); // prettier-ignore
+    const outcome = await outcomeOf(viewer, () => dropFiles(viewer));
+    expect(outcome).toMatchObject({ type: 'load', detail: { url: 'file:///quad.gltf' } });
+    expect(compare(await pixels(viewer), wanted).max).toBe(0);
+  });
+
+  test('lists the files that are missing, and keeps its picture', async ({ page, mount }) => {
+    const viewer = await mount(viewerOf(`droppable src="${model('textured.glb')}"`), size);
+    const before = await pixels(viewer);
+    await filesIn(page, ['beside/quad.gltf', 'quads.mtl'], ['quad.gltf', 'other.mtl']);
+    const gltf = await outcomeOf(viewer, () => dropFiles(viewer));
+    expect(gltf).toMatchObject({ type: 'error', detail: { code: 'load-failed' } });
+    expect(gltf.detail.message).toMatch(/quad\.gltf names files that did not come with it: .*quad\.bin/);
+    await filesIn(page, ['quads.obj', 'quads.mtl']);
+    const obj = await outcomeOf(viewer, () => dropFiles(viewer));
+    expect(obj.detail.message).toMatch(
+      /quads\.obj names files that did not come with it: four colours\.png\. Drop them/,
+    );
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+  });
+
+  test('says what to do about several models, none, and other formats', async ({ page, mount }) => {
+    const viewer = await mount(viewerOf('droppable'), size);
+    await filesIn(page, ['coloured.stl', 'coloured.ply']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).detail.message).toMatch(
+      /There are 2 models: coloured\.stl, coloured\.ply\. Drop one of them/,
+    );
+    await filesIn(page, ['quads.mtl', 'beside/quad.bin'], ['a.mtl', 'b.bin']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).detail.message).toMatch(
+      /None of the 2 files is a model: glTF/,
+    );
+    await filesIn(page, ['beside/quad.bin'], ['chair.fbx']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).detail.message).toMatch(
+      /^chair\.fbx is an FBX file, which cannot be shown\. Export it as glTF/,
+    );
+  });
+
+  test('leaves drops to the page while the attribute is absent, and where the page has taken them', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(viewerOf(''), size);
+    await filesIn(page, ['textured.glb']);
+    expect(await dropFiles(viewer)).toEqual({ taken: false });
+    await assign(viewer, { droppable: true });
+    await page.evaluate(() => {
+      document.addEventListener('drop', (event) => event.preventDefault(), { capture: true });
+    });
+    await dropFiles(viewer);
+    await settled(viewer);
+    expect(await viewer.evaluate((element: PhongViewer) => element.src)).toBe('');
+  });
+});

@@ -1,0 +1,76 @@
+// What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its numbers.
+import { vi } from 'vitest';
+import { loadModel, ModelError, type LoadOptions, type Model } from '../../src/scene/model/load-model.js';
+
+type FileContent = string | Uint8Array<ArrayBuffer>;
+
+const bytesOf = (content: FileContent): Uint8Array<ArrayBuffer> =>
+  typeof content === 'string' ? new TextEncoder().encode(content) : content;
+
+/** Loads the first of these files; the others are beside it. */
+export function loadFiles(
+  files: Readonly<Record<string, FileContent>>,
+  options: Partial<LoadOptions> = {},
+): Promise<Model> {
+  const base = 'https://shop.example/models/';
+  const [first = ''] = Object.keys(files);
+  vi.spyOn(globalThis, 'fetch').mockImplementation((input) => {
+    const content = files[decodeURIComponent((input as URL).href.slice(base.length))];
+    return Promise.resolve(
+      content === undefined ? new Response(null, { status: 404 }) : new Response(bytesOf(content)),
+    );
+  });
+  const url = new URL(first, base);
+  return loadModel(url, { signal: new AbortController().signal, crossOrigin: null, ...options });
+}
+
+/** The error that loading these files ends with. */
+export async function failureOf(
+  files: Readonly<Record<string, FileContent>>,
+  options: Partial<LoadOptions> = {},
+): Promise<ModelError> {
+  const result: unknown = await loadFiles(files, options).catch((error: unknown) => error);
+  if (result instanceof ModelError) return result;
+  throw result instanceof Error ? result : new Error('it loaded');
+}
+
+/** An attribute of a part as plain numbers, rounded to what float32 holds. */
+export const numbersOf = (model: Model, name: string, part = 0): number[] =>
+  Array.from(
+    model.parts[part]?.geometry.getAttribute(name).array ?? [],
+    (value) => Math.round(value * 1e6) / 1e6 + 0,
+  );
+
+export const indexOf = (model: Model, part = 0): number[] =>
+  Array.from(model.parts[part]?.geometry.index?.array ?? []);
+
+/** An attribute in the order of the corners, an item each. */
+export function cornersOf(model: Model, name: string, part = 0): number[][] {
+  const size = model.parts[part]?.geometry.getAttribute(name).itemSize ?? 0;
+  const values = numbersOf(model, name, part);
+  return indexOf(model, part).map((vertex) => values.slice(vertex * size, (vertex + 1) * size));
+}
+
+/** A PNG image of this size, as far as a header goes, and one byte. */
+export const png = (width = 2, height = 2): Uint8Array<ArrayBuffer> =>
+  new Uint8Array([...pngHeader(width, height), 0]);
+
+export function pngHeader(width = 2, height = 2): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(24);
+  bytes.set(Uint8Array.from('\x89PNG\r\n\x1a\n', (c) => c.charCodeAt(0)));
+  new DataView(bytes.buffer).setUint32(16, width);
+  new DataView(bytes.buffer).setUint32(20, height);
+  return bytes;
+}
+
+/** Node has no createImageBitmap: decodes every PNG but a mere header to 2 × 2 pixels. */
+export function standInImages(): { readonly closed: () => number; readonly decoded: () => number } {
+  let decoded = 0;
+  let closed = 0;
+  vi.stubGlobal('createImageBitmap', async (blob: Blob) => {
+    if ((await blob.arrayBuffer()).byteLength <= pngHeader().length) throw new Error('no content');
+    decoded += 1;
+    return { width: 2, height: 2, close: () => (closed += 1) };
+  });
+  return { closed: () => closed, decoded: () => decoded };
+}

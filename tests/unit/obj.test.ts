@@ -1,0 +1,262 @@
+// Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the materials' coefficients?
+import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { loadModel } from '../../src/scene/model/load-model.js';
+import type { Model, ModelLook } from '../../src/scene/model/model.js';
+import {
+  cornersOf,
+  failureOf,
+  indexOf,
+  loadFiles,
+  numbersOf,
+  png,
+  pngHeader,
+  standInImages,
+} from './model-files.js';
+
+const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
+const obj = (text: string): Promise<Model> => loadFiles({ 'a.obj': text });
+
+let warnings: string[] = [];
+
+beforeEach(() => {
+  warnings = [];
+  vi.spyOn(console, 'warn').mockImplementation((line: unknown) => void warnings.push(String(line)));
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.restoreAllMocks();
+});
+
+describe('the geometry of an OBJ file', () => {
+  it('has a polygon as triangles in its own order', async () => {
+    const model = await obj(`${QUAD}f 1 2 3 4\n`);
+    expect(cornersOf(model, 'position')).toEqual([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]]); // prettier-ignore
+    expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
+    expect(warnings).toEqual([]);
+  });
+
+  it('fills a polygon with a dent inside its border only', async () => {
+    const model = await obj('v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 3 4 1\nf 3 4 1 2');
+    const corners = cornersOf(model, 'position');
+    let area = 0;
+    for (let i = 0; i < corners.length; i += 3) {
+      const [[ax = 0, ay = 0] = [], [bx = 0, by = 0] = [], [cx = 0, cy = 0] = []] = corners.slice(i, i + 3);
+      const twice = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+      expect(twice).toBeGreaterThan(0);
+      area += twice / 2;
+    }
+    expect(area).toBe(3 * 4);
+  });
+
+  it('may refer backward by negative numbers, forward, and continue a line after a backslash', async () => {
+    const model = await obj('f 1 2 \\\n 3\r\nv 0 0 0\r\nv 1 0 0\rv 0 1 0\nf -3 -2 -1 # again\n');
+    expect(indexOf(model)).toEqual([0, 1, 2, 0, 1, 2]);
+  });
+
+  it('is told by its media type where nothing else tells it', async () => {
+    const text = encodeURIComponent(`unknown words\n${QUAD}f 1 2 3`);
+    const options = { signal: new AbortController().signal, crossOrigin: null };
+    expect((await loadModel(new URL(`data:model/obj,${text}`), options)).parts).toHaveLength(1);
+    await expect(loadModel(new URL(`data:,${text}`), options)).rejects.toThrow(/not in a supported format/);
+    expect((await loadModel(new URL(`data:,${text}`), { ...options, type: 'obj' })).parts).toHaveLength(1);
+  });
+
+  it('may begin with a byte order mark', async () => {
+    expect(cornersOf(await obj(`\ufeffv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3`), 'position')[1]).toEqual([
+      1, 0, 0,
+    ]);
+  });
+
+  it('shares a vertex where position, texture coordinates and normal agree, and nowhere else', async () => {
+    const model = await obj(
+      `${QUAD}vn 0 0 2\nvn 0 3 4\nf 1//1 2//1 3//1\nf 1//1 3//1 4//2\nf 1//2 3//1 4//2`,
+    );
+    expect(model.parts[0]?.geometry.getAttribute('position').count).toBe(5);
+    expect(cornersOf(model, 'normal')[5]).toEqual([0, 0.6, 0.8]);
+  });
+
+  it('is faceted with `s off`, round with `s 1`, and edged at sharp angles where nothing is said', async () => {
+    // Two squares that meet at the given angle along the y axis.
+    const bent = (degrees: number): string => {
+      const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+      return `v 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 0\nv ${-c} 1 ${-s}\nv ${-c} 0 ${-s}\n`;
+    };
+    const faces = 'f 1 2 3 4\nf 4 3 5 6\n';
+    const distinct = async (text: string): Promise<number> => {
+      const corners = cornersOf(await obj(text), 'normal').map((normal) => normal.join(' '));
+      return new Set(corners).size;
+    };
+    expect(await distinct(`${bent(30)}s off\n${faces}`)).toBe(2);
+    expect(await distinct(`${bent(80)}s 1\n${faces}`)).toBe(3);
+    expect(await distinct(bent(39) + faces)).toBe(3);
+    expect(await distinct(bent(41) + faces)).toBe(2);
+    expect(await distinct(`${bent(10)}s 1\nf 1 2 3 4\ns 2\nf 4 3 5 6`)).toBe(2);
+  });
+
+  it('weighs faces by their angle at the vertex, however they are cut into triangles', async () => {
+    // A corner of a cube: each of three faces counts the same, though one has two triangles there.
+    const model = await obj(
+      'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\ns 1\nf 1 3 2\nf 1 4 3\nf 1 2 6 5\nf 1 5 7 4',
+    );
+    const third = 0.57735;
+    expect(cornersOf(model, 'normal')[0]?.map((value) => Math.round(value * 1e5) / 1e5)).toEqual([-third, -third, -third]); // prettier-ignore
+  });
+
+  it('keeps the precision of far coordinates by moving them to an origin', async () => {
+    const model = await obj(
+      'v 500000.001 4000000 0\nv 500000.002 4000000 0\nv 500000.001 4000000.001 0\nf 1 2 3',
+    );
+    expect(numbersOf(model, 'position')).toEqual([0, 0, 0, 0.001, 0, 0, 0, 0.001, 0]);
+    expect(model.parts[0]?.matrix.elements.slice(12, 15)).toEqual([500000.001, 4000000, 0]);
+    expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0, 1]);
+  });
+
+  it('has the colours of its vertices as they are written, white where there is none', async () => {
+    const model = await obj('v 0 0 0\nv 1 0 0 0.5 0.25 2\nv 0 1 0 0 1 0\nv 0 2 0 1\nf 1 2 3\nf 1 3 4');
+    expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 1, 1], [0.5, 0.25, 1], [0, 1, 0]]); // prettier-ignore
+    expect(cornersOf(model, 'color')[5]).toEqual([1, 1, 1]);
+    expect((await obj(`${QUAD}f 1 2 3`)).parts[0]?.geometry.hasAttribute('color')).toBe(false);
+  });
+
+  it('is one part per object and material, named after the object', async () => {
+    const faces = 'f 1 2 3\nf 1 3 4\n';
+    const model = await obj(
+      `${QUAD}o table\nusemtl oak\n${faces}usemtl iron\n${faces}usemtl oak\n${faces}o lamp\ng shade\n${faces}`,
+    );
+    const parts = model.parts.map(({ name, geometry }) => [name, geometry.index?.count]);
+    expect(parts).toEqual([['table', 12], ['table', 6], ['lamp', 6]]); // prettier-ignore
+  });
+
+  it('becomes one part per material where it has thousands of objects', async () => {
+    let text = QUAD;
+    for (let i = 0; i < 1200; i += 1)
+      text += `o screw${String(i)}\nusemtl ${i % 2 === 0 ? 'a' : 'b'}\nf 1 2 3\n`;
+    expect((await obj(text)).parts.map(({ geometry }) => geometry.index?.count)).toEqual([1800, 1800]);
+  });
+
+  it.each([
+    ['v 0 0\nf 1 1 1', /line 1: a vertex has the coordinate NaN/],
+    ['# x\r\n\r\nv 0 0 1e16', /line 3: .*1e15/],
+    [`${QUAD}\nf 1 2 9`, /line 6: it refers to vertex 9, but there are only 4/],
+    [`${QUAD}f 1/1 2/1 3/1`, /line 5: it refers to texture coordinate 1, but there are only 0/],
+    [`${QUAD}f 1//2 2//1 3//1`, /line 5: it refers to normal 2/],
+    [`${QUAD}f 1 2 0`, /line 5: .*not there/],
+    [`${QUAD}f 1 2 -5`, /line 5: .*not there/],
+    [`${QUAD}f 1 2 c`, /line 5: /],
+    [`${QUAD}f 1;2 2 3`, /line 5: .*v\/vt\/vn/],
+    [QUAD, /no faces/],
+    [`${QUAD}l 1 2 3`, /no faces/],
+    [`${QUAD}f 1 2`, /no faces/],
+  ])('is an error for an author to understand: %j', async (text, message) => {
+    const error = await failureOf({ 'a.obj': text });
+    expect(error.code).toBe('bad-model');
+    expect(error.message).toMatch(message);
+  });
+});
+
+describe('the materials of an OBJ file', () => {
+  const withMtl = async (mtl: string, faces = 'f 1 2 3', more = {}): Promise<ModelLook | undefined> => {
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\n${faces}`;
+    return (await loadFiles({ 'a.obj': text, 'a.mtl': mtl, ...more })).parts[0]?.look;
+  };
+
+  it('are the coefficients of the equation, exactly as written', async () => {
+    const look = await withMtl(
+      'newmtl m\nKa 0.1 0.2 0.3\nKd .4 5e-1 0.600\nKs 0.7 0.8 0.9\nNs 96.078431\nd 0.25\nNi 1.45\nillum 2\n',
+    );
+    expect(look).toMatchObject({
+      ka: [0.1, 0.2, 0.3],
+      kd: [0.4, 0.5, 0.6],
+      ks: [0.7, 0.8, 0.9],
+      shininess: 96.078431,
+      opacity: 0.25,
+      alphaMode: 'blend',
+      baseColor: [1, 1, 1],
+      doubleSided: true,
+    });
+    expect(warnings).toEqual([]);
+  });
+
+  it('have Kd for Ka where the file has none, and leave to the element what it does not say', async () => {
+    const look = await withMtl('newmtl m\nKd 0.5\n');
+    expect(look).toMatchObject({ ka: [0.5, 0.5, 0.5], kd: [0.5, 0.5, 0.5], opacity: 1, alphaMode: 'opaque' });
+    expect(look).not.toHaveProperty('ks');
+    expect(look).not.toHaveProperty('shininess');
+    expect(await withMtl('newmtl other\nKd 1 0 0')).not.toHaveProperty('kd');
+  });
+
+  it.each([
+    ['d 0.5\nTr 1', 0.5],
+    ['Tr 1\nd 1', 1],
+    ['Tr 0.75', 0.25],
+    ['d -halo 0.5', 0.5],
+    ['d 7', 1],
+    ['d', 1],
+    ['d x\nTr y', 1],
+  ])('have an opacity: %j', async (lines, opacity) => {
+    expect((await withMtl(`newmtl m\nKd 1 1 1\n${lines}`))?.opacity).toBe(opacity);
+  });
+
+  it.each([
+    ['Kd spectral red.rfl', undefined],
+    ['Kd xyz 1 1 1', undefined],
+    ['Kd -1 2 1e9', [0, 2, 1e6 / 255]],
+    ['Kd nan 0 0', undefined],
+  ])('skip or limit what the equation cannot take: %s', async (line, kd) => {
+    expect((await withMtl(`newmtl m\n${line}`))?.kd).toEqual(kd);
+  });
+
+  it('have a texture with straight texels, its rows from the top, its scale, offset and borders as written', async () => {
+    const images = standInImages();
+    const mtl = 'newmtl m\nmap_Kd -s 2 3 1 -o 0.25 0.5 -clamp on -bm 1 pictures\\oak wood #2.png\n';
+    const text = `mtllib lib/a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 0.75\nusemtl m\nf 1/1 2/2 3/3\nusemtl n\nf 1 2 3\n`;
+    const files = { 'a.obj': text, 'lib/a.mtl': `${mtl}newmtl n\nmap_Kd pictures/oak wood #2.png`, 'lib/pictures/oak wood #2.png': png() }; // prettier-ignore
+    const model = await loadFiles(files);
+    const map = model.parts[0]?.look.map as Texture;
+    expect(map).toMatchObject({ flipY: false, colorSpace: NoColorSpace, wrapS: ClampToEdgeWrapping });
+    expect(model.parts[0]?.look).toMatchObject({ ka: [1, 1, 1], kd: [1, 1, 1] });
+    expect(cornersOf(model, 'uv')[2]).toEqual([1, 0.25]);
+    // The file's coordinates (1, 0.75), scaled and moved, are (2.25, 2.75): from the top, that is 1 − 2.75.
+    expect(new Vector2(1, 0.25).applyMatrix3(map.matrix).toArray()).toEqual([2.25, -1.75]);
+    expect(model.parts[1]?.look.map).toMatchObject({ wrapT: RepeatWrapping });
+    expect(images.decoded()).toBe(1);
+    model.dispose();
+    model.dispose();
+    expect(images.closed()).toBe(1);
+  });
+
+  it('are left out with one warning that lists the files that are missing', async () => {
+    const text = `mtllib a.mtl\nmtllib b.mtl\n${QUAD}vt 0 0\nusemtl m\nf 1/1 2/1 3/1`;
+    const model = await loadFiles({ 'a.obj': text, 'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n' });
+    expect(model.parts[0]?.look).toMatchObject({ kd: [1, 0, 0], map: null });
+    expect(warnings).toHaveLength(1);
+    expect(warnings[0]).toMatch(
+      /a\.obj is shown without 2 of the files.*a\.mtl could not be fetched.*404.*x\.png/,
+    );
+  });
+
+  it('are an error where an image is broken, and nothing stays open', async () => {
+    const images = standInImages();
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\nf 1/1 2/1 3/1\nusemtl n\nf 1/1 2/1 3/1`;
+    const mtl = 'newmtl m\nmap_Kd x.png\nnewmtl n\nmap_Kd y.png';
+    const error = await failureOf({
+      'a.obj': text,
+      'a.mtl': mtl,
+      'x.png': png(),
+      'y.png': pngHeader(),
+    });
+    expect(error.message).toMatch(/y\.png cannot be decoded/);
+    expect(images.closed()).toBe(1);
+    const noImage = await failureOf({
+      'a.obj': text,
+      'a.mtl': 'newmtl m\nmap_Kd z.png',
+      'z.png': 'no picture',
+    });
+    expect(noImage.message).toMatch(/z\.png is no PNG/);
+    const tooLarge = await failureOf({ 'a.obj': text, 'a.mtl': mtl, 'x.png': png(8192, 4096), 'y.png': png(8192, 4097) }); // prettier-ignore
+    expect(tooLarge.code).toBe('too-large');
+    expect(images.closed()).toBe(images.decoded());
+  });
+});

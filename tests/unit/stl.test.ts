@@ -1,0 +1,99 @@
+// Does an STL file come out as written, binary and text: triangles, a normal each, names, and colours by both conventions?
+import { describe, expect, it } from 'vitest';
+import { failureOf, loadFiles, numbersOf } from './model-files.js';
+
+const TRIANGLE = [0, 0, 0, 1, 0, 0, 0, 1, 0];
+
+interface Facet {
+  readonly corners?: readonly number[];
+  readonly bits?: number;
+}
+
+/** A binary file; its stated normals are all wrong. */
+function binary(facets: readonly Facet[], header = '', claimed = facets.length): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(84 + 50 * facets.length);
+  bytes.set(Uint8Array.from(header, (c) => c.charCodeAt(0)));
+  const view = new DataView(bytes.buffer);
+  view.setUint32(80, claimed, true);
+  facets.forEach(({ corners = TRIANGLE, bits = 0 }, i) => {
+    const at = 84 + 50 * i;
+    [-1, 0, 0, ...corners].forEach((value, k) => view.setFloat32(at + 4 * k, value, true));
+    view.setUint16(at + 48, bits, true);
+  });
+  return bytes;
+}
+
+const facet = 'facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
+
+describe('a binary STL file', () => {
+  it('has each triangle with the normal of its corners, whatever the file states', async () => {
+    const model = await loadFiles({ 'a.stl': binary([{}, { corners: [0, 0, 0, 0, 2, 0, 0, 0, 2] }]) });
+    expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, 0, 0, 0, 0, 2, 0, 0, 0, 2]);
+    expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0]);
+    expect(model.parts[0]?.look).toMatchObject({ flat: true, doubleSided: true, baseColor: [1, 1, 1] });
+    expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
+  });
+
+  it('may begin with `solid`, and may have bytes after its last triangle', async () => {
+    const bytes = binary([{}], 'solid but binary\n facet');
+    expect((await loadFiles({ 'a.stl': bytes })).parts).toHaveLength(1);
+    const longer = new Uint8Array([...binary([{}]), 1, 2, 3]);
+    expect((await loadFiles({ 'a.stl': longer })).parts).toHaveLength(1);
+  });
+
+  it('has colours as VisCAM writes them: bit 15 set, blue in the low bits; white without it', async () => {
+    const model = await loadFiles({ 'a.stl': binary([{}, { bits: 0x8000 | (31 << 10) | (5 << 5) | 1 }]) });
+    const colors = numbersOf(model, 'color');
+    expect(colors.slice(0, 9)).toEqual([1, 1, 1, 1, 1, 1, 1, 1, 1]);
+    expect(colors.slice(15, 18)).toEqual([1, 0.16129, 0.032258]);
+  });
+
+  it('has colours as Magics writes them: COLOR= for the body, bit 15 clear and red in the low bits', async () => {
+    const header = 'made by hand COLOR=\x33\x66\xff\xff';
+    const body = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], header) });
+    expect(body.parts[0]?.look).toMatchObject({ baseColor: [0.2, 0.4, 1], opacity: 1 });
+    expect(body.parts[0]?.geometry.hasAttribute('color')).toBe(false);
+    const mixed = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }, { bits: 31 | (5 << 5) }], header) });
+    expect(numbersOf(mixed, 'color').slice(6, 12)).toEqual([0.2, 0.4, 1, 1, 0.16129, 0]);
+    expect(mixed.parts[0]?.look.baseColor).toEqual([1, 1, 1]);
+  });
+
+  it('can be translucent as a whole', async () => {
+    const model = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], 'COLOR=\xff\xff\xff\x33') });
+    expect(model.parts[0]?.look).toMatchObject({ opacity: 0.2, alphaMode: 'blend' });
+  });
+
+  it.each([
+    [binary([{}], '', 2), 'bad-model', /truncated: 134 of 184 bytes for 2 triangles/],
+    [binary([{}], '', 0xffffffff), 'bad-model', /truncated/],
+    [binary([]), 'bad-model', /no triangles/],
+    [new Uint8Array(50), 'bad-model', /ends inside its header/],
+    [binary([{ corners: [NaN, 0, 0, 0, 0, 0, 0, 0, 0] }]), 'bad-model', /coordinate NaN/],
+  ])('is an error for an author to understand', async (bytes, code, message) => {
+    const error = await failureOf({ 'a.stl': bytes });
+    expect(error.code).toBe(code);
+    expect(error.message).toMatch(message);
+  });
+});
+
+describe('a text STL file', () => {
+  it('has one part per solid, named as it is', async () => {
+    const text = `solid left wing\n${facet}endsolid left wing\nSOLID\n${facet.toUpperCase()}ENDSOLID\n`;
+    const model = await loadFiles({ 'a.stl': text });
+    expect(model.parts.map(({ name }) => name)).toEqual(['left wing', '']);
+    expect(numbersOf(model, 'position', 1)).toEqual(TRIANGLE);
+    expect(numbersOf(model, 'normal', 1)).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
+  });
+
+  it.each([
+    [`solid\n${facet.replace('vertex 0 1 0\n', '')}`, /line 7: a facet has fewer than three/],
+    [`solid\n${facet.replace('endloop', 'vertex 1 1 1')}`, /line 7: a facet has more than three/],
+    [`solid\n${facet.replace('1 0 0', '1 zero 0')}`, /line 5: .*NaN/],
+    [`solid\n${facet.slice(0, 60)}`, /truncated/],
+    ['solid\nendsolid', /no triangles/],
+  ])('is an error for an author to understand: %j', async (text, message) => {
+    const error = await failureOf({ 'a.stl': text });
+    expect(error.code).toBe('bad-model');
+    expect(error.message).toMatch(message);
+  });
+});
