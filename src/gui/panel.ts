@@ -154,6 +154,7 @@ function newRoot(place: HTMLElement): GUI {
   // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
   gui.domElement.tabIndex = -1;
   gui.domElement.setAttribute('role', 'group');
+  gui.domElement.dir = getComputedStyle(place).direction; // for rules that CSS has no logical property for
   return gui;
 }
 

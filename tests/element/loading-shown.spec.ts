@@ -341,6 +341,11 @@ test('under dir="rtl" the bar grows from the right and the panel is on the left'
   expect([arrived.x, arrived.width]).toEqual([300, 300]);
   const panel = (await viewer.locator('.lil-root').boundingBox())!;
   expect(panel.x).toBeLessThan(20);
+  const title = viewer.locator('.lil-title', { hasText: 'Camera' });
+  expect(await title.evaluate((part) => getComputedStyle(part, '::before').scale)).toBe('-1 1');
+  await title.click();
+  const slider = viewer.locator('input[type=range]').first();
+  expect(await slider.evaluate((part) => getComputedStyle(part).backgroundPositionX)).toBe('100%');
 });
 
 test('in forced colours the share that has arrived differs from the rest', async ({ page, mount }) => {
