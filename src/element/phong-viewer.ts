@@ -6,6 +6,7 @@ import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
 import { Viewport } from '../scene/viewport.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
+import { checkedTexts, upgradeTexts, type ViewerTexts } from './fields/texts.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
@@ -18,6 +19,7 @@ import styles from './phong-viewer.css?inline';
 import { ViewerAnnouncements } from './viewer/announcements.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
+import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
 import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
@@ -27,7 +29,6 @@ import { NAMING } from './viewer/naming.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
-import { ViewerTree } from './viewer/template.js';
 import { sceneMarkup } from './viewer/to-html.js';
 import { lazy, pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
@@ -42,11 +43,17 @@ export interface PhongViewer extends ViewerProperties {
  * names in camel case. A bad attribute value warns and gives the default; a bad property value throws.
  *
  * @slot - `<phong-light>` and `<phong-mesh>` elements, alone or in wrappers; none of it is displayed
- * @slot error - shown instead of the element's own message when something fails
+ * @slot progress - shown instead of the element's own progress bar, while something has been loading for more than 300 ms
+ * @slot error - shown instead of the element's own message and button when something fails
  * @csspart surface - the picture, without the panel
  * @csspart poster - the image shown before the first picture
+ * @csspart progress - the element's own progress bar; its `color` is that of the share that has arrived
  * @csspart notice - the element's own message when something fails
+ * @csspart retry - the button under that message, which tries again what failed
  * @csspart panel - the control panel's place
+ * @cssState loading - something requested has not arrived yet
+ * @cssState error - something has failed and still does
+ * @cssState empty - nothing to show is declared, and `scene` holds no object
  */
 export class PhongViewer extends ReactiveElement {
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
@@ -81,7 +88,7 @@ export class PhongViewer extends ReactiveElement {
     painted: () => this.#loading.drawn(),
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
     drawn: () => {
-      this.#reveal();
+      this.#display.drawn();
       this.dispatchEvent(new CustomEvent('render'));
     },
     afterFrame: () => this.#readiness.check(),
@@ -103,12 +110,16 @@ export class PhongViewer extends ReactiveElement {
       queueMicrotask(() => this.#readiness.check());
     },
     ended: () => this.#readiness.check(),
+    updated: () => this.#display.update(),
   });
   readonly #children: ViewerChildren = new ViewerChildren(this, {
     viewport: this.#viewport,
     lightSet: this.#lightSet,
     meshHost: this.#loading,
-    meshesChanged: () => this.#panel.changed('meshes'),
+    meshesChanged: () => {
+      this.#panel.changed('meshes');
+      this.#display.checkEmpty();
+    },
   });
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
@@ -127,10 +138,11 @@ export class PhongViewer extends ReactiveElement {
     this.#camera.inView = view.visible;
     this.#readiness.check();
   });
-  /** Null before the element is connected for the first time. */
-  #tree: ViewerTree | null = null;
-  /** The poster has been replaced by a picture. */
-  #revealed = false;
+  readonly #display: ViewerDisplay = new ViewerDisplay(this, {
+    loading: this.#loading,
+    failure: this.#failure,
+    scene: this.#viewport.scene,
+  });
 
   constructor() {
     super();
@@ -161,6 +173,18 @@ export class PhongViewer extends ReactiveElement {
   get loaded(): boolean {
     this.#update();
     return this.#loading.loaded;
+  }
+
+  /**
+   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out stay English.
+   * Null, the default, restores all. Throws TypeError for anything but an object of strings.
+   */
+  get texts(): ViewerTexts | null {
+    return this.#display.texts;
+  }
+
+  set texts(texts: ViewerTexts | null | undefined) {
+    this.#display.texts = checkedTexts(texts);
   }
 
   /**
@@ -237,6 +261,7 @@ export class PhongViewer extends ReactiveElement {
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
+    upgradeTexts(this);
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();
@@ -261,19 +286,15 @@ export class PhongViewer extends ReactiveElement {
 
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
     const root = super.createRenderRoot();
-    this.#tree = new ViewerTree(root, this.#holder);
-    this.#camera.listenTo(this.#tree.surface);
-    this.#announcements.connect(this.#tree);
+    const tree = this.#display.fill(root, this.#holder);
+    this.#camera.listenTo(tree.surface);
+    this.#announcements.connect(tree);
     return root;
   }
 
   protected override update(changed: PropertyValues): void {
     super.update(changed);
-    this.#tree?.update({
-      poster: this.#revealed ? '' : this.poster,
-      fixed: !this.orbit,
-      notice: this.#failure.message,
-    });
+    this.#display.update();
     this.#announcements.update();
   }
 
@@ -294,8 +315,9 @@ export class PhongViewer extends ReactiveElement {
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
     if (changed.has('loading')) this.#visibility.shown();
+    this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
-    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#tree?.panel ?? null);
+    if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#display.panel);
     this.#panel.changed('viewer');
   }
 
@@ -312,13 +334,6 @@ export class PhongViewer extends ReactiveElement {
     this.#update();
     if (!this.#visibility.connected) return true;
     return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
-  }
-
-  /** Removes the poster once everything requested has been drawn for the first time. */
-  #reveal(): void {
-    if (this.#revealed || this.#loading.pending || this.#failure.message !== null) return;
-    this.#revealed = true;
-    if (this.#store.values.poster !== '') this.requestUpdate();
   }
 
   #cameraMoved(source: CameraSource): void {

@@ -1,6 +1,7 @@
 // Which folders does the control panel have, and which change refreshes which? It writes through the elements' public properties only
 // and requests no frames. Loaded on demand. Must not know how anything is drawn.
 import { GUI } from 'lil-gui';
+import { phrase } from '../element/fields/texts.js';
 import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
@@ -11,6 +12,7 @@ import { CameraFolder } from './camera-folder.js';
 import { ChildEditor } from './child-editor.js';
 import { ChildFolders } from './child-folders.js';
 import { CopyButton } from './copy-html.js';
+import { FullScreenButton } from './full-screen.js';
 import { addGroup, withoutAnimation, type Folder } from './folder.js';
 import { LightFolder } from './light-folder.js';
 import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
@@ -40,6 +42,7 @@ class ControlPanel implements Panel {
   readonly #shading: Folder;
   readonly #surface: ReturnType<typeof ownSurfaceFolder>;
   readonly #copy: CopyButton;
+  readonly #fullScreen: FullScreenButton;
   readonly #dropStyles: () => void;
   readonly #stopWaiting: () => void;
   readonly #stopHistory: () => void;
@@ -50,6 +53,7 @@ class ControlPanel implements Panel {
     this.#dropStyles = adoptStyles(root);
     const gui = newRoot(place);
     this.#gui = gui;
+    this.#fullScreen = new FullScreenButton(gui.$title, viewer);
     this.#range = new SceneRange(viewer);
     this.#stopHistory = addUndo(gui, viewer);
     this.#lightGroup = addGroup(gui, 'Lights');
@@ -100,8 +104,16 @@ class ControlPanel implements Panel {
     else if (change === 'mesh' || change === 'meshes') this.#updateMeshes();
     else this.#camera.update();
     if (change !== 'viewer') return;
+    this.#updateTexts();
     this.#shading.update();
     this.#surface.update();
+  }
+
+  #updateTexts(): void {
+    const title = phrase(this.#viewer.texts, 'Controls');
+    this.#gui.title(title);
+    this.#gui.domElement.setAttribute('aria-label', title);
+    this.#fullScreen.update();
   }
 
   dispose(): void {
@@ -109,6 +121,7 @@ class ControlPanel implements Panel {
     this.#stopWaiting();
     this.#stopHistory();
     this.#copy.dispose();
+    this.#fullScreen.dispose();
     this.#gui.destroy();
     this.#dropStyles();
   }
@@ -154,11 +167,11 @@ function addUndo(gui: GUI, viewer: PhongViewer): () => void {
 }
 
 function newRoot(place: HTMLElement): GUI {
-  const gui = withoutAnimation(new GUI({ container: place, injectStyles: false, title: 'Controls' }));
+  const gui = withoutAnimation(new GUI({ container: place, injectStyles: false }));
   // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
   gui.domElement.tabIndex = -1;
   gui.domElement.setAttribute('role', 'group');
-  gui.domElement.setAttribute('aria-label', 'Controls');
+  gui.domElement.dir = getComputedStyle(place).direction; // for rules that CSS has no logical property for
   return gui;
 }
 

@@ -278,6 +278,11 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
     choice('antialias', 'edges', 'edges', 'highlights'),
+    {
+      ...withWord(number('pixel-ratio', 'auto', 1e-3, 1e6, 'pixelRatio'), 'auto'),
+      outside: ['0', '-1', '1e999', '2e6'],
+      refused: [[0, 'RangeError'], [NaN, 'RangeError'], [[1], 'TypeError'], ['sharp', 'TypeError']], // prettier-ignore
+    },
     presence('gui'),
   ],
 };

@@ -118,7 +118,7 @@ test('poster covers the wait and goes with the first picture', async ({ page, mo
     await route.continue();
   });
   const viewer = await mount(
-    `<phong-viewer loading="lazy" poster="data:image/gif;base64,R0lGODlhAQABAAAAACw=" src="${bunny}"></phong-viewer>`,
+    `<phong-viewer loading="lazy" poster="data:image/gif;base64,R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7" src="${bunny}"></phong-viewer>`,
     { ...size, waitForReady: false },
   );
   const poster = viewer.locator('[part=poster]');

@@ -60,6 +60,8 @@ test('opens and closes by pointer and by keys', async ({ page, mount }) => {
   await title.focus();
   await page.keyboard.press('Enter');
   await expect(listOf(viewer)).toBeVisible();
+  await page.keyboard.press('Tab');
+  await expect(viewer.getByRole('button', { name: 'Full screen' })).toBeFocused();
   for (let stops = 0; stops < 3; stops++) await page.keyboard.press('Tab'); // past undo and redo
   await page.keyboard.press('Space');
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
@@ -325,4 +327,52 @@ test('leaves the wheel over the picture to zoom while the panel has the focus', 
   await wheel();
   await expect.poll(scrolled).toBeGreaterThan(0);
   expect(await radius()).toBeCloseTo(first * Math.exp(0.15), 6);
+});
+
+test('shows the viewer in full screen, and back by the button or by Escape', async ({ page, mount }) => {
+  const viewer = await mount(scene());
+  const isOn = (): Promise<boolean> => viewer.evaluate((element) => element.matches(':fullscreen'));
+  const enter = panelOf(viewer).getByRole('button', { name: 'Full screen', exact: true });
+  const leave = panelOf(viewer).getByRole('button', { name: 'Leave full screen' });
+  const { width, height } = (await enter.boundingBox())!;
+  expect(Math.min(width, height)).toBeGreaterThanOrEqual(24);
+  const before = await cameraOf(viewer);
+  await enter.click();
+  await expect(leave).toBeVisible();
+  expect(await isOn()).toBe(true);
+  expect(await viewer.evaluate(({ clientWidth }) => clientWidth / innerWidth)).toBe(1);
+  await leave.click();
+  await expect(enter).toBeVisible();
+  expect(await isOn()).toBe(false);
+  await enter.focus();
+  await page.keyboard.press('Enter');
+  await expect(leave).toBeVisible();
+  await viewer.evaluate(() => document.exitFullscreen()); // what browsers do at Escape
+  await expect(enter).toBeVisible();
+  expect((await cameraOf(viewer)).theta).toBe(before.theta);
+});
+
+test('has no button for full screen where the browser has none, and comes and goes as ever', async ({
+  page,
+  mount,
+}) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(Document.prototype, 'fullscreenEnabled', { value: false });
+  });
+  const viewer = await mount(scene());
+  await expect(panelOf(viewer)).toBeVisible();
+  await expect(panelOf(viewer).getByRole('button', { name: 'Full screen' })).toHaveCount(0);
+  await assign(viewer, { texts: { controls: 'Regler' }, gui: false });
+  await assign(viewer, { gui: true });
+  await expect(titleOf(viewer, 'Regler')).toBeVisible();
+});
+
+test('texts name the panel and its full-screen button', async ({ mount }) => {
+  const viewer = await mount(scene());
+  await assign(viewer, { texts: { controls: 'Regler', fullScreen: 'Vollbild' } });
+  await expect(titleOf(viewer, 'Regler')).toBeVisible();
+  await expect(viewer.getByRole('group', { name: 'Regler' })).toBeVisible();
+  await expect(viewer.getByRole('button', { name: 'Vollbild' })).toBeVisible();
+  await assign(viewer, { texts: null });
+  await expect(titleOf(viewer, 'Controls')).toBeVisible();
 });

@@ -51,6 +51,43 @@ for (const count of [1, 2]) {
   });
 }
 
+for (const count of [1, 2]) {
+  test(`pixel-ratio limits the canvas on dense screens, live, with ${count} on the page`, async ({
+    mount,
+  }) => {
+    const viewer = await mount(box.repeat(count), { width: 101, height: 61, deviceScaleFactor: 3 });
+    for (const [ratio, width, height] of [
+      [2, 202, 122],
+      [1, 101, 61],
+      [0.5, 51, 31],
+      [1e-6, 1, 1],
+      [10, 303, 183],
+      ['1.5', 152, 92],
+      [null, 303, 183],
+    ] as const) {
+      await assign(viewer, { pixelRatio: ratio });
+      await viewer.evaluate((element: PhongViewer) => element.ready);
+      expect(await canvasSize(viewer), String(ratio)).toEqual([width, height]);
+    }
+    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).not.toContain('pixel-ratio');
+  });
+}
+
+test('pixel-ratio gives the picture of a screen with that ratio, and shadeAt keeps to CSS pixels', async ({
+  page,
+  mount,
+}) => {
+  const size = { width: 90, height: 60 };
+  const plain = await mount(box, size);
+  const expected = await pixels(plain);
+  const place = await plain.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p);
+  const limited = await mount(box.replace(' ', ' pixel-ratio="1" '), { ...size, deviceScaleFactor: 2 });
+  expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
+  expect(compare(await pixels(limited), expected).max).toBe(0);
+  expect(await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p)).toEqual(place); // prettier-ignore
+  expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain('pixel-ratio="1"');
+});
+
 test('shows at a ratio of 2 what toBlob draws at twice the size', async ({ mount }) => {
   const viewer = await mount(box, { width: 100, height: 60, deviceScaleFactor: 2 });
   expect(await canvasSize(viewer)).toEqual([200, 120]);

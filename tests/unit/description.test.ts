@@ -9,8 +9,8 @@ import {
   lightText,
   meshText,
   meshTitle,
-  phrase,
 } from '../../src/element/viewer/description.js';
+import { phrase } from '../../src/element/fields/texts.js';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 
 const light = (values: Partial<LightValues> = {}): LightValues => new LightState(values).values;

@@ -17,6 +17,7 @@ function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: F
     ...{
       changed: quiet,
       reshaped: quiet,
+      began: quiet,
       progress: quiet,
       ended: quiet,
       dropped: quiet,

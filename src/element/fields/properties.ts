@@ -142,6 +142,8 @@ export interface ViewerProperties extends ShapeProperties, ViewerValues {
   set colorInterpolation(value: Viewer['colorInterpolation']);
   get antialias(): ViewerValues['antialias'];
   set antialias(value: Viewer['antialias']);
+  get pixelRatio(): ViewerValues['pixelRatio'];
+  set pixelRatio(value: Viewer['pixelRatio']);
   get gui(): ViewerValues['gui'];
   set gui(value: Viewer['gui']);
 }

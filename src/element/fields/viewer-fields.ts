@@ -75,6 +75,11 @@ export interface ViewerValues extends ShapeValues, CameraValues {
    * over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`. Default edges.
    */
   antialias: Antialias;
+  /**
+   * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device has. Below 1 the picture is
+   * blurred. Default auto.
+   */
+  pixelRatio: number | 'auto';
   /** The control panel is shown. Default false. */
   gui: boolean;
 }
@@ -107,6 +112,8 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
   antialias: choiceField<Antialias>('edges', ANTIALIASES),
+  // Any limit far above what screens have would do.
+  pixelRatio: orWord('auto', numberField(1, { above: 0, max: 1e6 })),
   gui: presenceField(),
 };
 

@@ -36,6 +36,9 @@ export class Visibility implements ReactiveController, Watcher {
   #inView: boolean | null = null;
   #near: boolean | null = null;
   #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
+  #maxRatio = Infinity;
+  /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
+  #box: ResizeObserverSize | undefined;
 
   constructor(host: Host, element: HTMLElement, changed: (view: ElementView) => void) {
     this.#host = host;
@@ -45,6 +48,15 @@ export class Visibility implements ReactiveController, Watcher {
 
   get size(): { readonly width: number; readonly height: number } {
     return this.#size;
+  }
+
+  /** Most pixels per CSS pixel, whatever the device has. Above 0. */
+  set maxRatio(ratio: number) {
+    if (ratio === this.#maxRatio) return;
+    this.#maxRatio = ratio;
+    this.#measure(this.#size.width, this.#size.height);
+    if (this.#box !== undefined) this.#refine(this.#box);
+    this.shown();
   }
 
   /** The host is connected to a document that is shown in a window. */
@@ -107,8 +119,8 @@ export class Visibility implements ReactiveController, Watcher {
     const { width, height } = entry.contentRect;
     this.#measure(width, height);
     // Missing in browsers without this box, whatever the types say.
-    const box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
-    if (box !== undefined) this.#refine(box);
+    this.#box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
+    if (this.#box !== undefined) this.#refine(this.#box);
     this.shown();
   }
 
@@ -152,13 +164,11 @@ export class Visibility implements ReactiveController, Watcher {
   #measure(width: number, height: number): void {
     // Neither includes CSS zoom: inside zoom 2 an element covers twice as many pixels per CSS pixel.
     const zoom = (this.#element as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
-    const ratio = (this.#page?.view.devicePixelRatio ?? 1) * zoom;
-    this.#size = {
-      width,
-      height,
-      pixelWidth: Math.round(width * ratio),
-      pixelHeight: Math.round(height * ratio),
-    };
+    const ratio = Math.min((this.#page?.view.devicePixelRatio ?? 1) * zoom, this.#maxRatio);
+    // A low limit leaves one pixel at least.
+    const pixels = (length: number): number =>
+      Math.max(Math.round(length * ratio), Math.round(Math.min(length, 1)));
+    this.#size = { width, height, pixelWidth: pixels(width), pixelHeight: pixels(height) };
   }
 }
 

@@ -3,20 +3,12 @@
 // an application or an image, and the children are in a slot that is not rendered. Follows drawn frames, at most once a
 // second; announces only what the user changed. Knows nothing of drawing.
 import type { ReactiveController } from '@lit/reactive-element';
+import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import type { CameraSource } from './camera.js';
-import {
-  cameraText,
-  lightCountText,
-  lightName,
-  lightsText,
-  lightText,
-  meshText,
-  phrase,
-  type Texts,
-} from './description.js';
+import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
 import { keysText, nameSurface } from './naming.js';
 import { create, set, type ViewerTree } from './template.js';
 
@@ -43,7 +35,7 @@ export class ViewerAnnouncements implements ReactiveController {
   /** Camera and lights in words; null before the first picture. */
   #scene: string | null = null;
   /** The texts that it is written in. */
-  #language: Texts = null;
+  #language: ViewerTexts | null = null;
   #cameraMoved = false;
   /** Lights were added, removed or moved. */
   #counted = false;
@@ -160,8 +152,8 @@ export class ViewerAnnouncements implements ReactiveController {
     return lightText(this.#texts, nameOf(light, index), fieldsOf(light).store.values);
   }
 
-  get #texts(): Texts {
-    return (this.#viewer as { readonly texts?: Texts }).texts ?? null;
+  get #texts(): ViewerTexts | null {
+    return this.#viewer.texts;
   }
 }
 

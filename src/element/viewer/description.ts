@@ -4,10 +4,8 @@ import { kindOf } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fileName } from '../../scene/mesh/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
+import { phrase, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState } from './camera.js';
-
-/** Replacements of English texts, by the English text. Words in braces stand for values. */
-export type Texts = Readonly<Record<string, string | undefined>> | null;
 
 /** Lights that the description names. It is read in one go, so it must be short; the list names all of them. */
 const NAMED = 8;
@@ -15,7 +13,7 @@ const NAMED = 8;
 const LIGHTS = 'Lights: {lights}.';
 
 export const cameraText = (
-  texts: Texts,
+  texts: ViewerTexts | null,
   { theta, phi, radius }: Pick<CameraState, 'theta' | 'phi' | 'radius'>,
 ): string =>
   phrase(texts, 'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.', {
@@ -25,21 +23,24 @@ export const cameraText = (
   });
 
 /** All lights in one sentence; empty for none. `names`: of {@link lightName}. */
-export const lightsText = (texts: Texts, names: readonly string[]): string =>
+export const lightsText = (texts: ViewerTexts | null, names: readonly string[]): string =>
   names.length === 0
     ? ''
     : phrase(texts, LIGHTS, {
         lights: names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ', …' : ''),
       });
 
-export const lightCountText = (texts: Texts, count: number): string =>
+export const lightCountText = (texts: ViewerTexts | null, count: number): string =>
   phrase(texts, LIGHTS, { lights: String(count) });
 
 /** A light's name, and whether it is off. */
-export const lightName = (texts: Texts, name: string, { active }: Pick<LightValues, 'active'>): string =>
-  active ? name : phrase(texts, '{name} (off)', { name });
+export const lightName = (
+  texts: ViewerTexts | null,
+  name: string,
+  { active }: Pick<LightValues, 'active'>,
+): string => (active ? name : phrase(texts, '{name} (off)', { name }));
 
-export function lightText(texts: Texts, name: string, values: LightValues): string {
+export function lightText(texts: ViewerTexts | null, name: string, values: LightValues): string {
   const light = phrase(texts, `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`, {
     name: lightName(texts, name, values),
     position: numbers(values.position.slice(0, 3)),
@@ -48,7 +49,7 @@ export function lightText(texts: Texts, name: string, values: LightValues): stri
   return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
 }
 
-export const meshText = (texts: Texts, mesh: MeshNames, index: number): string =>
+export const meshText = (texts: ViewerTexts | null, mesh: MeshNames, index: number): string =>
   phrase(texts, '{name}: mesh', { name: meshTitle(mesh, index) });
 
 type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
@@ -61,11 +62,6 @@ export const meshTitle = ({ name, src, geometry }: MeshNames, index: number): st
 
 /** `teapot.glb` from `models/teapot.glb?v=2`. */
 const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';
-
-/** A text, in the page's words if it has its own, with values in place of the words in braces. */
-export const phrase = (texts: Texts, text: string, values: Readonly<Record<string, string>> = {}): string =>
-  // By a function: in a replacement text `$&` would have a meaning, and names may contain it.
-  (texts?.[text] ?? text).replace(/\{(\w+)\}/g, (_, key: string) => values[key] ?? '');
 
 /** Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is used. */
 const numbers = (values: readonly number[]): string =>

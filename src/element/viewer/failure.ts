@@ -17,9 +17,14 @@ export class ViewerFailure {
     this.#events = events;
   }
 
-  /** For the reader of the page: the newest failure that is not cleared; null for none. */
-  get message(): string | null {
-    return [...this.#present.values()].at(-1)?.message ?? null;
+  /** The newest failure that is not cleared; null for none. */
+  get newest(): ViewerErrorDetail | null {
+    return [...this.#present.values()].at(-1) ?? null;
+  }
+
+  /** Something has failed that may work when it is tried again. A lost context comes back by itself. */
+  get retryable(): boolean {
+    return [...this.#present.values()].some(({ code }) => code !== 'context-lost');
   }
 
   report(subject: object, detail: ViewerErrorDetail): void {

@@ -3,7 +3,7 @@
 import type { ReactiveController } from '@lit/reactive-element';
 import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
-import { NoWebGL2Error } from '../../scene/gpu/stage.js';
+import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../scene/model/load-model.js';
@@ -54,7 +54,12 @@ export interface LoadingHost {
   cleared(mesh: SceneMesh): void;
   /** A load ended, whichever way. */
   ended(): void;
+  /** {@link ViewerLoading.pending} or {@link ViewerLoading.bar} may have changed. */
+  updated(): void;
 }
+
+/** Loads that take less show no progress bar, ms: it would only flicker. */
+const BAR_DELAY = 300;
 
 export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #host: LoadingHost;
@@ -64,6 +69,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   #near = false;
   #suspended = false;
   #removal: ReturnType<typeof setTimeout> | undefined;
+  #barTimer: ReturnType<typeof setTimeout> | undefined;
+  #isSlow = false;
   /** Meshes whose content has not been drawn yet. */
   readonly #undrawn = new Set<SceneMesh>();
 
@@ -129,18 +136,25 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.#undrawn.delete(mesh);
   }
 
+  began(mesh: SceneMesh): void {
+    if (!this.pending) this.#barTimer = setTimeout(this.#showBar, BAR_DELAY);
+    this.#progress.begin(mesh);
+    this.#host.updated();
+  }
+
   progress(mesh: SceneMesh, loaded: number, total: number): void {
     this.#progress.update(mesh, loaded, total);
     this.#enqueueProgress();
+    if (this.#isSlow) this.#host.updated();
   }
 
   dropped(mesh: SceneMesh): void {
-    this.#progress.end(mesh);
+    this.#end(mesh);
     this.#host.cleared(mesh);
   }
 
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
-    this.#progress.end(mesh);
+    this.#end(mesh);
     const child = this.#host.elementOf(mesh);
     if (error !== null) {
       const detail = errorDetail(error, url);
@@ -157,7 +171,19 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** Something requested has not arrived yet. */
   get pending(): boolean {
-    return this.#meshes().some((mesh) => mesh.loading);
+    return this.#progress.active;
+  }
+
+  /** What a progress bar shows: the share that has arrived, 0 to 1, or null if that is not known. Undefined for no bar. */
+  get bar(): number | null | undefined {
+    return this.#isSlow ? this.#progress.share : undefined;
+  }
+
+  /** Something to show is declared. */
+  get wanted(): boolean {
+    if (this.ownMesh.wanted) return true;
+    for (const mesh of this.#host.childMeshes()) if (mesh.wanted) return true;
+    return false;
   }
 
   /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */
@@ -200,8 +226,28 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     for (const mesh of this.#meshes()) mesh.update();
   }
 
+  /** Requests again what failed, a WebGL context included. */
+  readonly retry = (): void => {
+    stage.retry();
+    for (const mesh of this.#meshes()) mesh.retry();
+    this.update();
+  };
+
+  readonly #showBar = (): void => {
+    this.#isSlow = true;
+    this.#host.updated();
+  };
+
+  #end(mesh: SceneMesh): void {
+    if (!this.#progress.end(mesh)) return;
+    clearTimeout(this.#barTimer);
+    this.#isSlow = false;
+    this.#host.updated();
+  }
+
   #enqueueProgress(): void {
-    this.#host.events.enqueue('progress', { totalProgress: this.#progress.share });
+    const totalProgress = this.pending ? (this.#progress.share ?? 0) : 1;
+    this.#host.events.enqueue('progress', { totalProgress });
   }
 
   #meshes(): SceneMesh[] {
@@ -209,31 +255,42 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 }
 
-interface Transfer {
-  loaded: number;
-  total: number;
-}
-
-/** Progress of all loads together, 0 to 1. A load is identified by any object. */
+/** Progress of all loads together. A load is identified by any object. */
 class LoadProgress {
-  readonly #transfers = new Map<object, Transfer>();
+  /**
+   * What has arrived of each load, 0 to 1; null for not known. Loads that have ended stay as long as another is in progress:
+   * otherwise the share would fall.
+   */
+  readonly #shares = new Map<object, number | null>();
+  readonly #active = new Set<object>();
 
+  get active(): boolean {
+    return this.#active.size > 0;
+  }
+
+  begin(load: object): void {
+    this.#active.add(load);
+    this.#shares.set(load, null);
+  }
+
+  /** In bytes. A `total` of 0 is not known. */
   update(load: object, loaded: number, total: number): void {
-    this.#transfers.set(load, { loaded, total });
+    this.#shares.set(load, total > 0 ? Math.min(loaded / total, 1) : null);
   }
 
-  end(load: object): void {
-    this.#transfers.delete(load);
+  /** True if this was the last load in progress. */
+  end(load: object): boolean {
+    if (!this.#active.delete(load)) return false;
+    this.#shares.set(load, 1);
+    if (this.active) return false;
+    this.#shares.clear();
+    return true;
   }
 
-  /** Share of the bytes received. A load of unknown size counts as not begun. */
-  get share(): number {
-    let loaded = 0;
-    let total = 0;
-    for (const transfer of this.#transfers.values()) {
-      if (transfer.total > 0) loaded += Math.min(transfer.loaded, transfer.total);
-      total += transfer.total > 0 ? transfer.total : transfer.loaded;
-    }
-    return total > 0 ? loaded / total : 1;
+  /** Mean of the loads' shares, those not known counting as 0. Null if none is known. */
+  get share(): number | null {
+    const shares = [...this.#shares.values()];
+    if (shares.every((share) => share === null)) return null;
+    return shares.reduce<number>((sum, share) => sum + (share ?? 0), 0) / shares.length;
   }
 }

@@ -1,8 +1,8 @@
 // What is the picture to assistive technology: its role, name and keys? Follows the author's attributes as HTML
 // and ARIA define them. Must not know how the picture is drawn.
+import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import { phrase, type Texts } from './description.js';
 import { set } from './template.js';
 
 /** Attributes, besides `alt`, that name the picture or say what it is. */
@@ -12,7 +12,7 @@ export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
  * Writes role, name and keys to the surface. An application gets the keys that a screen reader would keep for itself on an
  * image. False if nothing of the viewer is to be read.
  */
-export function nameSurface(surface: HTMLElement, viewer: PhongViewer, texts: Texts): boolean {
+export function nameSurface(surface: HTMLElement, viewer: PhongViewer, texts: ViewerTexts | null): boolean {
   const label = viewer.getAttribute('aria-label') || viewer.alt;
   // Missing in browsers without element reflection, whatever the types say.
   const labelledBy = (viewer as Partial<Element>).ariaLabelledByElements ?? null;
@@ -29,7 +29,7 @@ export function nameSurface(surface: HTMLElement, viewer: PhongViewer, texts: Te
   return !hidden;
 }
 
-export const keysText = (viewer: PhongViewer, texts: Texts): string =>
+export const keysText = (viewer: PhongViewer, texts: ViewerTexts | null): string =>
   usable(
     viewer,
     phrase(texts, 'Arrow keys rotate.'),

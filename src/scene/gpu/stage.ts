@@ -64,6 +64,11 @@ class Stage {
     this.#context.retry();
   }
 
+  /** If there was no context to be had, the next drawing asks for one again. */
+  retry(): void {
+    this.#context.retry();
+  }
+
   remove(client: StageClient): void {
     if (!this.#clients.delete(client)) return;
     this.#showDrawn();

@@ -12,6 +12,8 @@ export interface ContentOwner {
   readonly crossOrigin: CrossOrigin;
   /** Whether models may be fetched now. */
   readonly mayLoad: boolean;
+  /** A load that takes a while has begun: {@link arrived}, {@link failed} or {@link dropped} follows. */
+  began(): void;
   progress(loaded: number, total: number): void;
   /** `late` unless it was there at once. `url` is null for a shape. */
   arrived(content: Content, url: URL | null, late: boolean): void;
@@ -113,6 +115,7 @@ export class ContentLoad {
   #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
     const loading = new AbortController();
     this.#loading = loading;
+    this.#owner.began();
     load(loading.signal).then(
       (content) => {
         if (this.#loading !== loading) {

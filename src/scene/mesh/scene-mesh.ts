@@ -35,6 +35,8 @@ export interface MeshHost {
   changed(): void;
   /** The mesh's geometry or place is different: measure again. */
   reshaped(): void;
+  /** A load has begun. Either {@link ended} or {@link dropped} follows. */
+  began(mesh: SceneMesh): void;
   progress(mesh: SceneMesh, loaded: number, total: number): void;
   /** The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content before is kept. */
   shown(mesh: SceneMesh): boolean;
@@ -81,6 +83,9 @@ export class SceneMesh {
       get mayLoad() {
         return host.mayLoad;
       },
+      began: () => {
+        host.began(this);
+      },
       progress: (loaded, total) => {
         host.progress(this, loaded, total);
       },
@@ -114,11 +119,6 @@ export class SceneMesh {
     return this.#state.values;
   }
 
-  /** A load is in progress. */
-  get loading(): boolean {
-    return this.#load.pending;
-  }
-
   /** Its values name something to show. */
   get wanted(): boolean {
     return this.#values.src !== '' || this.#values.geometry !== null;
@@ -146,6 +146,7 @@ export class SceneMesh {
   /** After a failure, the next {@link update} requests the same again. */
   retry(): void {
     this.#load.retry();
+    this.#forgetNotFlat();
   }
 
   /** Cancels a load in progress. The next {@link update} requests it again. */

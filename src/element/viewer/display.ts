@@ -1,0 +1,87 @@
+// What does a viewer show around its picture: poster, progress bar, message, custom states? Brings the shadow tree in step with
+// what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
+import type { Scene } from 'three';
+import type { ViewerTexts } from '../fields/texts.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import type { ViewerFailure } from './failure.js';
+import type { ViewerLoading } from './loading.js';
+import { ViewerStates } from './states.js';
+import { ViewerTree } from './template.js';
+
+export interface DisplayHost {
+  readonly loading: ViewerLoading;
+  readonly failure: ViewerFailure;
+  readonly scene: Scene;
+}
+
+export class ViewerDisplay {
+  readonly #viewer: PhongViewer;
+  readonly #host: DisplayHost;
+  readonly #states: ViewerStates;
+  /** Null before the element is connected for the first time. */
+  #tree: ViewerTree | null = null;
+  #texts: ViewerTexts | null = null;
+  /** The poster has been replaced by a picture. */
+  #revealed = false;
+  #empty = false;
+
+  constructor(viewer: PhongViewer, host: DisplayHost) {
+    this.#viewer = viewer;
+    this.#host = host;
+    this.#states = new ViewerStates(viewer);
+  }
+
+  /** `holder` is the element that holds the canvas. */
+  fill(root: Node, holder: HTMLElement): ViewerTree {
+    this.#tree = new ViewerTree(root, holder, this.#host.loading.retry);
+    return this.#tree;
+  }
+
+  /** The control panel's place. */
+  get panel(): HTMLElement | null {
+    return this.#tree?.panel ?? null;
+  }
+
+  get texts(): ViewerTexts | null {
+    return this.#texts;
+  }
+
+  set texts(texts: ViewerTexts | null) {
+    this.#texts = texts;
+    this.#viewer.requestUpdate('texts');
+  }
+
+  update(): void {
+    const { poster, orbit } = this.#viewer;
+    const { loading, failure } = this.#host;
+    this.#tree?.update({
+      poster: this.#revealed ? '' : poster,
+      fixed: !orbit,
+      loading,
+      failure,
+      texts: this.#texts,
+    });
+    this.#empty = this.#isEmpty;
+    this.#states.set('loading', loading.pending);
+    this.#states.set('error', failure.newest !== null);
+    this.#states.set('empty', this.#empty);
+  }
+
+  /** A frame was drawn. Removes the poster once everything requested has been drawn for the first time. */
+  drawn(): void {
+    this.checkEmpty();
+    const { loading, failure } = this.#host;
+    if (this.#revealed || loading.pending || failure.newest !== null) return;
+    this.#revealed = true;
+    if (this.#viewer.poster !== '') this.#viewer.requestUpdate();
+  }
+
+  /** Objects of the scene may have come or gone. Cheap: called for each frame. */
+  checkEmpty(): void {
+    if (this.#isEmpty !== this.#empty) this.update();
+  }
+
+  get #isEmpty(): boolean {
+    return !this.#host.loading.wanted && this.#host.scene.children.length === 0;
+  }
+}

@@ -1,0 +1,21 @@
+// How does CSS learn what a viewer is doing? By custom states: `phong-viewer:state(loading)`. Browsers without them go without.
+// Knows no meaning of a state.
+
+export class ViewerStates {
+  #states: Set<string> | undefined;
+
+  constructor(element: HTMLElement) {
+    // Missing in older browsers, whatever the types say.
+    const { attachInternals } = element as Partial<HTMLElement>;
+    this.#states = (attachInternals?.call(element) as Partial<ElementInternals> | undefined)?.states;
+  }
+
+  set(state: 'loading' | 'error' | 'empty', on: boolean): void {
+    try {
+      if (on) this.#states?.add(state);
+      else this.#states?.delete(state);
+    } catch {
+      this.#states = undefined; // Chrome before 125 accepts only names that begin with two dashes
+    }
+  }
+}

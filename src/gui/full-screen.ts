@@ -1,0 +1,42 @@
+// How does the user see the viewer in full screen? A button beside the panel's title, where the browser has full screen. Escape
+// leaves it, as everywhere. Knows nothing about the panel's rows.
+import { phrase } from '../element/fields/texts.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+
+export class FullScreenButton {
+  readonly #viewer: PhongViewer;
+  readonly #button = document.createElement('button');
+
+  /** Adds the button after `title`. */
+  constructor(title: HTMLElement, viewer: PhongViewer) {
+    this.#viewer = viewer;
+    if (!viewer.ownerDocument.fullscreenEnabled) return;
+    this.#button.type = 'button';
+    this.#button.className = 'full-screen';
+    this.#button.addEventListener('click', this.#toggle);
+    viewer.addEventListener('fullscreenchange', this.update);
+    title.after(this.#button);
+    this.update();
+  }
+
+  readonly update = (): void => {
+    this.#button.title = phrase(this.#viewer.texts, this.#isOn ? 'Leave full screen' : 'Full screen');
+  };
+
+  dispose(): void {
+    this.#viewer.removeEventListener('fullscreenchange', this.update);
+    this.#button.remove();
+  }
+
+  get #isOn(): boolean {
+    return this.#viewer.matches(':fullscreen');
+  }
+
+  readonly #toggle = (): void => {
+    const change = this.#isOn
+      ? this.#viewer.ownerDocument.exitFullscreen()
+      : this.#viewer.requestFullscreen();
+    // The browser may refuse. Then the page stays as it is.
+    change.catch(() => undefined);
+  };
+}
