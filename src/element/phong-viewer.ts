@@ -6,7 +6,7 @@ import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
 import { Viewport } from '../scene/viewport.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import { checkedTexts, upgradeTexts, type ViewerTexts } from './fields/texts.js';
+import type { ViewerTexts } from './fields/texts.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
@@ -16,7 +16,6 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import styles from './phong-viewer.css?inline';
-import { ViewerAnnouncements } from './viewer/announcements.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { ViewerDisplay } from './viewer/display.js';
@@ -26,6 +25,7 @@ import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/panel.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import { NAMING } from './viewer/naming.js';
+import { applyStyle } from './viewer/picture-style.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
@@ -70,7 +70,6 @@ export class PhongViewer extends ReactiveElement {
   readonly #holder: HTMLElement = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
-  readonly #announcements = new ViewerAnnouncements(this);
   readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
@@ -148,8 +147,7 @@ export class PhongViewer extends ReactiveElement {
     super();
     this.#store.listen((key) => this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
-    for (const part of [this.#visibility, this.#camera, this.#loading, this.#announcements])
-      this.addController(part);
+    for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
   }
 
@@ -184,7 +182,7 @@ export class PhongViewer extends ReactiveElement {
   }
 
   set texts(texts: ViewerTexts | null | undefined) {
-    this.#display.texts = checkedTexts(texts);
+    this.#display.texts = texts;
   }
 
   /**
@@ -261,7 +259,6 @@ export class PhongViewer extends ReactiveElement {
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
-    upgradeTexts(this);
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();
@@ -286,16 +283,13 @@ export class PhongViewer extends ReactiveElement {
 
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
     const root = super.createRenderRoot();
-    const tree = this.#display.fill(root, this.#holder);
-    this.#camera.listenTo(tree.surface);
-    this.#announcements.connect(tree);
+    this.#camera.listenTo(this.#display.fill(root, this.#holder));
     return root;
   }
 
   protected override update(changed: PropertyValues): void {
     super.update(changed);
     this.#display.update();
-    this.#announcements.update();
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -306,12 +300,7 @@ export class PhongViewer extends ReactiveElement {
   #apply(changed: { has(key: string): boolean }): void {
     const { values } = this.#store;
     const viewport = this.#viewport;
-    viewport.fov = values.fov;
-    viewport.linear = values.colorInterpolation === 'linear';
-    if (['shading', 'reflection', 'terms', 'antialias'].some((key) => changed.has(key))) {
-      const { shading, reflection, terms, antialias } = values;
-      viewport.style = { shading, reflection, terms, antialias };
-    }
+    applyStyle(viewport, values, changed);
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
     if (changed.has('loading')) this.#visibility.shown();

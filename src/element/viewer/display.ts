@@ -1,8 +1,9 @@
-// What does a viewer show around its picture: poster, progress bar, message, custom states? Brings the shadow tree in step with
-// what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
+// What does a viewer show and say around its picture: poster, progress bar, message, custom states, description? Brings the shadow
+// tree in step with what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
 import type { Scene } from 'three';
-import type { ViewerTexts } from '../fields/texts.js';
+import { checkedTexts, upgradeTexts, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../phong-viewer.js';
+import { ViewerAnnouncements } from './announcements.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { ViewerStates } from './states.js';
@@ -18,6 +19,7 @@ export class ViewerDisplay {
   readonly #viewer: PhongViewer;
   readonly #host: DisplayHost;
   readonly #states: ViewerStates;
+  readonly #announcements: ViewerAnnouncements;
   /** Null before the element is connected for the first time. */
   #tree: ViewerTree | null = null;
   #texts: ViewerTexts | null = null;
@@ -29,12 +31,16 @@ export class ViewerDisplay {
     this.#viewer = viewer;
     this.#host = host;
     this.#states = new ViewerStates(viewer);
+    this.#announcements = new ViewerAnnouncements(viewer);
+    viewer.addController(this.#announcements);
   }
 
-  /** `holder` is the element that holds the canvas. */
-  fill(root: Node, holder: HTMLElement): ViewerTree {
+  /** `holder` is the element that holds the canvas. Returns the surface: the picture, without the panel. */
+  fill(root: Node, holder: HTMLElement): HTMLElement {
+    upgradeTexts(this.#viewer);
     this.#tree = new ViewerTree(root, holder, this.#host.loading.retry);
-    return this.#tree;
+    this.#announcements.connect(this.#tree);
+    return this.#tree.surface;
   }
 
   /** The control panel's place. */
@@ -46,8 +52,8 @@ export class ViewerDisplay {
     return this.#texts;
   }
 
-  set texts(texts: ViewerTexts | null) {
-    this.#texts = texts;
+  set texts(texts: ViewerTexts | null | undefined) {
+    this.#texts = checkedTexts(texts);
     this.#viewer.requestUpdate('texts');
   }
 
