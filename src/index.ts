@@ -24,6 +24,7 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 export { PhongLight, PhongMesh, PhongViewer };
 export type { PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
+export type { ViewerTexts } from './element/fields/texts.js';
 export type { PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
 export type {} from './element/types/solid.js';
 export type {} from './element/types/svelte.js';
