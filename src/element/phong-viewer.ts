@@ -21,6 +21,7 @@ import { type CameraSource, type CameraState, ViewerCamera } from './viewer/came
 import { ViewerChildren } from './viewer/children.js';
 import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
+import { ViewerExtras } from './viewer/extras.js';
 import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/panel.js';
@@ -30,7 +31,7 @@ import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { lazy, pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { lazy, pictureOf, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -89,6 +90,7 @@ export class PhongViewer extends ReactiveElement {
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
     drawn: () => {
       this.#display.drawn();
+      this.#extras.drawn();
       this.dispatchEvent(new CustomEvent('render'));
     },
     afterFrame: () => this.#readiness.check(),
@@ -142,6 +144,14 @@ export class PhongViewer extends ReactiveElement {
     loading: this.#loading,
     failure: this.#failure,
     scene: this.#viewport.scene,
+  });
+  readonly #extras = new ViewerExtras({
+    viewer: this,
+    values: this.#store.values,
+    viewport: this.#viewport,
+    camera: this.#camera,
+    children: this.#children,
+    snapshot: () => this.#snapshot(),
   });
 
   constructor() {
@@ -242,7 +252,7 @@ export class PhongViewer extends ReactiveElement {
    */
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#update();
-    const snapshot = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
+    const snapshot = this.#snapshot();
     return (await lazy.shadeAt()).shadeAt(snapshot, x, y);
   }
 
@@ -265,12 +275,14 @@ export class PhongViewer extends ReactiveElement {
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();
+    this.#extras.apply();
     this.#viewport.attach();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#viewport.detach();
+    this.#extras.dispose();
     this.#readiness.check();
   }
 
@@ -289,6 +301,7 @@ export class PhongViewer extends ReactiveElement {
     const tree = this.#display.fill(root, this.#holder);
     this.#camera.listenTo(tree.surface);
     this.#announcements.connect(tree);
+    this.#extras.connect(tree);
     return root;
   }
 
@@ -317,6 +330,7 @@ export class PhongViewer extends ReactiveElement {
     if (changed.has('loading')) this.#visibility.shown();
     this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
+    this.#extras.apply();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#display.panel);
     this.#panel.changed('viewer');
   }
@@ -336,9 +350,13 @@ export class PhongViewer extends ReactiveElement {
     return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
   }
 
+  readonly #snapshot = (): ViewerSnapshot =>
+    viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
+
   #cameraMoved(source: CameraSource): void {
     // The first framing is not a move.
     if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
+    this.#extras.cameraMoved(source);
     this.#panel.changed('camera');
   }
 }
