@@ -30,7 +30,7 @@ import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { lazy, pictureOf, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { blobOf, lazy, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -146,6 +146,7 @@ export class PhongViewer extends ReactiveElement {
     camera: this.#camera,
     children: this.#children,
     snapshot: () => this.#snapshot(),
+    ended: () => this.#readiness.check(),
   });
 
   constructor() {
@@ -230,8 +231,7 @@ export class PhongViewer extends ReactiveElement {
   /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
-    const picture = pictureOf(this.#viewport, options);
-    return (await lazy.picture()).pictureBlob(picture, options);
+    return blobOf(this.#viewport, this.#display.extras, options);
   }
 
   /**
@@ -327,7 +327,8 @@ export class PhongViewer extends ReactiveElement {
   get #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
+    if (this.#loading.pending || this.#display.extras.pending !== null) return false;
+    return this.#viewport.upToDate || !this.#viewport.drawable;
   }
 
   readonly #snapshot = (): ViewerSnapshot =>

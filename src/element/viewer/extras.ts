@@ -1,11 +1,13 @@
 // Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
 // with its first use, and removed again. Knows nothing of what they show.
 import type { ReactiveController } from '@lit/reactive-element';
+import { lazyCode } from '../../scene/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import type { CameraSource, ViewerCamera } from './camera.js';
 import type { ViewerChildren } from './children.js';
+import type { PictureOptions } from './picture-blob.js';
 import type { ViewerTree } from './template.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
 
@@ -19,6 +21,8 @@ export interface ExtraHost {
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
   snapshot(): ViewerSnapshot;
+  /** The code of an extra has arrived, or could not be fetched. */
+  ended(): void;
 }
 
 export interface Extra {
@@ -26,6 +30,8 @@ export interface Extra {
   update(): void;
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
+  /** Draws over a picture that was captured in this task, for `toBlob`. */
+  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void>;
   dispose(): void;
 }
 
@@ -34,11 +40,17 @@ interface Kind {
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
-const KINDS: readonly Kind[] = [];
+const KINDS: readonly Kind[] = [
+  {
+    wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
+    load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
+  },
+];
 
 export class ViewerExtras implements ReactiveController {
   readonly #host: Omit<ExtraHost, 'tree'>;
   readonly #extras = new Map<Kind, Extra | 'loading'>();
+  readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
   constructor(host: Omit<ExtraHost, 'tree'>) {
@@ -62,7 +74,7 @@ export class ViewerExtras implements ReactiveController {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
       if (!kind.wanted(this.#host.values)) this.#drop(kind);
-      else if (extra === undefined) void this.#fetch(kind);
+      else if (extra === undefined) this.#wait(this.#fetch(kind));
       else if (extra !== 'loading') extra.update();
     }
   }
@@ -74,6 +86,27 @@ export class ViewerExtras implements ReactiveController {
 
   cameraMoved(source: CameraSource): void {
     for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
+  }
+
+  /** Resolves once the code that is being fetched is in use; never rejects. Null where none is. */
+  get pending(): Promise<unknown> | null {
+    return this.#fetching.size === 0 ? null : Promise.all(this.#fetching);
+  }
+
+  /** What the extras show belongs to this picture, which was captured in this task. */
+  async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
+    const extras = [...this.#extras.values()];
+    await Promise.all(
+      extras.map(async (extra) => (extra === 'loading' ? undefined : extra.drawOver?.(picture, options))),
+    );
+  }
+
+  #wait(fetched: Promise<void>): void {
+    this.#fetching.add(fetched);
+    void fetched.then(() => {
+      this.#fetching.delete(fetched);
+      this.#host.ended();
+    });
   }
 
   #drop(kind: Kind): void {
