@@ -151,6 +151,7 @@ export class PhongViewer extends ReactiveElement {
     viewport: this.#viewport,
     camera: this.#camera,
     children: this.#children,
+    size: () => this.#visibility.size,
     snapshot: () => this.#snapshot(),
   });
 
@@ -237,7 +238,9 @@ export class PhongViewer extends ReactiveElement {
   /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
-    const picture = pictureOf(this.#viewport, options);
+    const picture = options.helpers
+      ? await this.#extras.pictureOf(options)
+      : pictureOf(this.#viewport, options);
     return (await lazy.picture()).pictureBlob(picture, options);
   }
 

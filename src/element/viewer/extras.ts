@@ -1,12 +1,14 @@
 // Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
 // with its first use, and removed again. Knows nothing of what they show.
+import { lazyCode } from '../../scene/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import type { CameraSource, ViewerCamera } from './camera.js';
 import type { ViewerChildren } from './children.js';
 import type { ViewerTree } from './template.js';
-import type { ViewerSnapshot } from './viewer-snapshot.js';
+import type { PictureOptions } from './picture-blob.js';
+import { pictureOf, type ViewerSnapshot } from './viewer-snapshot.js';
 
 /** What an extra sees of its viewer. */
 export interface ExtraHost {
@@ -17,6 +19,8 @@ export interface ExtraHost {
   readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
+  /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
+  size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
 }
 
@@ -25,6 +29,8 @@ export interface Extra {
   update(): void;
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
+  /** Draws itself into a picture of the scene as it is now, for `toBlob({ helpers: true })`. */
+  paint?(picture: HTMLCanvasElement): void;
   dispose(): void;
 }
 
@@ -33,11 +39,20 @@ interface Kind {
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
-const KINDS: readonly Kind[] = [];
+const KINDS: readonly Kind[] = [
+  {
+    wanted: ({ helpers }) => helpers.length > 0,
+    load: lazyCode(
+      () => import('../../overlay/helpers/helpers.js').then((code) => code.createHelpers),
+      'the helpers',
+    ),
+  },
+];
 
 export class ViewerExtras {
   readonly #host: Omit<ExtraHost, 'tree'>;
   readonly #extras = new Map<Kind, Extra | 'loading'>();
+  readonly #fetches = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
   constructor(host: Omit<ExtraHost, 'tree'>) {
@@ -53,7 +68,7 @@ export class ViewerExtras {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
       if (!kind.wanted(this.#host.values)) this.#drop(kind);
-      else if (extra === undefined) void this.#fetch(kind);
+      else if (extra === undefined) this.#fetchAndCount(kind);
       else if (extra !== 'loading') extra.update();
     }
   }
@@ -67,6 +82,15 @@ export class ViewerExtras {
     for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
   }
 
+  /** The picture with what lies over it, once all that has been fetched. Null for an invalid size. */
+  async pictureOf(options: PictureOptions): Promise<HTMLCanvasElement | null> {
+    await Promise.all(this.#fetches);
+    const picture = pictureOf(this.#host.viewport, options);
+    if (picture === null) return null;
+    for (const extra of this.#extras.values()) if (extra !== 'loading') extra.paint?.(picture);
+    return picture;
+  }
+
   /** The viewer has left the page. A later {@link apply} starts anew. */
   dispose(): void {
     for (const kind of [...this.#extras.keys()]) this.#drop(kind);
@@ -76,6 +100,11 @@ export class ViewerExtras {
     const extra = this.#extras.get(kind);
     this.#extras.delete(kind);
     if (extra !== 'loading') extra?.dispose();
+  }
+
+  #fetchAndCount(kind: Kind): void {
+    const fetch = this.#fetch(kind).finally(() => this.#fetches.delete(fetch));
+    this.#fetches.add(fetch);
   }
 
   async #fetch(kind: Kind): Promise<void> {
