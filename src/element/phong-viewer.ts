@@ -145,6 +145,7 @@ export class PhongViewer extends ReactiveElement {
     viewport: this.#viewport,
     camera: this.#camera,
     children: this.#children,
+    size: () => this.#visibility.size,
     snapshot: () => this.#snapshot(),
     ended: () => this.#readiness.check(),
   });

@@ -20,6 +20,8 @@ export interface ExtraHost {
   readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
+  /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
+  size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
   /** The code of an extra has arrived, or could not be fetched. */
   ended(): void;
@@ -31,7 +33,7 @@ export interface Extra {
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
   /** Draws over a picture that was captured in this task, for `toBlob`. */
-  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void>;
+  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
   dispose(): void;
 }
 
@@ -41,6 +43,13 @@ interface Kind {
 }
 
 const KINDS: readonly Kind[] = [
+  {
+    wanted: ({ helpers }) => helpers.length > 0,
+    load: lazyCode(
+      () => import('../../overlay/helpers/helpers.js').then(({ createHelpers }) => createHelpers),
+      'helpers',
+    ),
+  },
   {
     wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
     load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
