@@ -1,5 +1,6 @@
 // Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
 // with its first use, and removed again. Knows nothing of what they show.
+import { lazyCode } from '../../scene/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -33,7 +34,15 @@ interface Kind {
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
-const KINDS: readonly Kind[] = [];
+const KINDS: readonly Kind[] = [
+  {
+    wanted: ({ probe }) => probe,
+    load: lazyCode(
+      () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
+      'the probe',
+    ),
+  },
+];
 
 export class ViewerExtras {
   readonly #host: Omit<ExtraHost, 'tree'>;

@@ -4,7 +4,7 @@ import type { Vec3 } from '../../math/vector.js';
 import { add, scale } from '../../math/vector.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
-import { boxAround, type LabelWish, placeLabels } from '../drawing/label-layout.js';
+import { type Box, boxAround, type LabelWish, placeLabels } from '../drawing/label-layout.js';
 import type { Point, Projection } from '../drawing/projection.js';
 import { shortened, textWidth } from '../drawing/text-width.js';
 import type { Figure } from './figure.js';
@@ -17,6 +17,9 @@ const ARROW = { share: 0.24, least: 22, most: 110 };
 /** Radius of the mark, CSS pixels. Shorter arrows point at the eye or away from it and have no line. */
 const MARK = 6;
 
+/** Layers smaller than this have room for arrows but not for their names. CSS pixels. */
+const NAMED = { width: 140, height: 110 };
+
 interface Labelled {
   readonly text: string;
   readonly color: string;
@@ -28,13 +31,13 @@ export const markOf = (at: Point, dashed: boolean): Primitive[] => [
   { kind: 'disc', center: at, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
 ];
 
-/** `p` is the point in world space, `at` its place on the layer; `outline` a triangle around it, if any. */
+/** `p` is the point in world space, `at` its place on the layer. `outline`: a triangle around it, if any. `covered` by the box. */
 export function drawingOf(
   projection: Projection,
   p: Vec3,
   at: Point,
   { vectors, arcs }: Figure,
-  outline: readonly Vec3[],
+  { outline, covered }: { readonly outline: readonly Vec3[]; readonly covered: Box },
 ): Primitive[] {
   const unit = arrowLength(projection) / projection.pixelsPerUnit(projection.depthOf(p));
   const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
@@ -63,12 +66,13 @@ export function drawingOf(
     labels.push(label(shortened(name), tip, 7, css));
   }
   list.push(...markOf(at, false), dot(at));
+  if (projection.width < NAMED.width || projection.height < NAMED.height) return list;
   // The names of vectors come before those of angles.
   labels.sort((a, b) => Number(a.text.endsWith('°')) - Number(b.text.endsWith('°')));
   const places = placeLabels(
     labels.map(({ wish }) => wish),
     projection,
-    [boxAround(at, MARK)],
+    [boxAround(at, MARK), covered],
   );
   labels.forEach(({ text, color }, i) => {
     const place = places[i];

@@ -85,8 +85,7 @@ function arc(from: Vec3, to: Vec3, radius: number): Vec3[] {
   return Array.from({ length: ARC_STEPS + 1 }, (_, i) => {
     const t = i / ARC_STEPS;
     // Slerp; nearly equal or opposite vectors span no plane.
-    const [a, b] =
-      sine < 1e-6 ? [1 - t, t] : [Math.sin((1 - t) * angle) / sine, Math.sin(t * angle) / sine];
+    const [a, b] = sine < 1e-6 ? [1 - t, t] : [Math.sin((1 - t) * angle) / sine, Math.sin(t * angle) / sine];
     return scale(add(scale(from, a), scale(to, b)), radius);
   });
 }

@@ -1,5 +1,7 @@
 // What does the probe say beside the arrows? The colour, the table of its sum, and the steps of one light, in a box at the picture's lower or
 // upper edge, whichever is away from the point. Knows neither the scene nor the pointer.
+import type { Point } from '../drawing/projection.js';
+import type { Box } from '../drawing/label-layout.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { create, set } from '../../element/viewer/template.js';
@@ -20,27 +22,42 @@ export interface BoxContent {
 /** Layers narrower than this have codes without decimals. CSS pixels. */
 const WIDE = 600;
 
-/** The box takes at most 40 % of the height (probe.css). It changes sides where the point comes within 44 % of its edge. */
-const NEAR_EDGE = 0.44;
+/** Pixels between the box and the point, where the other edge leaves more: room for arrows. */
+const CLEARANCE = 60;
+
+/** The other edge must leave so many pixels more: near the middle the box would go back and forth. */
+const GAIN = 24;
+
+/** From the box to the layer's edge; see probe.css. */
+const MARGIN = 8;
 
 export class ProbeBox {
   readonly element = create('div', { class: 'box low', part: 'probe', role: 'group' });
   readonly #swatch = create('span', { class: 'swatch' });
   readonly #codes = create('span', { class: 'codes', dir: 'ltr' });
+  readonly #scale = create('span', { class: 'scale', 'aria-hidden': 'true' });
   readonly #release = create('button', { class: 'release', type: 'button' });
   readonly #scroll = create('div', { class: 'scroll' });
   readonly #steps = create('p', { class: 'steps' });
-  readonly #message = create('p', { class: 'message-line' });
+  readonly #message = create('p', { class: 'note' });
   readonly #table: SumTable;
+  readonly #resized = new ResizeObserver(([entry]) => {
+    const [size] = entry?.borderBoxSize ?? [];
+    if (size !== undefined && size.blockSize > 0)
+      this.#size = { width: size.inlineSize, height: size.blockSize };
+  });
+  /** Of the box as it was last laid out: reading it here would cost a layout per frame. */
+  #size = { width: 0, height: 0 };
 
   /** `choose`: another light was chosen. `release`: the button that takes the pin away was pressed. */
   constructor(choose: () => void, release: () => void) {
     this.#table = new SumTable(choose);
     const head = create('p', { class: 'head' });
-    head.append(this.#swatch, this.#codes, this.#release);
+    head.append(this.#swatch, this.#codes, this.#scale, this.#release);
     this.#scroll.append(this.#table.element);
     this.#release.append('×');
     this.#release.addEventListener('click', release);
+    this.#resized.observe(this.element);
     this.element.append(head, this.#message, this.#scroll, this.#steps);
   }
 
@@ -61,6 +78,7 @@ export class ProbeBox {
     set(this.element, 'data-empty', null);
     // By script: a strict CSP refuses style attributes.
     this.#swatch.style.backgroundColor = `rgb(${sum.color.map((x) => x.toFixed(2)).join(' ')})`;
+    write(this.#scale, phrase(texts, 'of 255'));
     write(this.#codes, tripleText(sum.color, digits));
     write(this.#message, fragment.unlit ? phrase(texts, UNLIT) : gouraud ? phrase(texts, GOURAUD) : '');
     this.#table.show(sum, row, texts, digits);
@@ -72,14 +90,23 @@ export class ProbeBox {
     this.#release.hidden = !pinned;
   }
 
-  /** The point is at `y` of `height`. */
-  keepAwayFrom(y: number, height: number): void {
+  /** Moves to the other edge if the point is near. Returns what the box covers of a layer of this size. */
+  keepAwayFrom({ y }: Point, layer: { readonly width: number; readonly height: number }): Box {
     const { classList } = this.element;
+    const { width, height } = this.#size;
+    const reach = height + MARGIN + CLEARANCE;
     const low = classList.contains('low');
-    if (low ? y > (1 - NEAR_EDGE) * height : y < NEAR_EDGE * height) {
-      classList.toggle('low', !low);
-      classList.toggle('high', low);
-    }
+    const [near, far] = low ? [layer.height - y, y] : [y, layer.height - y];
+    const moves = near < reach && far > near + GAIN;
+    classList.toggle('low', moves !== low);
+    classList.toggle('high', moves === low);
+    const top = moves === low ? 0 : layer.height - height - MARGIN;
+    const start = this.element.matches(':dir(rtl)') ? layer.width - width - MARGIN : 0;
+    return { left: start, right: start + width + MARGIN, top, bottom: top + height + MARGIN };
+  }
+
+  dispose(): void {
+    this.#resized.disconnect();
   }
 
   #label(texts: ViewerTexts | null): void {

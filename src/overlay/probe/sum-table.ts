@@ -15,16 +15,22 @@ interface Row {
   readonly cells: readonly HTMLTableCellElement[];
 }
 
+interface LightRow extends Row {
+  readonly button: HTMLButtonElement;
+  /** Why the light adds less than one might expect. */
+  readonly note: HTMLElement;
+}
+
 const COLUMNS = ['light', 'ambient', 'diffuse', 'specular', 'att', 'decay', 'sum'] as const;
 
 export class SumTable {
   readonly element = create('table', {});
-  readonly #caption = create('caption', {});
+  readonly #caption = create('caption', { class: 'reader' });
   readonly #heads = COLUMNS.map(() => create('th', { scope: 'col' }));
   readonly #body = create('tbody', {});
   readonly #foot = create('tfoot', {});
   readonly #choose: () => void;
-  readonly #lightRows: (Row & { readonly button: HTMLButtonElement; readonly note: HTMLElement })[] = [];
+  readonly #lightRows: LightRow[] = [];
   readonly #totalRows: Row[] = [];
   /** The lights of the rows, in their order. */
   #lights: readonly (PhongLight | null)[] = [];
@@ -80,7 +86,7 @@ export class SumTable {
     });
   }
 
-  #addLightRow(): (typeof this.#lightRows)[number] {
+  #addLightRow(): LightRow {
     const button = create('button', { type: 'button' });
     const note = create('small', {});
     const head = create('th', { scope: 'row' });
@@ -132,20 +138,19 @@ export class SumTable {
 
 const contentsOf = (row: SumRow, digits: number): string[] => [
   ...[row.ambient, row.diffuse, row.specular].map((color) => termText(color, digits)),
-  numberText(row.att, 2),
-  numberText(row.decay, 2),
+  factorText(row.att),
+  factorText(row.decay),
   termText(row.total, digits),
 ];
+
+/** 1 for most lights. */
+const factorText = (factor: number): string => numberText(factor, factor === 1 ? 0 : 2);
 
 /** A term that adds nothing is one zero: most are, and the others are easier to find. */
 const termText = (color: Vec3, digits: number): string =>
   color.every((x) => x === 0) ? '0' : tripleText(color, digits);
 
-function resize<Row extends { readonly element: Element }>(
-  rows: Row[],
-  count: number,
-  add: () => Row,
-): void {
+function resize<Row extends { readonly element: Element }>(rows: Row[], count: number, add: () => Row): void {
   for (const { element } of rows.splice(count)) element.remove();
   while (rows.length < count) rows.push(add());
 }
@@ -153,4 +158,3 @@ function resize<Row extends { readonly element: Element }>(
 function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
-
