@@ -1,5 +1,6 @@
 // Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
 // with its first use, and removed again. Knows nothing of what they show.
+import type { ReactiveController } from '@lit/reactive-element';
 import { lazyCode } from '../../scene/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
@@ -44,7 +45,7 @@ const KINDS: readonly Kind[] = [
   },
 ];
 
-export class ViewerExtras {
+export class ViewerExtras implements ReactiveController {
   readonly #host: Omit<ExtraHost, 'tree'>;
   readonly #extras = new Map<Kind, Extra | 'loading'>();
   #tree: ViewerTree | null = null;
@@ -55,6 +56,14 @@ export class ViewerExtras {
 
   connect(tree: ViewerTree): void {
     this.#tree = tree;
+  }
+
+  hostConnected(): void {
+    this.apply();
+  }
+
+  hostDisconnected(): void {
+    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
   }
 
   /** The viewer's values have changed. */
@@ -74,11 +83,6 @@ export class ViewerExtras {
 
   cameraMoved(source: CameraSource): void {
     for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
-  }
-
-  /** The viewer has left the page. A later {@link apply} starts anew. */
-  dispose(): void {
-    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
   }
 
   #drop(kind: Kind): void {
