@@ -1,6 +1,5 @@
 // What does the probe say beside the arrows? The colour, the table of its sum, and the steps of one light, in a box at the picture's lower or
 // upper edge, whichever is away from the point. Knows neither the scene nor the pointer.
-import type { Point } from '../drawing/projection.js';
 import type { Box } from '../drawing/label-layout.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
@@ -43,15 +42,19 @@ export class ProbeBox {
   readonly #table: SumTable;
   readonly #resized = new ResizeObserver(([entry]) => {
     const [size] = entry?.borderBoxSize ?? [];
-    if (size !== undefined && size.blockSize > 0)
-      this.#size = { width: size.inlineSize, height: size.blockSize };
+    if (size === undefined || size.blockSize === 0) return;
+    this.#size = { width: size.inlineSize, height: size.blockSize };
+    this.#changed();
   });
   /** Of the box as it was last laid out: reading it here would cost a layout per frame. */
   #size = { width: 0, height: 0 };
 
-  /** `choose`: another light was chosen. `release`: the button that takes the pin away was pressed. */
-  constructor(choose: () => void, release: () => void) {
-    this.#table = new SumTable(choose);
+  readonly #changed: () => void;
+
+  /** `changed`: another light was chosen, or the box has another size. `release`: the button that takes the pin away was pressed. */
+  constructor(changed: () => void, release: () => void) {
+    this.#changed = changed;
+    this.#table = new SumTable(changed);
     const head = create('p', { class: 'head' });
     head.append(this.#swatch, this.#codes, this.#scale, this.#release);
     this.#scroll.append(this.#table.element);
@@ -90,8 +93,8 @@ export class ProbeBox {
     this.#release.hidden = !pinned;
   }
 
-  /** Moves to the other edge if the point is near. Returns what the box covers of a layer of this size. */
-  keepAwayFrom({ y }: Point, layer: { readonly width: number; readonly height: number }): Box {
+  /** Moves to the other edge if the point, at `y`, is near. Returns what the box covers of a layer of this size. */
+  keepAwayFrom(y: number, layer: { readonly width: number; readonly height: number }): Box {
     const { classList } = this.element;
     const { width, height } = this.#size;
     const reach = height + MARGIN + CLEARANCE;

@@ -3,6 +3,7 @@
 import { type ViewerTexts, phrase } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { create, set } from '../../element/viewer/template.js';
+import { viewerPins } from '../../element/internals.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
@@ -16,7 +17,7 @@ import { listen, type ProbeInputHost } from './probe-input.js';
 import { adoptProbeStyles } from './probe-styles.js';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
 import { trianglePlaces } from './triangle.js';
-import { fragmentText, HIDDEN, NOTHING } from './words.js';
+import { fragmentText, HIDDEN, NOTHING, OUTSIDE } from './words.js';
 
 /**
  * Another surface hides a pinned point if it is nearer to the eye by more than this share of the distance. Nearer by less, it is the same
@@ -26,7 +27,8 @@ const IN_FRONT = 0.005;
 
 /** What the probe shows now. */
 interface Shown {
-  readonly at: Point;
+  /** Null: outside the picture. */
+  readonly at: Point | null;
   /** Null: nothing can be explained there, and `message` says why. */
   readonly fragment: FragmentExplanation | null;
   readonly sum: Sum | null;
@@ -86,6 +88,7 @@ class Probe implements Extra, ProbeInputHost {
   dispose(): void {
     this.#listening.abort();
     this.#cancel();
+    viewerPins.delete(this.#host.viewer);
     this.#announcer.dispose();
     this.#box.dispose();
     this.#root.remove();
@@ -106,7 +109,7 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   pinHere(): void {
-    if (this.#shown !== null && this.#pin === null) this.pin(this.#shown.at);
+    if (this.#free !== null && this.#pin === null) this.pin(this.#free);
   }
 
   release(): boolean {
@@ -122,7 +125,7 @@ class Probe implements Extra, ProbeInputHost {
 
   step(across: number, down: number): void {
     const { width, height } = this.#size;
-    const { x, y } = this.#shown?.at ?? this.#middle;
+    const { x, y } = (this.#pin === null ? this.#free : this.#shown?.at) ?? this.#middle;
     this.#pin = null;
     // Half a pixel inside: there is nothing to explain on the far edges.
     this.#free = inside({ x: x + across, y: y + down }, { width, height }, 0.5);
@@ -200,10 +203,11 @@ class Probe implements Extra, ProbeInputHost {
     const [toPin, pin] = [this.#toPin, this.#pin];
     const projection = this.#projection;
     const at = toPin ?? (pin === null ? this.#free : projection.point(pin));
-    if (at === null) return null;
+    const nothing = { at, fragment: null, sum: null };
+    if (at === null || !isInside(at, projection))
+      return pin === null ? null : { ...nothing, at: null, message: phrase(this.#texts, OUTSIDE) };
     const { viewer, tree, values } = this.#host;
     const zoom = (tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
-    const nothing = { at, fragment: null, sum: null };
     let fragment: FragmentExplanation | null;
     try {
       fragment = await viewer.shadeAt(at.x * zoom, at.y * zoom);
@@ -232,6 +236,7 @@ class Probe implements Extra, ProbeInputHost {
 
   /** Writes what is explained to the page. */
   #show(): void {
+    viewerPins.set(this.#host.viewer, this.#pin);
     const shown = this.#shown;
     const texts = this.#texts;
     this.#box.pinned = this.#pin !== null;
@@ -241,10 +246,11 @@ class Probe implements Extra, ProbeInputHost {
       return;
     }
     const { at, fragment, sum, message } = shown;
-    this.#cursor.style.translate = `${at.x.toFixed(1)}px ${at.y.toFixed(1)}px`;
-    const covered = this.#box.keepAwayFrom(at, this.#size);
-    if (fragment === null || sum === null) {
-      this.#drawing.show(markOf(at, true));
+    const { x, y } = at ?? this.#middle;
+    this.#cursor.style.translate = `${x.toFixed(1)}px ${y.toFixed(1)}px`;
+    const covered = this.#box.keepAwayFrom(y, this.#size);
+    if (at === null || fragment === null || sum === null) {
+      this.#drawing.show(at === null ? [] : markOf(at, true));
       this.#box.showMessage(message, texts);
       this.#announcer.say(message);
       return;
@@ -272,6 +278,9 @@ class Probe implements Extra, ProbeInputHost {
     set(this.#cursor, 'aria-description', phrase(texts, KEYS));
   }
 }
+
+const isInside = ({ x, y }: Point, { width, height }: Projection): boolean =>
+  x >= 0 && x < width && y >= 0 && y < height;
 
 const KEYS =
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';

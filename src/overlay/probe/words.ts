@@ -26,6 +26,7 @@ export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplan
 export const UNLIT = 'Unlit: the colour is the base colour, whatever the lights.';
 export const GOURAUD = 'Gouraud: the terms are those of the triangle’s corners, interpolated.';
 export const HIDDEN = 'Another surface hides the point.';
+export const OUTSIDE = 'The point is outside the picture.';
 export const NOTHING = 'No surface there.';
 
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
