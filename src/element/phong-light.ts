@@ -41,9 +41,3 @@ export const numberedName = (index: number, texts: ViewerTexts | null = null): s
   phrase(texts, 'light {number}', { number: String(index + 1) });
 
 defineProperties(PhongLight.prototype, LIGHT_FIELDS);
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-light': PhongLight;
-  }
-}

@@ -30,7 +30,7 @@ import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { lazy, pictureOf, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { blobOf, lazy, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -137,10 +137,17 @@ export class PhongViewer extends ReactiveElement {
     this.#camera.inView = view.visible;
     this.#readiness.check();
   });
-  readonly #display: ViewerDisplay = new ViewerDisplay(this, {
+  readonly #display: ViewerDisplay = new ViewerDisplay({
     loading: this.#loading,
     failure: this.#failure,
-    scene: this.#viewport.scene,
+    viewer: this,
+    values: this.#store.values,
+    viewport: this.#viewport,
+    camera: this.#camera,
+    children: this.#children,
+    size: () => this.#visibility.size,
+    snapshot: () => this.#snapshot(),
+    ended: () => this.#readiness.check(),
   });
 
   constructor() {
@@ -225,8 +232,7 @@ export class PhongViewer extends ReactiveElement {
   /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
-    const picture = pictureOf(this.#viewport, options);
-    return (await lazy.picture()).pictureBlob(picture, options);
+    return blobOf(this.#viewport, this.#display.extras, options);
   }
 
   /**
@@ -240,7 +246,7 @@ export class PhongViewer extends ReactiveElement {
    */
   async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
     this.#update();
-    const snapshot = viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
+    const snapshot = this.#snapshot();
     return (await lazy.shadeAt()).shadeAt(snapshot, x, y);
   }
 
@@ -322,20 +328,19 @@ export class PhongViewer extends ReactiveElement {
   get #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
+    if (this.#loading.pending || this.#display.extras.pending !== null) return false;
+    return this.#viewport.upToDate || !this.#viewport.drawable;
   }
+
+  readonly #snapshot = (): ViewerSnapshot =>
+    viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
 
   #cameraMoved(source: CameraSource): void {
     // The first framing is not a move.
     if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
+    this.#display.cameraMoved(source);
     this.#panel.changed('camera');
   }
 }
 
 defineProperties(PhongViewer.prototype, VIEWER_FIELDS);
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-viewer': PhongViewer;
-  }
-}

@@ -1,18 +1,18 @@
 // What does a viewer show and say around its picture: poster, progress bar, message, custom states, description? Brings the shadow
 // tree in step with what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
-import type { Scene } from 'three';
 import { checkedTexts, upgradeTexts, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import { ViewerAnnouncements } from './announcements.js';
+import type { CameraSource } from './camera.js';
+import { type ExtraHost, ViewerExtras } from './extras.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { ViewerStates } from './states.js';
 import { ViewerTree } from './template.js';
 
-export interface DisplayHost {
+export interface DisplayHost extends Omit<ExtraHost, 'tree'> {
   readonly loading: ViewerLoading;
   readonly failure: ViewerFailure;
-  readonly scene: Scene;
 }
 
 export class ViewerDisplay {
@@ -20,6 +20,7 @@ export class ViewerDisplay {
   readonly #host: DisplayHost;
   readonly #states: ViewerStates;
   readonly #announcements: ViewerAnnouncements;
+  readonly extras: ViewerExtras;
   /** Null before the element is connected for the first time. */
   #tree: ViewerTree | null = null;
   #texts: ViewerTexts | null = null;
@@ -27,12 +28,14 @@ export class ViewerDisplay {
   #revealed = false;
   #empty = false;
 
-  constructor(viewer: PhongViewer, host: DisplayHost) {
+  constructor(host: DisplayHost) {
+    const { viewer } = host;
     this.#viewer = viewer;
     this.#host = host;
     this.#states = new ViewerStates(viewer);
     this.#announcements = new ViewerAnnouncements(viewer);
-    viewer.addController(this.#announcements);
+    this.extras = new ViewerExtras(host);
+    for (const part of [this.#announcements, this.extras]) viewer.addController(part);
   }
 
   /** `holder` is the element that holds the canvas. Returns the surface: the picture, without the panel. */
@@ -40,6 +43,7 @@ export class ViewerDisplay {
     upgradeTexts(this.#viewer);
     this.#tree = new ViewerTree(root, holder, this.#host.loading.retry);
     this.#announcements.connect(this.#tree);
+    this.extras.connect(this.#tree);
     return this.#tree.surface;
   }
 
@@ -71,11 +75,17 @@ export class ViewerDisplay {
     this.#states.set('loading', loading.pending);
     this.#states.set('error', failure.newest !== null);
     this.#states.set('empty', this.#empty);
+    this.extras.apply();
+  }
+
+  cameraMoved(source: CameraSource): void {
+    this.extras.cameraMoved(source);
   }
 
   /** A frame was drawn. Removes the poster once everything requested has been drawn for the first time. */
   drawn(): void {
     this.checkEmpty();
+    this.extras.drawn();
     const { loading, failure } = this.#host;
     if (this.#revealed || loading.pending || failure.newest !== null) return;
     this.#revealed = true;
@@ -88,6 +98,6 @@ export class ViewerDisplay {
   }
 
   get #isEmpty(): boolean {
-    return !this.#host.loading.wanted && this.#host.scene.children.length === 0;
+    return !this.#host.loading.wanted && this.#host.viewport.scene.children.length === 0;
   }
 }
