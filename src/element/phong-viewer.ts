@@ -94,7 +94,7 @@ export class PhongViewer extends ReactiveElement {
       this.dispatchEvent(new CustomEvent('render'));
     },
     afterFrame: () => this.#readiness.check(),
-    fitted: () => this.#cameraMoved('auto'),
+    fitted: () => this.#camera.fitted(),
     contextMissing: (error) => this.#failure.contextMissing(error),
     contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
@@ -126,7 +126,7 @@ export class PhongViewer extends ReactiveElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    moved: (source) => this.#cameraMoved(source),
+    moved: (source, linked) => this.#cameraMoved(source, linked),
   });
   readonly #visibility = new Visibility(this, this.#holder, (view) => {
     if (view.near) this.#loading.neared();
@@ -152,6 +152,7 @@ export class PhongViewer extends ReactiveElement {
     camera: this.#camera,
     children: this.#children,
     snapshot: () => this.#snapshot(),
+    fetched: () => this.#readiness.check(),
   });
 
   constructor() {
@@ -347,15 +348,15 @@ export class PhongViewer extends ReactiveElement {
   get #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
+    return !this.#loading.pending && !this.#extras.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
   }
 
   readonly #snapshot = (): ViewerSnapshot =>
     viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
 
-  #cameraMoved(source: CameraSource): void {
+  #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
-    if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
+    if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
     this.#extras.cameraMoved(source);
     this.#panel.changed('camera');
   }

@@ -1,5 +1,6 @@
 // Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
 // with its first use, and removed again. Knows nothing of what they show.
+import { lazyCode } from '../../scene/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -18,6 +19,8 @@ export interface ExtraHost {
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
   snapshot(): ViewerSnapshot;
+  /** The code of an extra has arrived, or could not be fetched. */
+  fetched(): void;
 }
 
 export interface Extra {
@@ -29,11 +32,20 @@ export interface Extra {
 }
 
 interface Kind {
-  readonly wanted: (values: Readonly<ViewerValues>) => boolean;
+  readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
-const KINDS: readonly Kind[] = [];
+const KINDS: readonly Kind[] = [
+  {
+    wanted: ({ cameraGroup }, viewer) =>
+      cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+    load: lazyCode(
+      () => import('./camera-group.js').then(({ createMember }) => createMember),
+      'linked cameras',
+    ),
+  },
+];
 
 export class ViewerExtras {
   readonly #host: Omit<ExtraHost, 'tree'>;
@@ -52,10 +64,15 @@ export class ViewerExtras {
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
-      if (!kind.wanted(this.#host.values)) this.#drop(kind);
+      if (!kind.wanted(this.#host.values, this.#host.viewer)) this.#drop(kind);
       else if (extra === undefined) void this.#fetch(kind);
       else if (extra !== 'loading') extra.update();
     }
+  }
+
+  /** Code is under way. What it adds to the picture is missing yet. */
+  get pending(): boolean {
+    return [...this.#extras.values()].includes('loading');
   }
 
   /** A frame was drawn. */
@@ -87,9 +104,11 @@ export class ViewerExtras {
     });
     if (this.#extras.get(kind) !== 'loading') return;
     this.#extras.delete(kind);
-    if (create === undefined || !this.#host.viewer.isConnected) return;
-    const extra = create({ ...this.#host, tree });
-    this.#extras.set(kind, extra);
-    extra.update();
+    if (create !== undefined && this.#host.viewer.isConnected) {
+      const extra = create({ ...this.#host, tree });
+      this.#extras.set(kind, extra);
+      extra.update();
+    }
+    this.#host.fetched();
   }
 }
