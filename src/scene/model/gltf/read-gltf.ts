@@ -1,7 +1,7 @@
 // How are glTF 2 and GLB read? By three's own loader, which gets a reduced and checked document and no addresses to fetch. Bytes and
 // images are provided by index. A separate chunk.
 import type { BufferGeometry, Object3D, Texture } from 'three';
-import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
+import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
@@ -25,8 +25,12 @@ export const readGltf: ModelReader = async (source) => {
   const document = readDocument(json, budget);
   const bytes = gltfBytes(document, body, source);
   const textures = gltfTextures(document, bytes, budget);
-  const plugin: GLTFLoaderPlugin = {
+  const slices = new Slices(source.signal);
+  const turn = turnsOf(slices);
+  const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',
+    loadNode: (index) => turn().then(() => parser.loadNode(index)),
+    loadMesh: (index) => turn().then(() => parser.loadMesh(index)),
     loadBufferView: async (index) => {
       const view = await bytes.view(index);
       const claims = document.draco.get(index);
@@ -34,10 +38,9 @@ export const readGltf: ModelReader = async (source) => {
       return view;
     },
     loadTexture: (index) => textures.texture(index),
-  };
-  const slices = new Slices(source.signal);
+  });
   const loader = new GLTFLoader();
-  loader.register(() => plugin);
+  loader.register(pluginOf);
   try {
     if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
     source.signal.throwIfAborted();
@@ -59,6 +62,12 @@ export const readGltf: ModelReader = async (source) => {
     throw error;
   }
 };
+
+/** A promise for each item of a list that the loader starts at once: they resolve in turn, with pauses in between. */
+function turnsOf(slices: Slices): () => Promise<void> {
+  let last = Promise.resolve();
+  return () => (last = last.then(() => slices.pauseIfDue()));
+}
 
 const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
 
