@@ -2,22 +2,20 @@
 // images are provided by index. A separate chunk.
 import type { BufferGeometry, Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
-import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../limits.js';
-import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
+import { mapsOfLook, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import type { Attribute } from './attributes.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
 import { checkDracoHeader } from './draco-header.js';
+import { dracoLoader } from './draco-loader.js';
 import type { FileIndices } from './geometries.js';
 import { readMotion } from './motion.js';
 import { collectParts } from './parts.js';
 import { gltfTextures, type GltfTextures } from './textures.js';
-
-type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
 
 export const readGltf: ModelReader = async (source) => {
   const budget = new ModelBudget();
@@ -42,7 +40,7 @@ export const readGltf: ModelReader = async (source) => {
   const loader = new GLTFLoader();
   loader.register(pluginOf);
   try {
-    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
+    if (document.draco.size > 0) loader.setDRACOLoader(dracoLoader(slices, source.signal));
     source.signal.throwIfAborted();
     const { scene, parser } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
@@ -67,18 +65,6 @@ export const readGltf: ModelReader = async (source) => {
 function turnsOf(slices: Slices): () => Promise<void> {
   let last = Promise.resolve();
   return () => (last = last.then(() => slices.pauseIfDue()));
-}
-
-const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
-
-async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
-  const module = await decoderCode().catch((cause: unknown) => {
-    throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
-      cause,
-    });
-  });
-  // The loader calls only two methods of this class.
-  return (await module.createDracoAdapter(() => slices.pause())) as unknown as DracoLoader;
 }
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {
