@@ -65,7 +65,7 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   /** The viewer's own attributes have changed. */
-  update(): void {
+  hostUpdated(): void {
     if (this.#surface === null) return;
     this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
     this.#writeDescription();

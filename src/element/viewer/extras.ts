@@ -1,0 +1,99 @@
+// Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
+// with its first use, and removed again. Knows nothing of what they show.
+import type { ReactiveController } from '@lit/reactive-element';
+import type { Viewport } from '../../scene/viewport.js';
+import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { PhongViewer } from '../phong-viewer.js';
+import type { CameraSource, ViewerCamera } from './camera.js';
+import type { ViewerChildren } from './children.js';
+import type { ViewerTree } from './template.js';
+import type { ViewerSnapshot } from './viewer-snapshot.js';
+
+/** What an extra sees of its viewer. */
+export interface ExtraHost {
+  readonly viewer: PhongViewer;
+  readonly values: Readonly<ViewerValues>;
+  readonly viewport: Viewport;
+  readonly camera: ViewerCamera;
+  readonly children: ViewerChildren;
+  /** `tree.layer` lies over the picture and lets the pointer through. */
+  readonly tree: ViewerTree;
+  snapshot(): ViewerSnapshot;
+}
+
+export interface Extra {
+  /** A frame was drawn, or the viewer's own values have changed. */
+  update(): void;
+  /** The camera moved. The frame that shows it follows. */
+  cameraMoved?(source: CameraSource): void;
+  dispose(): void;
+}
+
+interface Kind {
+  readonly wanted: (values: Readonly<ViewerValues>) => boolean;
+  readonly load: () => Promise<(host: ExtraHost) => Extra>;
+}
+
+const KINDS: readonly Kind[] = [];
+
+export class ViewerExtras implements ReactiveController {
+  readonly #host: Omit<ExtraHost, 'tree'>;
+  readonly #extras = new Map<Kind, Extra | 'loading'>();
+  #tree: ViewerTree | null = null;
+
+  constructor(host: Omit<ExtraHost, 'tree'>) {
+    this.#host = host;
+  }
+
+  connect(tree: ViewerTree): void {
+    this.#tree = tree;
+  }
+
+  hostConnected(): void {
+    this.apply();
+  }
+
+  hostDisconnected(): void {
+    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
+  }
+
+  /** The viewer's values have changed. */
+  apply(): void {
+    for (const kind of KINDS) {
+      const extra = this.#extras.get(kind);
+      if (!kind.wanted(this.#host.values)) this.#drop(kind);
+      else if (extra === undefined) void this.#fetch(kind);
+      else if (extra !== 'loading') extra.update();
+    }
+  }
+
+  /** A frame was drawn. */
+  drawn(): void {
+    for (const extra of this.#extras.values()) if (extra !== 'loading') extra.update();
+  }
+
+  cameraMoved(source: CameraSource): void {
+    for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
+  }
+
+  #drop(kind: Kind): void {
+    const extra = this.#extras.get(kind);
+    this.#extras.delete(kind);
+    if (extra !== 'loading') extra?.dispose();
+  }
+
+  async #fetch(kind: Kind): Promise<void> {
+    const tree = this.#tree;
+    if (tree === null) return;
+    this.#extras.set(kind, 'loading');
+    const create = await kind.load().catch((error: unknown) => {
+      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+    });
+    if (this.#extras.get(kind) !== 'loading') return;
+    this.#extras.delete(kind);
+    if (create === undefined || !this.#host.viewer.isConnected) return;
+    const extra = create({ ...this.#host, tree });
+    this.#extras.set(kind, extra);
+    extra.update();
+  }
+}
