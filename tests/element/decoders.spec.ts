@@ -38,11 +38,7 @@ function workersOf(page: Page): readonly string[] {
   return started;
 }
 
-test('a model is the same from the worker and from the main thread', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('a model is the same from the worker and from the main thread', async ({ page, mount }) => {
   const started = workersOf(page);
   const viewer = await mount(scene, size);
   const threaded = await fingerprint(viewer);
