@@ -86,10 +86,7 @@ export class PhongViewer extends ReactiveElement {
     },
     painted: () => this.#loading.drawn(),
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
-    drawn: () => {
-      this.#display.drawn();
-      this.dispatchEvent(new CustomEvent('render'));
-    },
+    drawn: () => this.#display.drawn(),
     afterFrame: () => this.#readiness.check(),
     fitted: () => this.#camera.fitted(),
     contextMissing: (error) => this.#failure.contextMissing(error),
