@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { describe, expect, expectTypeOf, it } from 'vitest';
 import { VIEWER_TEXTS, type ViewerText } from '../../src/element/fields/text-list.js';
 import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
+import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { LIGHT_KINDS } from '../../src/gui/kind-choice.js';
 import { TERMS } from '../../src/material/program/variant.js';
 
@@ -35,6 +36,7 @@ describe('the list of texts', () => {
     expectTypeOf<{ 'Try again': string; 'load-failed': string }>().toExtend<ViewerTexts>();
     expectTypeOf<{ 'Try again': number }>().not.toExtend<ViewerTexts>();
     expectTypeOf<{ retry: string }>().not.toExtend<ViewerTexts>();
+    expectTypeOf<PhongViewerProps['texts']>().toEqualTypeOf<ViewerTexts | null | undefined>();
   });
 });
 
