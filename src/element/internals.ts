@@ -2,6 +2,7 @@
 // its camera.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { CompareValues } from './fields/compare-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 import type { PhongViewer } from './phong-viewer.js';
@@ -11,6 +12,7 @@ interface ValuesByTag {
   'phong-light': LightValues;
   'phong-mesh': MeshValues;
   'phong-viewer': ViewerValues;
+  'phong-compare': CompareValues;
 }
 
 type Tag = keyof ValuesByTag;

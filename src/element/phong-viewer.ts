@@ -348,7 +348,9 @@ export class PhongViewer extends ReactiveElement {
   get #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    return !this.#loading.pending && !this.#extras.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
+    return (
+      !this.#loading.pending && !this.#extras.pending && (this.#viewport.upToDate || !this.#viewport.drawable)
+    );
   }
 
   readonly #snapshot = (): ViewerSnapshot =>
