@@ -9,7 +9,8 @@ const loader = /\(\)=>import\(`(\.\/[^`$]+)`\)/g;
 
 /**
  * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import stays, because a
- * bundler finds the chunk by it; the comments keep bundlers from resolving the other address. In parentheses, as a `.then` may follow.
+ * bundler finds the chunk by it; the comments keep bundlers from resolving the other address. In parentheses, because a call of `then`
+ * may follow.
  */
 export function retried(code: string): string {
   const plain = 'import(`$1`)';
