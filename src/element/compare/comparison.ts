@@ -84,13 +84,12 @@ export class Comparison implements DividerHost {
     this.#places = placesOf(at, this.#viewers.length);
     const labels = this.#labels;
     this.#panes.forEach(({ box, label }, i) => {
-      const [from, to] = [this.#places[i - 1] ?? 0, this.#places[i] ?? 100];
-      box.style.clipPath = split ? this.#clip(from, to) : '';
-      // A viewer that is clipped away draws nothing.
-      box.style.visibility = split && from === to ? 'hidden' : '';
-      box.style.setProperty('--from', `${String(from)}%`);
-      box.style.setProperty('--to', `${String(to)}%`);
+      const [from, to] = split ? [this.#places[i - 1] ?? 0, this.#places[i] ?? 100] : [0, 100];
       const { text = '', isName = false } = labels[i] ?? {};
+      box.style.clipPath = split ? this.#clip(from, to) : '';
+      this.#leaveRoom(box, from, to, text);
+      // A viewer that is clipped away draws nothing.
+      box.style.visibility = from === to ? 'hidden' : '';
       if (label.textContent !== text) label.textContent = text;
       label.hidden = text === '';
       // A viewer says its own name.
@@ -148,6 +147,14 @@ export class Comparison implements DividerHost {
       const surface = viewer.shadowRoot?.querySelector('[part=surface]') ?? viewer;
       this.#observer.observe(surface, { attributeFilter: ['aria-label'] });
     }
+  }
+
+  /** What a viewer shows over its picture, such as its panel, keeps to the visible part. */
+  #leaveRoom({ style }: HTMLElement, from: number, to: number, label: string): void {
+    const [start, end] = this.vertical ? ['top', 'bottom'] : ['start', 'end'];
+    const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : '26px' };
+    const kept = { ...room, [start]: `${String(from)}%`, [end]: `${String(100 - to)}%` };
+    for (const [side, length] of Object.entries(kept)) style.setProperty(`--phong-${side}`, length);
   }
 
   #clip(from: number, to: number): string {
