@@ -2,9 +2,11 @@
 // the element's own events. Derived from the interfaces behind the tables of fields. Knows no framework. Types only.
 import type { LightValues } from '../../light/light-state.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
-import type { PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
+import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
 import type { Inputs } from '../fields/properties.js';
+import type { CompareValues } from '../fields/compare-fields.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { PhongCompare } from '../phong-compare.js';
 import type { PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -21,6 +23,11 @@ export interface Elements {
     readonly element: PhongViewer;
     readonly values: ViewerValues;
     readonly events: PhongViewerEventMap;
+  };
+  readonly compare: {
+    readonly element: PhongCompare;
+    readonly values: CompareValues;
+    readonly events: PhongCompareEventMap;
   };
 }
 

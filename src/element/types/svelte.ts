@@ -21,5 +21,6 @@ declare module 'svelte/elements' {
     'phong-light': Attributes<Elements['light']>;
     'phong-mesh': Attributes<Elements['mesh']>;
     'phong-viewer': Attributes<Elements['viewer']>;
+    'phong-compare': Attributes<Elements['compare']>;
   }
 }
