@@ -1,5 +1,6 @@
 // The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape restores; pointers drag. Places
 // elements over what is drawn, and reports what the user does. Knows no arithmetic of moves.
+import type { ViewerText } from '../../element/fields/text-list.js';
 import { phrase } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
 import { numberedName, type PhongLight } from '../../element/phong-light.js';
@@ -141,7 +142,7 @@ export class Handles {
     element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
     const { texts } = this.#host.viewer;
     const { values } = fieldsOf(light).store;
-    const name = values.name || numberedName(index);
+    const name = values.name || numberedName(index, texts);
     const label =
       part === 'place'
         ? lightText(texts, name, values)
@@ -229,7 +230,7 @@ export class Handles {
   }
 
   /** Announces a text, politely. */
-  #say(text: string): void {
+  #say(text: ViewerText | ''): void {
     this.#region.textContent = text === '' ? '' : phrase(this.#host.viewer.texts, text);
   }
 

@@ -96,7 +96,7 @@ export class LightHelpers {
     const { texts } = this.#host.viewer;
     const names = lights.map((light, i) => {
       const { values } = fieldsOf(light).store;
-      return shortened(lightName(texts, values.name || numberedName(i), values));
+      return shortened(lightName(texts, values.name || numberedName(i, texts), values));
     });
     const places = marks.map(({ handles }) => handles[0]!.at);
     const placed = placeLabels(
