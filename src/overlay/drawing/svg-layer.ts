@@ -1,6 +1,6 @@
 // How is a display list shown on the page? As SVG, which is crisp at any resolution and zoom. Elements are kept from list to list, and
 // only what differs is written. Knows nothing of what the list means.
-import { DASHES, FONT, OUTLINE, type Primitive } from './display-list.js';
+import { DASHES, FONT, outlineOf, type Primitive } from './display-list.js';
 import { HALO } from './contrast.js';
 import type { Point } from './projection.js';
 
@@ -72,7 +72,13 @@ function write(elements: readonly SVGElement[], primitive: Primitive): void {
       : { d: pathOf(primitive.lines, primitive.filled === true) };
   const filled = primitive.kind === 'stroke' && primitive.filled === true;
   const inner = primitive.kind === 'disc' ? (primitive.fill ?? 'none') : filled ? color : 'none';
-  set(halo, { ...shape, ...line, fill: 'none', stroke: HALO, 'stroke-width': String(width + 2 * OUTLINE) });
+  set(halo, {
+    ...shape,
+    ...line,
+    fill: 'none',
+    stroke: HALO,
+    'stroke-width': String(width + 2 * outlineOf(primitive)),
+  });
   if (core !== undefined)
     set(core, {
       ...shape,

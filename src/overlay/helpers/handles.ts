@@ -94,10 +94,6 @@ export class Handles {
     this.#list.hidden = true;
   }
 
-  dispose(): void {
-    this.hide();
-  }
-
   #keyOf(light: PhongLight, part: Part): string {
     let id = this.#ids.get(light);
     if (id === undefined) this.#ids.set(light, (id = this.#lastId += 1));
