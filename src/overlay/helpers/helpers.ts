@@ -34,13 +34,17 @@ class Helpers implements Extra {
     this.#root = host.tree.layer.getRootNode() as ShadowRoot;
     addStyles(this.#root, styles);
     this.#element.append(this.#svg.element);
-    const changed = (): void => this.update();
+    const changed = (): void => this.#show(false);
     this.#lights = new LightHelpers(host, this.#element, changed);
     this.#objects = new SceneHelpers(host, changed);
     host.tree.layer.append(this.#element);
   }
 
   update(): void {
+    this.#show(true);
+  }
+
+  #show(isFrame: boolean): void {
     const view = this.#look();
     const { helpers } = this.#host.values;
     const hasLights = view !== null && helpers.includes('lights');
@@ -51,7 +55,7 @@ class Helpers implements Extra {
       return;
     }
     const objects = this.#objects.show(view, this.#scene, helpers);
-    const lights = hasLights ? this.#lights.show(view, this.#scene) : NO_DRAWING;
+    const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
     this.#svg.show(listOf([objects, lights], view));
   }
 

@@ -41,10 +41,10 @@ export class LightHelpers {
     this.#occlusion = new Occlusion(host, changed);
   }
 
-  /** Shows the handles, and gives what to draw. */
-  show(view: Projection, scene: SceneBall): Drawing {
+  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn. */
+  show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
     const { lights } = this.#host.children;
-    let changed = false;
+    const changed: PhongLight[] = [];
     for (const light of this.#known.keys()) if (!lights.includes(light)) this.#known.delete(light);
     for (const light of lights) {
       const { values } = fieldsOf(light).store;
@@ -52,14 +52,15 @@ export class LightHelpers {
       const known = this.#known.get(light);
       if (known?.view === view && known.hidden === hidden && sameValues(known.values, values)) continue;
       // Otherwise only what hides it has changed, which is known.
-      changed ||= known === undefined || known.hidden === hidden;
+      if (known === undefined || known.hidden === hidden) changed.push(light);
       const marks = lightMarks(values, view, scene, hidden);
       this.#known.set(light, { values: { ...values }, view, hidden, marks });
     }
     const marks = lights.map((light) => this.#known.get(light)!.marks);
     this.#handles.show(lights, marks, view, scene);
     const places = new Map(lights.map((light, i) => [light, marks[i]!.placed.place]));
-    this.#occlusion.follow(view, places, changed);
+    // A frame for another reason than a light: a mesh may have moved.
+    this.#occlusion.follow(view, places, isFrame && changed.length === 0 ? lights : changed);
     return this.#drawing(lights, marks);
   }
 

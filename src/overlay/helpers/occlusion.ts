@@ -22,8 +22,8 @@ export class Occlusion<Key> {
   #view: Projection | null = null;
   #places: ReadonlyMap<Key, Vec3> = new Map();
   #timer = 0;
-  /** Something has changed since the last series of rays began. */
-  #stale = false;
+  /** Places that may have changed since the last series of rays began. */
+  readonly #stale = new Set<Key>();
 
   constructor(host: ExtraHost, changed: () => void) {
     this.#host = host;
@@ -40,56 +40,57 @@ export class Occlusion<Key> {
     return this.#hidden.get(key) === false;
   }
 
-  /** Finds out what hides these places. `changed`: they, the view or the scene may have. */
-  follow(view: Projection, places: ReadonlyMap<Key, Vec3>, changed: boolean): void {
+  /** Finds out what hides these places. `changed`: those for which that may have changed. */
+  follow(view: Projection, places: ReadonlyMap<Key, Vec3>, changed: Iterable<Key>): void {
     this.#view = view;
     this.#places = places;
-    this.#stale ||= changed;
+    for (const key of changed) this.#stale.add(key);
     this.#wait();
   }
 
   stop(): void {
     clearTimeout(this.#timer);
     this.#timer = 0;
-    this.#stale = false;
+    this.#stale.clear();
     this.#hidden.clear();
   }
 
   #wait(): void {
-    if (this.#stale && this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
+    if (this.#stale.size > 0 && this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
   }
 
   readonly #start = (): void => {
     this.#timer = 0;
-    this.#stale = false;
+    const keys = [...this.#stale];
+    this.#stale.clear();
     const view = this.#view;
     const { scene } = this.#host.snapshot();
     if (view === null || scene === null) return;
     for (const key of this.#hidden.keys()) if (!this.#places.has(key)) this.#hidden.delete(key);
-    this.#test(view, scene, this.#places.entries(), false);
+    this.#test(view, scene, keys, false);
   };
 
   /** Tests one slice of the places that are left; `differs`: some before were found to differ. */
-  #test(view: Projection, scene: SceneSnapshot, left: MapIterator<[Key, Vec3]>, differs: boolean): void {
+  #test(view: Projection, scene: SceneSnapshot, left: Key[], differs: boolean): void {
     const end = performance.now() + SLICE;
     let differ = differs;
-    let next = left.next();
-    for (; next.done !== true; next = left.next()) {
-      const [key, place] = next.value;
+    do {
+      const key = left.pop();
+      const place = key === undefined ? undefined : this.#places.get(key);
+      if (key === undefined || place === undefined) continue;
       const hidden = isBehind(place, view, scene);
       if (hidden !== this.#hidden.get(key)) differ = true;
       this.#hidden.set(key, hidden);
-      if (performance.now() >= end) break;
-    }
-    if (next.done !== true) {
+    } while (left.length > 0 && performance.now() < end);
+    if (left.length > 0)
       this.#timer = window.setTimeout(() => {
         this.#timer = 0;
         this.#test(view, scene, left, differ);
       });
-      return;
+    else {
+      if (differ) this.#changed();
+      this.#wait();
     }
-    if (differ) this.#changed();
-    this.#wait();
   }
 }
 

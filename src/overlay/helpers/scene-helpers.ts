@@ -42,7 +42,7 @@ export class SceneHelpers {
     this.#hidingChanged = false;
     const asked = new Map<string, Vec3>();
     this.#drawing = this.#drawingOf(view, scene, helpers, meshes, asked);
-    this.#occlusion.follow(view, asked, changed);
+    this.#occlusion.follow(view, asked, changed ? asked.keys() : []);
     return this.#drawing;
   }
 
