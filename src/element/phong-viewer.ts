@@ -30,7 +30,7 @@ import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { lazy, pictureOf, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { blobOf, lazy, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -87,12 +87,9 @@ export class PhongViewer extends ReactiveElement {
     },
     painted: () => this.#loading.drawn(),
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
-    drawn: () => {
-      this.#display.drawn();
-      this.dispatchEvent(new CustomEvent('render'));
-    },
+    drawn: () => this.#display.drawn(),
     afterFrame: () => this.#readiness.check(),
-    fitted: () => this.#cameraMoved('auto'),
+    fitted: () => this.#camera.fitted(),
     contextMissing: (error) => this.#failure.contextMissing(error),
     contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
@@ -124,7 +121,7 @@ export class PhongViewer extends ReactiveElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    moved: (source) => this.#cameraMoved(source),
+    moved: (source, linked) => this.#cameraMoved(source, linked),
   });
   readonly #visibility = new Visibility(this, this.#holder, (view) => {
     if (view.near) this.#loading.neared();
@@ -146,7 +143,9 @@ export class PhongViewer extends ReactiveElement {
     viewport: this.#viewport,
     camera: this.#camera,
     children: this.#children,
+    size: () => this.#visibility.size,
     snapshot: () => this.#snapshot(),
+    ended: () => this.#readiness.check(),
   });
 
   constructor() {
@@ -231,8 +230,7 @@ export class PhongViewer extends ReactiveElement {
   /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
-    const picture = pictureOf(this.#viewport, options);
-    return (await lazy.picture()).pictureBlob(picture, options);
+    return blobOf(this.#viewport, this.#display.extras, options);
   }
 
   /**
@@ -328,15 +326,16 @@ export class PhongViewer extends ReactiveElement {
   get #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
+    if (this.#loading.pending || this.#display.extras.pending !== null) return false;
+    return this.#viewport.upToDate || !this.#viewport.drawable;
   }
 
   readonly #snapshot = (): ViewerSnapshot =>
     viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
 
-  #cameraMoved(source: CameraSource): void {
+  #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
-    if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
+    if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
     this.#display.cameraMoved(source);
     this.#panel.changed('camera');
   }

@@ -4,10 +4,10 @@
 // second; announces only what the user changed. Knows nothing of drawing.
 import type { ReactiveController } from '@lit/reactive-element';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
+import type { PhongViewerEventMap } from '../events.js';
 import { fieldsOf } from '../internals.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import type { CameraSource } from './camera.js';
 import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
 import { keysText, nameSurface } from './naming.js';
 import { create, set, type ViewerTree } from './template.js';
@@ -21,7 +21,7 @@ const PAUSE = 1000;
 /** Lights in one announcement. */
 const ANNOUNCED = 3;
 
-/** Events in which the panel writes to lights. */
+/** Events in which the panel, and what lies over the picture, write to lights. */
 const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
 
 export class ViewerAnnouncements implements ReactiveController {
@@ -40,22 +40,23 @@ export class ViewerAnnouncements implements ReactiveController {
   /** Lights were added, removed or moved. */
   #counted = false;
   readonly #lights = new Set<PhongLight>();
-  /** The last event in the panel. */
+  /** The last event in the panel or over the picture. */
   #panelEvent: Event | null = null;
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
     viewer.addEventListener('render', () => this.#update());
-    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail.source));
+    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail));
     viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
   /** Takes its place beside the picture. */
-  connect({ surface, panel }: ViewerTree): void {
+  connect({ surface, layer, panel }: ViewerTree): void {
     this.#surface = surface;
     surface.after(this.#reader);
-    for (const type of PANEL_EVENTS)
-      panel.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
+    for (const part of [panel, layer])
+      for (const type of PANEL_EVENTS)
+        part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
   }
 
   hostDisconnected(): void {
@@ -77,14 +78,15 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
 
-  #onCamera(source: CameraSource): void {
-    if (source === 'script' || source === 'auto') return;
+  /** The viewer that the user moves speaks for those linked to it. */
+  #onCamera({ source, linked }: PhongViewerEventMap['camera-change']['detail']): void {
+    if (source === 'script' || source === 'auto' || linked === true) return;
     this.#cameraMoved = true;
     this.#userActed();
   }
 
   #onLights(lights: readonly PhongLight[]): void {
-    // The panel writes while an event of the user is dispatched to it. All other writes are a script's.
+    // These write while an event of the user is dispatched to them. All other writes are a script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
     if (lights.length === 0) this.#counted = true;
     for (const light of lights) this.#lights.add(light);

@@ -20,7 +20,7 @@ export class ViewerDisplay {
   readonly #host: DisplayHost;
   readonly #states: ViewerStates;
   readonly #announcements: ViewerAnnouncements;
-  readonly #extras: ViewerExtras;
+  readonly extras: ViewerExtras;
   /** Null before the element is connected for the first time. */
   #tree: ViewerTree | null = null;
   #texts: ViewerTexts | null = null;
@@ -34,8 +34,8 @@ export class ViewerDisplay {
     this.#host = host;
     this.#states = new ViewerStates(viewer);
     this.#announcements = new ViewerAnnouncements(viewer);
-    this.#extras = new ViewerExtras(host);
-    for (const part of [this.#announcements, this.#extras]) viewer.addController(part);
+    this.extras = new ViewerExtras(host);
+    for (const part of [this.#announcements, this.extras]) viewer.addController(part);
   }
 
   /** `holder` is the element that holds the canvas. Returns the surface: the picture, without the panel. */
@@ -43,7 +43,7 @@ export class ViewerDisplay {
     upgradeTexts(this.#viewer);
     this.#tree = new ViewerTree(root, holder, this.#host.loading.retry);
     this.#announcements.connect(this.#tree);
-    this.#extras.connect(this.#tree);
+    this.extras.connect(this.#tree);
     return this.#tree.surface;
   }
 
@@ -75,17 +75,23 @@ export class ViewerDisplay {
     this.#states.set('loading', loading.pending);
     this.#states.set('error', failure.newest !== null);
     this.#states.set('empty', this.#empty);
-    this.#extras.apply();
+    this.extras.apply();
   }
 
   cameraMoved(source: CameraSource): void {
-    this.#extras.cameraMoved(source);
+    this.extras.cameraMoved(source);
   }
 
-  /** A frame was drawn. Removes the poster once everything requested has been drawn for the first time. */
+  /** A frame was drawn. */
   drawn(): void {
     this.checkEmpty();
-    this.#extras.drawn();
+    this.extras.drawn();
+    this.#reveal();
+    this.#viewer.dispatchEvent(new CustomEvent('render'));
+  }
+
+  /** Removes the poster once everything requested has been drawn for the first time. */
+  #reveal(): void {
     const { loading, failure } = this.#host;
     if (this.#revealed || loading.pending || failure.newest !== null) return;
     this.#revealed = true;

@@ -21,6 +21,10 @@ export class SvgLayer {
   });
   #shown: Shown[] = [];
 
+  constructor() {
+    this.element.style.font = FONT;
+  }
+
   /** Shows exactly this. A primitive that is the same object as before at its place in the list costs nothing. */
   show(list: readonly Primitive[]): void {
     list.forEach((primitive, i) => {
@@ -56,7 +60,6 @@ function write(elements: readonly SVGElement[], primitive: Primitive): void {
     set(halo, { x: round(at.x), y: round(at.y), fill: color, stroke: HALO, 'stroke-width': '3', opacity });
     // As attributes: a style attribute is text that a strict CSP refuses.
     set(halo, { 'paint-order': 'stroke', 'stroke-linejoin': 'round' });
-    halo.style.font = FONT;
     if (halo.textContent !== text) halo.textContent = text;
     return;
   }

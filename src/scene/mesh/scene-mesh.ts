@@ -223,7 +223,7 @@ export class SceneMesh {
   }
 
   get #wantedShading(): Shading {
-    return this.#values.shading ?? this.#host.materials.style.shading;
+    return this.#host.materials.geometryShading(this.#values.shading ?? null);
   }
 
   /** Ends any load and frees everything. */
