@@ -23,6 +23,7 @@ export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events,
 export type PhongLightProps = ElementProps<Elements['light']>;
 export type PhongMeshProps = ElementProps<Elements['mesh']>;
 export type PhongViewerProps = ElementProps<Elements['viewer']>;
+export type PhongCompareProps = ElementProps<Elements['compare']>;
 
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
 /** @ts-ignore */
@@ -33,6 +34,7 @@ declare module 'react' {
       'phong-light': PhongLightProps;
       'phong-mesh': PhongMeshProps;
       'phong-viewer': PhongViewerProps;
+      'phong-compare': PhongCompareProps;
     }
   }
 }

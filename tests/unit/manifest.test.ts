@@ -125,7 +125,7 @@ describe("JetBrains' web-types and VS Code's data", () => {
 });
 
 describe('the types of properties and JSX', () => {
-  it('take one number where the property takes it for three', () => {
+  it('take one number where the property takes it for a list', () => {
     const typed: Record<SingleNumber, true> = {
       ambient: true,
       diffuse: true,
@@ -134,6 +134,7 @@ describe('the types of properties and JSX', () => {
       kd: true,
       ks: true,
       scale: true,
+      at: true,
     };
     const found = Object.values(tables.fields)
       .flatMap((fields) => Object.entries(fields))

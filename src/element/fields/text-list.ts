@@ -178,6 +178,9 @@ export const VIEWER_TEXTS = [
   'linear',
   'edges',
   'highlights',
+  // Compared viewers
+  'Divider',
+  'Divider between {first} and {second}',
 ] as const;
 
 export type ViewerText = (typeof VIEWER_TEXTS)[number];

@@ -38,6 +38,7 @@ declare module 'solid-js' {
       'phong-light': Attributes<Elements['light']>;
       'phong-mesh': Attributes<Elements['mesh']>;
       'phong-viewer': Attributes<Elements['viewer']>;
+      'phong-compare': Attributes<Elements['compare']>;
     }
   }
 }

@@ -22,5 +22,6 @@ declare module 'svelte/elements' {
     'phong-light': Attributes<Elements['light']>;
     'phong-mesh': Attributes<Elements['mesh']>;
     'phong-viewer': Attributes<Elements['viewer']>;
+    'phong-compare': Attributes<Elements['compare']>;
   }
 }

@@ -28,5 +28,6 @@ declare module 'vue' {
     'phong-light': Component<Elements['light']>;
     'phong-mesh': Component<Elements['mesh']>;
     'phong-viewer': Component<Elements['viewer']>;
+    'phong-compare': Component<Elements['compare']>;
   }
 }
