@@ -50,6 +50,25 @@ test('texts replaces every text of the panel, of the picture and of its descript
   expect(left.filter((text) => !/^[-\d., e]+$/.test(text)).sort()).toEqual(['Sonne', 'Szene', '↑', '↓']);
 });
 
+test('texts replaces every text of helpers, legend and probe', async ({ page, mount }) => {
+  const viewer = await mount(
+    `<phong-viewer alt="Szene" geometry="sphere" helpers="lights" view="light-count" probe probe-at="0 0 0.5" phi="90" theta="0">
+      <phong-light name="Sonne"></phong-light><phong-light position="1 2 3 1" cutoff="4" axis="0 -1 0"></phong-light></phong-viewer>`,
+  );
+  await assign(viewer, { texts: bracketed });
+  await expect(viewer.locator('[part=probe]')).toContainText('[light 2]');
+  await page.mouse.move(300, 200);
+  await expect
+    .poll(() => textsIn(viewer))
+    .toEqual(expect.arrayContaining(['[Lights in the picture]', '[Lights and meshes]']));
+  const left = (await textsIn(viewer)).filter((text) => !isReplaced(text));
+  // Without numbers, the names of vectors, and the cross of the button "Unpin".
+  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual([
+    'Sonne',
+    'Szene',
+  ]);
+});
+
 test('texts relabels an open panel, which stays as it is', async ({ page, mount }) => {
   const viewer = await mount(scene);
   const sun = await opened(viewer, 'Sonne');
