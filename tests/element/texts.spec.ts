@@ -126,6 +126,23 @@ test('texts replaces what buttons of the panel say for a while', async ({ page, 
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
+test('a panel that is removed while the clipboard is asked leaves nothing behind', async ({
+  page,
+  mount,
+}) => {
+  await page.addInitScript(() => {
+    const writeText = () => new Promise<void>((resolve) => Object.assign(window, { allow: resolve }));
+    Object.defineProperty(navigator, 'clipboard', { value: { writeText } });
+  });
+  const viewer = await mount(scene);
+  await button(viewer, 'copy HTML').click();
+  await assign(viewer, { gui: false });
+  await expect(panelOf(viewer)).toHaveCount(0);
+  await page.evaluate(() => (window as unknown as { allow: () => void }).allow());
+  await assign(viewer, { gui: true });
+  await expect(button(viewer, 'copy HTML')).toBeVisible();
+});
+
 test('texts replaces announcements, and messages by their code, with the cause and the address', async ({
   page,
   mount,
