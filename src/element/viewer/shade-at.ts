@@ -1,8 +1,7 @@
 // Explains one fragment of a viewer's picture: what a pixel shows, with each light's terms by the equation in float64. That
 // code is fetched with the first explanation. Knows nothing of rays or triangles.
 import type { Mesh } from 'three';
-import type { LightValues } from '../../light/light-state.js';
-import { add, map, subtract, type Vec3 } from '../../math/vector.js';
+import { add, map, type Vec3 } from '../../math/vector.js';
 import type { LightShare } from '../../reference/index.js';
 import { lazyCode } from '../../scene/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
@@ -12,7 +11,7 @@ import type { ViewerSnapshot } from './viewer-snapshot.js';
 import type { PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import { shadeHit, type Subject } from './shade-hit.js';
+import { relative, shadeHit, type Subject } from './shade-hit.js';
 
 /** One light's share of a fragment. Frozen. */
 export interface LightExplanation extends LightShare {
@@ -119,13 +118,6 @@ function pixel(name: string, at: unknown, size: number, pixels: number): number 
     throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
   if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
   return Math.floor((at * pixels) / size);
-}
-
-/** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
-function relative(values: LightValues, origin: Vec3): LightValues {
-  const [x, y, z, w] = values.position;
-  if (w === 0 || values.space === 'camera') return values;
-  return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
 
 /** Adding 0 turns -0 into 0, so that equal vectors print alike. */
