@@ -4,14 +4,6 @@
 
 uniform float uViewLights; // lights that could be counted, at least 1
 uniform float uViewOpen; // leading lights that have no cone
-const vec3 SCALE[] = vec3[](SCALE_COLORS);
-
-/** The colour for t in [0, 1]: linear between the colours of SCALE, which are evenly spaced. */
-vec3 scaleColor(float t) {
-  float at = t * float(SCALE.length() - 1);
-  int low = min(int(at), SCALE.length() - 2);
-  return mix(SCALE[low], SCALE[low + 1], at - float(low));
-}
 
 /** A bit for each channel that is not black: red 1, green 2, blue 4. */
 int channelBits(vec3 color) {
@@ -63,15 +55,19 @@ vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float
   CellSpots cell = cellSpots(p);
   for (int i = 0; i < cell.count; i++) count += countLight(listedRow(cell.first + i), at);
   int spots = unlistedSpots();
+  for (int i = 0; i < spots; i++, row += SPOT_ROWS) count += countLight(row, at);
 #else
   int open = int(uViewOpen);
   for (int i = 0; i < open; i++, row += SPOT_ROWS) {
     vec4 light = lightRow(row + SPOT_POSITION);
     count += int(adds(light, light.xyz - p, at));
   }
-  int spots = int(lightRow(HEADER_COUNTS).z) - open;
+#ifdef HAS_CONE
+  int cones = int(lightRow(HEADER_COUNTS).z) - open;
+  for (int i = 0; i < cones; i++, row += SPOT_ROWS) count += countLight(row, at);
 #endif
-  for (int i = 0; i < spots; i++, row += SPOT_ROWS) count += countLight(row, at);
 #endif
-  return scaleColor(float(count) / uViewLights);
+#endif
+  float t = float(count) / uViewLights;
+  return SCALE_COLOR; // of t
 }

@@ -1,17 +1,18 @@
 // Explains one fragment of a viewer's picture: what a pixel shows, with each light's terms by the equation in float64. That
 // code is fetched with the first explanation. Knows nothing of rays or triangles.
 import type { Mesh } from 'three';
+import type { LightValues } from '../../light/light-state.js';
 import { add, map, type Vec3 } from '../../math/vector.js';
-import type { LightShare } from '../../reference/index.js';
+import type { LightShare, Shaded } from '../../reference/index.js';
 import { lazyCode } from '../../scene/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
-import { pick } from '../../scene/snapshot/pick.js';
-import { surfaceAt } from '../../scene/snapshot/surface-at.js';
+import { type Hit, pick } from '../../scene/snapshot/pick.js';
+import { type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
 import type { PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import { relative, shadeHit, type Subject } from './shade-hit.js';
+import { type Equation, relative, shadeHit } from './shade-hit.js';
 
 /** One light's share of a fragment. Frozen. */
 export interface LightExplanation extends LightShare {
@@ -75,12 +76,10 @@ export async function shadeAt(
   const hit = scene === null ? null : pick(scene, column, row);
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
-  const surface = surfaceAt(phong, hit.drawn.geometry, hit, hit.base);
-  const subject: Subject = { hit, corners: cornersOf(hit), surface };
   const equation = await referenceCode();
-  const shaded = shadeHit(
+  const { surface, shaded } = shadedAt(
     equation,
-    subject,
+    hit,
     lights.map(({ values }) => relative(values, hit.frame.origin)),
   );
   const { ka, kd, ks } = equation.coefficientsOf(surface, phong.linear);
@@ -111,6 +110,19 @@ export async function shadeAt(
     color: frozen(shaded.color),
   });
 }
+
+/** What the picture shows of a hit, and its surface. `lights` are relative to the frame's origin. */
+export function shadedAt(
+  equation: Equation,
+  hit: Hit,
+  lights: readonly LightValues[],
+): { readonly surface: SurfaceHere; readonly shaded: Shaded } {
+  const { phong, geometry } = hit.drawn;
+  const surface = surfaceAt(phong, geometry, hit, hit.base);
+  return { surface, shaded: shadeHit(equation, { hit, corners: cornersOf(hit), surface }, lights) };
+}
+
+export { pick, relative };
 
 /** The device pixel at CSS pixel `at`. The GPU draws the fragment at its centre. */
 function pixel(name: string, at: unknown, size: number, pixels: number): number {

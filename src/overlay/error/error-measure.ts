@@ -2,12 +2,11 @@
 // are. Knows neither viewers nor canvases.
 import type { LightValues } from '../../light/light-state.js';
 import { dot, type Vec3 } from '../../math/vector.js';
-import { type Equation, relative, shadeHit } from '../../element/viewer/shade-hit.js';
+import type * as ShadeAt from '../../element/viewer/shade-at.js';
+import type { Equation } from '../../element/viewer/shade-hit.js';
 import type { Slices } from '../../scene/model/slices.js';
-import { cornersOf } from '../../scene/snapshot/corners.js';
-import { type Hit, pick } from '../../scene/snapshot/pick.js';
+import type { Hit } from '../../scene/snapshot/pick.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
-import { surfaceAt } from '../../scene/snapshot/surface-at.js';
 
 /** Side of the first pass's blocks in pixels; each later pass halves it. */
 const COARSEST = 16;
@@ -17,6 +16,11 @@ const COARSEST = 16;
  * if it is 100 pixels wide.
  */
 const EDGE_COSINE = 0.978;
+
+/** What explains a pixel. */
+export type PixelCode = Pick<typeof ShadeAt, 'pick' | 'relative' | 'shadedAt'> & {
+  readonly equation: Equation;
+};
 
 export interface Picture {
   readonly width: number;
@@ -40,7 +44,7 @@ export class ErrorMeasure implements Measured {
   readonly #picture: Picture;
   readonly #scene: SceneSnapshot;
   readonly #lights: readonly Readonly<LightValues>[];
-  readonly #equation: Equation;
+  readonly #code: PixelCode;
   /** By pixel: which surface is seen, 0 for none; under flat shading each triangle is one. */
   readonly #surfaces: Int32Array;
   readonly #normals: Float32Array;
@@ -52,13 +56,13 @@ export class ErrorMeasure implements Measured {
     picture: Picture,
     scene: SceneSnapshot,
     lights: readonly Readonly<LightValues>[],
-    equation: Equation,
+    code: PixelCode,
   ) {
     const pixels = picture.width * picture.height;
     this.#picture = picture;
     this.#scene = scene;
-    this.#lights = lights.map((light) => relative(light, scene.frame.origin));
-    this.#equation = equation;
+    this.#lights = lights.map((light) => code.relative(light, scene.frame.origin));
+    this.#code = code;
     this.errors = new Float32Array(pixels).fill(NaN);
     this.#surfaces = new Int32Array(pixels);
     this.#normals = new Float32Array(3 * pixels);
@@ -107,21 +111,16 @@ export class ErrorMeasure implements Measured {
     const at = y * width + x;
     // Pixels at an outline are averages.
     if (data[4 * at + 3] !== 255) return NaN;
+    const { pick, shadedAt, equation } = this.#code;
     const hit = pick(this.#scene, x, y);
     if (hit === null || hit.base.opacity < 1) return NaN;
-    const { color, N } = this.#shade(hit);
+    const { color, N } = shadedAt(equation, hit, this.#lights).shaded;
     this.#surfaces[at] = this.#surfaceOf(hit);
     this.#normals.set(N, 3 * at);
     let error = 0;
     for (let i = 0; i < 3; i++) error = Math.max(error, Math.abs(data[4 * at + i]! - 255 * color[i]!));
     this.errors[at] = error;
     return error;
-  }
-
-  #shade(hit: Hit): { readonly color: Vec3; readonly N: Vec3 } {
-    const { phong, geometry } = hit.drawn;
-    const surface = surfaceAt(phong, geometry, hit, hit.base);
-    return shadeHit(this.#equation, { hit, corners: cornersOf(hit), surface }, this.#lights);
   }
 
   #surfaceOf({ drawn, triangle }: Hit): number {

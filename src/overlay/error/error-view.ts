@@ -6,7 +6,7 @@ import type { LightValues } from '../../light/light-state.js';
 import { scaleColor } from '../../material/view/scale.js';
 import { lazyCode } from '../../scene/lazy-code.js';
 import { Slices } from '../../scene/model/slices.js';
-import { ErrorMeasure } from './error-measure.js';
+import { ErrorMeasure, type PixelCode } from './error-measure.js';
 import { type PictureSnapshot, snapshotOf } from './picture-snapshot.js';
 
 /** Milliseconds without a new frame until the picture counts as still. */
@@ -15,7 +15,8 @@ const STILL_MS = 100;
 /** Milliseconds of a task: 8 less what painting the canvas and the last pixel take. */
 const TASK_MS = 6;
 
-const equation = lazyCode(() => import('../../reference/index.js'), 'the error view');
+const equationCode = lazyCode(() => import('../../reference/index.js'), 'the error view');
+const pixelCode = lazyCode(() => import('../../element/viewer/shade-at.js'), 'the error view');
 
 export interface ErrorViewHost extends ExtraHost {
   /** The lights that the picture is drawn with. */
@@ -88,7 +89,7 @@ export class ErrorView {
     const context = this.#canvas.getContext('2d');
     if (context === null) return;
     try {
-      const measure = new ErrorMeasure(drawn, scene, lights, await equation());
+      const measure = new ErrorMeasure(drawn, scene, lights, await codeOfPixels());
       const slices = new Slices(signal, TASK_MS);
       await slices.pause(); // capturing took a task of its own
       const shown = context.createImageData(width, height);
@@ -118,6 +119,11 @@ export class ErrorView {
   }
 }
 
+async function codeOfPixels(): Promise<PixelCode> {
+  const [pixel, equation] = await Promise.all([pixelCode(), equationCode()]);
+  return { ...pixel, equation };
+}
+
 /** Draws the error of a picture on the picture itself; where none is known, the picture stays. */
 export async function drawError(
   picture: HTMLCanvasElement,
@@ -126,7 +132,7 @@ export async function drawError(
 ): Promise<void> {
   const drawn = pixelsOf(picture);
   const shown = new ImageData(new Uint8ClampedArray(drawn.data), drawn.width, drawn.height);
-  const measure = new ErrorMeasure(drawn, scene, lights, await equation());
+  const measure = new ErrorMeasure(drawn, scene, lights, await codeOfPixels());
   const slices = new Slices(new AbortController().signal, TASK_MS);
   await measure.run(slices, painter(shown, drawn, end), () => undefined);
   picture.getContext('2d')?.putImageData(shown, 0, 0);
