@@ -71,7 +71,7 @@ export class LightBuffer {
     if (first === end) return;
     let last = end - 1;
     while (kept[last] === data[last]) last -= 1;
-    for (let i = first; i <= last; i++) kept[i] = data[i]!;
+    kept.set(data.subarray(first, last + 1), first);
     this.#version += 1;
     this.#contentKey = `${String(this.#id)}:${String(this.#version)}`;
     this.#addStale(first >> 2, (last >> 2) + 1);
