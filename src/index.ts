@@ -27,6 +27,7 @@ export type { NumberList } from './element/fields/properties.js';
 export type { PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
 export type {} from './element/types/solid.js';
 export type {} from './element/types/svelte.js';
+export type {} from './element/types/tag-names.js';
 export type {} from './element/types/vue.js';
 export type { PictureOptions } from './element/viewer/picture-blob.js';
 export type { FragmentExplanation, LightExplanation } from './element/viewer/shade-at.js';

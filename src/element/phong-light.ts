@@ -39,9 +39,3 @@ export class PhongLight extends ChildElement<LightValues> {
 export const numberedName = (index: number): string => `light ${String(index + 1)}`;
 
 defineProperties(PhongLight.prototype, LIGHT_FIELDS);
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-light': PhongLight;
-  }
-}

@@ -198,11 +198,14 @@ export function choiceField<T extends string>(fallback: T, choices: readonly T[]
 const MOST_WORDS = 1000;
 
 /** Any subset of the choices, in the choices' order, each once. */
-export function subsetField<T extends string>(choices: readonly T[]): Field<readonly T[]> {
+export function subsetField<T extends string>(
+  choices: readonly T[],
+  fallback: readonly T[] = choices,
+): Field<readonly T[]> {
   const expected = `any of ${choices.join(', ')}`;
   return {
     kind: 'words',
-    fallback: Object.freeze([...choices]),
+    fallback: Object.freeze([...fallback]),
     expected,
     check(value) {
       // Spread first: holes become undefined, which is no word.

@@ -1,8 +1,7 @@
 // One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
 // nor attributes nor where input comes from.
 import type { Object3D, Scene } from 'three';
-import { zoomLimits } from '../camera/fit.js';
-import type { RadiusLimits } from '../camera/drag.js';
+import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
@@ -234,10 +233,10 @@ export class Viewport implements StageClient, Framed {
     if (this.#fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();
   }
 
-  /** Limits of the camera's radius. */
-  get zoomLimits(): RadiusLimits {
+  /** The meshes' bounds as last measured; null where the scene shows nothing. */
+  get bounds(): Bounds | null {
     this.settle();
-    return zoomLimits(this.#fit.bounds);
+    return this.#fit.bounds;
   }
 
   /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */

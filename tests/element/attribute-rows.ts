@@ -196,6 +196,20 @@ const terms: Row = {
   ],
 };
 
+const helpers: Row = {
+  ...terms,
+  attribute: 'helpers',
+  fallback: [],
+  valid: [
+    ['', ['lights']],
+    ['grid lights', ['lights', 'grid']],
+    ['Axes, AXES', ['axes']],
+    ['lights axes grid normals bounds', ['lights', 'axes', 'grid', 'normals', 'bounds']],
+  ],
+  malformed: ['all', 'light'],
+  outside: ['lights cameras'],
+};
+
 const presence = (attribute: string): Row => ({
   attribute,
   fallback: false,
@@ -283,6 +297,12 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
       outside: ['0', '-1', '1e999', '2e6'],
       refused: [[0, 'RangeError'], [NaN, 'RangeError'], [[1], 'TypeError'], ['sharp', 'TypeError']], // prettier-ignore
     },
+    helpers,
+    choice('view', 'shaded', 'shaded', 'diffuse', 'n-dot-l', 'light-count', 'error'),
+    { ...text('view-light', ''), property: 'viewLight' },
+    presence('probe'),
+    { ...vector('probe-at', null, 1e15), property: 'probeAt' },
+    { ...text('camera-group', ''), property: 'cameraGroup' },
     presence('gui'),
   ],
 };

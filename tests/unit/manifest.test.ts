@@ -79,7 +79,7 @@ describe('the custom elements manifest', () => {
     const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'render'];
     expect(events!.map(({ name }) => name).sort()).toEqual(names.sort());
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
-    expect(slots!.map(({ name }) => name)).toEqual(['', 'error']);
+    expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
     expect(cssParts!.map(({ name }) => name)).toEqual(expect.arrayContaining(['surface', 'panel']));
     expect(declared('phong-mesh').events!.map(({ name }) => name)).toEqual(['load', 'error']);
   });

@@ -144,6 +144,18 @@ export interface ViewerProperties extends ShapeProperties, ViewerValues {
   set antialias(value: Viewer['antialias']);
   get pixelRatio(): ViewerValues['pixelRatio'];
   set pixelRatio(value: Viewer['pixelRatio']);
+  get helpers(): ViewerValues['helpers'];
+  set helpers(value: Viewer['helpers']);
+  get view(): ViewerValues['view'];
+  set view(value: Viewer['view']);
+  get viewLight(): ViewerValues['viewLight'];
+  set viewLight(value: Viewer['viewLight']);
+  get probe(): ViewerValues['probe'];
+  set probe(value: Viewer['probe']);
+  get probeAt(): ViewerValues['probeAt'];
+  set probeAt(value: Viewer['probeAt']);
+  get cameraGroup(): ViewerValues['cameraGroup'];
+  set cameraGroup(value: Viewer['cameraGroup']);
   get gui(): ViewerValues['gui'];
   set gui(value: Viewer['gui']);
 }

@@ -21,7 +21,7 @@ const PAUSE = 1000;
 /** Lights in one announcement. */
 const ANNOUNCED = 3;
 
-/** Events in which the panel writes to lights. */
+/** Events in which the panel, and what lies over the picture, write to lights. */
 const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
 
 export class ViewerAnnouncements implements ReactiveController {
@@ -40,7 +40,7 @@ export class ViewerAnnouncements implements ReactiveController {
   /** Lights were added, removed or moved. */
   #counted = false;
   readonly #lights = new Set<PhongLight>();
-  /** The last event in the panel. */
+  /** The last event in the panel or over the picture. */
   #panelEvent: Event | null = null;
 
   constructor(viewer: PhongViewer) {
@@ -51,11 +51,12 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   /** Takes its place beside the picture. */
-  connect({ surface, panel }: ViewerTree): void {
+  connect({ surface, layer, panel }: ViewerTree): void {
     this.#surface = surface;
     surface.after(this.#reader);
-    for (const type of PANEL_EVENTS)
-      panel.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
+    for (const part of [panel, layer])
+      for (const type of PANEL_EVENTS)
+        part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
   }
 
   hostDisconnected(): void {
@@ -65,7 +66,7 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   /** The viewer's own attributes have changed. */
-  update(): void {
+  hostUpdated(): void {
     if (this.#surface === null) return;
     this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
     this.#writeDescription();
@@ -84,7 +85,7 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   #onLights(lights: readonly PhongLight[]): void {
-    // The panel writes while an event of the user is dispatched to it. All other writes are a script's.
+    // These write while an event of the user is dispatched to them. All other writes are a script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
     if (lights.length === 0) this.#counted = true;
     for (const light of lights) this.#lights.add(light);

@@ -2,6 +2,7 @@
 // move by themselves, since the same holds for the turntable. Knows
 // neither lights nor meshes.
 import type { ReactiveController } from '@lit/reactive-element';
+import { zoomLimits } from '../../camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
 import { newBasis, type Pose } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
@@ -198,7 +199,7 @@ export class ViewerCamera implements ReactiveController {
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
       fov: () => viewport.fov,
-      radiusLimits: () => viewport.zoomLimits,
+      radiusLimits: () => zoomLimits(viewport.bounds),
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.

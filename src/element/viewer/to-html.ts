@@ -3,7 +3,7 @@ import type { FieldStore } from '../../fields/field-store.js';
 import { fileName } from '../../scene/mesh/file-name.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
-import { fieldsOf, viewerCameras } from '../internals.js';
+import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';
 import type { PhongViewer } from '../phong-viewer.js';
 
 /** The page's own attributes that are kept. */
@@ -12,7 +12,7 @@ const KEPT = ['id', 'class', 'style'];
 /** Wrappers that are written as they are; others, such as custom elements, which may bring lights of their own, become `div`. */
 const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
 
-/** The viewer with its meshes and lights in document order, in their wrappers. The camera is the one shown now. */
+/** The viewer with its meshes and lights in document order, in their wrappers. The camera and a pinned point are those shown now. */
 export function sceneMarkup(viewer: PhongViewer): string {
   const { theta, phi, radius, target } = viewer.camera;
   const framing = viewerCameras.get(viewer)?.placement.framing;
@@ -21,6 +21,7 @@ export function sceneMarkup(viewer: PhongViewer): string {
     phi,
     radius: framing?.radius === 'auto' ? 'auto' : radius,
     target: framing?.target === 'auto' ? 'auto' : target,
+    ...(viewerPins.has(viewer) ? { probeAt: viewerPins.get(viewer) } : {}),
   };
   const tree = treeOf(viewer);
   const write = (element: Element, indent: string): string => {
