@@ -54,6 +54,7 @@ const KINDS: readonly Kind[] = [
     wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
     load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
   },
+  {
     wanted: ({ probe }) => probe,
     load: lazyCode(
       () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
