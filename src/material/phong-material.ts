@@ -6,7 +6,6 @@ import {
   FrontSide,
   GLSL3,
   Material,
-  Matrix3,
   type Mesh,
   NormalBlending,
   RawShaderMaterial,
