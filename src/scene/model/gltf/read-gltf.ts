@@ -4,7 +4,7 @@ import type { BufferGeometry, Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
 import { lazyCode } from '../../lazy-code.js';
 import type { ModelReader } from '../format.js';
-import { ModelBudget } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import type { Attribute } from './attributes.js';
