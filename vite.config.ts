@@ -38,6 +38,8 @@ export default defineConfig({
     ],
   },
   server: { fs: { allow: [repository] } },
+  // Workers are modules of their own, built by Vite as a user's are.
+  worker: { format: 'es', plugins: () => [dracoDecoder()] },
   build: {
     outDir: outputFolder('site'),
     emptyOutDir: true,

@@ -4,6 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
 import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
@@ -36,12 +37,15 @@ const entries: Readonly<Record<string, string>> = {
   playwright: source('playwright.ts'),
 };
 
+const workerPlugins = (): Plugin[] => [dracoDecoder(), licences({ listed: false })];
+
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
   publicDir: false,
   plugins: [
     dracoDecoder(),
     strippedGlsl(),
+    decoderWorkers({ plugins: workerPlugins }),
     ...(mode === 'react'
       ? [besideIndex, licences({ listed: false, directive: clientDirective })]
       : [licences({ listed: false })]),

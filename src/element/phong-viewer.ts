@@ -86,12 +86,9 @@ export class PhongViewer extends ReactiveElement {
     },
     painted: () => this.#loading.drawn(),
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
-    drawn: () => {
-      this.#display.drawn();
-      this.dispatchEvent(new CustomEvent('render'));
-    },
+    drawn: () => this.#display.drawn(),
     afterFrame: () => this.#readiness.check(),
-    fitted: () => this.#cameraMoved('auto'),
+    fitted: () => this.#camera.fitted(),
     contextMissing: (error) => this.#failure.contextMissing(error),
     contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
@@ -123,7 +120,7 @@ export class PhongViewer extends ReactiveElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    moved: (source) => this.#cameraMoved(source),
+    moved: (source, linked) => this.#cameraMoved(source, linked),
   });
   readonly #visibility = new Visibility(this, this.#holder, (view) => {
     if (view.near) this.#loading.neared();
@@ -335,9 +332,9 @@ export class PhongViewer extends ReactiveElement {
   readonly #snapshot = (): ViewerSnapshot =>
     viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
 
-  #cameraMoved(source: CameraSource): void {
+  #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
-    if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
+    if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
     this.#display.cameraMoved(source);
     this.#panel.changed('camera');
   }

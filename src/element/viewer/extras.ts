@@ -38,7 +38,7 @@ export interface Extra {
 }
 
 interface Kind {
-  readonly wanted: (values: Readonly<ViewerValues>) => boolean;
+  readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
@@ -59,6 +59,14 @@ const KINDS: readonly Kind[] = [
     load: lazyCode(
       () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
       'the probe',
+    ),
+  },
+  {
+    wanted: ({ cameraGroup }, viewer) =>
+      cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+    load: lazyCode(
+      () => import('./camera-group.js').then(({ createMember }) => createMember),
+      'linked cameras',
     ),
   },
 ];
@@ -89,7 +97,7 @@ export class ViewerExtras implements ReactiveController {
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
-      if (!kind.wanted(this.#host.values)) this.#drop(kind);
+      if (!kind.wanted(this.#host.values, this.#host.viewer)) this.#drop(kind);
       else if (extra === undefined) this.#wait(this.#fetch(kind));
       else if (extra !== 'loading') extra.update();
     }
