@@ -335,7 +335,7 @@ export class PhongViewer extends ReactiveElement {
   #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
     if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
-    this.#display.cameraMoved(source);
+    this.#display.cameraMoved(source, linked);
     this.#panel.changed('camera');
   }
 }

@@ -50,7 +50,12 @@ export interface CameraLink {
 }
 
 /** Values that act when they are assigned: the viewer needs no update for them. */
-export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
+export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>([
+  'theta',
+  'phi',
+  'radius',
+  'target',
+]);
 
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;
