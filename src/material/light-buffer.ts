@@ -38,6 +38,9 @@ export class LightBuffer {
   /** 1 / the texture's width and height. */
   readonly textureScale = new Vector2(1 / TEXTURE_WIDTH, 1);
 
+  /** The last version that was counted as an upload; kept by its lighting. */
+  counted = -1;
+
   /** Goes up whenever a number changes. */
   get version(): number {
     return this.#version;
