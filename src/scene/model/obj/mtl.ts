@@ -1,5 +1,5 @@
-// Which materials does an MTL file define? Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they are written:
-// encoded sRGB, no conversion. Other statements are skipped. Knows no textures but their names.
+// Which materials does an MTL file define? Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they are written,
+// but for an Ns of 0: encoded sRGB, no conversion. Other statements are skipped. Knows no textures but their names.
 import type { Vec3 } from '../../../math/vector.js';
 import { LIMITS } from '../../../light/light-state.js';
 import { TextScanner } from '../text/text-scanner.js';
@@ -137,7 +137,14 @@ function readMap(text: string): MtlMap | null {
 
 const finite = (value: number, fallback: number): number => (Number.isFinite(value) ? value : fallback);
 
-function finished({ dissolved: _, ...material }: Draft): MtlMaterial {
+/**
+ * `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for plain surfaces. As an exponent it would add
+ * all of Ks to every lit point.
+ */
+const PLAIN = { ks: [0, 0, 0] } as const;
+
+function finished({ dissolved: _, ...draft }: Draft): MtlMaterial {
+  const material = draft.shininess === 0 ? { ...draft, ...PLAIN } : draft;
   const { kd, map } = material;
   // A texture without a colour is shown as it is.
   const diffuse = kd ?? (map === null ? undefined : ([1, 1, 1] as const));
