@@ -197,6 +197,8 @@ describe('the materials of an OBJ file', () => {
     ['d 0.5\nTr 1', 0.5],
     ['Tr 1\nd 1', 1],
     ['Tr 0.75', 0.25],
+    // Nobody saves an invisible material: the writer means opacity.
+    ['Tr 1.000000', 1],
     ['d -halo 0.5', 0.5],
     ['d 7', 1],
     ['d', 1],

@@ -69,7 +69,9 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft): 
   } else if (keyword === 'tr') {
     const transparency = scanner.number();
     // Some exporters write both, and mean opacity by both. `d` is the older and the defined one.
-    if (!Number.isNaN(transparency) && !material.dissolved) material.opacity = 1 - clamped(transparency);
+    if (Number.isNaN(transparency) || material.dissolved) return;
+    // 1 would be invisible. Programs that write it mean opaque.
+    material.opacity = transparency < 1 ? 1 - clamped(transparency) : 1;
   } else if (keyword === 'map_kd') {
     material.map = readMap(scanner.rest());
   }
