@@ -43,7 +43,7 @@ export const LEAST_ROUGHNESS = 0.045;
 export const FULL_LOBE = 34;
 
 /** A lobe with a smaller exponent ends in an edge where R·V reaches 0, and at 0 it is a flat patch. Reached at a roughness of 0.76. */
-export const LEAST_EXPONENT = 1;
+export const LEAST_FILE_EXPONENT = 1;
 
 /**
  * The exponent n of R·V for a roughness of 0–1: 1 from 0.76 on, 7.5 for 0.5, 312 for 0.2.
@@ -54,7 +54,7 @@ export const LEAST_EXPONENT = 1;
  */
 export function exponentOfRoughness(roughness: number): number {
   const alpha = Math.max(roughness, LEAST_ROUGHNESS) ** 2;
-  return Math.max(0.5 / (alpha * alpha) - 0.5, LEAST_EXPONENT);
+  return Math.max(0.5 / (alpha * alpha) - 0.5, LEAST_FILE_EXPONENT);
 }
 
 /**
