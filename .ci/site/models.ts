@@ -31,7 +31,7 @@ export interface ModelEntries {
 
 /** The lights turn with the eye, as those of the other picture do. */
 const LIGHTS = `
-  <phong-light name="key" space="camera" position="-1 2 2 0" ambient="140 140 140" diffuse="265 265 265" specular="200 200 200"></phong-light>
+  <phong-light name="key" space="camera" position="-1 2 2 0" ambient="145 145 145" diffuse="285 285 285" specular="200 200 200"></phong-light>
   <phong-light name="fill" space="camera" position="3 0 1 0" diffuse="140 140 140" specular="100 100 100"></phong-light>`;
 
 /** Items of a list. */
