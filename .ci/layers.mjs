@@ -23,9 +23,14 @@ export const layers = {
   scene: { layers: ['material', 'camera', 'light', 'fields', 'math'], packages: ['three'] },
   element: {
     layers: ['core', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
-    lazy: ['reference'],
+    lazy: ['overlay', 'reference'],
     packages: ['@lit/reactive-element'],
     types: ['three', 'react', 'solid-js', 'svelte', 'vue'],
+  },
+  overlay: {
+    layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
+    lazy: ['reference'],
+    types: ['three'],
   },
   gui: {
     layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],

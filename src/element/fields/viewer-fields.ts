@@ -11,6 +11,7 @@ import {
   type Term,
   TERMS,
 } from '../../material/program/variant.js';
+import { type View, VIEWS } from '../../material/views.js';
 import type { Fields } from '../../fields/field-store.js';
 import {
   booleanField,
@@ -28,6 +29,10 @@ import { SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js'
 
 export type Loading = 'auto' | 'eager' | 'lazy';
 export type ColorInterpolation = 'srgb' | 'linear';
+
+/** What can be drawn over the picture. */
+export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
+export type Helper = (typeof HELPERS)[number];
 
 export interface CameraValues {
   /** Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z. Default 30. */
@@ -80,6 +85,21 @@ export interface ViewerValues extends ShapeValues, CameraValues {
    * blurred. Default auto.
    */
   pixelRatio: number | 'auto';
+  /**
+   * What is drawn over the picture: `lights` with handles that move them, `axes`, `grid`, `normals`, `bounds`. As an attribute without a
+   * value: `lights`. Default none.
+   */
+  helpers: readonly Helper[];
+  /** What the picture shows: the shaded colours, or one quantity of the equation with a legend. Default shaded. */
+  view: View;
+  /** Name of the light that `view` is limited to. Empty, the default: all lights, or the first active one where a view is of one. */
+  viewLight: string;
+  /** The user can point at the picture to see N, L, R and V there, and the sum light by light. Default false. */
+  probe: boolean;
+  /** Point in world space whose nearest fragment the probe explains until the user points elsewhere. Null, the default: none. */
+  probeAt: Vec3 | null;
+  /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
+  cameraGroup: string;
   /** The control panel is shown. Default false. */
   gui: boolean;
 }
@@ -114,6 +134,12 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   antialias: choiceField<Antialias>('edges', ANTIALIASES),
   // Any limit far above what screens have would do.
   pixelRatio: orWord('auto', numberField(1, { above: 0, max: 1e6 })),
+  helpers: { ...subsetField<Helper>(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },
+  view: choiceField<View>('shaded', VIEWS),
+  viewLight: textField(),
+  probe: presenceField(),
+  probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
+  cameraGroup: textField(),
   gui: presenceField(),
 };
 

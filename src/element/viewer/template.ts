@@ -19,6 +19,8 @@ export interface ViewerLook {
 export class ViewerTree {
   /** The picture, without the panel. */
   readonly surface = create('div', { part: 'surface' });
+  /** Over the picture; the pointer goes through it. */
+  readonly layer = create('div', { class: 'layer' });
   /** The control panel's place. */
   readonly panel = create('div', { class: 'panel', part: 'panel' });
   readonly #poster = create('img', { class: 'poster', part: 'poster', alt: '' });
@@ -44,7 +46,7 @@ export class ViewerTree {
     const slot = create('slot', { name: 'error' });
     slot.append(this.#notice, this.#retry);
     this.#message.append(slot);
-    for (const part of [this.surface, this.panel, create('slot', {})]) root.appendChild(part);
+    for (const part of [this.surface, this.layer, this.panel, create('slot', {})]) root.appendChild(part);
   }
 
   update({ poster, fixed, loading, failure, texts }: ViewerLook): void {
@@ -59,7 +61,11 @@ export class ViewerTree {
     const { newest, retryable } = failure;
     if (newest === null) this.#removeMessage();
     else {
-      write(this.#notice, texts?.[newest.code] ?? newest.message);
+      const { code, message, url } = newest;
+      write(
+        this.#notice,
+        texts?.[code] === undefined ? message : phrase(texts, code, { message, url: url ?? '' }),
+      );
       write(this.#retry, phrase(texts, 'Try again'));
       this.#retry.hidden = !retryable;
       if (this.#message.parentNode === null) this.panel.before(this.#message);

@@ -10,6 +10,7 @@ import type {
   PerspectiveCamera,
 } from 'three';
 import type { Sides } from '../../material/back-faces.js';
+import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { type BaseLook, PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
@@ -59,10 +60,13 @@ export function drawnObjects<Owner>(
   if (!hidden && object.layers.test(camera.layers)) {
     const phong = material instanceof PhongMaterial ? material : null;
     const owner = isMesh === true && phong !== null ? ownerOf(object) : undefined;
+    // A view may show separate triangles where the shading is smooth.
+    const shown =
+      geometry !== undefined && phong?.style.shading !== 'flat' ? smoothGeometry(geometry) : geometry;
     into.push({
       object,
       matrixWorld: object.matrixWorld.clone(),
-      geometry: geometry !== undefined && owner !== undefined ? still(geometry) : geometry,
+      geometry: shown !== undefined && owner !== undefined ? still(shown) : shown,
       material,
       owner,
       phong: owner === undefined || phong === null ? null : phongLook(phong),
