@@ -37,7 +37,7 @@ for (const scheme of ['light', 'dark'] as const) {
       }, property);
     const [text, ground] = [await brightness('color'), await brightness('backgroundColor')];
     expect(scheme === 'light' ? ground - text : text - ground).toBeGreaterThan(200);
-    for (const title of ['lamp', 'Camera', 'Shading', 'Material', 'Meshes', 'ball'])
+    for (const title of ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'])
       await opened(viewer, title);
     expect(await violationsOf(page)).toEqual([]);
   });
@@ -93,7 +93,7 @@ for (const [width, height, of] of [
       await page.setViewportSize({ width, height });
       const viewer = await mount(scene, { width, height });
       await titleOf(viewer, 'Controls').click();
-      for (const title of ['lamp', 'Camera', 'Shading', 'Material', 'Meshes', 'ball'])
+      for (const title of ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'])
         await opened(viewer, title);
       await assign(viewer, { texts });
       await expectNothingCut(viewer);

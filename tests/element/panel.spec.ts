@@ -25,7 +25,14 @@ test('has a folder for lights, camera, shading and material, and one for meshes 
 }) => {
   const viewer = await mount(scene('gui', 'sun', 'lamp'));
   await expect(titleOf(viewer, 'Material')).toBeVisible();
-  expect(await titlesIn(panelOf(viewer))).toEqual(['Lights', 'Camera', 'Shading', 'Material', 'Meshes']);
+  expect(await titlesIn(panelOf(viewer))).toEqual([
+    'Lights',
+    'Camera',
+    'Shading',
+    'Show',
+    'Material',
+    'Meshes',
+  ]);
   await expect(titleOf(viewer, 'Meshes')).toBeHidden();
   await viewer.evaluate((element: PhongViewer) => {
     element.geometry = null;
