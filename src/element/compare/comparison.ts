@@ -2,6 +2,7 @@
 // others. Knows neither cameras nor pictures.
 import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';
+import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
@@ -42,6 +43,7 @@ export class Comparison implements DividerHost {
     for (const type of ['pointerover', 'focusin'] as const)
       root.addEventListener(type, () => this.update(), { signal: this.#listeners.signal });
     this.update();
+    inspect(element);
   }
 
   get vertical(): boolean {
