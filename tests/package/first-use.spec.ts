@@ -57,7 +57,7 @@ const uses: readonly Use[] = [
     use: (viewer) => viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size),
     chunks: ['picture-blob'],
   },
-  { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['shade-at'] },
+  { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['pick', 'shade-at'] },
   { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
@@ -68,7 +68,7 @@ const uses: readonly Use[] = [
     use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-compare'))),
     chunks: ['comparison'],
   },
-  { what: 'the panel', use: set({ gui: true }), chunks: ['panel'] },
+  { what: 'the panel', use: set({ gui: true }), chunks: ['history', 'panel'] },
   {
     what: 'a model',
     use: set({ src: '/fixtures/models/textured.glb' }),
