@@ -26,6 +26,7 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 export { PhongCompare, PhongLight, PhongMesh, PhongViewer };
 export type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
+export type { ViewerTexts } from './element/fields/texts.js';
 export type { PhongCompareProps, PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
 export type {} from './element/types/solid.js';
 export type {} from './element/types/svelte.js';

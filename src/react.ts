@@ -14,6 +14,7 @@ import {
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
+import type { ViewerTexts } from './element/fields/texts.js';
 import type { ComponentProps } from './element/jsx.js';
 import type { Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
@@ -83,6 +84,7 @@ function component<P extends object>(
     const handlers: [type: string, handler: EventListener][] = [];
     for (const [name, value] of Object.entries(props)) {
       const type = EVENTS.get(name);
+      if (name === 'texts') continue;
       const attribute = attributeOf(name);
       const text = isValue.has(attribute) ? attributeText(value) : undefined;
       if (type !== undefined) {
@@ -92,6 +94,11 @@ function component<P extends object>(
       else rendered[name === 'className' ? 'class' : name] = value;
     }
     useImperativeHandle(ref, () => element.current, []);
+    // A property without an attribute: React 18 would write one, and no version sets it when it hydrates.
+    const { texts } = props as { readonly texts?: ViewerTexts | null };
+    useClientEffect(() => {
+      if (element.current !== null && 'texts' in element.current) element.current.texts = texts;
+    }, [texts]);
     useClientEffect(() => {
       const target = element.current;
       for (const [type, handler] of handlers) target?.addEventListener(type, handler);

@@ -12,6 +12,7 @@ import type { ClassAttributes, HTMLAttributes } from 'react';
 type Unheard<Events> = `on${Capitalize<keyof Events & string>}`;
 
 type ElementProps<E extends AnyElement> = ValueProps<E['values']> &
+  E['properties'] &
   EventProps<E['events'], 'on'> &
   ClassAttributes<E['element']> &
   Omit<HTMLAttributes<E['element']>, keyof ValueProps<E['values']> | Unheard<E['events']>>;

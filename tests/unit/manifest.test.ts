@@ -74,12 +74,27 @@ describe('the custom elements manifest', () => {
       expect(member.description, member.name).toBeTruthy();
   });
 
-  it('lists the events with their details, the slots and the parts', () => {
-    const { events, slots, cssParts } = declared('phong-viewer');
+  it('lists properties without an attribute, once', () => {
+    const writable = (tag: string) =>
+      declared(tag).members!.filter(
+        (member) => member.kind === 'field' && !member.readonly && !('attribute' in member),
+      );
+    expect(writable('phong-viewer')).toMatchObject([{ name: 'texts', type: { text: 'ViewerTexts | null' } }]);
+    expect(writable('phong-light')).toEqual([]);
+    const { properties } = webTypes(elements, {
+      name: 'x',
+      version: '1.0.0',
+    }).contributions.html.elements.find(({ name }) => name === 'phong-viewer')!.js;
+    expect(properties.filter(({ name }) => name === 'texts')).toMatchObject([{ type: 'ViewerTexts | null' }]);
+  });
+
+  it('lists the events with their details, the slots, the parts and the states', () => {
+    const { events, slots, cssParts, cssStates } = declared('phong-viewer');
     const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'render'];
     expect(events!.map(({ name }) => name).sort()).toEqual(names.sort());
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
     expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
+    expect(cssStates!.map(({ name }) => name)).toEqual(['loading', 'error', 'empty']);
     expect(cssParts!.map(({ name }) => name)).toEqual(expect.arrayContaining(['surface', 'panel']));
     expect(declared('phong-mesh').events!.map(({ name }) => name)).toEqual(['load', 'error']);
   });
