@@ -133,6 +133,21 @@ test('a viewer that leaves its group moves alone, and takes the camera of the on
   expect((await expectOnePose(page)).theta).toBe(10);
 });
 
+test('a viewer that is moved on its page keeps the camera of its group, and says nothing', async ({
+  page,
+  mount,
+}) => {
+  const first = await mount(pair('', 'fov="20"'), size);
+  const before = JSON.stringify(await expectOnePose(page));
+  const heard = await record(first, 'camera-change');
+  const others = await record(page.locator('phong-viewer').nth(1), 'camera-change');
+  await page.evaluate(() => document.body.append(document.querySelector('phong-viewer')!));
+  await allReady(page);
+  await nextFrame(page);
+  expect(JSON.stringify(await expectOnePose(page))).toBe(before);
+  expect([...(await heard.take()), ...(await others.take())]).toEqual([]);
+});
+
 test('one turntable turns a group, and waits while any viewer is dragged', async ({ page, mount }) => {
   const first = await mount(pair('auto-rotate="30"', 'auto-rotate="-700"'), size);
   const heard = await record(page.locator('phong-viewer').nth(1), 'camera-change');
