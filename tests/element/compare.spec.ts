@@ -223,6 +223,27 @@ test('a drag on either picture turns both, and a name of a camera group keeps a 
   expect(await cameraOf(viewers[0]!)).not.toEqual(first);
 });
 
+test('two fingers on both sides of a divider are one pinch', async ({ page, mount }) => {
+  await compared(page, mount, comparison());
+  const viewers = [0, 1].map((i) => page.locator('phong-viewer').nth(i));
+  const before = await cameraOf(viewers[0]!);
+  const fingers = await Fingers.on(page);
+  await fingers.down([150, 100]);
+  await fingers.down([150, 100], [250, 100]);
+  await fingers.move([125, 100], [275, 100]);
+  await fingers.move([100, 100], [300, 100]);
+  const after = await cameraOf(viewers[1]!);
+  expect(after.theta).toBe(before.theta);
+  expect(after.radius).toBeCloseTo(before.radius / 2, 6);
+  expect(await cameraOf(viewers[0]!)).toEqual(after);
+  await fingers.up();
+  // Each finger alone turns both.
+  await fingers.down([300, 100]);
+  await fingers.move([340, 100]);
+  await fingers.up();
+  expect((await cameraOf(viewers[0]!)).theta).toBeLessThan(before.theta);
+});
+
 test('a move draws each viewer once, and none that the divider hides', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();

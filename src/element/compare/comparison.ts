@@ -12,6 +12,7 @@ import { create, set } from '../viewer/template.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './places.js';
+import { SharedTouch } from './shared-touch.js';
 
 interface Pane {
   readonly box: HTMLElement;
@@ -42,6 +43,7 @@ export class Comparison implements DividerHost {
     // The direction of the text may have changed, which no event reports.
     for (const type of ['pointerover', 'focusin'] as const)
       root.addEventListener(type, () => this.update(), { signal: this.#listeners.signal });
+    new SharedTouch(root, this.#listeners.signal);
     this.update();
     inspect(element);
   }
