@@ -50,7 +50,7 @@ export class Handles {
     this.#list.addEventListener('focusout', () => this.#endKeys());
     // The picture below zooms, if it may.
     this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
-    listenToPointers(this.#list, host.tree.layer, {
+    listenToPointers(this.#list, place, {
       press: (element) => {
         const shown = this.#byElement.get(element);
         if (shown === undefined) return false;
