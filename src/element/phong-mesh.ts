@@ -29,9 +29,3 @@ export class PhongMesh extends ChildElement<MeshValues> {
 }
 
 defineProperties(PhongMesh.prototype, MESH_FIELDS);
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-mesh': PhongMesh;
-  }
-}

@@ -6,7 +6,7 @@ import { FieldStore } from '../fields/field-store.js';
 import { LightSet } from '../light/light-set.js';
 import { Viewport } from '../scene/viewport.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import { checkedTexts, upgradeTexts, type ViewerTexts } from './fields/texts.js';
+import type { ViewerTexts } from './fields/texts.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
@@ -16,22 +16,21 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import styles from './phong-viewer.css?inline';
-import { ViewerAnnouncements } from './viewer/announcements.js';
 import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
-import { ViewerExtras } from './viewer/extras.js';
 import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
 import { ViewerPanel } from './viewer/panel.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import { NAMING } from './viewer/naming.js';
+import { applyStyle } from './viewer/picture-style.js';
 import { Readiness } from './viewer/readiness.js';
 import type { FragmentExplanation } from './viewer/shade-at.js';
 import type { ViewerStats } from './viewer/stats.js';
 import { sceneMarkup } from './viewer/to-html.js';
-import { lazy, pictureOf, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
+import { blobOf, lazy, type ViewerSnapshot, viewerSnapshot } from './viewer/viewer-snapshot.js';
 
 export interface PhongViewer extends ViewerProperties {
   readonly localName: 'phong-viewer';
@@ -52,6 +51,7 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart notice - the element's own message when something fails
  * @csspart retry - the button under that message, which tries again what failed
  * @csspart panel - the control panel's place
+ * @csspart probe - the box of `probe`: a point's colour and the table of its sum
  * @cssState loading - something requested has not arrived yet
  * @cssState error - something has failed and still does
  * @cssState empty - nothing to show is declared, and `scene` holds no object
@@ -71,7 +71,6 @@ export class PhongViewer extends ReactiveElement {
   readonly #holder: HTMLElement = Object.assign(document.createElement('div'), { className: 'holder' });
   readonly #events = new EventQueue(this);
   readonly #panel = new ViewerPanel(this);
-  readonly #announcements = new ViewerAnnouncements(this);
   readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
@@ -88,13 +87,9 @@ export class PhongViewer extends ReactiveElement {
     },
     painted: () => this.#loading.drawn(),
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
-    drawn: () => {
-      this.#display.drawn();
-      this.#extras.drawn();
-      this.dispatchEvent(new CustomEvent('render'));
-    },
+    drawn: () => this.#display.drawn(),
     afterFrame: () => this.#readiness.check(),
-    fitted: () => this.#cameraMoved('auto'),
+    fitted: () => this.#camera.fitted(),
     contextMissing: (error) => this.#failure.contextMissing(error),
     contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
@@ -126,7 +121,7 @@ export class PhongViewer extends ReactiveElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    moved: (source) => this.#cameraMoved(source),
+    moved: (source, linked) => this.#cameraMoved(source, linked),
   });
   readonly #visibility = new Visibility(this, this.#holder, (view) => {
     if (view.near) this.#loading.neared();
@@ -140,12 +135,9 @@ export class PhongViewer extends ReactiveElement {
     this.#camera.inView = view.visible;
     this.#readiness.check();
   });
-  readonly #display: ViewerDisplay = new ViewerDisplay(this, {
+  readonly #display: ViewerDisplay = new ViewerDisplay({
     loading: this.#loading,
     failure: this.#failure,
-    scene: this.#viewport.scene,
-  });
-  readonly #extras = new ViewerExtras({
     viewer: this,
     values: this.#store.values,
     viewport: this.#viewport,
@@ -153,14 +145,14 @@ export class PhongViewer extends ReactiveElement {
     children: this.#children,
     size: () => this.#visibility.size,
     snapshot: () => this.#snapshot(),
+    ended: () => this.#readiness.check(),
   });
 
   constructor() {
     super();
     this.#store.listen((key) => this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
-    for (const part of [this.#visibility, this.#camera, this.#loading, this.#announcements])
-      this.addController(part);
+    for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
   }
 
@@ -195,7 +187,7 @@ export class PhongViewer extends ReactiveElement {
   }
 
   set texts(texts: ViewerTexts | null | undefined) {
-    this.#display.texts = checkedTexts(texts);
+    this.#display.texts = texts;
   }
 
   /**
@@ -238,10 +230,7 @@ export class PhongViewer extends ReactiveElement {
   /** The picture now, at exactly `width` × `height` pixels. Rejects with `RangeError` for invalid sizes. */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.#update();
-    const picture = options.helpers
-      ? await this.#extras.pictureOf(options)
-      : pictureOf(this.#viewport, options);
-    return (await lazy.picture()).pictureBlob(picture, options);
+    return blobOf(this.#viewport, this.#display.extras, options);
   }
 
   /**
@@ -274,18 +263,15 @@ export class PhongViewer extends ReactiveElement {
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
     this.#binding.upgrade();
-    upgradeTexts(this);
     // At once rather than at the end of the task: scripts may ask for the camera right after.
     this.performUpdate();
     this.#children.connected();
-    this.#extras.apply();
     this.#viewport.attach();
   }
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
     this.#viewport.detach();
-    this.#extras.dispose();
     this.#readiness.check();
   }
 
@@ -301,17 +287,13 @@ export class PhongViewer extends ReactiveElement {
 
   protected override createRenderRoot(): HTMLElement | DocumentFragment {
     const root = super.createRenderRoot();
-    const tree = this.#display.fill(root, this.#holder);
-    this.#camera.listenTo(tree.surface);
-    this.#announcements.connect(tree);
-    this.#extras.connect(tree);
+    this.#camera.listenTo(this.#display.fill(root, this.#holder));
     return root;
   }
 
   protected override update(changed: PropertyValues): void {
     super.update(changed);
     this.#display.update();
-    this.#announcements.update();
   }
 
   protected override updated(changed: PropertyValues): void {
@@ -322,18 +304,12 @@ export class PhongViewer extends ReactiveElement {
   #apply(changed: { has(key: string): boolean }): void {
     const { values } = this.#store;
     const viewport = this.#viewport;
-    viewport.fov = values.fov;
-    viewport.linear = values.colorInterpolation === 'linear';
-    if (['shading', 'reflection', 'terms', 'antialias'].some((key) => changed.has(key))) {
-      const { shading, reflection, terms, antialias } = values;
-      viewport.style = { shading, reflection, terms, antialias };
-    }
+    applyStyle(viewport, values, changed);
     if (changed.has('src')) this.#readiness.supersede();
     this.#loading.apply(changed);
     if (changed.has('loading')) this.#visibility.shown();
     this.#visibility.maxRatio = values.pixelRatio === 'auto' ? Infinity : values.pixelRatio;
     if (changed.has('autoRotate') && this.#camera.turning) viewport.animate();
-    this.#extras.apply();
     if (changed.has('gui')) void this.#panel.toggle(values.gui, this.#display.panel);
     this.#panel.changed('viewer');
   }
@@ -350,24 +326,19 @@ export class PhongViewer extends ReactiveElement {
   get #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    return !this.#loading.pending && (this.#viewport.upToDate || !this.#viewport.drawable);
+    if (this.#loading.pending || this.#display.extras.pending !== null) return false;
+    return this.#viewport.upToDate || !this.#viewport.drawable;
   }
 
   readonly #snapshot = (): ViewerSnapshot =>
     viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
 
-  #cameraMoved(source: CameraSource): void {
+  #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
-    if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
-    this.#extras.cameraMoved(source);
+    if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
+    this.#display.cameraMoved(source);
     this.#panel.changed('camera');
   }
 }
 
 defineProperties(PhongViewer.prototype, VIEWER_FIELDS);
-
-declare global {
-  interface HTMLElementTagNameMap {
-    'phong-viewer': PhongViewer;
-  }
-}

@@ -3,6 +3,10 @@
 import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from 'three';
 
 const made = new WeakMap<BufferGeometry, BufferGeometry>();
+const sources = new WeakMap<BufferGeometry, BufferGeometry>();
+
+/** What {@link flatGeometry} made this geometry from; the geometry itself where it made it not. */
+export const smoothGeometry = (geometry: BufferGeometry): BufferGeometry => sources.get(geometry) ?? geometry;
 
 /**
  * A non-indexed copy of `source` in which the three vertices of a triangle carry that triangle's unit normal, turned
@@ -15,6 +19,7 @@ export function flatGeometry(source: BufferGeometry): BufferGeometry {
   if (present) return present;
   const flat = separateTriangles(source);
   made.set(source, flat);
+  sources.set(flat, source);
   // It stays the source's copy: a source disposed of may be drawn again, and so may its copy.
   source.addEventListener('dispose', () => {
     flat.dispose();

@@ -9,6 +9,7 @@ import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
 import type { Form, RowCapacity } from './program/variant.js';
+import type { PictureView } from './views.js';
 
 /**
  * From where a picture is seen. Shading space has the world's axes and its origin at `origin`. Differences to it are taken
@@ -51,6 +52,7 @@ export class PhongLighting {
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();
   #linear = false;
+  #view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
   /** Goes up when general programs may have to change. */
   #featureVersion = 0;
@@ -88,6 +90,16 @@ export class PhongLighting {
     this.#linear = linear;
     this.#lightVersion = -1;
     this.#featureVersion += 1;
+  }
+
+  /** What is shown in place of the shaded colour; null, the default, for that. Materials need a call of `setStyle` afterwards. */
+  get view(): PictureView | null {
+    return this.#view;
+  }
+
+  set view(view: PictureView | null) {
+    this.#view = view;
+    this.#lightVersion = -1;
   }
 
   /** World position that fragments are shaded relative to. */
@@ -159,7 +171,8 @@ export class PhongLighting {
     };
     const { all } = this.#meshLights;
     const { version } = all;
-    packLights(this.lights.values, space, all.packed);
+    const { values } = this.lights;
+    packLights(this.#view?.lights(values, space) ?? values, space, all.packed);
     this.#meshLights.changed();
     this.#changed = all.version !== version;
   }

@@ -19,6 +19,7 @@ import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
 import { type FileSurface, lobeScale, NO_FILE_SURFACE } from './file-surface.js';
+import { fileUniforms } from './file-uniforms.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
@@ -194,7 +195,10 @@ export class PhongMaterial extends RawShaderMaterial {
     const culls = cullsBackFaces(this.sides, geometry, mesh.matrixWorld, camera);
     this.side = culls ? FrontSide : DoubleSide;
     if (this.#linear !== this.linear) this.#writeSurface();
-    const { variant, lights } = this.#programs.choose({ renderer, camera, mesh });
+    const programs = this.#programs;
+    const { variant, lights } =
+      this.#lighting.view?.choose?.(programs, this.#lighting, mesh, this.uniforms) ??
+      programs.choose({ renderer, camera, mesh });
     this.#use(variant);
     const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
     const storage = variant.defines['LIGHT_STORAGE'];
@@ -259,7 +263,9 @@ export class PhongMaterial extends RawShaderMaterial {
     const { uKa, uKd, uKs, uShininess, uBaseColor, uEmissive, uLobeScale } = this.#uniforms;
     const { look } = this;
     const linear = (this.#linear = this.linear);
-    const { terms } = this.#style;
+    const term = this.#lighting.view?.term ?? null;
+    const style = term === null ? this.#style : { ...this.#style, terms: [term] };
+    const { terms } = style;
     const { ka, kd, ks, shininess } = this.#surface;
     const write = (into: Vector3, term: Term, k: Vec3, base: Vec3): void => {
       const channel = (i: 0 | 1 | 2): number =>
@@ -272,35 +278,12 @@ export class PhongMaterial extends RawShaderMaterial {
     write(uKs.value, 'specular', ks, PLAIN_LOOK.baseColor);
     uShininess.value = shininess;
     const decode = (v: Vec3): Vec3 => (linear ? map(v, srgbDecode) : v);
-    uBaseColor.value.set(...decode(look.baseColor));
-    uEmissive.value.set(...decode(look.emissive));
+    uBaseColor.value.set(...decode(term !== null && look.unlit ? BLACK : look.baseColor));
+    uEmissive.value.set(...decode(term === null ? look.emissive : BLACK));
     uLobeScale.value = look.roughness === null ? 1 : lobeScale(shininess);
     // Where the shader does not scale Ks itself.
     if (!(look.metalness > 0) && !usesRoughnessMap(look, this.#style))
       uKs.value.multiplyScalar(uLobeScale.value);
-    this.#programs.describe(this.#style, this.#surface);
+    this.#programs.describe(style, this.#surface);
   }
-}
-
-/** Uniforms of what a file says; those of a map that a program does not sample are never sent. */
-function fileUniforms(look: BaseLook) {
-  const { map, emissiveMap, metalRoughMap, normalMap } = look;
-  const transform = (texture: Texture | null) => ({ value: texture?.matrix ?? new Matrix3() });
-  return {
-    uMap: { value: map },
-    uMapTransform: transform(map),
-    uEmissiveMap: { value: emissiveMap },
-    uEmissiveMapTransform: transform(emissiveMap),
-    uMetalRoughMap: { value: metalRoughMap },
-    uMetalRoughMapTransform: transform(metalRoughMap),
-    uNormalMap: { value: normalMap },
-    uNormalMapTransform: transform(normalMap),
-    uNormalScale: { value: look.normalScale },
-    uMirrored: { value: 1 },
-    uBaseColor: { value: new Vector3() },
-    uEmissive: { value: new Vector3() },
-    uMetalness: { value: look.metalness },
-    uRoughness: { value: look.roughness ?? 1 },
-    uLobeScale: { value: 1 },
-  };
 }

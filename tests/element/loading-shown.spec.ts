@@ -232,7 +232,7 @@ test('a poster that cannot be shown leaves nothing behind, and another one gets 
   const poster = viewer.locator('[part=poster]');
   await expect(poster).toHaveCount(0);
   await assign(viewer, { alt: 'The model' });
-  await expect(viewer.getByRole('img', { name: 'The model' })).toHaveCount(1);
+  await expect(viewer.getByRole('application', { name: 'The model' })).toHaveCount(1);
   await expect(poster).toHaveCount(0);
   const good = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>";
   await assign(viewer, { poster: good });
@@ -302,7 +302,7 @@ test('texts replaces the texts that are given, at once, and null restores all', 
 test('texts that are none throw, and before the upgrade warn', async ({ page, mount, consoleGuard }) => {
   const viewer = await mount('<phong-viewer alt="Nothing"></phong-viewer>', size);
   await assign(viewer, { texts: { 'Try again': 'Nochmal' } });
-  for (const texts of ['Nochmal', 1, true, [], ['a'], { retry: 1 }, { retry: null }]) {
+  for (const texts of ['Nochmal', 1, true, [], ['a'], { Loading: 1 }, { Loading: null }]) {
     const error = await viewer.evaluate((element, value) => {
       try {
         Reflect.set(element, 'texts', value);
@@ -312,19 +312,21 @@ test('texts that are none throw, and before the upgrade warn', async ({ page, mo
       }
     }, texts);
     expect(error, JSON.stringify(texts)).toMatch(/^TypeError: <phong-viewer>\.texts: expected/);
-    expect(await viewer.evaluate((element: PhongViewer) => element.texts)).toEqual({ retry: 'Nochmal' });
+    expect(await viewer.evaluate((element: PhongViewer) => element.texts)).toEqual({
+      'Try again': 'Nochmal',
+    });
   }
   consoleGuard.allow(/<phong-viewer>\.texts: expected/, 1);
   const upgraded = await page.evaluate(() => {
     const page2 = new DOMParser().parseFromString('<phong-viewer></phong-viewer>'.repeat(2), 'text/html');
-    return [{ retry: 'Nochmal' }, 'Nochmal'].map((texts) => {
+    return [{ 'Try again': 'Nochmal' }, 'Nochmal'].map((texts) => {
       const element = page2.querySelector('phong-viewer')!;
       Object.assign(element, { texts });
       document.body.append(element);
       return element.texts;
     });
   });
-  expect(upgraded).toEqual([{ retry: 'Nochmal' }, null]);
+  expect(upgraded).toEqual([{ 'Try again': 'Nochmal' }, null]);
 });
 
 test('under dir="rtl" the bar grows from the right and the panel is on the left', async ({ page, mount }) => {

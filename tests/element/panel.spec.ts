@@ -25,8 +25,8 @@ test('has a folder for lights, camera, shading and material, and one for meshes 
   mount,
 }) => {
   const viewer = await mount(scene('gui', 'sun', 'lamp'));
-  expect(await titlesIn(panelOf(viewer))).toEqual(['Lights', 'Camera', 'Shading', 'Material', 'Meshes']);
   await expect(titleOf(viewer, 'Material')).toBeVisible();
+  expect(await titlesIn(panelOf(viewer))).toEqual(['Lights', 'Camera', 'Shading', 'Material', 'Meshes']);
   await expect(titleOf(viewer, 'Meshes')).toBeHidden();
   await viewer.evaluate((element: PhongViewer) => {
     element.geometry = null;
@@ -362,14 +362,14 @@ test('has no button for full screen where the browser has none, and comes and go
   const viewer = await mount(scene());
   await expect(panelOf(viewer)).toBeVisible();
   await expect(panelOf(viewer).getByRole('button', { name: 'Full screen' })).toHaveCount(0);
-  await assign(viewer, { texts: { controls: 'Regler' }, gui: false });
+  await assign(viewer, { texts: { Controls: 'Regler' }, gui: false });
   await assign(viewer, { gui: true });
   await expect(titleOf(viewer, 'Regler')).toBeVisible();
 });
 
 test('texts name the panel and its full-screen button', async ({ mount }) => {
   const viewer = await mount(scene());
-  await assign(viewer, { texts: { controls: 'Regler', fullScreen: 'Vollbild' } });
+  await assign(viewer, { texts: { Controls: 'Regler', 'Full screen': 'Vollbild' } });
   await expect(titleOf(viewer, 'Regler')).toBeVisible();
   await expect(viewer.getByRole('group', { name: 'Regler' })).toBeVisible();
   await expect(viewer.getByRole('button', { name: 'Vollbild' })).toBeVisible();

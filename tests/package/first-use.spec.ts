@@ -76,7 +76,11 @@ const uses: readonly Use[] = [
   { what: 'a PLY file', use: set({ src: '/fixtures/models/coloured.ply' }), chunks: ['read-ply'] },
   { what: 'an OBJ file', use: set({ src: '/fixtures/models/quads.obj' }), chunks: ['read-obj'] },
   { what: 'another model', use: set({ src: '/fixtures/models/mask.glb' }), chunks: [] },
-  { what: 'a model compressed with Draco', use: set({ src: '/assets/models/bunny.glb' }), chunks: ['draco'] },
+  {
+    what: 'a model compressed with Draco',
+    use: set({ src: '/assets/models/bunny.glb' }),
+    chunks: ['draco-worker'],
+  },
 ];
 
 const drawOften = (viewer: Locator) =>

@@ -1,4 +1,5 @@
 // How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away from cones' edges.
+import type { Vec3 } from '../../src/math/vector.js';
 import type { Picture } from '../support/picture.js';
 import { caster, type CastScene, type Hit } from './ray-cast.js';
 import { remembered } from './remembered.js';
@@ -49,19 +50,25 @@ export const innerPixels = remembered((scene: CastScene, width: number, height: 
   return inner;
 });
 
-export function compareWithReference(picture: Picture, scene: CastScene): Errors {
+/** `colorOf`: what the picture shows of a hit, 0–1; the shaded colour unless it is a view of something else. */
+export function compareWithReference(
+  picture: Picture,
+  scene: CastScene,
+  colorOf: (hit: Hit) => Vec3 = ({ shaded }) => shaded.color,
+): Errors {
   const { width, height } = picture;
   const errors: Errors = { max: 0, at: '', compared: 0, exact: 0 };
   const cast = caster(scene, width, height);
   /** Where highlights of small exponents begin, codes change by several within that: a code is right that is seen right beside. */
   const beside = (x: number, y: number, channel: number): number[] =>
     around(SNAPPED, (dx, dy) => {
-      const { color = [] } = cast(x + dx, y + dy)?.shaded ?? {};
-      return Math.round((color[channel] ?? NaN) * 255);
+      const hit = cast(x + dx, y + dy);
+      return hit === null ? NaN : Math.round(colorOf(hit)[channel]! * 255);
     });
   for (const { x, y, hit } of innerPixels(scene, width, height)) {
+    const color = colorOf(hit);
     for (let channel = 0; channel < 3; channel++) {
-      const expected = Math.round(hit.shaded.color[channel]! * 255);
+      const expected = Math.round(color[channel]! * 255);
       const actual = picture.data[4 * (y * width + x) + channel]!;
       let error = Math.abs(expected - actual);
       errors.compared += 1;
@@ -69,7 +76,7 @@ export function compareWithReference(picture: Picture, scene: CastScene): Errors
       if (error > 1) error = outside(actual, [expected, ...beside(x, y, channel).filter(Number.isFinite)]);
       if (error > errors.max) {
         errors.max = error;
-        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${hit.shaded.color[channel]! * 255}`;
+        errors.at = `pixel ${x}, ${y} channel ${channel}: ${actual} instead of ${color[channel]! * 255}`;
       }
     }
   }

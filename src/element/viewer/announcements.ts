@@ -4,10 +4,10 @@
 // second; announces only what the user changed. Knows nothing of drawing.
 import type { ReactiveController } from '@lit/reactive-element';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
+import type { PhongViewerEventMap } from '../events.js';
 import { fieldsOf } from '../internals.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import type { CameraSource } from './camera.js';
 import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
 import { keysText, nameSurface } from './naming.js';
 import { create, set, type ViewerTree } from './template.js';
@@ -46,7 +46,7 @@ export class ViewerAnnouncements implements ReactiveController {
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
     viewer.addEventListener('render', () => this.#update());
-    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail.source));
+    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail));
     viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
@@ -66,7 +66,7 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   /** The viewer's own attributes have changed. */
-  update(): void {
+  hostUpdated(): void {
     if (this.#surface === null) return;
     this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
     this.#writeDescription();
@@ -78,8 +78,9 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
 
-  #onCamera(source: CameraSource): void {
-    if (source === 'script' || source === 'auto') return;
+  /** The viewer that the user moves speaks for those linked to it. */
+  #onCamera({ source, linked }: PhongViewerEventMap['camera-change']['detail']): void {
+    if (source === 'script' || source === 'auto' || linked === true) return;
     this.#cameraMoved = true;
     this.#userActed();
   }
@@ -128,7 +129,7 @@ export class ViewerAnnouncements implements ReactiveController {
   #describe(): void {
     const texts = (this.#language = this.#texts);
     const { camera, lights, meshes } = this.#viewer;
-    const names = lights.map((light, i) => lightName(texts, nameOf(light, i), light));
+    const names = lights.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
     this.#writeDescription();
     const items = [
@@ -150,17 +151,18 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   #lightText(light: PhongLight, index: number): string {
-    return lightText(this.#texts, nameOf(light, index), fieldsOf(light).store.values);
+    return lightText(this.#texts, this.#nameOf(light, index), fieldsOf(light).store.values);
+  }
+
+  /** Not the element's `name`: its default takes a search through all lights. */
+  #nameOf(light: PhongLight, index: number): string {
+    return fieldsOf(light).store.values.name || numberedName(index, this.#texts);
   }
 
   get #texts(): ViewerTexts | null {
     return this.#viewer.texts;
   }
 }
-
-/** Not the element's `name`: its default takes a search through all lights. */
-const nameOf = (light: PhongLight, index: number): string =>
-  fieldsOf(light).store.values.name || numberedName(index);
 
 /** Screen readers may read again what is written, even if it is the same. */
 function write(element: Element, text: string): void {

@@ -37,7 +37,16 @@ export interface Placement {
 export interface CameraHost {
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
-  moved(source: CameraSource): void;
+  /** `linked`: another viewer's camera has moved this one. */
+  moved(source: CameraSource, linked: boolean): void;
+}
+
+/** What moves several cameras together. */
+export interface CameraLink {
+  /** A camera was moved or framed in another way, and not by this link. */
+  moved(camera: ViewerCamera, source: CameraSource): void;
+  /** Whether this camera's turntable is the one that turns. */
+  turns(camera: ViewerCamera): boolean;
 }
 
 const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
@@ -48,6 +57,8 @@ export class ViewerCamera implements ReactiveController {
   #reducedMotion: MediaQueryList | null = null;
   #inView = false;
   #input: OrbitInput | null = null;
+  /** Null, the default: this camera moves alone. */
+  link: CameraLink | null = null;
 
   constructor(host: CameraHost) {
     this.#host = host;
@@ -94,14 +105,24 @@ export class ViewerCamera implements ReactiveController {
     return { pose: viewport.orbit.pose, framing: viewport.framing };
   }
 
-  /** Moves the camera there. The declared values stay, as when the user drags it. */
-  place({ pose, framing }: Placement, source: CameraSource): void {
-    this.#move(source, () => {
+  /**
+   * Moves the camera there. The declared values stay, as when the user drags it. `linked`: the camera follows another one, and the
+   * link need not be notified.
+   */
+  place({ pose, framing }: Placement, source: CameraSource, linked = false): void {
+    const write = (): void => {
       const { viewport } = this.#host;
       viewport.orbit.set(pose);
-      viewport.framing = framing;
-      viewport.settle();
-    });
+      if (framing !== viewport.framing) viewport.framing = framing;
+      this.#fit();
+    };
+    this.#move(source, write, linked);
+  }
+
+  /** `auto` has moved the camera in the frame that is being drawn. */
+  fitted(): void {
+    this.#host.moved('auto', false);
+    this.link?.moved(this, 'auto');
   }
 
   /** A property was assigned. Moves the camera there, even if the value is the same as before. */
@@ -117,7 +138,7 @@ export class ViewerCamera implements ReactiveController {
         const kept = viewport.framing ?? orbit.pose;
         viewport.framing =
           key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
-        viewport.settle();
+        this.#fit();
       }
     });
   }
@@ -129,7 +150,7 @@ export class ViewerCamera implements ReactiveController {
     this.#move(source, () => {
       viewport.orbit.set({ theta, phi });
       viewport.framing = { radius, target };
-      viewport.settle();
+      this.#fit();
     });
   }
 
@@ -147,7 +168,8 @@ export class ViewerCamera implements ReactiveController {
       this.#turntable.rest();
       return plays;
     }
-    if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
+    if (this.link?.turns(this) === false) this.#turntable.rest();
+    else if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
     return true;
   }
 
@@ -168,7 +190,11 @@ export class ViewerCamera implements ReactiveController {
 
   get turning(): boolean {
     const { autoRotate } = this.#host.values;
-    return autoRotate !== 0 && this.mayMove && this.#input?.dragging !== true;
+    return autoRotate !== 0 && this.mayMove && !this.dragging;
+  }
+
+  get dragging(): boolean {
+    return this.#input?.dragging === true;
   }
 
   readonly #startMotion = (): void => {
@@ -176,18 +202,30 @@ export class ViewerCamera implements ReactiveController {
     if (this.turning || (this.mayMove && viewport.animations.playing)) viewport.animate();
   };
 
+  /** Fits at once. Unlike the viewport's own `settle` it reports no move: the caller does. */
+  #fit(): void {
+    const { viewport } = this.#host;
+    viewport.fit.settle(viewport.fov);
+  }
+
   /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
-  #move(source: CameraSource, write: () => void): void {
+  #move(source: CameraSource, write: () => void, linked = false): void {
     const { viewport } = this.#host;
     const before = viewport.orbit.version;
     write();
     this.#input?.reanchor();
-    if (viewport.orbit.version !== before) this.#moved(source);
+    if (viewport.orbit.version !== before) this.#changed(source, linked);
+    if (!linked) this.link?.moved(this, source);
   }
 
   #moved(source: CameraSource): void {
+    this.#changed(source, false);
+    this.link?.moved(this, source);
+  }
+
+  #changed(source: CameraSource, linked: boolean): void {
     this.#host.viewport.invalidate();
-    this.#host.moved(source);
+    this.#host.moved(source, linked);
   }
 
   #inputHost(surface: HTMLElement): OrbitInputHost {

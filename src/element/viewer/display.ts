@@ -1,23 +1,26 @@
-// What does a viewer show around its picture: poster, progress bar, message, custom states? Brings the shadow tree in step with
-// what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
-import type { Scene } from 'three';
-import type { ViewerTexts } from '../fields/texts.js';
+// What does a viewer show and say around its picture: poster, progress bar, message, custom states, description? Brings the shadow
+// tree in step with what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
+import { checkedTexts, upgradeTexts, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../phong-viewer.js';
+import { ViewerAnnouncements } from './announcements.js';
+import type { CameraSource } from './camera.js';
+import { type ExtraHost, ViewerExtras } from './extras.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { ViewerStates } from './states.js';
 import { ViewerTree } from './template.js';
 
-export interface DisplayHost {
+export interface DisplayHost extends Omit<ExtraHost, 'tree'> {
   readonly loading: ViewerLoading;
   readonly failure: ViewerFailure;
-  readonly scene: Scene;
 }
 
 export class ViewerDisplay {
   readonly #viewer: PhongViewer;
   readonly #host: DisplayHost;
   readonly #states: ViewerStates;
+  readonly #announcements: ViewerAnnouncements;
+  readonly extras: ViewerExtras;
   /** Null before the element is connected for the first time. */
   #tree: ViewerTree | null = null;
   #texts: ViewerTexts | null = null;
@@ -25,16 +28,23 @@ export class ViewerDisplay {
   #revealed = false;
   #empty = false;
 
-  constructor(viewer: PhongViewer, host: DisplayHost) {
+  constructor(host: DisplayHost) {
+    const { viewer } = host;
     this.#viewer = viewer;
     this.#host = host;
     this.#states = new ViewerStates(viewer);
+    this.#announcements = new ViewerAnnouncements(viewer);
+    this.extras = new ViewerExtras(host);
+    for (const part of [this.#announcements, this.extras]) viewer.addController(part);
   }
 
-  /** `holder` is the element that holds the canvas. */
-  fill(root: Node, holder: HTMLElement): ViewerTree {
+  /** `holder` is the element that holds the canvas. Returns the surface: the picture, without the panel. */
+  fill(root: Node, holder: HTMLElement): HTMLElement {
+    upgradeTexts(this.#viewer);
     this.#tree = new ViewerTree(root, holder, this.#host.loading.retry);
-    return this.#tree;
+    this.#announcements.connect(this.#tree);
+    this.extras.connect(this.#tree);
+    return this.#tree.surface;
   }
 
   /** The control panel's place. */
@@ -46,8 +56,8 @@ export class ViewerDisplay {
     return this.#texts;
   }
 
-  set texts(texts: ViewerTexts | null) {
-    this.#texts = texts;
+  set texts(texts: ViewerTexts | null | undefined) {
+    this.#texts = checkedTexts(texts);
     this.#viewer.requestUpdate('texts');
   }
 
@@ -65,11 +75,23 @@ export class ViewerDisplay {
     this.#states.set('loading', loading.pending);
     this.#states.set('error', failure.newest !== null);
     this.#states.set('empty', this.#empty);
+    this.extras.apply();
   }
 
-  /** A frame was drawn. Removes the poster once everything requested has been drawn for the first time. */
+  cameraMoved(source: CameraSource): void {
+    this.extras.cameraMoved(source);
+  }
+
+  /** A frame was drawn. */
   drawn(): void {
     this.checkEmpty();
+    this.extras.drawn();
+    this.#reveal();
+    this.#viewer.dispatchEvent(new CustomEvent('render'));
+  }
+
+  /** Removes the poster once everything requested has been drawn for the first time. */
+  #reveal(): void {
     const { loading, failure } = this.#host;
     if (this.#revealed || loading.pending || failure.newest !== null) return;
     this.#revealed = true;
@@ -82,6 +104,6 @@ export class ViewerDisplay {
   }
 
   get #isEmpty(): boolean {
-    return !this.#host.loading.wanted && this.#host.scene.children.length === 0;
+    return !this.#host.loading.wanted && this.#host.viewport.scene.children.length === 0;
   }
 }

@@ -1,14 +1,15 @@
 // Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
 // with its first use, and removed again. Knows nothing of what they show.
+import type { ReactiveController } from '@lit/reactive-element';
 import { lazyCode } from '../../scene/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import type { CameraSource, ViewerCamera } from './camera.js';
 import type { ViewerChildren } from './children.js';
-import type { ViewerTree } from './template.js';
 import type { PictureOptions } from './picture-blob.js';
-import { pictureOf, type ViewerSnapshot } from './viewer-snapshot.js';
+import type { ViewerTree } from './template.js';
+import type { ViewerSnapshot } from './viewer-snapshot.js';
 
 /** What an extra sees of its viewer. */
 export interface ExtraHost {
@@ -22,6 +23,8 @@ export interface ExtraHost {
   /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
   size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
+  /** The code of an extra has arrived, or could not be fetched. */
+  ended(): void;
 }
 
 export interface Extra {
@@ -29,13 +32,13 @@ export interface Extra {
   update(): void;
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
-  /** Draws itself into a picture of the scene as it is now, for `toBlob({ helpers: true })`. */
-  paint?(picture: HTMLCanvasElement): void;
+  /** Draws over a picture that was captured in this task, for `toBlob`. */
+  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
   dispose(): void;
 }
 
 interface Kind {
-  readonly wanted: (values: Readonly<ViewerValues>) => boolean;
+  readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
@@ -43,16 +46,35 @@ const KINDS: readonly Kind[] = [
   {
     wanted: ({ helpers }) => helpers.length > 0,
     load: lazyCode(
-      () => import('../../overlay/helpers/helpers.js').then((code) => code.createHelpers),
-      'the helpers',
+      () => import('../../overlay/helpers/helpers.js').then(({ createHelpers }) => createHelpers),
+      'helpers',
+    ),
+  },
+  {
+    wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
+    load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
+  },
+  {
+    wanted: ({ probe }) => probe,
+    load: lazyCode(
+      () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
+      'the probe',
+    ),
+  },
+  {
+    wanted: ({ cameraGroup }, viewer) =>
+      cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+    load: lazyCode(
+      () => import('./camera-group.js').then(({ createMember }) => createMember),
+      'linked cameras',
     ),
   },
 ];
 
-export class ViewerExtras {
+export class ViewerExtras implements ReactiveController {
   readonly #host: Omit<ExtraHost, 'tree'>;
   readonly #extras = new Map<Kind, Extra | 'loading'>();
-  readonly #fetches = new Set<Promise<void>>();
+  readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
   constructor(host: Omit<ExtraHost, 'tree'>) {
@@ -63,12 +85,20 @@ export class ViewerExtras {
     this.#tree = tree;
   }
 
+  hostConnected(): void {
+    this.apply();
+  }
+
+  hostDisconnected(): void {
+    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
+  }
+
   /** The viewer's values have changed. */
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
-      if (!kind.wanted(this.#host.values)) this.#drop(kind);
-      else if (extra === undefined) this.#fetchAndCount(kind);
+      if (!kind.wanted(this.#host.values, this.#host.viewer)) this.#drop(kind);
+      else if (extra === undefined) this.#wait(this.#fetch(kind));
       else if (extra !== 'loading') extra.update();
     }
   }
@@ -82,29 +112,31 @@ export class ViewerExtras {
     for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
   }
 
-  /** The picture with what lies over it, once all that has been fetched. Null for an invalid size. */
-  async pictureOf(options: PictureOptions): Promise<HTMLCanvasElement | null> {
-    await Promise.all(this.#fetches);
-    const picture = pictureOf(this.#host.viewport, options);
-    if (picture === null) return null;
-    for (const extra of this.#extras.values()) if (extra !== 'loading') extra.paint?.(picture);
-    return picture;
+  /** Resolves once the code that is being fetched is in use; never rejects. Null where none is. */
+  get pending(): Promise<unknown> | null {
+    return this.#fetching.size === 0 ? null : Promise.all(this.#fetching);
   }
 
-  /** The viewer has left the page. A later {@link apply} starts anew. */
-  dispose(): void {
-    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
+  /** What the extras show belongs to this picture, which was captured in this task. */
+  async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
+    const extras = [...this.#extras.values()];
+    await Promise.all(
+      extras.map(async (extra) => (extra === 'loading' ? undefined : extra.drawOver?.(picture, options))),
+    );
+  }
+
+  #wait(fetched: Promise<void>): void {
+    this.#fetching.add(fetched);
+    void fetched.then(() => {
+      this.#fetching.delete(fetched);
+      this.#host.ended();
+    });
   }
 
   #drop(kind: Kind): void {
     const extra = this.#extras.get(kind);
     this.#extras.delete(kind);
     if (extra !== 'loading') extra?.dispose();
-  }
-
-  #fetchAndCount(kind: Kind): void {
-    const fetch = this.#fetch(kind).finally(() => this.#fetches.delete(fetch));
-    this.#fetches.add(fetch);
   }
 
   async #fetch(kind: Kind): Promise<void> {

@@ -1,12 +1,14 @@
 // What shadeAt explains and toBlob encodes, copied when they are called: their code may still have to be fetched, and the
 // scene changes meanwhile. Knows neither rays nor files.
 import { lazyCode } from '../../scene/lazy-code.js';
-import type { LightValues } from '../../light/light-state.js';
+import type { LightState, LightValues } from '../../light/light-state.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
+import type { ViewerExtras } from './extras.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './children.js';
 
@@ -23,6 +25,14 @@ export interface ViewerSnapshot {
     readonly values: LightValues;
   }[];
 }
+
+/** As the panel and explanations name a light; `index` counts the viewer's lights from 0. */
+export const lightName = (
+  light: PhongLight | null,
+  { values }: LightState,
+  index: number,
+  texts: ViewerTexts | null = null,
+): string => (light === null ? phrase(texts, 'head-light') : values.name || numberedName(index, texts));
 
 /** `size` is the picture's size in CSS pixels, before any transform or zoom. */
 export function viewerSnapshot(
@@ -43,14 +53,28 @@ export function viewerSnapshot(
     height: size.height * zoom,
     lights: viewport.lighting.lights.lights.map((state, index) => {
       const light = children.lightOf(state);
-      const name = light === null ? 'head-light' : state.values.name || numberedName(index);
-      return { light, name, values: { ...state.values } };
+      return { light, name: lightName(light, state, index, viewer.texts), values: { ...state.values } };
     }),
   };
 }
 
+/** The picture as a file, with what `extras` draw over it. Waits for their code. */
+export async function blobOf(
+  viewport: Viewport,
+  extras: Pick<ViewerExtras, 'pending' | 'drawOver'>,
+  options: PictureOptions,
+): Promise<Blob> {
+  const { pending } = extras;
+  if (pending !== null) await pending;
+  const picture = pictureOf(viewport, options);
+  const drawn = picture === null ? null : extras.drawOver(picture, options);
+  const { pictureBlob } = await lazy.picture();
+  await drawn;
+  return pictureBlob(picture, options);
+}
+
 /** The picture at this size, by default the canvas's own; null for an invalid size. */
-export function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
+function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
   const width = options.width ?? Math.max(viewport.width, 1);
   const height = options.height ?? Math.max(viewport.height, 1);
   const isSize = [width, height].every((side) => Number.isInteger(side) && side >= 1);

@@ -68,7 +68,7 @@ export class ProgramChoice {
   /** The program for this draw, and the lights it reads. */
   choose(drawing: Drawing & { readonly mesh: Mesh }): Choice {
     const lighting = this.#lighting;
-    const general = this.#generalFor(lighting.capacityFor(drawing.renderer));
+    const general = this.general(lighting.capacityFor(drawing.renderer));
     const lights = lighting.lightsOf(drawing.mesh);
     if (this.#look.unlit) return { variant: general, lights };
     const grid = lighting.gridOf(drawing.mesh);
@@ -96,7 +96,8 @@ export class ProgramChoice {
     return key;
   }
 
-  #generalFor(capacity: RowCapacity): Variant {
+  /** The program for any number of lights of the declared features. */
+  general(capacity: RowCapacity): Variant {
     const lighting = this.#lighting;
     const { featureVersion } = lighting;
     const made = this.#madeFor;

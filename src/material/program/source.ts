@@ -56,12 +56,12 @@ const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
 #define FULL_LOBE ${float(FULL_LOBE)}
 ${fileSurface}`;
 
-/** The light loop with optional chunks before it. */
-const loopWith = (...chunks: readonly string[]): string =>
+/** The light loop with optional chunks before it, and what a fragment makes of it. */
+const loopWith = (surface: string, ...chunks: readonly string[]): string =>
   [
     ...[CONSTANTS, guard, power, attenuation, spot, diffuseLobe],
     ...['#ifdef REFLECTION_BLINN_PHONG', specularBlinnPhong, '#else', specularPhong, '#endif'],
-    ...[lightRows, ...chunks, lightLoop, surfaceColor],
+    ...[lightRows, ...chunks, lightLoop, surface],
   ].join('\n');
 
 /**
@@ -72,7 +72,7 @@ const loopWith = (...chunks: readonly string[]): string =>
  * with everything in the space that the lights were packed for. With FILTER_HIGHLIGHTS, call either only in a fragment
  * shader's uniform control flow, before any `discard`: they use dFdx and dFdy.
  */
-export const LIGHT_LOOP_GLSL = loopWith(AVERAGES, lightGrid);
+export const LIGHT_LOOP_GLSL = loopWith(surfaceColor, AVERAGES, lightGrid);
 
 /** The sRGB curve and the rounding to 8 bits: the last steps of a fragment. Needs the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
@@ -88,18 +88,19 @@ const cache = new Map<string, Shaders>();
 
 /**
  * The two stages of a program with these defines. Gouraud shading sums the lights at the vertices, everything else at the
- * fragments; the other stage leaves out the loop's text, which compilers would parse in vain.
+ * fragments; the other stage leaves out the loop's text, which compilers would parse in vain. `surface` is a text in place of
+ * surface_color.
  */
-export function shadersOf(defines: Readonly<Record<string, string>>): Shaders {
+export function shadersOf(defines: Readonly<Record<string, string>>, surface = surfaceColor): Shaders {
   const gouraud = 'SHADING_GOURAUD' in defines;
   const filtered = 'FILTER_HIGHLIGHTS' in defines;
   const grid = 'HAS_LIGHT_GRID' in defines;
   const unlit = 'IS_UNLIT' in defines;
   const textured = 'HAS_METAL_ROUGH_MAP' in defines || 'HAS_NORMAL_MAP' in defines;
-  const key = [gouraud, filtered, grid, unlit, textured].join();
+  const key = [gouraud, filtered, grid, unlit, textured, surface].join();
   let shaders = cache.get(key);
   if (shaders === undefined) {
-    const loop = loopWith(...(filtered ? [AVERAGES] : []), ...(grid ? [lightGrid] : []));
+    const loop = loopWith(surface, ...(filtered ? [AVERAGES] : []), ...(grid ? [lightGrid] : []));
     const none = `${CONSTANTS}\n${guard}`;
     shaders = {
       vertexShader: [PRECISION, gouraud && !unlit ? loop : none, phongVertex].join('\n'),

@@ -107,11 +107,15 @@ const storageDefines = (capacity: RowCapacity): Record<string, string> =>
     ? { LIGHT_STORAGE: 'STORAGE_UNIFORMS', LIGHT_ROWS: String(capacity) }
     : { LIGHT_STORAGE: 'STORAGE_TEXTURE' };
 
-/** Defines in one order, because three.js's program key depends on it. */
-function variantOf(defines: Readonly<Record<string, string>>): Variant {
+/** Defines in one order, because three.js's program key depends on it. `surface` as in {@link shadersOf}; the defines name it. */
+export function variantOf(defines: Readonly<Record<string, string>>, surface?: string): Variant {
   const sorted = Object.entries(defines).sort(([a], [b]) => (a < b ? -1 : 1));
   const ordered = Object.fromEntries(sorted);
-  return { defines: ordered, key: sorted.map((pair) => pair.join('=')).join(' '), ...shadersOf(ordered) };
+  return {
+    defines: ordered,
+    key: sorted.map((pair) => pair.join('=')).join(' '),
+    ...shadersOf(ordered, surface),
+  };
 }
 
 /** What a specialised variant takes from its material besides the general variant. */

@@ -1,5 +1,6 @@
 // The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape restores; pointers drag. Places
 // elements over what is drawn, and reports what the user does. Knows no arithmetic of moves.
+import type { ViewerText } from '../../element/fields/text-list.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
 import { numberedName, type PhongLight } from '../../element/phong-light.js';
@@ -145,7 +146,7 @@ export class Handles {
     // Those of parts outside could not be told apart at the edge. Keys still reach them.
     element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
     const { values } = fieldsOf(light).store;
-    const name = values.name || numberedName(index);
+    const name = values.name || numberedName(index, texts);
     const label =
       part === 'place'
         ? lightText(texts, name, values)
@@ -232,7 +233,7 @@ export class Handles {
   }
 
   /** Announces a text, politely. */
-  #say(text: string): void {
+  #say(text: ViewerText | ''): void {
     this.#region.textContent = text === '' ? '' : phrase(this.#host.viewer.texts, text);
   }
 

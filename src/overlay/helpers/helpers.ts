@@ -2,6 +2,7 @@
 // picture file as the same list. Knows what each part is for, not how it looks.
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { create } from '../../element/viewer/template.js';
 import { drawList } from '../drawing/canvas-drawing.js';
 import { Projection } from '../drawing/projection.js';
@@ -60,9 +61,9 @@ class Helpers implements Extra {
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
-  paint(picture: HTMLCanvasElement): void {
+  drawOver(picture: HTMLCanvasElement, options: PictureOptions): void {
     const context = picture.getContext('2d');
-    if (context === null) return;
+    if (options.helpers !== true || context === null) return;
     const { height } = this.#host.size();
     const scale = height > 0 ? picture.height / height : 1;
     const size = { width: picture.width / scale, height: picture.height / scale };

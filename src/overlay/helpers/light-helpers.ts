@@ -86,7 +86,7 @@ export class LightHelpers {
       names: lights.map((light, i) => {
         const { values } = fieldsOf(light).store;
         return {
-          text: lightName(texts, values.name || numberedName(i), values),
+          text: lightName(texts, values.name || numberedName(i, texts), values),
           center: marks[i]!.handles[0]!.at,
           gap: GAP,
           opacity: values.active ? 1 : DIMMED,

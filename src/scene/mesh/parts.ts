@@ -4,6 +4,8 @@ import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { BaseLook, PhongMaterial } from '../../material/phong-material.js';
+import { radians } from '../../math/angle.js';
+import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../extreme-points.js';
 import { VALUE_LIMIT } from '../model/limits.js';
@@ -89,6 +91,14 @@ export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null 
     group.add(mesh);
   }
   return group;
+}
+
+/** `rotation` in degrees. */
+export function placeRoot(root: Object3D, position: Vec3, rotation: Vec3, scale: Vec3): void {
+  root.position.set(...position);
+  root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
+  root.scale.set(...scale);
+  root.updateMatrix();
 }
 
 /** Brings meshes in step with the pose that their content has now. */

@@ -3,7 +3,6 @@
 import type { BufferGeometry, Object3D } from 'three';
 import type { ShadingStyle } from '../../material/phong-material.js';
 import type { FieldStore } from '../../fields/field-store.js';
-import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { CrossOrigin } from '../model/load-model.js';
 import { ModelError } from '../model/model.js';
@@ -18,6 +17,7 @@ import {
   lookOf,
   partsOf,
   type Part,
+  placeRoot,
   rootOf,
   sameSurface,
   type Shown,
@@ -223,7 +223,7 @@ export class SceneMesh {
   }
 
   get #wantedShading(): Shading {
-    return this.#values.shading ?? this.#host.materials.style.shading;
+    return this.#host.materials.geometryShading(this.#values.shading ?? null);
   }
 
   /** Ends any load and frees everything. */
@@ -253,12 +253,7 @@ export class SceneMesh {
     const place = [position, rotation, scale];
     if (place.every((vector, i) => vector === this.#placed[i])) return;
     this.#placed = place;
-    if (root !== null) {
-      root.position.set(...position);
-      root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
-      root.scale.set(...scale);
-      root.updateMatrix();
-    }
+    if (root !== null) placeRoot(root, position, rotation, scale);
     this.#host.reshaped();
   }
 

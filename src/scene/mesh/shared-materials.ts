@@ -52,6 +52,11 @@ export class SharedMaterials {
       material.setStyle(this.#styleOf(appearance));
   }
 
+  /** The shading that a mesh's geometry is for. `own`: the mesh's own shading, if it has one. */
+  geometryShading(own: ShadingStyle['shading'] | null): ShadingStyle['shading'] {
+    return this.#lighting.view?.separate === true ? 'flat' : (own ?? this.#style.shading);
+  }
+
   /** A material for one more user, who gives it back by {@link release}. */
   acquire(appearance: Appearance): PhongMaterial {
     const last = this.#last;

@@ -68,8 +68,8 @@ export interface DracoClaims {
   readonly vertices: number;
 }
 
-/** What a computed tangent costs, in values: three.js makes two vectors for each vertex. */
-const TANGENT_VALUES = 30;
+/** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
+const TANGENT_VALUES = 16;
 
 /**
  * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, and its joints and their

@@ -124,8 +124,9 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
   geometry.setAttribute('normal', await faceNormals(positions, slices));
   if (colors !== null) {
     const perCorner = new Float32Array(3 * corners);
-    for (let i = 0; i < perCorner.length; i += 1)
-      perCorner[i] = colors.array[3 * Math.floor(i / 9) + (i % 3)] ?? 0;
+    await slices.over(perCorner.length, (from, to) => {
+      for (let i = from; i < to; i += 1) perCorner[i] = colors.array[3 * Math.floor(i / 9) + (i % 3)] ?? 0;
+    });
     geometry.setAttribute('color', new BufferAttribute(perCorner, 3));
   }
   const look: ModelLook = {

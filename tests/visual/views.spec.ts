@@ -1,0 +1,228 @@
+// Do views show the quantities that the equation gives in float64? Pixel by pixel, in 8-bit codes.
+
+import type { Locator } from '@playwright/test';
+import { srgbEncode } from '../../src/math/color.js';
+import { map, type Vec3 } from '../../src/math/vector.js';
+import { VIEWS, type View } from '../../src/material/views.js';
+import { shade } from '../../src/reference/index.js';
+import { assign, type PhongViewer, settled } from '../element/support.js';
+import { compare, expect, pixels, test, type Mount } from '../support/test.js';
+import { patch } from '../support/gltf.js';
+import { repeats } from '../support/repeats.js';
+import { compareWithReference, type Errors } from './against-reference.js';
+import { randomScene, sceneMarkup } from './random-scene.js';
+import { type CastScene, lens } from './ray-cast.js';
+import { type Explained, viewColor } from './view-colors.js';
+
+const SIZE = { width: 84, height: 60 };
+const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+/** Views whose colour is a number of the fragment itself. */
+const QUANTITIES = VIEWS.filter((view) => !['shaded', 'triangles', 'error'].includes(view));
+const TERMS: readonly View[] = ['ambient', 'diffuse', 'specular'];
+
+const show = (viewer: Locator, markup: string): Promise<void> =>
+  viewer.evaluate((element: PhongViewer, text) => {
+    element.outerHTML = text;
+    return document.querySelector<PhongViewer>('phong-viewer')!.ready;
+  }, markup);
+
+/** A view of a scene, against float64. `only`: the index of the light it is limited to. */
+async function errorsOf(viewer: Locator, scene: CastScene, view: View, only: number | null): Promise<Errors> {
+  const name = only === null ? '' : `light ${String(only + 1)}`;
+  await assign(viewer, { view, viewLight: name });
+  const picture = await pixels(viewer, SIZE);
+  const { axes, eyeOffset } = lens(scene, SIZE.width, SIZE.height);
+  const { target } = scene.pose;
+  const eye: Vec3 = [target[0] + eyeOffset[0], target[1] + eyeOffset[1], target[2] + eyeOffset[2]];
+  const isTerm = TERMS.includes(view);
+  return compareWithReference(picture, scene, ({ p, mesh, shaded }) => {
+    // A term's view shows that term whatever `terms` sums.
+    const options = { ...scene.options, camera: axes, ...(isTerm ? { terms: [view as 'ambient'] } : {}) };
+    const explained = shade({ p, normal: shaded.N, eye }, scene.meshes[mesh]!, scene.lights, options);
+    const shares = only === null ? explained.shares : [explained.shares[only]!];
+    const color = viewColor(view, { N: explained.N, shares });
+    return isTerm && scene.options.linear === true ? map(color, srgbEncode) : color;
+  });
+}
+
+async function holds(mount: Mount, geometry: 'plane' | 'box', shading: string, scenes: number) {
+  const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+  let compared = 0;
+  let exact = 0;
+  for (let seed = FIRST; seed < FIRST + scenes; seed++) {
+    const scene = randomScene(seed, geometry);
+    const markup = sceneMarkup(scene, shading);
+    await show(viewer, markup);
+    for (const view of QUANTITIES) {
+      for (const only of view === 'normals' ? [null] : [null, scene.lights.length - 1]) {
+        const errors = await errorsOf(viewer, scene, view, only);
+        compared += errors.compared;
+        exact += errors.exact;
+        const what = `seed ${seed}, ${view} of ${String(only)}: ${errors.at}\n${markup}`;
+        expect.soft(errors.max, what).toBeLessThanOrEqual(1);
+      }
+    }
+  }
+  expect(compared).toBeGreaterThan(1e5);
+  expect(exact / compared).toBeGreaterThan(0.98);
+}
+
+test(`shows each quantity of random scenes on a plane within one code, seeds from ${FIRST}`, async ({
+  mount,
+}) => {
+  test.setTimeout(1_800_000);
+  await holds(mount, 'plane', 'phong', repeats(80));
+});
+
+test(`shows each quantity of random boxes in flat shading within one code, seeds from ${FIRST}`, async ({
+  mount,
+}) => {
+  test.setTimeout(1_800_000);
+  await holds(mount, 'box', 'flat', repeats(40));
+});
+
+/** Pixels of the grid whose neighbours show nearly the same, explained by shadeAt. */
+interface Sample {
+  readonly x: number;
+  readonly y: number;
+  readonly explained: Explained & { readonly triangle: number };
+}
+
+async function samplesOf(viewer: Locator, every: number): Promise<Sample[]> {
+  return viewer.evaluate(
+    async (element: PhongViewer, { width, height, every: step }) => {
+      const found: Sample[] = [];
+      for (let y = 2; y < height - 2; y += step) {
+        for (let x = 2; x < width - 2; x += step) {
+          const at = (dx: number, dy: number) => element.shadeAt(x + dx + 0.5, y + dy + 0.5);
+          const [here, ...around] = await Promise.all([at(0, 0), at(-1, 0), at(1, 0), at(0, -1), at(0, 1)]);
+          if (!here || !around.every((other) => other?.triangle === here.triangle)) continue;
+          const shares = here.shares.map((share) => (share === null ? null : { ...share, light: null }));
+          found.push({ x, y, explained: { N: here.N, shares, triangle: here.triangle } });
+        }
+      }
+      return found;
+    },
+    { ...SIZE, every },
+  );
+}
+
+const file = patch({
+  material: {
+    emissiveFactor: [0.2, 0.1, 0],
+    normalTexture: { index: 0, scale: 0.8 },
+    pbrMetallicRoughness: { baseColorFactor: [0.9, 0.5, 0.2, 1], metallicFactor: 0.5, roughnessFactor: 0.6 },
+  },
+  textures: [[[128, 128, 255], [160, 140, 240], [100, 128, 250], [128, 90, 245]]], // prettier-ignore
+});
+
+const lights = `
+  <phong-light name="off" active="false"></phong-light>
+  <phong-light name="sun" position="1 2 3 0" ambient="20 30 25" diffuse="120 100 80" specular="90"></phong-light>
+  <phong-light name="lamp" position="0.5 0.4 1.2 1" diffuse="0 60 60" specular="0" attenuation="1 0.3 0.1"></phong-light>
+  <phong-light name="spot" space="camera" position="0.2 0.3 0 1" axis="0 -0.1 -1" aperture="14" cutoff="20" diffuse="0" ambient="30 0 0"></phong-light>`;
+
+for (const shading of ['phong', 'gouraud', 'flat', 'blinn-phong'] as const) {
+  test(`shows each quantity of a model with a normal map, metal and emission, ${shading}`, async ({
+    mount,
+  }) => {
+    const style = shading === 'blinn-phong' ? 'reflection="blinn-phong"' : `shading="${shading}"`;
+    const viewer = await mount(
+      `<phong-viewer src="${file}" ${style} theta="20" phi="75" radius="3.5">${lights}</phong-viewer>`,
+      SIZE,
+    );
+    const samples = await samplesOf(viewer, 3);
+    expect(samples.length).toBeGreaterThan(100);
+    const names = ['off', 'sun', 'lamp', 'spot'];
+    for (const view of QUANTITIES) {
+      if (shading === 'gouraud' && view === 'light-count') continue; // see below
+      for (const name of ['', 'spot', 'off']) {
+        await assign(viewer, { view, viewLight: name });
+        const { data } = await pixels(viewer, SIZE);
+        let wrong = 0;
+        for (const { x, y, explained } of samples) {
+          const shares =
+            name === '' ? explained.shares : explained.shares.filter((_, i) => names[i] === name);
+          const expected = viewColor(view, { ...explained, shares });
+          const error = Math.max(
+            ...[0, 1, 2].map((c) =>
+              Math.abs(data[4 * (y * SIZE.width + x) + c]! - Math.round(expected[c]! * 255)),
+            ),
+          );
+          if (error > 1) wrong += 1;
+        }
+        // A pixel beside a cone's edge or a light's horizon may lie on either side of it.
+        expect.soft(wrong / samples.length, `${view} of ${name}`).toBeLessThan(0.01);
+      }
+    }
+  });
+}
+
+test('keeps explaining the shaded picture, whatever the view', async ({ mount }) => {
+  const viewer = await mount(`<phong-viewer geometry="sphere" segments="8">${lights}</phong-viewer>`, SIZE);
+  const explain = () =>
+    viewer.evaluate(async (element: PhongViewer) =>
+      JSON.stringify({ ...(await element.shadeAt(60, 40)), mesh: '', object: '' }, (key, value: unknown) =>
+        key === 'light' ? '' : value,
+      ),
+    );
+  const before = await explain();
+  for (const view of VIEWS) {
+    await assign(viewer, { view });
+    expect(await explain(), view).toBe(before);
+    await settled(viewer);
+    expect(await explain(), view).toBe(before);
+  }
+});
+
+test('under Gouraud shading a term is that of the vertices, as with `terms`', async ({ mount }) => {
+  const markup = `<phong-viewer geometry="sphere" segments="9" shading="gouraud">${lights}</phong-viewer>`;
+  const viewer = await mount(markup, SIZE);
+  for (const view of TERMS) {
+    await assign(viewer, { view, terms: null });
+    const seen = await pixels(viewer, SIZE);
+    await assign(viewer, { view: 'shaded', terms: [view] });
+    expect(compare(seen, await pixels(viewer, SIZE)).max, view).toBe(0);
+  }
+});
+
+test('under Gouraud shading lights are counted at the fragment, not at the vertices', async ({ mount }) => {
+  const markup = `<phong-viewer geometry="sphere" segments="9" view="light-count">${lights}</phong-viewer>`;
+  const viewer = await mount(markup, SIZE);
+  const seen = await pixels(viewer, SIZE);
+  await assign(viewer, { shading: 'gouraud' });
+  expect(compare(seen, await pixels(viewer, SIZE)).max).toBe(0);
+});
+
+test('with a light alone the shaded picture is that of the scene without the others', async ({ mount }) => {
+  const markup = `<phong-viewer src="${file}" theta="20" phi="75" radius="3.5">${lights}</phong-viewer>`;
+  const viewer = await mount(markup, SIZE);
+  await assign(viewer, { viewLight: 'lamp' });
+  const alone = await pixels(viewer, SIZE);
+  await assign(viewer, { viewLight: null });
+  await viewer.evaluate((element: PhongViewer) => {
+    for (const light of element.lights) if (light.name !== 'lamp') light.remove();
+  });
+  expect(compare(alone, await pixels(viewer, SIZE)).max).toBe(0);
+});
+
+test('gives every triangle a colour of its own, between dark lines', async ({ mount }) => {
+  const viewer = await mount(
+    `<phong-viewer view="triangles" geometry="sphere" segments="7" radius="1.2">${lights}</phong-viewer>`,
+    SIZE,
+  );
+  const samples = await samplesOf(viewer, 1);
+  const { data } = await pixels(viewer, SIZE);
+  const colors = new Map<number, Map<string, number>>();
+  for (const { x, y, explained } of samples) {
+    const at = 4 * (y * SIZE.width + x);
+    const counts = colors.get(explained.triangle) ?? new Map<string, number>();
+    const color = data.slice(at, at + 3).join();
+    colors.set(explained.triangle, counts.set(color, (counts.get(color) ?? 0) + 1));
+  }
+  const most = [...colors.values()].map((counts) => [...counts].sort(([, a], [, b]) => b - a)[0]!);
+  const large = most.filter(([, count]) => count >= 3).map(([color]) => color);
+  expect(large.length).toBeGreaterThan(10);
+  expect(new Set(large).size).toBe(large.length);
+});
