@@ -179,6 +179,23 @@ test.describe('by keys', () => {
     await expect(page.getByText('Next')).toBeFocused();
   });
 
+  test('keys that are faster than frames all count', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const positions = await handle(viewer, 'lamp').evaluate((element) => {
+      const { lights } = (element.getRootNode() as ShadowRoot).host as PhongViewer;
+      element.focus();
+      return ['Enter', 'ArrowRight', 'Shift+ArrowDown', 'ArrowRight'].map((name) => {
+        const key = name.replace('Shift+', '');
+        element.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: key !== name, bubbles: true }));
+        return lights[0]!.position;
+      });
+    });
+    const [start, right, nearer, end] = positions.map(([x]) => x);
+    expect(right).toBeGreaterThan(start!);
+    expect(nearer! / right!).toBeCloseTo(Math.exp(-8 / 150), 3); // nearer to the axis of the view, on the same line
+    expect(end).toBeGreaterThan(nearer!);
+  });
+
   test('Escape restores, and there and back is where it was', async ({ page, mount }) => {
     const viewer = await mount(scene(sun));
     await handle(viewer, 'sun').press('Enter');
@@ -226,6 +243,48 @@ test.describe('nothing is thrown and nothing sticks', () => {
       const after = (await light(viewer, (await handle(viewer, 'lamp').count()) === 0 ? 0 : 1)).position;
       expect(after).not.toEqual(before);
     });
+
+  test('where the context is lost in the middle of a drag, and comes back', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    await viewer.evaluate((element: PhongViewer) =>
+      element.addEventListener('error', (event) => event.preventDefault()),
+    );
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 20, y, { steps: 2 });
+    const loss = await viewer.evaluateHandle((element) => {
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+      extension.loseContext();
+      return extension;
+    });
+    await nextFrame(page);
+    await page.mouse.move(x - 40, y, { steps: 2 });
+    await page.mouse.up();
+    const { position } = await light(viewer);
+    expect(position[0]).toBeLessThan(0.35);
+    await loss.evaluate((extension) => extension.restoreContext());
+    await settled(viewer);
+    await drag(page, handle(viewer, 'lamp'), 0, 30);
+    expect((await light(viewer)).position[1]).toBeLessThan(position[1]);
+  });
+
+  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene(lamp) + scene(sun), { width: 300, height: 200 });
+    const other = page.locator('phong-viewer').nth(1);
+    await drag(page, handle(viewer, 'lamp'), -20, 10);
+    await drag(page, handle(other, 'sun'), 20, 10);
+    const [moved, turned] = [(await light(viewer)).position, (await light(other)).position];
+    await handle(viewer, 'lamp').press('Control+z');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    expect((await light(other)).position).toEqual(turned);
+    expect(moved).not.toEqual([0.5, 0.4, 0, 1]);
+    expect(turned).not.toEqual([0, 1, 2, 0]);
+  });
 
   test('with lights behind the eye, at it, at a pole, and in a viewer of 120 × 90', async ({
     page,

@@ -71,7 +71,7 @@ export class Handles {
     view: Projection,
     scene: SceneBall,
   ): void {
-    this.#move.see(view, scene, (light) => marks[lights.indexOf(light)] ?? null);
+    this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, 'aria-label', phrase(texts, 'Lights in the picture'));
     const kept = new Set<string>();

@@ -7,7 +7,7 @@ import type { PhongLight } from '../../element/phong-light.js';
 import type { PhongViewer } from '../../element/phong-viewer.js';
 import { historyOf, type Subject, valuesOf } from '../../element/viewer/history.js';
 import type { Projection } from '../drawing/projection.js';
-import type { LightMarks, Part } from './light-marks.js';
+import { lightMarks, type Part } from './light-marks.js';
 import { type Anchor, type Change, moved, travelOfTurn } from './moves.js';
 import type { SceneBall } from './placed-light.js';
 
@@ -33,7 +33,6 @@ export class LightMove {
   #move: Move | null = null;
   #view: Projection | null = null;
   #scene: SceneBall | null = null;
-  #marksOf: (light: PhongLight) => LightMarks | null = () => null;
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
@@ -52,8 +51,8 @@ export class LightMove {
   }
 
   /** What is drawn now. */
-  see(view: Projection, scene: SceneBall, marksOf: (light: PhongLight) => LightMarks | null): void {
-    [this.#view, this.#scene, this.#marksOf] = [view, scene, marksOf];
+  see(view: Projection, scene: SceneBall): void {
+    [this.#view, this.#scene] = [view, scene];
   }
 
   /** False if another move goes on, or there is nothing to move. */
@@ -126,10 +125,13 @@ export class LightMove {
       fieldsOf(move.light).set(key as keyof Change, value);
   }
 
+  /** The light as its values are now: what is drawn may be older, as keys can be faster than frames. */
   #anchor(light: PhongLight, part: Part): Anchor | null {
-    const [view, scene, marks] = [this.#view, this.#scene, this.#marksOf(light)];
-    const handle = marks?.handles.find((each) => each.part === part);
-    if (view === null || scene === null || marks === null || handle === undefined) return null;
-    return { part, values: { ...fieldsOf(light).store.values }, placed: marks.placed, handle, view, scene };
+    const [view, scene] = [this.#view, this.#scene];
+    if (view === null || scene === null) return null;
+    const values = { ...fieldsOf(light).store.values };
+    const { placed, handles } = lightMarks(values, view, scene, false);
+    const handle = handles.find((each) => each.part === part);
+    return handle === undefined ? null : { part, values, placed, handle, view, scene };
   }
 }
