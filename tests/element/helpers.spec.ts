@@ -87,6 +87,21 @@ test.describe('a light in the picture', () => {
     expect((await light(viewer)).position).toEqual(position);
   });
 
+  test('stays under a pointer that rests while something else turns the camera', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 50, y, { steps: 3 });
+    await assign(viewer, { theta: 30 });
+    await settled(viewer);
+    await nextFrame(page);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(after.x).toBeCloseTo(x - 50, 0);
+    expect(after.y).toBeCloseTo(y, 0);
+    await page.mouse.up();
+  });
+
   test('moves along the view with Shift, and stays under the same pixel', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const before = await middleOf(handle(viewer, 'lamp'));

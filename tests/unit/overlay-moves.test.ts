@@ -151,6 +151,8 @@ describe('a light that is moved', () => {
     expect(moved(anchor, from, travel(wider.at.x - x, wider.at.y - y)).aperture).toBeCloseTo(47, 1);
     expect(moved(anchor, from, travel(16, 0, { byKeys: true })).aperture).toBe(22);
     expect(moved(anchor, from, travel(-9999, 0, { byKeys: true })).aperture).toBe(0);
+    // At 180 it would be no cone, and its handle would go in the middle of the move.
+    expect(moved(anchor, from, travel(9999, 0, { byKeys: true })).aperture).toBe(179);
   });
 });
 

@@ -22,6 +22,8 @@ interface Move {
   readonly before: ReadonlyMap<string, unknown>;
   anchor: Anchor;
   along: boolean;
+  /** The pointer's whole travel as it was last; null before it moves, and for keys. */
+  last: readonly [dx: number, dy: number] | null;
   /** Pointer travel at the anchor, or keys' travel since then. */
   x: number;
   y: number;
@@ -50,9 +52,12 @@ export class LightMove {
     return this.#move?.light === light;
   }
 
-  /** What is drawn now. */
+  /** What is drawn now. A light that a pointer drags stays under it while the camera moves by itself. */
   see(view: Projection, scene: SceneBall): void {
+    const isNew = view !== this.#view;
     [this.#view, this.#scene] = [view, scene];
+    const move = this.#move;
+    if (isNew && move !== null && !move.byKeys && move.last !== null) this.to(...move.last, move.along);
   }
 
   /** False if another move goes on, or there is nothing to move. */
@@ -63,7 +68,7 @@ export class LightMove {
     const subject = valuesOf(light);
     this.#move = {
       ...{ light, part, byKeys, subject, before: subject.read() },
-      ...{ anchor, along: false, x: 0, y: 0, written: {} },
+      ...{ anchor, along: false, last: null, x: 0, y: 0, written: {} },
     };
     return true;
   }
@@ -71,7 +76,9 @@ export class LightMove {
   /** The pointer's whole travel since the start, CSS pixels of the layer. */
   to(dx: number, dy: number, along: boolean): void {
     const move = this.#current(along, dx, dy);
-    if (move !== null) this.#write(move, dx - move.x, dy - move.y);
+    if (move === null) return;
+    move.last = [dx, dy];
+    this.#write(move, dx - move.x, dy - move.y);
   }
 
   /** One press of a key: right and down are 1. */
@@ -101,7 +108,10 @@ export class LightMove {
     if (move !== null) historyOf(this.#viewer).record(move.subject, move.before);
   }
 
-  /** The move, measured from here if its kind changed or something else has written to the light. */
+  /**
+   * The move, measured from here if its kind changed or something else has written to the light, and for keys if the camera has moved:
+   * earlier steps were along other axes.
+   */
   #current(along: boolean, x: number, y: number): Move | null {
     const move = this.#move;
     if (move === null) return null;
@@ -109,7 +119,8 @@ export class LightMove {
     const isOwn = Object.entries(move.written).every(([key, value]) =>
       sameValue(value, values[key as keyof LightValues]),
     );
-    if (along === move.along && isOwn) return move;
+    const isSameView = !move.byKeys || move.anchor.view === this.#view;
+    if (along === move.along && isOwn && isSameView) return move;
     const anchor = this.#anchor(move.light, move.part);
     if (anchor === null) return null;
     Object.assign(move, { anchor, along, x, y, written: {} });

@@ -160,6 +160,9 @@ const PIXELS_PER_DEGREE = 8;
 /** Degrees between the cones that are compared at first. */
 const COARSE = 2;
 
+/** Degrees. A cone of 180 is none, and would take its handle away in the middle of the move. */
+const WIDEST = 179;
+
 /** In degrees, to a tenth: the cone whose edge passes nearest to the pointer. */
 function apertureAfter(
   { placed, handle, values, view: start }: Anchor,
@@ -167,7 +170,7 @@ function apertureAfter(
   travel: Travel,
 ): number {
   const { place, spot } = placed;
-  const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), 180);
+  const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), WIDEST);
   if (spot === null) return values.aperture;
   if (travel.byKeys) return clamped(values.aperture + (travel.dx - travel.dy) / PIXELS_PER_DEGREE);
   const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, start) };
@@ -180,8 +183,8 @@ function apertureAfter(
       if (distanceAt(degrees) < distanceAt(best)) best = degrees;
     return best;
   };
-  const coarse = nearest(0, 180, COARSE);
-  return clamped(nearest(Math.max(coarse - COARSE, 0), Math.min(coarse + COARSE, 180), 0.1));
+  const coarse = nearest(0, WIDEST, COARSE);
+  return clamped(nearest(Math.max(coarse - COARSE, 0), Math.min(coarse + COARSE, WIDEST), 0.1));
 }
 
 const distance = (point: Point | null, { x, y }: Point): number =>
