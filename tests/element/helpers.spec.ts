@@ -3,6 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
+import { field, opened } from './panel-rows.js';
 import {
   assign,
   cameraOf,
@@ -68,6 +69,7 @@ test.describe('a light in the picture', () => {
   }) => {
     const viewer = await mount(scene(lamp, 'gui'));
     const events = await record(viewer, 'light-change', 'camera-change');
+    const folder = await opened(viewer, 'lamp');
     const before = await middleOf(handle(viewer, 'lamp'));
     await drag(page, handle(viewer, 'lamp'), -60, 30);
     const after = await middleOf(handle(viewer, 'lamp'));
@@ -76,6 +78,7 @@ test.describe('a light in the picture', () => {
     const { position } = await light(viewer);
     expect(position[2]).toBeCloseTo(0, 3);
     expect(position[3]).toBe(1);
+    await expect(field(folder, 'position x')).toHaveValue(String(position[0]));
     const types = new Set((await events.take()).map(({ type }) => type));
     expect([...types]).toEqual(['light-change']);
     expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
