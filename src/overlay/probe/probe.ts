@@ -52,8 +52,6 @@ class Probe implements Extra, ProbeInputHost {
   readonly #removeStyles: () => void;
   /** What `probe-at` was when it was pinned last. */
   #declared: Vec3 | null = null;
-  /** The pinned point, in world space. */
-  #pin: Vec3 | null = null;
   /** Where the mouse or the cross-hair is, if nothing is pinned. */
   #free: Point | null = null;
   /** The fragment here gets pinned with its explanation. */
@@ -74,6 +72,7 @@ class Probe implements Extra, ProbeInputHost {
     host.tree.layer.append(this.#root);
     const parts = { surface: host.tree.surface, cursor: this.#cursor, root: this.#root };
     listen(parts, this, this.#listening.signal);
+    this.#pin = this.#declared = host.values.probeAt;
     this.#show();
   }
 
@@ -144,6 +143,15 @@ class Probe implements Extra, ProbeInputHost {
     if (this.#pin === null) this.look(null);
   }
 
+  /** The pinned point, in world space. */
+  get #pin(): Vec3 | null {
+    return viewerPins.get(this.#host.viewer) ?? null;
+  }
+
+  set #pin(p: Vec3 | null) {
+    viewerPins.set(this.#host.viewer, p);
+  }
+
   get #texts(): ViewerTexts | null {
     return this.#host.viewer.texts;
   }
@@ -157,8 +165,8 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   get #size(): { readonly width: number; readonly height: number } {
-    const { clientWidth, clientHeight } = this.#host.tree.layer;
-    return { width: Math.max(clientWidth, 1), height: Math.max(clientHeight, 1) };
+    const { width, height } = this.#host.size();
+    return { width: Math.max(width, 1), height: Math.max(height, 1) };
   }
 
   get #middle(): Point {
@@ -248,7 +256,6 @@ class Probe implements Extra, ProbeInputHost {
 
   /** Writes what is explained to the page. */
   #show(): void {
-    viewerPins.set(this.#host.viewer, this.#pin);
     this.#box.pinned = this.#pin !== null;
     const focused = this.#box.element.contains(this.#focus);
     set(this.#root, 'data-shown', this.#shown === null ? null : '');
@@ -263,7 +270,9 @@ class Probe implements Extra, ProbeInputHost {
     const texts = this.#texts;
     const { x, y } = at ?? this.#middle;
     this.#cursor.style.translate = `${x.toFixed(1)}px ${y.toFixed(1)}px`;
-    const covered = this.#box.keepAwayFrom(y, this.#size);
+    // The legend of a view is at the lower edge.
+    const edge = this.#host.values.view === 'shaded' ? 'low' : 'high';
+    const covered = this.#box.keepAwayFrom(y, this.#size, edge);
     if (at === null || fragment === null || sum === null) {
       this.#drawing.show(at === null ? [] : markOf(at, true));
       this.#box.showMessage(message, texts);
