@@ -39,8 +39,8 @@ export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
 );
 
 /**
- * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange` and
- * `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
+ * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`, `onProbeChange`
+ * and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
  */
 export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(
   'phong-viewer',
@@ -55,6 +55,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onError: 'error',
     onCameraChange: 'camera-change',
     onLightChange: 'light-change',
+    onProbeChange: 'probe-change',
     onRender: 'render',
   } satisfies Record<keyof Handlers<PhongViewerEventMap>, keyof PhongViewerEventMap>),
 );

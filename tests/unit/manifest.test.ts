@@ -76,7 +76,7 @@ describe('the custom elements manifest', () => {
 
   it('lists the events with their details, the slots and the parts', () => {
     const { events, slots, cssParts } = declared('phong-viewer');
-    const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'render'];
+    const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'probe-change', 'render'];
     expect(events!.map(({ name }) => name).sort()).toEqual(names.sort());
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
     expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
