@@ -4,6 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
 import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
@@ -14,6 +15,8 @@ export default defineConfig({
   publicDir: false,
   plugins: [
     dracoDecoder(),
+    basisTranscoder(),
+    basisFile({ file: false }),
     standaloneThree(),
     strippedGlsl(),
     licences({ listed: false }),

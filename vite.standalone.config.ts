@@ -4,6 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
 import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { modelChunks } from './.ci/model-chunks.js';
@@ -17,11 +18,16 @@ export default defineConfig({
   publicDir: false,
   plugins: [
     dracoDecoder(),
+    basisTranscoder(),
+    basisFile(),
     standaloneThree(),
     strippedGlsl(),
     licences(),
     retriedImports(),
-    decoderWorkers({ hashed: true, plugins: () => [dracoDecoder(), licences({ listed: false })] }),
+    decoderWorkers({
+      hashed: true,
+      plugins: () => [dracoDecoder(), basisTranscoder(), licences({ listed: false })],
+    }),
   ],
   define: { 'process.env.NODE_ENV': '"production"' },
   build: {

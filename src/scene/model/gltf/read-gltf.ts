@@ -22,7 +22,7 @@ export const readGltf: ModelReader = async (source) => {
   const { json, body } = openContainer(source.bytes, budget);
   const document = readDocument(json, budget);
   const bytes = gltfBytes(document, body, source);
-  const textures = gltfTextures(document, bytes, budget);
+  const textures = gltfTextures(document, bytes, budget, source.signal);
   const slices = new Slices(source.signal);
   const turn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
