@@ -1,7 +1,7 @@
 // The probe: which point does a viewer explain, and when? The place under the mouse or the cross-hair, or a pinned point in the scene. At
 // most one explanation runs at a time, one a frame, and none while nothing changes. Does not know how a point is shown.
 import type { ProbeDetail } from '../../element/events.js';
-import { phrase } from '../../element/fields/texts.js';
+import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
@@ -158,7 +158,7 @@ class Probe implements Extra, ProbeInputHost {
     const [toPin, pin] = [this.#toPin, this.#pin];
     const { projection } = this.#view;
     const at = toPin ?? (pin === null ? this.#free : projection.point(pin));
-    const message = (text: string): string => phrase(viewer.texts, text);
+    const message = (text: keyof ViewerTexts): string => phrase(viewer.texts, text);
     if (at === null || !isInside(at, projection))
       return pin === null ? null : { at: null, fragment: null, message: message(OUTSIDE) };
     const zoom = (tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
