@@ -235,6 +235,16 @@ test('comes back after the element has left the page, and after its context was 
   expect(compare(before, await pixels(viewer)).max).toBe(0);
 });
 
+test('a screen reader finds the legend with its title, light and numbers', async ({ mount }) => {
+  const viewer = await mount(scene('alt="A ball" view="n-dot-l"'), SIZE);
+  await expect(viewer.getByRole('group', { name: 'Legend' })).toMatchAriaSnapshot(`
+    - group "Legend":
+      - paragraph: N · L
+      - paragraph: sun
+      - text: 0 0.5 1
+  `);
+});
+
 test('the markup keeps the view, and the panel writes and follows it', async ({ mount }) => {
   const viewer = await mount(scene('gui view="decay" view-light="lamp"'), { width: 900, height: 700 });
   const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
