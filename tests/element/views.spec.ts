@@ -223,6 +223,16 @@ test('comes back after the element has left the page, and after its context was 
   });
   await expect(legendOf(viewer)).toHaveCount(1);
   expect(compare(before, await pixels(viewer)).max).toBe(0);
+  await viewer.evaluate((element: PhongViewer) => {
+    const parent = element.parentNode!;
+    element.remove();
+    element.view = 'shaded';
+    parent.append(element);
+    return element.ready;
+  });
+  expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
+  await assign(viewer, { view: 'triangles' });
+  await settled(viewer);
   await viewer.evaluate(async (element: PhongViewer) => {
     const canvas = element.shadowRoot!.querySelector('canvas')!;
     const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;

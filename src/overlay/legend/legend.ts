@@ -57,12 +57,10 @@ class ViewExtra implements Extra {
   }
 
   dispose(): void {
-    const { values, viewport } = this.#host;
+    const { viewport } = this.#host;
     this.#hideError();
     this.#legend.place.remove();
     this.#dropStyles();
-    // A viewer that has left the page still draws its view, for toBlob.
-    if (values.view !== 'shaded' || values.viewLight !== '') return;
     viewport.lighting.view = null;
     viewport.style = { ...viewport.style };
   }
