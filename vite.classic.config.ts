@@ -4,6 +4,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
+import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { standaloneThree } from './.ci/standalone-three/plugin.js';
@@ -11,7 +13,15 @@ import { strippedGlsl } from './.ci/strip-glsl.js';
 
 export default defineConfig({
   publicDir: false,
-  plugins: [dracoDecoder(), standaloneThree(), strippedGlsl(), licences({ listed: false })],
+  plugins: [
+    dracoDecoder(),
+    basisTranscoder(),
+    basisFile({ file: false }),
+    standaloneThree(),
+    strippedGlsl(),
+    licences({ listed: false }),
+    decoderWorkers({ files: false, plugins: () => [] }),
+  ],
   define: { 'process.env.NODE_ENV': '"production"' },
   build: {
     outDir: outputFolder('dist'),

@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { basisTranscoder } from './.ci/basis-transcoder.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { packageAliases } from './.ci/package-aliases.js';
@@ -20,7 +21,7 @@ export default defineConfig({
   // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), strippedGlsl(), licences(), sitePages()],
+  plugins: [dracoDecoder(), basisTranscoder(), strippedGlsl(), licences(), sitePages()],
   resolve: {
     alias: packageAliases,
     // Lit's development build would log a warning on every page.
@@ -38,6 +39,8 @@ export default defineConfig({
     ],
   },
   server: { fs: { allow: [repository] } },
+  // Workers are modules of their own, built by Vite as a user's are.
+  worker: { format: 'es', plugins: () => [dracoDecoder(), basisTranscoder()] },
   build: {
     outDir: outputFolder('site'),
     emptyOutDir: true,

@@ -4,6 +4,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
+import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
 import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
@@ -11,9 +13,10 @@ import { strippedGlsl } from './.ci/strip-glsl.js';
 
 const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, import.meta.url));
 
-// Text imported with a query is inlined, and so is the Draco decoder: a user's bundler would find no export in it.
+// Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a user's bundler would find no export.
 function staysImport(specifier: string): boolean {
-  if (specifier.includes('?') || specifier === dracoDecoderSpecifier) return false;
+  if (specifier.includes('?') || specifier === dracoDecoderSpecifier || /libs\/basis/.test(specifier))
+    return false;
   return /^(three|@lit\/reactive-element|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
 }
 
@@ -36,12 +39,17 @@ const entries: Readonly<Record<string, string>> = {
   playwright: source('playwright.ts'),
 };
 
+const workerPlugins = (): Plugin[] => [dracoDecoder(), basisTranscoder(), licences({ listed: false })];
+
 /** `--mode` names the entry. `index` is built first and empties dist/. */
 export default defineConfig(({ mode }) => ({
   publicDir: false,
   plugins: [
     dracoDecoder(),
+    basisTranscoder(),
+    basisFile(),
     strippedGlsl(),
+    decoderWorkers({ plugins: workerPlugins }),
     ...(mode === 'react'
       ? [besideIndex, licences({ listed: false, directive: clientDirective })]
       : [licences({ listed: false })]),

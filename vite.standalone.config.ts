@@ -4,6 +4,8 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
+import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
+import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
@@ -14,7 +16,19 @@ import { strippedGlsl } from './.ci/strip-glsl.js';
 export default defineConfig({
   base: './',
   publicDir: false,
-  plugins: [dracoDecoder(), standaloneThree(), strippedGlsl(), licences(), retriedImports()],
+  plugins: [
+    dracoDecoder(),
+    basisTranscoder(),
+    basisFile(),
+    standaloneThree(),
+    strippedGlsl(),
+    licences(),
+    retriedImports(),
+    decoderWorkers({
+      hashed: true,
+      plugins: () => [dracoDecoder(), basisTranscoder(), licences({ listed: false })],
+    }),
+  ],
   define: { 'process.env.NODE_ENV': '"production"' },
   build: {
     outDir: outputFolder('dist'),

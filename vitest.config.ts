@@ -3,12 +3,13 @@
 
 import { defineConfig } from 'vitest/config';
 import { packageAliases } from './.ci/package-aliases.js';
+import { basisTranscoder } from './.ci/basis-transcoder.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 
 export default defineConfig({
-  plugins: [dracoDecoder()],
+  plugins: [dracoDecoder(), basisTranscoder()],
   resolve: { alias: packageAliases },
   test: {
     environment: 'node',
@@ -21,6 +22,6 @@ export default defineConfig({
     passWithNoTests: true,
     maxWorkers: 2,
     testTimeout: 20_000,
-    server: { deps: { inline: [/draco_decoder/] } },
+    server: { deps: { inline: [/draco_decoder/, /basis_transcoder/] } },
   },
 });

@@ -4,6 +4,7 @@
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { deflateSync } from 'node:zlib';
+import { encodeToKTX2 } from 'ktx2-encoder';
 import { MeshoptEncoder } from 'meshoptimizer';
 import bunny from '@pmndrs/assets/models/bunny.glb.js';
 
@@ -63,10 +64,11 @@ function png(rows) {
 }
 
 /** No two texels alike, and no symmetry: a flip, a swap or a colour conversion shows. The last has half alpha. */
-const texture = png([
+const texels = [
   [[255, 0, 0, 255], [0, 255, 0, 255]],
   [[0, 0, 255, 255], [188, 64, 20, 128]],
-]); // prettier-ignore
+]; // prettier-ignore
+const texture = png(texels);
 
 /** Puts blobs into one buffer, four-byte aligned, with a buffer view each. */
 function pack(blobs) {
@@ -237,6 +239,36 @@ write('beside/textures/four colours.png', texture);
   write('meshopt-damaged.glb', glb(json, damaged));
 }
 
+// -- KTX2 --------------------------------------------------------------------------------------------------------------
+
+/** The four texels of {@link texture}, each as a block of 4 × 4: UASTC keeps blocks of one colour exactly. */
+async function ktx2(options) {
+  const side = 8;
+  const data = new Uint8Array(4 * side * side);
+  for (let i = 0; i < side * side; i += 1)
+    data.set(texels[Math.floor(i / side / 4)][Math.floor((i % side) / 4)], 4 * i);
+  const imageDecoder = async () => ({ width: side, height: side, data });
+  return Buffer.from(await encodeToKTX2(new Uint8Array(1), { ...options, imageDecoder }));
+}
+
+function ktx2Glb(image) {
+  const packed = pack([...quadBlobs, image]);
+  const { material, more } = textured({ bufferView: 4, mimeType: 'image/ktx2' });
+  more.textures = [{ sampler: 0, extensions: { KHR_texture_basisu: { source: 0 } } }];
+  const json = document({ ...quadParts, material, more, packed });
+  json.extensionsUsed = json.extensionsRequired = ['KHR_texture_basisu'];
+  return glb(json, packed.bytes);
+}
+
+{
+  const uastc = await ktx2({ isUASTC: true, needSupercompression: true, generateMipmap: true });
+  write('ktx2.glb', ktx2Glb(uastc));
+  write('ktx2-etc1s.glb', ktx2Glb(await ktx2({ isUASTC: false, generateMipmap: false })));
+  const damaged = Buffer.from(uastc);
+  damaged.fill(255, damaged.length - 40);
+  write('ktx2-damaged.glb', ktx2Glb(damaged));
+}
+
 // -- broken or refused -------------------------------------------------------------------------------------------------
 
 {
@@ -266,11 +298,11 @@ write('beside/textures/four colours.png', texture);
 }
 {
   const packed = pack(quadBlobs);
-  const { material, more } = textured({ uri: 'x.ktx2' });
-  more.textures = [{ sampler: 0, extensions: { KHR_texture_basisu: { source: 0 } } }];
+  const { material, more } = textured({ uri: 'x.dds' });
+  more.textures = [{ sampler: 0, extensions: { MSFT_texture_dds: { source: 0 } } }];
   const json = document({ ...quadParts, material, more, packed });
-  json.extensionsUsed = json.extensionsRequired = ['KHR_texture_basisu'];
-  write('ktx2.glb', glb(json, packed.bytes));
+  json.extensionsUsed = ['MSFT_texture_dds'];
+  write('dds.glb', glb(json, packed.bytes));
 }
 writeJson(
   'other-origin.gltf',

@@ -9,12 +9,13 @@ const loader = /\(\)=>import\(`(\.\/[^`$]+)`\)/g;
 
 /**
  * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import stays, because a
- * bundler finds the chunk by it; the comments keep bundlers from resolving the other address.
+ * bundler finds the chunk by it; the comments keep bundlers from resolving the other address. In parentheses, because a call of `then`
+ * may follow.
  */
 export function retried(code: string): string {
   const plain = 'import(`$1`)';
   const again = 'import(/*webpackIgnore:true*//*@vite-ignore*/`$1?`+n)';
-  return code.replace(loader, `n=>n?${again}.catch(()=>${plain}):${plain}`);
+  return code.replace(loader, `n=>(n?${again}.catch(()=>${plain}):${plain})`);
 }
 
 export function retriedImports(): Plugin {

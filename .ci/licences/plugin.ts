@@ -24,6 +24,7 @@ const LIBRARIES: ReadonlyMap<
   string,
   { readonly name: string; readonly licence: string; readonly file: string }
 > = new Map([
+  ['basis', { name: 'Basis Universal transcoder', licence: 'Apache-2.0', file: 'basis.txt' }],
   ['draco', { name: 'Draco decoder', licence: 'Apache-2.0', file: 'draco.txt' }],
   ['meshopt_decoder', { name: 'meshoptimizer decoder', licence: 'MIT', file: 'meshopt.txt' }],
 ]);

@@ -172,7 +172,11 @@ export class PointerGesture {
 }
 
 /** A pointer's travel in pixels of the picture. No travel where the picture is seen edge-on: nothing can be pressed there. */
-function alongAxes([rightX, rightY, downX, downY]: PictureAxes, x: number, y: number): [number, number] {
+export function alongAxes(
+  [rightX, rightY, downX, downY]: PictureAxes = UPRIGHT,
+  x: number,
+  y: number,
+): [number, number] {
   const area = rightX * downY - rightY * downX;
   if (area === 0) return [0, 0];
   return [(x * downY - y * downX) / area, (y * rightX - x * rightY) / area];

@@ -20,12 +20,18 @@ export interface PhongViewerEventMap {
   progress: CustomEvent<{ readonly totalProgress: number }>;
   /** Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if any. */
   error: CustomEvent<ViewerErrorDetail>;
-  /** The camera moved; `detail.source` says what moved it. */
-  'camera-change': CustomEvent<{ readonly source: CameraSource }>;
+  /** The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another viewer of its `camera-group`. */
+  'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
   /** Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it may be empty). */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
   /** A frame was drawn. */
   render: CustomEvent<null>;
+}
+
+/** Events of `<phong-compare>`. None bubbles. */
+export interface PhongCompareEventMap {
+  /** The user moved a divider; `detail.at` are the places of all, in percent. */
+  'divider-change': CustomEvent<{ readonly at: readonly number[] }>;
 }
 
 /** All events by name, including those of every element. */

@@ -1,16 +1,19 @@
-// What this package's own code, the panel included, can reach on an element while users cannot: its declared values, and
-// its camera.
+// What this package's own code, the panel included, can reach on an element while users cannot: its declared values, its
+// camera, and what its probe is pinned to.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { CompareValues } from './fields/compare-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 import type { PhongViewer } from './phong-viewer.js';
+import type { Vec3 } from '../math/vector.js';
 import type { ViewerCamera } from './viewer/camera.js';
 
 interface ValuesByTag {
   'phong-light': LightValues;
   'phong-mesh': MeshValues;
   'phong-viewer': ViewerValues;
+  'phong-compare': CompareValues;
 }
 
 type Tag = keyof ValuesByTag;
@@ -21,3 +24,6 @@ export const fieldsOf = <T extends Tag>(
 ): FieldBinding<ValuesByTag[T]> => bindingOf(element);
 
 export const viewerCameras = new WeakMap<PhongViewer, ViewerCamera>();
+
+/** The point that a viewer's probe is pinned to, in world space; null for none. Viewers without a probe are not among them. */
+export const viewerPins = new WeakMap<PhongViewer, Vec3 | null>();

@@ -16,7 +16,7 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import styles from './phong-viewer.css?inline';
-import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
+import { CAMERA_KEYS, type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
@@ -52,6 +52,7 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart retry - the button under that message, which tries again what failed
  * @csspart panel - the control panel's place
  * @csspart legend - what the colours of `view` mean
+ * @csspart probe - the box of `probe`: a point's colour and the table of its sum
  * @cssState loading - something requested has not arrived yet
  * @cssState error - something has failed and still does
  * @cssState empty - nothing to show is declared, and `scene` holds no object
@@ -87,12 +88,9 @@ export class PhongViewer extends ReactiveElement {
     },
     painted: () => this.#loading.drawn(),
     undrawable: (error, draw): boolean => this.#loading.undrawable(error, draw),
-    drawn: () => {
-      this.#display.drawn();
-      this.dispatchEvent(new CustomEvent('render'));
-    },
+    drawn: () => this.#display.drawn(),
     afterFrame: () => this.#readiness.check(),
-    fitted: () => this.#cameraMoved('auto'),
+    fitted: () => this.#camera.fitted(),
     contextMissing: (error) => this.#failure.contextMissing(error),
     contextLost: () => this.#failure.contextLost(),
     contextRestored: () => this.#failure.contextRestored(),
@@ -124,7 +122,7 @@ export class PhongViewer extends ReactiveElement {
   readonly #camera: ViewerCamera = new ViewerCamera({
     values: this.#store.values,
     viewport: this.#viewport,
-    moved: (source) => this.#cameraMoved(source),
+    moved: (source, linked) => this.#cameraMoved(source, linked),
   });
   readonly #visibility = new Visibility(this, this.#holder, (view) => {
     if (view.near) this.#loading.neared();
@@ -146,13 +144,14 @@ export class PhongViewer extends ReactiveElement {
     viewport: this.#viewport,
     camera: this.#camera,
     children: this.#children,
+    size: () => this.#visibility.size,
     snapshot: () => this.#snapshot(),
     ended: () => this.#readiness.check(),
   });
 
   constructor() {
     super();
-    this.#store.listen((key) => this.requestUpdate(key));
+    this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
     for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
@@ -335,10 +334,10 @@ export class PhongViewer extends ReactiveElement {
   readonly #snapshot = (): ViewerSnapshot =>
     viewerSnapshot(this, this.#viewport, this.#children, this.#visibility.size);
 
-  #cameraMoved(source: CameraSource): void {
+  #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
-    if (this.hasUpdated) this.#events.enqueue('camera-change', { source });
-    this.#display.cameraMoved(source);
+    if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
+    this.#display.cameraMoved(source, linked);
     this.#panel.changed('camera');
   }
 }

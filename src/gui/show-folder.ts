@@ -54,5 +54,5 @@ export function showFolder(root: GUI, viewer: PhongViewer, edit: Edit): Folder {
 function lightChoices({ lights, viewLight }: PhongViewer): Record<string, string> {
   const names = lights.map(({ name }) => name);
   if (viewLight !== '') names.push(viewLight);
-  return { 'all, or the first': '', ...named(names) };
+  return { 'all, or the first': '', ...Object.fromEntries(names.map((name) => [name, name])) };
 }

@@ -1,5 +1,5 @@
 // Which keys and gestures in the panel mean undo, redo, or the end of a step? Knows nothing about what is undone.
-import type { History } from '../element/viewer/history.js';
+import { type History, undoKey } from '../element/viewer/history.js';
 
 const isText = (target: EventTarget | undefined): target is HTMLInputElement | HTMLTextAreaElement =>
   target instanceof HTMLTextAreaElement ||
@@ -32,7 +32,7 @@ export function listenForUndo(panel: HTMLElement, history: History): void {
   panel.addEventListener(
     'keydown',
     (event) => {
-      const action = actionOf(event);
+      const action = undoKey(event);
       if (action === null || (typedIn !== null && typedIn === event.target)) return;
       event.preventDefault();
       event.stopPropagation();
@@ -40,11 +40,4 @@ export function listenForUndo(panel: HTMLElement, history: History): void {
     },
     keys,
   );
-}
-
-function actionOf({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 'undo' | 'redo' | null {
-  if (!(ctrlKey || metaKey) || altKey) return null;
-  const letter = key.toLowerCase();
-  if (letter === 'z') return shiftKey ? 'redo' : 'undo';
-  return letter === 'y' && !shiftKey ? 'redo' : null;
 }

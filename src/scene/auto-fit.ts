@@ -12,6 +12,22 @@ export interface Framing {
   readonly radius: number | 'auto';
 }
 
+/** Where `auto` puts the camera. */
+export interface Fit {
+  readonly target: Vec3;
+  readonly radius: number;
+  /** The scene shows nothing: any place would do. */
+  readonly empty: boolean;
+}
+
+/** Frames several pictures as one. */
+export interface SharedFit {
+  /** The scene, the size or the field of view of a picture has changed. */
+  changed(): void;
+  /** The fit of all pictures together. */
+  fit(framing: Framing): Fit;
+}
+
 export class AutoFit {
   readonly #tree: SceneTree;
   readonly #orbit: Orbit;
@@ -23,6 +39,7 @@ export class AutoFit {
   #depthBounds: Bounds | null = null;
   /** Width over height of the last size above 0: a hidden picture keeps its camera. */
   #aspect = 1;
+  #shared: SharedFit | null = null;
 
   constructor(tree: SceneTree, orbit: Orbit) {
     this.#tree = tree;
@@ -36,6 +53,12 @@ export class AutoFit {
 
   set framing(framing: Framing | null) {
     this.#framing = framing;
+    this.#fitStale = true;
+  }
+
+  /** Frames this picture together with others; null, the default: alone. */
+  set shared(shared: SharedFit | null) {
+    this.#shared = shared;
     this.#fitStale = true;
   }
 
@@ -60,17 +83,17 @@ export class AutoFit {
   /** Meshes were added, removed or moved, or their vertices changed. */
   reshaped(): void {
     this.#extentStale = true;
-    this.#fitStale = true;
+    this.#changed();
   }
 
   resized(width: number, height: number): void {
     if (width > 0 && height > 0) this.#aspect = width / height;
-    this.#fitStale = true;
+    this.#changed();
   }
 
   /** The field of view has changed. */
   fovChanged(): void {
-    this.#fitStale = true;
+    this.#changed();
   }
 
   /** Measures and fits where something has changed. `fov` is vertical, in degrees. True if the orbit moved. */
@@ -79,6 +102,21 @@ export class AutoFit {
     if (!this.#fitStale) return false;
     this.#fitStale = false;
     return this.#fit(fov);
+  }
+
+  /** Where this framing puts the camera for this picture alone. The radius is that of `auto`, whatever the framing says. */
+  fitOf({ target }: Framing, fov: number): Fit {
+    if (this.#extentStale) this.#measure();
+    const { empty } = this.#extent;
+    const fitted = fitPose(this.#bounds, fov, this.#aspect);
+    if (target === 'auto') return { ...fitted, empty };
+    const radius = empty ? fitted.radius : fitRadius(this.#extent.radiusAbout(target), fov, this.#aspect);
+    return { target, radius, empty };
+  }
+
+  #changed(): void {
+    this.#fitStale = true;
+    this.#shared?.changed();
   }
 
   #measure(): void {
@@ -91,15 +129,10 @@ export class AutoFit {
 
   #fit(fov: number): boolean {
     if (this.#framing === null) return false;
-    const { target, radius } = this.#framing;
-    const fitted = fitPose(this.#bounds, fov, this.#aspect);
-    const place = target === 'auto' ? fitted.target : target;
-    const distance =
-      target === 'auto' || this.#extent.empty
-        ? fitted.radius
-        : fitRadius(this.#extent.radiusAbout(target), fov, this.#aspect);
+    const { radius } = this.#framing;
+    const fitted = this.#shared?.fit(this.#framing) ?? this.fitOf(this.#framing, fov);
     const before = this.#orbit.version;
-    this.#orbit.set({ target: place, radius: radius === 'auto' ? distance : radius });
+    this.#orbit.set({ target: fitted.target, radius: radius === 'auto' ? fitted.radius : radius });
     return this.#orbit.version !== before;
   }
 }

@@ -26,8 +26,28 @@ const known = new WeakMap<BufferGeometry, ExtremePoints | null>();
 /** Null where the geometry has no vertex. Found with the first call, and kept until {@link forgetExtremePoints}. */
 export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null {
   let found = known.get(geometry);
-  if (found === undefined) known.set(geometry, (found = findExtremePoints(geometry)));
+  if (found === undefined) {
+    const search = searchOf(geometry);
+    let step = search.next();
+    while (step.done !== true) step = search.next();
+    known.set(geometry, (found = step.value));
+  }
   return found;
+}
+
+/** As {@link extremePointsOf}, in steps of about a millisecond for 300,000 vertices. What `pause` returns is awaited between them. */
+export async function findExtremePoints(
+  geometry: BufferGeometry,
+  pause: () => Promise<void> | null,
+): Promise<void> {
+  if (known.has(geometry)) return;
+  const search = searchOf(geometry);
+  let step = search.next();
+  for (; step.done !== true; step = search.next()) {
+    const pausing = pause();
+    if (pausing !== null) await pausing;
+  }
+  known.set(geometry, step.value);
 }
 
 /** `copy` has the vertices of `geometry`: it is not read for itself. */
@@ -40,16 +60,19 @@ export function forgetExtremePoints(geometry: BufferGeometry): void {
   known.delete(geometry);
 }
 
-function findExtremePoints(geometry: BufferGeometry): ExtremePoints | null {
+/** A computation in steps. */
+type Search<T> = Generator<undefined, T, undefined>;
+
+function* searchOf(geometry: BufferGeometry): Search<ExtremePoints | null> {
   const position = geometry.getAttribute('position');
   const plain =
     position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
   // Most geometries have only finite numbers, and are read without a copy.
-  const found = plain ? extremesOf(position.array as Float32Array) : null;
-  return found && Number.isFinite(found.radius) ? found : extremesOf(finiteVertices(position));
+  const found = plain ? yield* extremesOf(position.array as Float32Array) : null;
+  return found && Number.isFinite(found.radius) ? found : yield* extremesOf(finiteVertices(position));
 }
 
-function extremesOf(vertices: Vertices): ExtremePoints | null {
+function* extremesOf(vertices: Vertices): Search<ExtremePoints | null> {
   const box = emptyBox();
   extend(box, vertices, 0, vertices.length);
   const [minX, minY, minZ, maxX, maxY, maxZ] = box;
@@ -64,7 +87,8 @@ function extremesOf(vertices: Vertices): ExtremePoints | null {
   }
   const radius = Math.sqrt(farthest);
   const count = vertices.length / 3;
-  const chosen = count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : supports(vertices, box);
+  const chosen =
+    count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : yield* supports(vertices, box);
   return { points: distinct(vertices, chosen), center, radius };
 }
 
@@ -109,13 +133,13 @@ function extend(box: Box, vertices: Vertices, first: number, end: number): void 
 }
 
 /** Where in `vertices` the farthest along each direction and against it begin. */
-function supports(vertices: Vertices, box: Readonly<Box>): Set<number> {
+function* supports(vertices: Vertices, box: Readonly<Box>): Search<Set<number>> {
   const directions = directionsFor(box);
   const least = new Float64Array(PAIRS).fill(Infinity);
   const most = new Float64Array(PAIRS).fill(-Infinity);
   const leastAt = new Uint32Array(PAIRS);
   const mostAt = new Uint32Array(PAIRS);
-  for (const first of blockStarts(vertices.length)) {
+  const take = (first: number): void => {
     const end = Math.min(first + 3 * BLOCK, vertices.length);
     const [minX, minY, minZ, maxX, maxY, maxZ] = blockBox(vertices, first, end);
     for (let k = 0; k < PAIRS; k++) {
@@ -135,15 +159,12 @@ function supports(vertices: Vertices, box: Readonly<Box>): Set<number> {
         }
       }
     }
+  };
+  for (let lane = 0; lane < STRIDE; lane++) {
+    for (let block = lane; 3 * BLOCK * block < vertices.length; block += STRIDE) take(3 * BLOCK * block);
+    yield;
   }
   return new Set([...leastAt, ...mostAt]);
-}
-
-/** Where the blocks begin, each once. */
-function* blockStarts(length: number): Iterable<number> {
-  for (let lane = 0; lane < STRIDE; lane++) {
-    for (let block = lane; 3 * BLOCK * block < length; block += STRIDE) yield 3 * BLOCK * block;
-  }
 }
 
 function blockBox(vertices: Vertices, first: number, end: number): Box {
@@ -174,12 +195,17 @@ function* spiral(count: number): Iterable<number> {
   }
 }
 
-/** The places of the chosen vertices, each once: faces of their own normals repeat their corners. */
+/**
+ * The places of the chosen vertices, each once: faces of their own normals repeat their corners. They are few, so comparing each
+ * with each is faster than texts as keys: 7 times with 192 places.
+ */
 function distinct(vertices: Vertices, chosen: Iterable<number>): Float64Array {
-  const places = new Map<string, readonly number[]>();
+  const places: number[] = [];
   for (const i of chosen) {
-    const place = [...vertices.subarray(i, i + 3)];
-    places.set(place.join(), place);
+    const [x, y, z] = [vertices[i]!, vertices[i + 1]!, vertices[i + 2]!];
+    let at = 0;
+    while (at < places.length && (places[at] !== x || places[at + 1] !== y || places[at + 2] !== z)) at += 3;
+    if (at === places.length) places.push(x, y, z);
   }
-  return Float64Array.from([...places.values()].flat());
+  return Float64Array.from(places);
 }

@@ -1,8 +1,7 @@
 // One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
 // nor attributes nor where input comes from.
 import type { Object3D, Scene } from 'three';
-import { zoomLimits } from '../camera/fit.js';
-import type { RadiusLimits } from '../camera/drag.js';
+import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
@@ -29,7 +28,7 @@ export class Viewport implements StageClient, Framed {
   readonly animations: Animations;
   readonly #painter: Painter;
   readonly #tree: SceneTree;
-  readonly #fit: AutoFit;
+  readonly fit: AutoFit;
   readonly #events: ViewportEvents;
   readonly #view = new ViewCamera(this.orbit);
   /** Requested size in device pixels. */
@@ -52,7 +51,7 @@ export class Viewport implements StageClient, Framed {
     this.materials = new SharedMaterials(this.#painter.lighting);
     this.animations = new Animations(meshes);
     this.#tree = new SceneTree(this.#painter.scene, meshes);
-    this.#fit = new AutoFit(this.#tree, this.orbit);
+    this.fit = new AutoFit(this.#tree, this.orbit);
     this.#events = events;
   }
 
@@ -100,7 +99,7 @@ export class Viewport implements StageClient, Framed {
   set fov(degrees: number) {
     if (degrees === this.#fov) return;
     this.#fov = degrees;
-    this.#fit.fovChanged();
+    this.fit.fovChanged();
     this.invalidate();
   }
 
@@ -121,11 +120,11 @@ export class Viewport implements StageClient, Framed {
 
   /** How target and radius are found; null leaves them where the user put them. */
   get framing(): Framing | null {
-    return this.#fit.framing;
+    return this.fit.framing;
   }
 
   set framing(framing: Framing | null) {
-    this.#fit.framing = framing;
+    this.fit.framing = framing;
     this.invalidate();
   }
 
@@ -139,7 +138,7 @@ export class Viewport implements StageClient, Framed {
   resize(width: number, height: number): void {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
-    this.#fit.resized(width, height);
+    this.fit.resized(width, height);
     this.#dirty = true;
     this.#wake();
   }
@@ -162,7 +161,7 @@ export class Viewport implements StageClient, Framed {
 
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
   reshaped(): void {
-    this.#fit.reshaped();
+    this.fit.reshaped();
     this.invalidate();
   }
 
@@ -231,13 +230,13 @@ export class Viewport implements StageClient, Framed {
   /** Fits the camera to the scene where `auto` asks for it and something has changed. */
   settle(): void {
     // The first fit is not a move.
-    if (this.#fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();
+    if (this.fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();
   }
 
-  /** Limits of the camera's radius. */
-  get zoomLimits(): RadiusLimits {
+  /** The meshes' bounds as last measured; null where the scene shows nothing. */
+  get bounds(): Bounds | null {
     this.settle();
-    return zoomLimits(this.#fit.bounds);
+    return this.fit.bounds;
   }
 
   /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
@@ -245,7 +244,7 @@ export class Viewport implements StageClient, Framed {
     this.#bringInStep();
     this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height, part);
+      this.#view.aim(this.#fov, this.fit.depthBounds(), width, height, part);
       this.#painter.paint(renderer, this.#view);
     });
   }
@@ -254,7 +253,7 @@ export class Viewport implements StageClient, Framed {
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
     this.#bringInStep();
-    this.#view.aim(this.#fov, this.#fit.depthBounds(), width, height);
+    this.#view.aim(this.#fov, this.fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
     for (const mesh of this.#tree.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
@@ -284,7 +283,7 @@ export class Viewport implements StageClient, Framed {
   readonly #paint = (): boolean => {
     this.#bringInStep();
     return stage.draw(this, (renderer) => {
-      this.#view.aim(this.#fov, this.#fit.depthBounds(), this.width, this.height);
+      this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
       this.#painter.paint(renderer, this.#view);
     });
   };

@@ -10,6 +10,7 @@ import { allReady, expect, test } from '../support/test.js';
 import { usages } from './requests.js';
 
 interface Part {
+  /** A name, or a pattern for the names of several. */
   readonly chunk: string;
   readonly use: Use;
   readonly sentence: RegExp;
@@ -59,7 +60,7 @@ const parts: readonly Part[] = [
     sentence: /^load-failed: The code .*OBJ.* could not be fetched/,
   },
   {
-    chunk: 'draco',
+    chunk: 'draco(-worker)?',
     use: '/assets/models/bunny.glb',
     sentence: /^load-failed: The Draco decoder.* could not be fetched/,
   },

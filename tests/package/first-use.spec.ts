@@ -57,7 +57,7 @@ const uses: readonly Use[] = [
     use: (viewer) => viewer.evaluate(async (element: PhongViewer) => (await element.toBlob()).size),
     chunks: ['picture-blob'],
   },
-  { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['shade-at'] },
+  { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['pick', 'shade-at'] },
   { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
   { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend'] },
@@ -66,7 +66,7 @@ const uses: readonly Use[] = [
   { what: 'no view', use: set({ viewLight: '' }), chunks: [] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
   { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: [] },
-  { what: 'the panel', use: set({ gui: true }), chunks: ['panel'] },
+  { what: 'the panel', use: set({ gui: true }), chunks: ['history', 'panel'] },
   {
     what: 'a model',
     use: set({ src: '/fixtures/models/textured.glb' }),
@@ -80,7 +80,11 @@ const uses: readonly Use[] = [
   { what: 'a PLY file', use: set({ src: '/fixtures/models/coloured.ply' }), chunks: ['read-ply'] },
   { what: 'an OBJ file', use: set({ src: '/fixtures/models/quads.obj' }), chunks: ['read-obj'] },
   { what: 'another model', use: set({ src: '/fixtures/models/mask.glb' }), chunks: [] },
-  { what: 'a model compressed with Draco', use: set({ src: '/assets/models/bunny.glb' }), chunks: ['draco'] },
+  {
+    what: 'a model compressed with Draco',
+    use: set({ src: '/assets/models/bunny.glb' }),
+    chunks: ['draco-worker'],
+  },
 ];
 
 const drawOften = (viewer: Locator) =>

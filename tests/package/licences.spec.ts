@@ -36,6 +36,12 @@ test('THIRD-PARTY-LICENSES.txt holds the licence of the Draco decoder', () => {
   expect(licences()).toContain('Apache License');
 });
 
+test('THIRD-PARTY-LICENSES.txt holds the licences of the Basis transcoder and of what its WebAssembly contains', () => {
+  expect(licences()).toContain(`\nBasis Universal transcoder (in three ${version('three')})\n`);
+  expect(licences()).toContain('Binomial LLC');
+  expect(licences()).toContain('For Zstandard software');
+});
+
 test('THIRD-PARTY-LICENSES.txt holds the licence of the meshoptimizer decoder', () => {
   expect(licences()).toContain(`\nmeshoptimizer decoder (in three ${version('three')})\n`);
   expect(licences()).toContain('Arseny Kapoulkine');
@@ -56,6 +62,9 @@ test('every bundle that contains code of others begins with a notice that names 
     [chunk('chunks', 'meshopt'), [/Arseny Kapoulkine/]],
     [chunk('chunks', 'draco'), [/Draco Authors/]],
     [chunk('shared', 'draco'), [/Draco Authors/]],
+    [chunk('chunks', 'draco-worker'), [/Draco Authors/]],
+    [chunk('chunks', 'ktx2-worker'), [/Binomial LLC/]],
+    [chunk('shared', 'ktx2'), [/Binomial LLC/]],
   ];
   for (const [path, holders] of expected) {
     for (const holder of holders) expect(notice(path), path).toMatch(holder);

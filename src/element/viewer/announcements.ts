@@ -21,7 +21,7 @@ const PAUSE = 1000;
 /** Lights in one announcement. */
 const ANNOUNCED = 3;
 
-/** Events in which the panel writes to lights. */
+/** Events in which the panel, and what lies over the picture, write to lights. */
 const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
 
 export class ViewerAnnouncements implements ReactiveController {
@@ -40,22 +40,21 @@ export class ViewerAnnouncements implements ReactiveController {
   /** Lights were added, removed or moved. */
   #counted = false;
   readonly #lights = new Set<PhongLight>();
-  /** The last event in the panel. */
+  /** The last event in the panel or over the picture. */
   #panelEvent: Event | null = null;
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
-    viewer.addEventListener('render', () => this.#update());
-    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail.source));
     viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
   /** Takes its place beside the picture. */
-  connect({ surface, panel }: ViewerTree): void {
+  connect({ surface, layer, panel }: ViewerTree): void {
     this.#surface = surface;
     surface.after(this.#reader);
-    for (const type of PANEL_EVENTS)
-      panel.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
+    for (const part of [panel, layer])
+      for (const type of PANEL_EVENTS)
+        part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
   }
 
   hostDisconnected(): void {
@@ -69,22 +68,23 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#surface === null) return;
     this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
     this.#writeDescription();
-    if (this.#scene !== null && this.#language !== this.#texts) this.#update();
+    if (this.#scene !== null && this.#language !== this.#texts) this.describeSoon();
   }
 
-  /** Describes the scene soon. */
-  #update(): void {
+  /** Describes the scene soon. Not by the event: a listener takes three times as long as the event itself. */
+  describeSoon(): void {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
 
-  #onCamera(source: CameraSource): void {
-    if (source === 'script' || source === 'auto') return;
+  /** The viewer that the user moves speaks for those linked to it. */
+  cameraMoved(source: CameraSource, linked: boolean): void {
+    if (source === 'script' || source === 'auto' || linked) return;
     this.#cameraMoved = true;
     this.#userActed();
   }
 
   #onLights(lights: readonly PhongLight[]): void {
-    // The panel writes while an event of the user is dispatched to it. All other writes are a script's.
+    // These write while an event of the user is dispatched to them. All other writes are a script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
     if (lights.length === 0) this.#counted = true;
     for (const light of lights) this.#lights.add(light);
@@ -127,7 +127,7 @@ export class ViewerAnnouncements implements ReactiveController {
   #describe(): void {
     const texts = (this.#language = this.#texts);
     const { camera, lights, meshes } = this.#viewer;
-    const names = lights.map((light, i) => lightName(texts, nameOf(light, i), light));
+    const names = lights.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
     this.#writeDescription();
     const items = [
@@ -149,17 +149,18 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   #lightText(light: PhongLight, index: number): string {
-    return lightText(this.#texts, nameOf(light, index), fieldsOf(light).store.values);
+    return lightText(this.#texts, this.#nameOf(light, index), fieldsOf(light).store.values);
+  }
+
+  /** Not the element's `name`: its default takes a search through all lights. */
+  #nameOf(light: PhongLight, index: number): string {
+    return fieldsOf(light).store.values.name || numberedName(index, this.#texts);
   }
 
   get #texts(): ViewerTexts | null {
     return this.#viewer.texts;
   }
 }
-
-/** Not the element's `name`: its default takes a search through all lights. */
-const nameOf = (light: PhongLight, index: number): string =>
-  fieldsOf(light).store.values.name || numberedName(index);
 
 /** Screen readers may read again what is written, even if it is the same. */
 function write(element: Element, text: string): void {

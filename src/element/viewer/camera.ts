@@ -2,6 +2,7 @@
 // move by themselves, since the same holds for the turntable. Knows
 // neither lights nor meshes.
 import type { ReactiveController } from '@lit/reactive-element';
+import { zoomLimits } from '../../camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
 import { newBasis, type Pose } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
@@ -36,10 +37,25 @@ export interface Placement {
 export interface CameraHost {
   readonly values: Readonly<ViewerValues>;
   readonly viewport: Viewport;
-  moved(source: CameraSource): void;
+  /** `linked`: another viewer's camera has moved this one. */
+  moved(source: CameraSource, linked: boolean): void;
 }
 
-const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
+/** What moves several cameras together. */
+export interface CameraLink {
+  /** A camera was moved or framed in another way, and not by this link. */
+  moved(camera: ViewerCamera, source: CameraSource): void;
+  /** Whether this camera's turntable is the one that turns. */
+  turns(camera: ViewerCamera): boolean;
+}
+
+/** Values that act when they are assigned: the viewer needs no update for them. */
+export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>([
+  'theta',
+  'phi',
+  'radius',
+  'target',
+]);
 
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;
@@ -47,6 +63,8 @@ export class ViewerCamera implements ReactiveController {
   #reducedMotion: MediaQueryList | null = null;
   #inView = false;
   #input: OrbitInput | null = null;
+  /** Null, the default: this camera moves alone. */
+  link: CameraLink | null = null;
 
   constructor(host: CameraHost) {
     this.#host = host;
@@ -93,14 +111,24 @@ export class ViewerCamera implements ReactiveController {
     return { pose: viewport.orbit.pose, framing: viewport.framing };
   }
 
-  /** Moves the camera there. The declared values stay, as when the user drags it. */
-  place({ pose, framing }: Placement, source: CameraSource): void {
-    this.#move(source, () => {
+  /**
+   * Moves the camera there. The declared values stay, as when the user drags it. `linked`: the camera follows another one, and the
+   * link need not be notified.
+   */
+  place({ pose, framing }: Placement, source: CameraSource, linked = false): void {
+    const write = (): void => {
       const { viewport } = this.#host;
       viewport.orbit.set(pose);
-      viewport.framing = framing;
-      viewport.settle();
-    });
+      if (framing !== viewport.framing) viewport.framing = framing;
+      this.#fit();
+    };
+    this.#move(source, write, linked);
+  }
+
+  /** `auto` has moved the camera in the frame that is being drawn. */
+  fitted(): void {
+    this.#host.moved('auto', false);
+    this.link?.moved(this, 'auto');
   }
 
   /** A property was assigned. Moves the camera there, even if the value is the same as before. */
@@ -116,7 +144,7 @@ export class ViewerCamera implements ReactiveController {
         const kept = viewport.framing ?? orbit.pose;
         viewport.framing =
           key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
-        viewport.settle();
+        this.#fit();
       }
     });
   }
@@ -128,7 +156,7 @@ export class ViewerCamera implements ReactiveController {
     this.#move(source, () => {
       viewport.orbit.set({ theta, phi });
       viewport.framing = { radius, target };
-      viewport.settle();
+      this.#fit();
     });
   }
 
@@ -146,7 +174,8 @@ export class ViewerCamera implements ReactiveController {
       this.#turntable.rest();
       return plays;
     }
-    if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
+    if (this.link?.turns(this) === false) this.#turntable.rest();
+    else if (this.#turntable.step(viewport.orbit, now, values.autoRotate)) this.#moved('auto');
     return true;
   }
 
@@ -167,7 +196,11 @@ export class ViewerCamera implements ReactiveController {
 
   get turning(): boolean {
     const { autoRotate } = this.#host.values;
-    return autoRotate !== 0 && this.mayMove && this.#input?.dragging !== true;
+    return autoRotate !== 0 && this.mayMove && !this.dragging;
+  }
+
+  get dragging(): boolean {
+    return this.#input?.dragging === true;
   }
 
   readonly #startMotion = (): void => {
@@ -175,18 +208,30 @@ export class ViewerCamera implements ReactiveController {
     if (this.turning || (this.mayMove && viewport.animations.playing)) viewport.animate();
   };
 
+  /** Fits at once. Unlike the viewport's own `settle` it reports no move: the caller does. */
+  #fit(): void {
+    const { viewport } = this.#host;
+    viewport.fit.settle(viewport.fov);
+  }
+
   /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
-  #move(source: CameraSource, write: () => void): void {
+  #move(source: CameraSource, write: () => void, linked = false): void {
     const { viewport } = this.#host;
     const before = viewport.orbit.version;
     write();
     this.#input?.reanchor();
-    if (viewport.orbit.version !== before) this.#moved(source);
+    if (viewport.orbit.version !== before) this.#changed(source, linked);
+    if (!linked) this.link?.moved(this, source);
   }
 
   #moved(source: CameraSource): void {
+    this.#changed(source, false);
+    this.link?.moved(this, source);
+  }
+
+  #changed(source: CameraSource, linked: boolean): void {
     this.#host.viewport.invalidate();
-    this.#host.moved(source);
+    this.#host.moved(source, linked);
   }
 
   #inputHost(surface: HTMLElement): OrbitInputHost {
@@ -198,7 +243,7 @@ export class ViewerCamera implements ReactiveController {
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
       fov: () => viewport.fov,
-      radiusLimits: () => viewport.zoomLimits,
+      radiusLimits: () => zoomLimits(viewport.bounds),
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.

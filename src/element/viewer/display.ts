@@ -78,14 +78,22 @@ export class ViewerDisplay {
     this.extras.apply();
   }
 
-  cameraMoved(source: CameraSource): void {
+  cameraMoved(source: CameraSource, linked: boolean): void {
     this.extras.cameraMoved(source);
+    this.#announcements.cameraMoved(source, linked);
   }
 
-  /** A frame was drawn. Removes the poster once everything requested has been drawn for the first time. */
+  /** A frame was drawn. */
   drawn(): void {
     this.checkEmpty();
     this.extras.drawn();
+    this.#announcements.describeSoon();
+    this.#reveal();
+    this.#viewer.dispatchEvent(new CustomEvent('render'));
+  }
+
+  /** Removes the poster once everything requested has been drawn for the first time. */
+  #reveal(): void {
     const { loading, failure } = this.#host;
     if (this.#revealed || loading.pending || failure.newest !== null) return;
     this.#revealed = true;

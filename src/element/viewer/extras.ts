@@ -20,6 +20,8 @@ export interface ExtraHost {
   readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
+  /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
+  size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
   /** The code of an extra has arrived, or could not be fetched. */
   ended(): void;
@@ -31,19 +33,41 @@ export interface Extra {
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
   /** Draws over a picture that was captured in this task, for `toBlob`. */
-  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void>;
+  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
   dispose(): void;
 }
 
 interface Kind {
-  readonly wanted: (values: Readonly<ViewerValues>) => boolean;
+  readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
   readonly load: () => Promise<(host: ExtraHost) => Extra>;
 }
 
 const KINDS: readonly Kind[] = [
   {
+    wanted: ({ helpers }) => helpers.length > 0,
+    load: lazyCode(
+      () => import('../../overlay/helpers/helpers.js').then(({ createHelpers }) => createHelpers),
+      'helpers',
+    ),
+  },
+  {
     wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
     load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
+  },
+  {
+    wanted: ({ probe }) => probe,
+    load: lazyCode(
+      () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
+      'the probe',
+    ),
+  },
+  {
+    wanted: ({ cameraGroup }, viewer) =>
+      cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
+    load: lazyCode(
+      () => import('./camera-group.js').then(({ createMember }) => createMember),
+      'linked cameras',
+    ),
   },
 ];
 
@@ -73,7 +97,7 @@ export class ViewerExtras implements ReactiveController {
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
-      if (!kind.wanted(this.#host.values)) this.#drop(kind);
+      if (!kind.wanted(this.#host.values, this.#host.viewer)) this.#drop(kind);
       else if (extra === undefined) this.#wait(this.#fetch(kind));
       else if (extra !== 'loading') extra.update();
     }

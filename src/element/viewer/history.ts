@@ -49,9 +49,14 @@ export class History {
     try {
       write();
     } finally {
-      const after = subject.read();
-      if (!subject.same(before, after)) this.#record({ subject, before, after, gesture });
+      this.record(subject, before, gesture);
     }
+  }
+
+  /** Records what has changed since `before` was read as one step, if anything has. */
+  record<S>(subject: Subject<S>, before: S, gesture: object | null = null): void {
+    const after = subject.read();
+    if (!subject.same(before, after)) this.#add({ subject, before, after, gesture });
   }
 
   /** Ends the gesture: the next edit is a step of its own. */
@@ -81,7 +86,7 @@ export class History {
     };
   }
 
-  #record(step: Step): void {
+  #add(step: Step): void {
     const last = this.#done.at(-1);
     if (this.#open && step.gesture !== null && last?.gesture === step.gesture) last.after = step.after;
     else this.#done.push(step);
@@ -104,6 +109,14 @@ export class History {
   #notify(): void {
     for (const changed of this.#changed) changed();
   }
+}
+
+/** What these keys mean: Ctrl or Cmd with Z, Shift + Z, and Y. */
+export function undoKey({ key, ctrlKey, metaKey, shiftKey, altKey }: KeyboardEvent): 'undo' | 'redo' | null {
+  if (!(ctrlKey || metaKey) || altKey) return null;
+  const letter = key.toLowerCase();
+  if (letter === 'z') return shiftKey ? 'redo' : 'undo';
+  return letter === 'y' && !shiftKey ? 'redo' : null;
 }
 
 const histories = new WeakMap<PhongViewer, History>();

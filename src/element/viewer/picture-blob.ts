@@ -8,6 +8,8 @@ export interface PictureOptions {
   readonly type?: string;
   /** 0–1, for lossy types. Default: the browser's. */
   readonly quality?: number;
+  /** Draws what `helpers` shows over the picture, while the viewer is on a page. Default false. */
+  readonly helpers?: boolean;
 }
 
 /**

@@ -6,9 +6,9 @@ import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import { lazyCode } from '../lazy-code.js';
-import { isDataUri } from '../model/data-uri.js';
+import { gltfCode, isNamedGltf } from '../model/gltf-code.js';
 import type { LoadOptions } from '../model/load-model.js';
-import { requestFile } from '../model/request-file.js';
+import { isDataUri, requestFile } from '../model/request-file.js';
 
 /** A geometry and how it looks, as far as its file or shape says. */
 export interface ContentPart {
@@ -66,5 +66,7 @@ export const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-c
 /** A model from its address or a file. A file is requested at once; the code that reads models comes with the first one. */
 export async function modelContent(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
   const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
+  // Its failure is reported when the file is read.
+  if (request !== null && isNamedGltf(url.pathname)) gltfCode().catch(() => undefined);
   return (await modelCode()).modelContent(url, options, file ?? request);
 }

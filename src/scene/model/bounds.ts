@@ -1,9 +1,20 @@
-// How large is a geometry? three.js would find out in the first frame, in one task. Knows no format.
+// How large are a model's geometries? The first frame would find out in one task. Knows no format.
 import { Box3, type BufferGeometry, Sphere, Vector3 } from 'three';
-import type { Slices } from './slices.js';
+import { findExtremePoints } from '../extreme-points.js';
+import type { Model } from './model.js';
+import { Slices } from './slices.js';
+
+/** Measures all that framing and culling will ask for. @throws the signal's reason after an abort. */
+export async function measureModel({ parts }: Model, signal: AbortSignal): Promise<void> {
+  const slices = new Slices(signal);
+  for (const geometry of new Set(parts.map((part) => part.geometry))) {
+    if (geometry.boundingSphere === null) await setBounds(geometry, slices);
+    await findExtremePoints(geometry, () => (slices.due ? slices.pause() : null));
+  }
+}
 
 /** Sets the box and the sphere of a geometry with plain, finite positions. */
-export async function setBounds(geometry: BufferGeometry, slices: Slices): Promise<void> {
+async function setBounds(geometry: BufferGeometry, slices: Slices): Promise<void> {
   const { array, count } = geometry.getAttribute('position');
   const box = new Box3();
   const point = new Vector3();

@@ -2,6 +2,7 @@
 // one more row in the table; its reader is a separate chunk, fetched with the first file that needs it.
 import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
 import { lazyCode } from '../lazy-code.js';
+import { gltfCode } from './gltf-code.js';
 import { ModelError, type Model } from './model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
@@ -28,7 +29,6 @@ export interface Format {
   readonly reader: () => Promise<ModelReader>;
 }
 
-const gltfCode = lazyCode(() => import('./gltf/read-gltf.js'), 'glTF models');
 const plyCode = lazyCode(() => import('./ply/read-ply.js'), 'PLY files');
 const stlCode = lazyCode(() => import('./stl/read-stl.js'), 'STL files');
 const objCode = lazyCode(() => import('./obj/read-obj.js'), 'OBJ files');

@@ -1,12 +1,12 @@
 // How many pixels does an image file claim? Read from its header, before a decoder allocates for them. Sizes are as stored: before any
-// rotation. Knows the formats that browsers decode.
+// rotation. Knows the formats that browsers decode, and KTX2.
 
 export interface ImageSize {
   readonly width: number;
   readonly height: number;
 }
 
-/** The size of a PNG, JPEG, WebP, AVIF, GIF or BMP image; null for other or broken files. */
+/** The size of a PNG, JPEG, WebP, AVIF, GIF, BMP or KTX2 image; null for other or broken files. */
 export function imageSize(file: Uint8Array): ImageSize | null {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const reader = READERS.find(({ at, magic }) => hasText(view, at, magic));
@@ -31,6 +31,11 @@ const READERS: readonly Reader[] = [
     read: (view) => ({ width: view.getUint32(16), height: view.getUint32(20) }),
   },
   { at: 0, magic: '\xff\xd8\xff', read: jpegSize },
+  {
+    at: 1,
+    magic: 'KTX 20',
+    read: (view) => ({ width: view.getUint32(20, true), height: view.getUint32(24, true) }),
+  },
   { at: 8, magic: 'WEBP', read: webpSize },
   { at: 4, magic: 'ftyp', read: avifSize },
   {

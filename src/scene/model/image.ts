@@ -1,6 +1,8 @@
-// How do an image file's bytes become pixels? The browser decodes them without colour conversion and without premultiplication, first row on
-// top. No blob: address is fetched, as a strict CSP requires. Knows no model format.
+// How do an image file's bytes become pixels? Without colour conversion and without premultiplication, first row on top. The browser decodes
+// them, but KTX2. No blob: address is fetched, as a strict CSP requires. Knows no model format.
 import { imageSize, type ImageSize } from './image-size.js';
+import { decodeKtx2 } from './ktx2/decode-ktx2.js';
+import { isKtx2 } from './ktx2/ktx2-header.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
 
 /** Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its result. */
@@ -16,26 +18,39 @@ export interface ImageFile {
 export function claimedSize({ bytes }: ImageFile): ImageSize {
   const size = imageSize(bytes);
   if (size) return size;
-  throw new Error('is no PNG, JPEG, WebP or AVIF image');
+  throw new Error('is no PNG, JPEG, WebP, AVIF or KTX2 image');
 }
 
 /**
  * Decodes an image, scaled down if it is larger than the limits of one image. Count its pixels first ({@link claimedSize}).
- * @throws if this browser cannot decode it.
+ * @throws if it cannot be decoded.
  */
-export async function decodeImage({ bytes, type }: ImageFile, size: ImageSize): Promise<ImageBitmap> {
+export async function decodeImage(
+  file: ImageFile,
+  size: ImageSize,
+  signal: AbortSignal,
+): Promise<ImageBitmap> {
   const pixels = Math.min(size.width * size.height, PIXELS_AT_ONCE);
   await acquire(pixels);
+  try {
+    const scale = scaledDown(size);
+    return isKtx2(file.bytes)
+      ? await decodeKtx2(file.bytes, scale, signal)
+      : await decodeByBrowser(file, scale);
+  } finally {
+    release(pixels);
+  }
+}
+
+async function decodeByBrowser({ bytes, type }: ImageFile, scale: ImageBitmapOptions): Promise<ImageBitmap> {
   try {
     return await createImageBitmap(new Blob([bytes], { type }), {
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
-      ...scaledDown(size),
+      ...scale,
     });
   } catch (cause) {
     throw new Error('cannot be decoded by this browser', { cause });
-  } finally {
-    release(pixels);
   }
 }
 

@@ -1,6 +1,7 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
 // Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
 import { isOutOfMemory } from '../out-of-memory.js';
+import { measureModel } from './bounds.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { openFile, type OpenedModel } from './file-group.js';
 import { formatOf, nameOf, type ModelSource } from './format.js';
@@ -63,12 +64,15 @@ export async function loadModel(
     });
     signal.throwIfAborted();
     const model = await readModel({ url, bytes, signal, linked, optional });
-    if (missing.length > 0) {
-      if (complete) {
-        model.dispose();
-        throw new ModelError('load-failed', missing.at(-1) ?? '');
+    try {
+      if (missing.length > 0) {
+        if (complete) throw new ModelError('load-failed', missing.at(-1) ?? '');
+        warnOfMissing(name, missing);
       }
-      warnOfMissing(name, missing);
+      await measureModel(model, signal);
+    } catch (error) {
+      model.dispose();
+      throw error;
     }
     return model;
   } catch (cause) {

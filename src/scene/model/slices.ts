@@ -29,13 +29,18 @@ export class Slices {
   async over(count: number, work: (from: number, to: number) => void): Promise<void> {
     for (let from = 0; from < count; from += SLICE * 3) {
       work(from, Math.min(from + SLICE * 3, count));
-      if (this.due) await this.pause();
+      await this.pauseIfDue();
     }
   }
 
   /** Whether the task has taken long enough: call {@link pause}. */
   get due(): boolean {
     return performance.now() - this.#since > this.#taskMs;
+  }
+
+  /** Call between pieces of work that know no number of items. */
+  async pauseIfDue(): Promise<void> {
+    if (this.due) await this.pause();
   }
 
   /** Lets other tasks run. Faster than a timer, which browsers delay by 4 ms, and by a second in hidden pages. */

@@ -1,6 +1,7 @@
 // What will a glTF document cost when it is drawn? Counts draws, corners and numbers of what its scene shows, from the JSON alone, before
 // anything is allocated. Must agree with parts.ts about what is shared and what is copied.
-import { DRACO_LIMIT, requireAtMost, type ModelBudget } from '../limits.js';
+import { DRACO_LIMIT } from '../limits.js';
+import { requireAtMost, type ModelBudget } from '../model-budget.js';
 import type { Accessor } from './accessors.js';
 import type { Primitive } from './primitives.js';
 
@@ -68,8 +69,8 @@ export interface DracoClaims {
   readonly vertices: number;
 }
 
-/** What a computed tangent costs, in values: three.js makes two vectors for each vertex. */
-const TANGENT_VALUES = 30;
+/** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
+const TANGENT_VALUES = 16;
 
 /**
  * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, and its joints and their

@@ -1,41 +1,31 @@
-// How are Draco-compressed triangles decoded? On the main thread in plain JavaScript: a strict CSP allows neither blob: workers nor
-// WebAssembly. A separate chunk with half a megabyte of decoder. Must not know what uses it.
-import { BufferAttribute, BufferGeometry } from 'three';
+// How are Draco-compressed triangles decoded? In plain JavaScript: a strict CSP does not allow WebAssembly. A separate chunk with half a
+// megabyte of decoder, and the same in a worker's file. Must not know what uses it, nor three.js: a worker would load all of it.
 import createDraco, { type Draco } from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
+import type { Decoded } from '../decoders/decoder.js';
 
-type IdByName = Readonly<Record<string, number>>;
-
-/** The methods of a Draco loader that three's glTF loader calls. */
-export interface DracoAdapter {
-  preload(): void;
-  decodeDracoFile(
-    buffer: ArrayBuffer,
-    onLoad: (geometry: BufferGeometry) => void,
-    idByName: IdByName,
-    arrayTypeByName: Readonly<Record<string, string>>,
-    colorSpace: string,
-    onError: (error: unknown) => void,
-  ): void;
+export interface DracoJob {
+  readonly bytes: ArrayBuffer;
+  /** Draco's id of each attribute that is wanted. */
+  readonly idByName: Readonly<Record<string, number>>;
+  /** The typed array that each is wanted as. */
+  readonly arrayTypeByName: Readonly<Record<string, string>>;
 }
 
-/**
- * A decoder with its own heap, freed with the object. Its console output is suppressed.
- * @param pause awaited before each mesh, so that every mesh is a task of its own.
- */
-export async function createDracoAdapter(pause: () => Promise<void>): Promise<DracoAdapter> {
+export interface DracoMesh {
+  readonly index: Uint32Array<ArrayBuffer>;
+  readonly attributes: Readonly<Record<string, { readonly array: DracoArray; readonly itemSize: number }>>;
+}
+
+export type DracoArray = InstanceType<ArrayType>;
+
+/** A decoder with its own heap, freed with the function. Its console output is suppressed. */
+export async function createDecoder(): Promise<(job: DracoJob) => Decoded<DracoMesh>> {
   const silent = (): void => undefined;
-  let last = Promise.resolve();
   const draco = await createDraco({ print: silent, printErr: silent });
-  return {
-    preload: silent,
-    decodeDracoFile(buffer, onLoad, idByName, arrayTypeByName, _colorSpace, onError) {
-      last = last
-        .then(pause)
-        .then(() => {
-          onLoad(decodeMesh(draco, new Int8Array(buffer), idByName, arrayTypeByName));
-        })
-        .catch(onError);
-    },
+  return (job) => {
+    const result = decodeMesh(draco, job);
+    const arrays = [result.index, ...Object.values(result.attributes).map(({ array }) => array)];
+    return { result, transfer: arrays.map(({ buffer }) => buffer) };
   };
 }
 
@@ -43,12 +33,8 @@ export async function createDracoAdapter(pause: () => Promise<void>): Promise<Dr
  * Decodes a mesh. Attributes are looked up by their Draco id and returned by name, as arrays of the given type.
  * @throws Error if the bytes are not a Draco mesh or an attribute is missing.
  */
-export function decodeMesh(
-  draco: Draco,
-  bytes: Int8Array,
-  idByName: IdByName,
-  arrayTypeByName: Readonly<Record<string, string>>,
-): BufferGeometry {
+function decodeMesh(draco: Draco, { bytes: data, idByName, arrayTypeByName }: DracoJob): DracoMesh {
+  const bytes = new Int8Array(data);
   const decoder = new draco.Decoder();
   const mesh = new draco.Mesh();
   try {
@@ -56,24 +42,22 @@ export function decodeMesh(
       throw new Error('it contains no Draco mesh');
     const status = decoder.DecodeArrayToMesh(bytes, bytes.byteLength, mesh);
     if (!status.ok() || mesh.ptr === 0) throw new Error(`its Draco data is broken (${status.error_msg()})`);
-    const geometry = new BufferGeometry();
     const corners = mesh.num_faces() * 3;
-    geometry.setIndex(
-      copyOut(draco, Uint32Array, corners, (size, pointer) =>
-        decoder.GetTrianglesUInt32Array(mesh, size, pointer),
-      ),
+    const index = copyOut(draco, Uint32Array, corners, (size, pointer) =>
+      decoder.GetTrianglesUInt32Array(mesh, size, pointer),
     );
+    const attributes: Record<string, { array: DracoArray; itemSize: number }> = {};
     for (const [name, id] of Object.entries(idByName)) {
       const attribute = decoder.GetAttributeByUniqueId(mesh, id);
       const type = arrayTypes(draco)[arrayTypeByName[name] ?? ''];
       if (attribute.ptr === 0 || !type) throw new Error(`its Draco data lacks the attribute ${name}`);
-      const items = attribute.num_components();
-      const values = copyOut(draco, type.array, mesh.num_points() * items, (size, pointer) =>
+      const itemSize = attribute.num_components();
+      const array = copyOut(draco, type.array, mesh.num_points() * itemSize, (size, pointer) =>
         decoder.GetAttributeDataArrayForAllPoints(mesh, attribute, type.id, size, pointer),
       );
-      geometry.setAttribute(name, new BufferAttribute(values.array, items));
+      attributes[name] = { array, itemSize };
     }
-    return geometry;
+    return { index, attributes };
   } finally {
     draco.destroy(mesh);
     draco.destroy(decoder);
@@ -102,17 +86,17 @@ const arrayTypes = (
 });
 
 /** Lets the decoder write `count` numbers to its heap, and copies them. */
-function copyOut(
+function copyOut<Type extends ArrayType>(
   draco: Draco,
-  type: ArrayType,
+  type: Type,
   count: number,
   write: (bytes: number, pointer: number) => boolean,
-): BufferAttribute {
+): InstanceType<Type> {
   const bytes = count * type.BYTES_PER_ELEMENT;
   const pointer = draco._malloc(bytes);
   try {
     if (!write(bytes, pointer)) throw new Error('its Draco data cannot be read');
-    return new BufferAttribute(new type(draco.HEAPF32.buffer, pointer, count).slice(), 1);
+    return new type(draco.HEAPF32.buffer, pointer, count).slice() as InstanceType<Type>;
   } finally {
     draco._free(pointer);
   }

@@ -9,7 +9,6 @@ import {
   type Skeleton,
   SkinnedMesh,
 } from 'three';
-import { setBounds } from '../bounds.js';
 import { faceNormals } from '../face-normals.js';
 import type { Slices } from '../slices.js';
 import {
@@ -121,7 +120,6 @@ export class Geometries {
     if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
     if (isSkinned(mesh) || targets.length > 0)
       await this.#deform(mesh, geometry, flat, attributes, targets.length);
-    await setBounds(geometry, this.#slices);
     return { geometry, flat };
   }
 

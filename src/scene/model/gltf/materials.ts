@@ -12,15 +12,17 @@ export interface GltfTexture {
 
 /** Image formats that browsers decode, best first; the plain `source` is the fallback. */
 const IMAGE_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'];
+/** Used where there is no other image: those need no transcoder, and have more of the original's colours. */
+const KTX2 = 'KHR_texture_basisu';
 
 export function readTextures(json: JsonObject, images: number): readonly GltfTexture[] {
   const samplers = objectsAt(json['samplers'], 'samplers');
   return objectsAt(json['textures'], 'textures').map((texture, i) => {
     const what = `textures[${String(i)}]`;
     const extensions = optionalObject(texture['extensions'], `${what}.extensions`);
+    const sourceOf = (name: string): unknown => optionalObject(extensions[name], what)['source'];
     const known = IMAGE_EXTENSIONS.find((name) => name in extensions);
-    const source =
-      known === undefined ? texture['source'] : optionalObject(extensions[known], what)['source'];
+    const source = known === undefined ? (texture['source'] ?? sourceOf(KTX2)) : sourceOf(known);
     const sampler = texture['sampler'];
     return {
       image: source === undefined ? undefined : indexAt(source, images, `${what}.source`),

@@ -1,32 +1,34 @@
 // How are glTF 2 and GLB read? By three's own loader, which gets a reduced and checked document and no addresses to fetch. Bytes and
 // images are provided by index. A separate chunk.
 import type { BufferGeometry, Object3D, Texture } from 'three';
-import { GLTFLoader, type GLTFLoaderPlugin } from 'three/addons/loaders/GLTFLoader.js';
-import { lazyCode } from '../../lazy-code.js';
+import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
-import { ModelBudget } from '../limits.js';
-import { mapsOfLook, ModelError, type Model, type ModelPart } from '../model.js';
+import { ModelBudget } from '../model-budget.js';
+import { mapsOfLook, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import type { Attribute } from './attributes.js';
 import { gltfBytes } from './bytes.js';
 import { openContainer } from './container.js';
 import { readDocument } from './document.js';
 import { checkDracoHeader } from './draco-header.js';
+import { dracoLoader } from './draco-loader.js';
 import type { FileIndices } from './geometries.js';
 import { readMotion } from './motion.js';
 import { collectParts } from './parts.js';
 import { gltfTextures, type GltfTextures } from './textures.js';
-
-type DracoLoader = Parameters<GLTFLoader['setDRACOLoader']>[0];
 
 export const readGltf: ModelReader = async (source) => {
   const budget = new ModelBudget();
   const { json, body } = openContainer(source.bytes, budget);
   const document = readDocument(json, budget);
   const bytes = gltfBytes(document, body, source);
-  const textures = gltfTextures(document, bytes, budget);
-  const plugin: GLTFLoaderPlugin = {
+  const textures = gltfTextures(document, bytes, budget, source.signal);
+  const slices = new Slices(source.signal);
+  const turn = turnsOf(slices);
+  const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',
+    loadNode: (index) => turn().then(() => parser.loadNode(index)),
+    loadMesh: (index) => turn().then(() => parser.loadMesh(index)),
     loadBufferView: async (index) => {
       const view = await bytes.view(index);
       const claims = document.draco.get(index);
@@ -34,12 +36,11 @@ export const readGltf: ModelReader = async (source) => {
       return view;
     },
     loadTexture: (index) => textures.texture(index),
-  };
-  const slices = new Slices(source.signal);
+  });
   const loader = new GLTFLoader();
-  loader.register(() => plugin);
+  loader.register(pluginOf);
   try {
-    if (document.draco.size > 0) loader.setDRACOLoader(await dracoAdapter(slices));
+    if (document.draco.size > 0) loader.setDRACOLoader(dracoLoader(slices, source.signal));
     source.signal.throwIfAborted();
     const { scene, parser } = await loader.parseAsync(JSON.stringify(document.json), '');
     source.signal.throwIfAborted();
@@ -60,16 +61,10 @@ export const readGltf: ModelReader = async (source) => {
   }
 };
 
-const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
-
-async function dracoAdapter(slices: Slices): Promise<DracoLoader> {
-  const module = await decoderCode().catch((cause: unknown) => {
-    throw new ModelError('load-failed', 'The Draco decoder, which this model needs, could not be fetched.', {
-      cause,
-    });
-  });
-  // The loader calls only two methods of this class.
-  return (await module.createDracoAdapter(() => slices.pause())) as unknown as DracoLoader;
+/** A promise for each item of a list that the loader starts at once: they resolve in turn, with pauses in between. */
+function turnsOf(slices: Slices): () => Promise<void> {
+  let last = Promise.resolve();
+  return () => (last = last.then(() => slices.pauseIfDue()));
 }
 
 function modelOf(parts: readonly ModelPart[], textures: GltfTextures): Model {

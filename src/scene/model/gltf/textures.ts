@@ -16,7 +16,7 @@ import {
   type Wrapping,
 } from 'three';
 import { claimedSize, decodeImage } from '../image.js';
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { GltfBytes } from './bytes.js';
 import { unsupported, type GltfDocument } from './document.js';
@@ -53,7 +53,12 @@ interface Image {
 }
 
 /** @param budget gets the pixels of every image, once for each sampler: three.js uploads it for each. */
-export function gltfTextures(document: GltfDocument, bytes: GltfBytes, budget: ModelBudget): GltfTextures {
+export function gltfTextures(
+  document: GltfDocument,
+  bytes: GltfBytes,
+  budget: ModelBudget,
+  signal: AbortSignal,
+): GltfTextures {
   const images = new Map<unknown, Image>();
 
   const decode = async (index: number): Promise<{ pixels: number; bitmap: ImageBitmap }> => {
@@ -62,8 +67,9 @@ export function gltfTextures(document: GltfDocument, bytes: GltfBytes, budget: M
       const size = claimedSize(file);
       const pixels = size.width * size.height;
       budget.add({ pixels });
-      return { pixels, bitmap: await decodeImage(file, size) };
+      return { pixels, bitmap: await decodeImage(file, size, signal) };
     } catch (cause) {
+      signal.throwIfAborted();
       if (cause instanceof ModelError) throw cause;
       throw new Error(`images[${String(index)}] ${(cause as Error).message}`, { cause });
     }

@@ -9,7 +9,7 @@ import {
 } from 'three';
 import type { ModelSource } from '../format.js';
 import { claimedSize, decodeImage, type ImageFile } from '../image.js';
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { MtlMap } from './mtl.js';
 
@@ -61,7 +61,7 @@ export class MapTextures {
       const size = claimedSize(imageFile);
       const pixels = size.width * size.height;
       this.#budget.add({ pixels });
-      return { pixels, bitmap: await decodeImage(imageFile, size), sources: new Map() };
+      return { pixels, bitmap: await decodeImage(imageFile, size, this.#source.signal), sources: new Map() };
     } catch (cause) {
       if (cause instanceof ModelError) throw cause;
       throw new Error(`the image ${name} ${(cause as Error).message}`, { cause });

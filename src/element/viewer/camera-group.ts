@@ -1,0 +1,125 @@
+// Which cameras move together? Those of viewers with the same `camera-group` in a document, and those of one <phong-compare>. All have
+// exactly the same angles, radius and target, and are framed as one. A chunk, fetched with its first use. Knows no input and no pictures.
+import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
+import type { CameraLink, CameraSource, ViewerCamera } from './camera.js';
+import type { Extra, ExtraHost } from './extras.js';
+
+type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
+
+/** Keeps a viewer in the group that its attributes and its parent name. */
+export function createMember(member: Member): Extra {
+  let group: CameraGroup | null = null;
+  const join = (next: CameraGroup | null): void => {
+    if (next === group) return;
+    group?.leave(member);
+    group = next;
+    group?.join(member);
+  };
+  return {
+    update: () => join(groupOf(member)),
+    dispose: () => join(null),
+  };
+}
+
+const named = new WeakMap<Document, Map<string, CameraGroup>>();
+const unnamed = new WeakMap<Element, CameraGroup>();
+
+/** A name goes before the <phong-compare> around the viewer. */
+function groupOf({ viewer, values }: Member): CameraGroup | null {
+  const { ownerDocument, parentElement } = viewer;
+  if (values.cameraGroup !== '') {
+    const groups = named.get(ownerDocument) ?? new Map<string, CameraGroup>();
+    named.set(ownerDocument, groups);
+    return groupAt(groups, values.cameraGroup);
+  }
+  return parentElement?.localName === 'phong-compare' ? groupAt(unnamed, parentElement) : null;
+}
+
+function groupAt<K>(
+  groups: { get(key: K): CameraGroup | undefined; set(key: K, group: CameraGroup): unknown },
+  key: K,
+): CameraGroup {
+  const group = groups.get(key) ?? new CameraGroup();
+  groups.set(key, group);
+  return group;
+}
+
+class CameraGroup implements CameraLink, SharedFit {
+  /** In the order in which they joined, which is document order for a page's markup. */
+  readonly #members = new Set<Member>();
+  /** For the framing that all members share; null after a change. */
+  #fitted: { readonly framing: Framing; readonly fit: Fit; readonly from: Member } | null = null;
+  #settling = false;
+
+  /** The first member keeps its camera. Those that follow take the group's. */
+  join(member: Member): void {
+    const [first] = this.#members;
+    this.#members.add(member);
+    member.camera.link = this;
+    if (first !== undefined) member.camera.place(placementOf(first), 'script', true);
+    member.viewport.fit.shared = this;
+    this.changed();
+  }
+
+  /** The member keeps the camera that it has, or fits it to its own scene if that is `auto`. */
+  leave(member: Member): void {
+    this.#members.delete(member);
+    member.camera.link = null;
+    member.viewport.fit.shared = null;
+    member.viewport.invalidate();
+    this.changed();
+  }
+
+  moved(camera: ViewerCamera, source: CameraSource): void {
+    const mover = [...this.#members].find((member) => member.camera === camera);
+    if (mover === undefined) return;
+    const placement = placementOf(mover);
+    for (const member of this.#members) if (member !== mover) member.camera.place(placement, source, true);
+  }
+
+  /** The first one that turns by itself turns all. A drag in any viewer stops it, as the drag would fight it. */
+  turns(camera: ViewerCamera): boolean {
+    const cameras = [...this.#members].map((member) => member.camera);
+    return cameras.find(({ turning }) => turning) === camera && !cameras.some(({ dragging }) => dragging);
+  }
+
+  /** Fits at the end of the task, for members that are not drawn now, too. */
+  changed(): void {
+    this.#fitted = null;
+    if (this.#settling) return;
+    this.#settling = true;
+    queueMicrotask(() => {
+      this.#settling = false;
+      this.#settle();
+    });
+  }
+
+  /** The fit with the largest radius, and its target. Scenes that show nothing count only where all are empty. */
+  fit(framing: Framing): Fit {
+    if (this.#fitted?.framing !== framing) {
+      const fits = [...this.#members].map((from) => ({
+        framing,
+        fit: from.viewport.fit.fitOf(framing, from.viewport.fov),
+        from,
+      }));
+      const full = fits.filter(({ fit }) => !fit.empty);
+      this.#fitted = (full.length > 0 ? full : fits).reduce((a, b) => (b.fit.radius > a.fit.radius ? b : a));
+    }
+    return this.#fitted.fit;
+  }
+
+  /** Moves all cameras to the fit, on behalf of the member that it comes from. */
+  #settle(): void {
+    const [first] = this.#members;
+    const framing = first?.viewport.framing ?? null;
+    if (framing === null) return;
+    const { target, radius } = this.fit(framing);
+    const from = this.#fitted?.from;
+    if (from === undefined) return;
+    const { pose } = from.viewport.orbit;
+    const fitted = framing.radius === 'auto' ? radius : framing.radius;
+    from.camera.place({ pose: { ...pose, target, radius: fitted }, framing }, 'auto');
+  }
+}
+
+const placementOf = ({ viewport }: Member) => ({ pose: viewport.orbit.pose, framing: viewport.framing });

@@ -1,0 +1,66 @@
+// How is a display list drawn into a picture file? By Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a strict CSP
+// refuses. The same looks as svg-layer.ts. Knows nothing of what the list means.
+import { HALO } from './contrast.js';
+import { DASHES, type Disc, FONT, outlineOf, type Primitive, type Stroke } from './display-list.js';
+
+/** Draws the list; `scale` is how many of the canvas's pixels are one of the list's. */
+export function drawList(context: CanvasRenderingContext2D, list: readonly Primitive[], scale: number): void {
+  context.save();
+  context.scale(scale, scale);
+  context.lineJoin = 'round';
+  for (const primitive of list) {
+    context.globalAlpha = primitive.opacity ?? 1;
+    if (primitive.kind === 'label') drawLabel(context, primitive);
+    else drawShape(context, primitive);
+  }
+  context.restore();
+}
+
+function drawLabel(
+  context: CanvasRenderingContext2D,
+  { at, text, color }: Extract<Primitive, { kind: 'label' }>,
+): void {
+  context.font = FONT;
+  context.direction = 'ltr';
+  context.setLineDash([]);
+  context.strokeStyle = HALO;
+  context.lineWidth = 3;
+  context.strokeText(text, at.x, at.y);
+  context.fillStyle = color;
+  context.fillText(text, at.x, at.y);
+}
+
+function drawShape(context: CanvasRenderingContext2D, shape: Stroke | Disc): void {
+  const path = pathOf(shape);
+  const { color, width } = shape;
+  context.setLineDash(shape.dashed === true ? [...DASHES] : []);
+  context.strokeStyle = HALO;
+  context.lineWidth = width + 2 * outlineOf(shape);
+  context.stroke(path);
+  const isFilled = shape.kind === 'stroke' && shape.filled === true;
+  const fill = shape.kind === 'disc' ? shape.fill : isFilled ? color : null;
+  if (fill !== null) {
+    context.fillStyle = fill;
+    context.fill(path);
+  }
+  if (isFilled) return;
+  context.strokeStyle = color;
+  context.lineWidth = width;
+  context.stroke(path);
+}
+
+function pathOf(shape: Stroke | Disc): Path2D {
+  const path = new Path2D();
+  if (shape.kind === 'disc') {
+    path.arc(shape.center.x, shape.center.y, shape.radius, 0, 2 * Math.PI);
+    return path;
+  }
+  for (const line of shape.lines) {
+    line.forEach(({ x, y }, i) => {
+      if (i === 0) path.moveTo(x, y);
+      else path.lineTo(x, y);
+    });
+    if (shape.filled === true) path.closePath();
+  }
+  return path;
+}

@@ -1,0 +1,175 @@
+// Where does a point of the scene lie on the layer over the picture, and back? In float64, from the orbit's own basis, as the picture
+// is drawn. World space to CSS pixels of the layer, from its top left corner. Knows neither lights nor SVG.
+import { basisOf, type Basis, type Pose } from '../../camera/orbit.js';
+import { radians } from '../../math/angle.js';
+import { add, dot, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+
+/** CSS pixels of the layer, right and down from its top left corner. */
+export interface Point {
+  readonly x: number;
+  readonly y: number;
+}
+
+export interface Sight {
+  readonly pose: Pose;
+  /** Vertical field of view, degrees. */
+  readonly fov: number;
+  /** CSS pixels of the layer, both above 0. */
+  readonly width: number;
+  readonly height: number;
+  /** Width over height of the picture in device pixels, which rounding makes slightly different. Default: that of the layer. */
+  readonly aspect?: number;
+}
+
+export interface Ray {
+  readonly origin: Vec3;
+  /** Unit length. */
+  readonly direction: Vec3;
+}
+
+/** Points nearer to the eye than this share of the orbit's radius count as behind it: their place on the layer would overflow. */
+const NEAREST = 1e-4;
+
+/** Lines are cut where they are farther outside than so many widths and heights. Far ends would make dashes slow to draw. */
+const OUTSIDE = 1;
+
+export class Projection {
+  readonly width: number;
+  readonly height: number;
+  readonly pose: Pose;
+  readonly eye: Vec3;
+  readonly basis: Basis;
+  readonly #near: number;
+  /** CSS pixels per unit of slope, to the right and upward. */
+  readonly #scaleX: number;
+  readonly #scaleY: number;
+
+  constructor({ pose, fov, width, height, aspect = width / height }: Sight) {
+    this.width = width;
+    this.height = height;
+    this.pose = pose;
+    this.basis = basisOf(pose);
+    this.eye = add(pose.target, scale(this.basis.back, pose.radius));
+    this.#near = NEAREST * pose.radius;
+    this.#scaleY = height / (2 * Math.tan(radians(fov) / 2));
+    this.#scaleX = width / (2 * Math.tan(radians(fov) / 2) * aspect);
+  }
+
+  /** World place to camera space: x right, y up, z backward, from the eye. */
+  toCamera(place: Vec3): Vec3 {
+    return this.turnToCamera(subtract(place, this.eye));
+  }
+
+  /** Camera space to world place. */
+  toWorld(place: Vec3): Vec3 {
+    return add(this.eye, this.turnToWorld(place));
+  }
+
+  /** The same direction in camera space. */
+  turnToCamera(direction: Vec3): Vec3 {
+    const { right, up, back } = this.basis;
+    return [dot(direction, right), dot(direction, up), dot(direction, back)];
+  }
+
+  /** The same direction in world space. */
+  turnToWorld([x, y, z]: Vec3): Vec3 {
+    const { right, up, back } = this.basis;
+    return add(add(scale(right, x), scale(up, y)), scale(back, z));
+  }
+
+  /** Distance of a place in front of the eye, along the view direction. Negative behind the eye. */
+  depthOf(place: Vec3): number {
+    return -dot(subtract(place, this.eye), this.basis.back);
+  }
+
+  /** Null for places behind the eye and in its plane. May lie outside the layer. */
+  point(place: Vec3): Point | null {
+    const [x, y, z] = this.toCamera(place);
+    return -z >= this.#near ? this.#onLayer(x, y, -z) : null;
+  }
+
+  /** The world place on the layer's point at this depth in front of the eye. */
+  placeAt({ x, y }: Point, depth: number): Vec3 {
+    const slopeX = (x - this.width / 2) / this.#scaleX;
+    const slopeY = (this.height / 2 - y) / this.#scaleY;
+    return this.toWorld([slopeX * depth, slopeY * depth, -depth]);
+  }
+
+  /** From the eye through a point of the layer. */
+  ray(point: Point): Ray {
+    return { origin: this.eye, direction: normalize(subtract(this.placeAt(point, 1), this.eye)) };
+  }
+
+  /** CSS pixels that one scene unit at this depth covers. */
+  pixelsPerUnit(depth: number): number {
+    return this.#scaleY / Math.max(Math.abs(depth), this.#near);
+  }
+
+  /** The part of a segment that is in front of the eye and not far outside the layer; null for none. */
+  segment(from: Vec3, to: Vec3): readonly [Point, Point] | null {
+    let [a, b] = [this.toCamera(from), this.toCamera(to)];
+    const [da, db] = [-a[2] - this.#near, -b[2] - this.#near];
+    if (da < 0 && db < 0) return null;
+    // Its depth is set: the difference of large coordinates would round to any.
+    const [x, y] = add(a, scale(subtract(b, a), da / (da - db)));
+    const cut: Vec3 = [x, y, -this.#near];
+    if (da < 0) a = cut;
+    else if (db < 0) b = cut;
+    return this.#clipped(this.#onLayer(a[0], a[1], -a[2]), this.#onLayer(b[0], b[1], -b[2]));
+  }
+
+  /** A line through these places, in as many pieces as {@link segment} leaves. */
+  line(places: readonly Vec3[]): (readonly Point[])[] {
+    const pieces: Point[][] = [];
+    for (let i = 1; i < places.length; i++) {
+      const part = this.segment(places[i - 1]!, places[i]!);
+      if (part === null) continue;
+      const [from, to] = part;
+      const last = pieces.at(-1)?.at(-1);
+      if (last !== undefined && last.x === from.x && last.y === from.y) pieces.at(-1)!.push(to);
+      else pieces.push([from, to]);
+    }
+    return pieces;
+  }
+
+  #onLayer(x: number, y: number, depth: number): Point {
+    return {
+      x: this.width / 2 + (this.#scaleX * x) / depth,
+      y: this.height / 2 - (this.#scaleY * y) / depth,
+    };
+  }
+
+  /** Liang and Barsky's clipping. */
+  #clipped(a: Point, b: Point): readonly [Point, Point] | null {
+    const [dx, dy] = [b.x - a.x, b.y - a.y];
+    let [from, to] = [0, 1];
+    const sides = [
+      [-dx, a.x + OUTSIDE * this.width],
+      [dx, (1 + OUTSIDE) * this.width - a.x],
+      [-dy, a.y + OUTSIDE * this.height],
+      [dy, (1 + OUTSIDE) * this.height - a.y],
+    ] as const;
+    for (const [step, room] of sides) {
+      if (step === 0) {
+        if (room < 0) return null;
+      } else if (step < 0) from = Math.max(from, room / step);
+      else to = Math.min(to, room / step);
+    }
+    if (!(from <= to)) return null;
+    return [
+      from === 0 ? a : { x: a.x + from * dx, y: a.y + from * dy },
+      to === 1 ? b : { x: a.x + to * dx, y: a.y + to * dy },
+    ];
+  }
+}
+
+/** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
+export function inside(
+  { x, y }: Point,
+  { width, height }: { width: number; height: number },
+  margin: number,
+): Point {
+  const within = (value: number, size: number): number =>
+    size <= 2 * margin ? size / 2 : Math.min(Math.max(value, margin), size - margin);
+  return { x: within(x, width), y: within(y, height) };
+}

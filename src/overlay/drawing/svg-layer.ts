@@ -1,0 +1,120 @@
+// How is a display list shown on the page? As SVG, which is crisp at any resolution and zoom. Elements are kept from list to list, and
+// only what differs is written. Knows nothing of what the list means.
+import { DASHES, FONT, outlineOf, type Primitive } from './display-list.js';
+import { HALO } from './contrast.js';
+import type { Point } from './projection.js';
+
+const SVG = 'http://www.w3.org/2000/svg';
+
+interface Shown {
+  readonly primitive: Primitive;
+  /** The outline first. */
+  readonly elements: readonly SVGElement[];
+}
+
+export class SvgLayer {
+  readonly element = svgElement('svg', {
+    width: '100%',
+    height: '100%',
+    'aria-hidden': 'true',
+    focusable: 'false',
+  });
+  #shown: Shown[] = [];
+
+  constructor() {
+    this.element.style.font = FONT;
+  }
+
+  /** Shows exactly this. A shape that is the same object as before at its place in the list, or an equal label, costs nothing. */
+  show(list: readonly Primitive[]): void {
+    list.forEach((primitive, i) => {
+      const shown = this.#shown[i];
+      if (shown !== undefined && isSame(shown.primitive, primitive)) return;
+      const elements =
+        shown?.primitive.kind === primitive.kind ? shown.elements : this.#replace(shown, primitive.kind);
+      this.#shown[i] = { primitive, elements };
+      write(elements, primitive);
+    });
+    for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
+  }
+
+  #replace(shown: Shown | undefined, kind: Primitive['kind']): readonly SVGElement[] {
+    const tags = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] }[kind];
+    const elements = tags.map((tag) => svgElement(tag, {}));
+    const [first] = shown?.elements ?? [];
+    if (first === undefined) this.element.append(...elements);
+    else {
+      first.before(...elements);
+      for (const each of shown?.elements ?? []) each.remove();
+    }
+    return elements;
+  }
+}
+
+/** Labels are placed anew for each list, but few of them move. */
+const isSame = (a: Primitive, b: Primitive): boolean =>
+  a === b ||
+  (a.kind === 'label' &&
+    b.kind === 'label' &&
+    a.text === b.text &&
+    a.at.x === b.at.x &&
+    a.at.y === b.at.y &&
+    a.color === b.color &&
+    a.opacity === b.opacity);
+
+function write(elements: readonly SVGElement[], primitive: Primitive): void {
+  const opacity = String(primitive.opacity ?? 1);
+  const [halo, core] = elements;
+  if (halo === undefined) return;
+  if (primitive.kind === 'label') {
+    const { at, text, color } = primitive;
+    set(halo, { x: round(at.x), y: round(at.y), fill: color, stroke: HALO, 'stroke-width': '3', opacity });
+    // As attributes: a style attribute is text that a strict CSP refuses.
+    set(halo, { 'paint-order': 'stroke', 'stroke-linejoin': 'round' });
+    if (halo.textContent !== text) halo.textContent = text;
+    return;
+  }
+  const { color, width } = primitive;
+  const dashes = primitive.dashed === true ? DASHES.join(' ') : 'none';
+  const line = { 'stroke-linejoin': 'round', 'stroke-dasharray': dashes, opacity };
+  const shape =
+    primitive.kind === 'disc'
+      ? { cx: round(primitive.center.x), cy: round(primitive.center.y), r: round(primitive.radius) }
+      : { d: pathOf(primitive.lines, primitive.filled === true) };
+  const filled = primitive.kind === 'stroke' && primitive.filled === true;
+  const inner = primitive.kind === 'disc' ? (primitive.fill ?? 'none') : filled ? color : 'none';
+  set(halo, {
+    ...shape,
+    ...line,
+    fill: 'none',
+    stroke: HALO,
+    'stroke-width': String(width + 2 * outlineOf(primitive)),
+  });
+  if (core !== undefined)
+    set(core, {
+      ...shape,
+      ...line,
+      fill: inner,
+      stroke: filled ? 'none' : color,
+      'stroke-width': String(width),
+    });
+}
+
+const pathOf = (lines: readonly (readonly Point[])[], closed: boolean): string =>
+  lines
+    .map((line) => `M${line.map(({ x, y }) => `${round(x)} ${round(y)}`).join('L')}${closed ? 'Z' : ''}`)
+    .join('');
+
+/** A hundredth of a pixel is less than any screen shows. */
+const round = (value: number): string => String(Math.round(100 * value) / 100);
+
+function set(element: SVGElement, attributes: Readonly<Record<string, string>>): void {
+  for (const [name, value] of Object.entries(attributes))
+    if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+function svgElement(tag: string, attributes: Readonly<Record<string, string>>): SVGElement {
+  const element: SVGElement = document.createElementNS(SVG, tag);
+  set(element, attributes);
+  return element;
+}

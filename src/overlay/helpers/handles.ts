@@ -1,0 +1,259 @@
+// The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape restores; pointers drag. Places
+// elements over what is drawn, and reports what the user does. Knows no arithmetic of moves.
+import type { ViewerText } from '../../element/fields/text-list.js';
+import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
+import { fieldsOf } from '../../element/internals.js';
+import { numberedName, type PhongLight } from '../../element/phong-light.js';
+import { lightText } from '../../element/viewer/description.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
+import { historyOf, undoKey } from '../../element/viewer/history.js';
+import { create, set } from '../../element/viewer/template.js';
+import { inside, type Projection } from '../drawing/projection.js';
+import { EDGE, type Handle, type LightMarks, type Part } from './light-marks.js';
+import { LightMove } from './light-move.js';
+import type { SceneBall } from './placed-light.js';
+import { listenToPointers } from './pointer-drag.js';
+
+interface Shown {
+  readonly element: HTMLElement;
+  readonly light: PhongLight;
+  readonly part: Part;
+  /** What it was placed and named by. */
+  handle: Handle | null;
+  index: number;
+  texts: ViewerTexts | null;
+}
+
+/** What handles of parts add to the light's name. */
+const PART_TEXTS = { axis: '{name}: axis', aperture: '{name}: edge of the cone, {degrees}°' } as const;
+
+export class Handles {
+  readonly #host: ExtraHost;
+  readonly #list = create('div', { role: 'listbox' });
+  readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
+  readonly #shown = new Map<string, Shown>();
+  readonly #byElement = new Map<Element, Shown>();
+  readonly #ids = new Map<PhongLight, number>();
+  readonly #move: LightMove;
+  #lastId = 0;
+  /** The one that Tab reaches. */
+  #current: Shown | null = null;
+  #isRtl = false;
+
+  constructor(host: ExtraHost, place: HTMLElement) {
+    this.#host = host;
+    this.#move = new LightMove(host.viewer);
+    place.append(this.#list, this.#region);
+    this.#list.addEventListener('keydown', (event) => this.#onKey(event));
+    this.#list.addEventListener('focusin', ({ target }) =>
+      this.#choose(this.#byElement.get(target as Element)),
+    );
+    this.#list.addEventListener('focusout', () => this.#endKeys());
+    // The picture below zooms, if it may.
+    this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
+    listenToPointers(this.#list, host.tree.layer, {
+      press: (element) => {
+        const shown = this.#byElement.get(element);
+        if (shown === undefined) return false;
+        this.#endKeys();
+        element.focus({ preventScroll: true });
+        return this.#start(shown, false);
+      },
+      moved: (dx, dy, along) => this.#move.to(dx, dy, along),
+      end: () => this.#end(),
+    });
+  }
+
+  /** Brings the elements in step with what is drawn. */
+  show(
+    lights: readonly PhongLight[],
+    marks: readonly LightMarks[],
+    view: Projection,
+    scene: SceneBall,
+  ): void {
+    this.#move.see(view, scene, (light) => marks[lights.indexOf(light)] ?? null);
+    const { texts } = this.#host.viewer;
+    set(this.#list, 'aria-label', phrase(texts, 'Lights in the picture'));
+    const kept = new Set<string>();
+    let before: Element | null = null;
+    lights.forEach((light, index) => {
+      for (const handle of marks[index]!.handles) {
+        const key = this.#keyOf(light, handle.part);
+        kept.add(key);
+        const shown = this.#shown.get(key) ?? this.#add(key, light, handle.part);
+        const expected: Element | null =
+          before === null ? this.#list.firstElementChild : before.nextElementSibling;
+        if (expected !== shown.element) this.#list.insertBefore(shown.element, expected);
+        before = shown.element;
+        this.#place(shown, handle, index, view);
+      }
+    });
+    for (const [key, shown] of this.#shown) if (!kept.has(key)) this.#remove(key, shown);
+    this.#list.hidden = kept.size === 0;
+    if (this.#current === null) this.#choose(this.#shown.values().next().value);
+  }
+
+  hide(): void {
+    this.#end();
+    for (const [key, shown] of this.#shown) this.#remove(key, shown);
+    this.#list.hidden = true;
+  }
+
+  #keyOf(light: PhongLight, part: Part): string {
+    let id = this.#ids.get(light);
+    if (id === undefined) this.#ids.set(light, (id = this.#lastId += 1));
+    return `${id} ${part}`;
+  }
+
+  #add(key: string, light: PhongLight, part: Part): Shown {
+    const element = create('div', {
+      class: `handle ${part}`,
+      role: 'option',
+      tabindex: '-1',
+      'aria-selected': 'false',
+    });
+    const shown: Shown = { element, light, part, handle: null, index: 0, texts: null };
+    this.#shown.set(key, shown);
+    this.#byElement.set(element, shown);
+    return shown;
+  }
+
+  #remove(key: string, shown: Shown): void {
+    const { element, light } = shown;
+    const hadFocus = element.matches(':focus');
+    this.#shown.delete(key);
+    this.#byElement.delete(element);
+    if (!this.#host.children.lights.includes(light)) this.#ids.delete(light);
+    if (this.#move.moves(light)) this.#end();
+    const next = element.nextElementSibling ?? element.previousElementSibling;
+    element.remove();
+    if (this.#current === shown) {
+      this.#current = null;
+      this.#choose(next === null ? undefined : this.#byElement.get(next));
+    }
+    // Otherwise the focus would be lost with the element.
+    if (hadFocus) (this.#current?.element ?? this.#host.tree.surface).focus({ preventScroll: true });
+  }
+
+  #place(shown: Shown, handle: Handle, index: number, view: Projection): void {
+    const { element, light, part } = shown;
+    const { texts } = this.#host.viewer;
+    if (shown.handle === handle && shown.index === index && shown.texts === texts) return;
+    Object.assign(shown, { handle, index, texts });
+    const { at, outside } = handle;
+    const { x, y } = inside(at, view, EDGE);
+    element.style.transform = `translate(${x}px, ${y}px)`;
+    // Those of parts outside could not be told apart at the edge. Keys still reach them.
+    element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
+    const { values } = fieldsOf(light).store;
+    const name = values.name || numberedName(index, texts);
+    const label =
+      part === 'place'
+        ? lightText(texts, name, values)
+        : phrase(texts, PART_TEXTS[part], { name, degrees: String(values.aperture) });
+    set(element, 'aria-label', label);
+    set(element, 'aria-description', phrase(texts, 'Enter starts moving.'));
+  }
+
+  #choose(shown: Shown | undefined): void {
+    if (shown === undefined || shown === this.#current) return;
+    if (this.#current !== null) mark(this.#current.element, false);
+    mark(shown.element, true);
+    this.#current = shown;
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    const undo = undoKey(event);
+    if (undo !== null) {
+      event.preventDefault();
+      this.#end();
+      historyOf(this.#host.viewer)[undo]();
+      return;
+    }
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const current = this.#current;
+    if (current === null) return;
+    if (this.#act(event, current)) {
+      event.preventDefault();
+      event.stopPropagation();
+    }
+  }
+
+  #act({ key, shiftKey }: KeyboardEvent, current: Shown): boolean {
+    const arrow = ARROWS[key];
+    if (key === 'Escape') return this.#restore();
+    if (key === 'Enter' || key === ' ') {
+      if (this.#move.active) this.#endKeys();
+      else if (this.#start(current, true)) this.#say(MOVING);
+      return true;
+    }
+    if (this.#move.active) {
+      if (arrow !== undefined && this.#move.byKeys) this.#move.step(arrow[0], arrow[1], shiftKey);
+      return arrow !== undefined;
+    }
+    if (key === 'Home' || key === 'End') return this.#focus(key === 'Home' ? -Infinity : Infinity);
+    if (arrow === undefined || shiftKey) return false;
+    this.#isRtl = getComputedStyle(this.#list).direction === 'rtl';
+    return this.#focus(arrow[0] * (this.#isRtl ? -1 : 1) + arrow[1]);
+  }
+
+  /** Moves the focus by so many handles; past the ends to the last or first one in that direction. */
+  #focus(by: number): boolean {
+    const all = [...this.#list.children];
+    const from = this.#current === null ? 0 : all.indexOf(this.#current.element);
+    const to = Math.min(Math.max(from + by, 0), all.length - 1);
+    (all[to] as HTMLElement | undefined)?.focus({ preventScroll: true });
+    return true;
+  }
+
+  #start({ element, light, part }: Shown, byKeys: boolean): boolean {
+    if (!this.#move.start(light, part, byKeys)) return false;
+    element.classList.add('moving');
+    return true;
+  }
+
+  /** Ends the move, which becomes a step that undo takes back. */
+  #end(): void {
+    this.#move.end();
+    for (const { element } of this.#shown.values()) element.classList.remove('moving');
+  }
+
+  #endKeys(): void {
+    if (!this.#move.byKeys) return;
+    this.#end();
+    this.#say('');
+  }
+
+  #restore(): boolean {
+    if (!this.#move.active) return false;
+    this.#move.restore();
+    this.#end();
+    this.#say('');
+    return true;
+  }
+
+  /** Announces a text, politely. */
+  #say(text: ViewerText | ''): void {
+    this.#region.textContent = text === '' ? '' : phrase(this.#host.viewer.texts, text);
+  }
+
+  #passOn(event: WheelEvent): void {
+    const copy = new WheelEvent('wheel', event);
+    if (!this.#host.tree.surface.dispatchEvent(copy)) event.preventDefault();
+  }
+}
+
+const MOVING = 'Arrow keys move, with Shift toward you and away. Enter ends, Escape restores.';
+
+/** Right and down. */
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+function mark(element: HTMLElement, current: boolean): void {
+  set(element, 'tabindex', current ? '0' : '-1');
+  set(element, 'aria-selected', String(current));
+}

@@ -1,0 +1,113 @@
+// What does `helpers` draw over a viewer's picture? Follows drawn frames, recomputes only what has changed, and shows it as SVG, or in a
+// picture file as the same list. Knows what each part is for, not how it looks.
+import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { PictureOptions } from '../../element/viewer/picture-blob.js';
+import { create } from '../../element/viewer/template.js';
+import { drawList } from '../drawing/canvas-drawing.js';
+import { Projection } from '../drawing/projection.js';
+import { SvgLayer } from '../drawing/svg-layer.js';
+import styles from './helpers.css?inline';
+import { listOf, NO_DRAWING } from './labels.js';
+import { LightHelpers } from './light-helpers.js';
+import type { SceneBall } from './placed-light.js';
+import { SceneHelpers } from './scene-helpers.js';
+
+export const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
+
+/** Of a scene that shows nothing, as its camera assumes. */
+const EMPTY: SceneBall = { center: [0, 0, 0], radius: 1 };
+
+class Helpers implements Extra {
+  readonly #host: ExtraHost;
+  readonly #root: ShadowRoot;
+  readonly #element = create('div', { class: 'helpers' });
+  readonly #svg = new SvgLayer();
+  readonly #lights: LightHelpers;
+  readonly #objects: SceneHelpers;
+  #view: Projection | null = null;
+  /** What {@link #view} and the scene's ball depend on. */
+  #seen: readonly unknown[] = [];
+  #scene = EMPTY;
+
+  constructor(host: ExtraHost) {
+    this.#host = host;
+    this.#root = host.tree.layer.getRootNode() as ShadowRoot;
+    addStyles(this.#root, styles);
+    this.#element.append(this.#svg.element);
+    const changed = (): void => this.#show(false);
+    this.#lights = new LightHelpers(host, this.#element, changed);
+    this.#objects = new SceneHelpers(host, changed);
+    host.tree.layer.append(this.#element);
+  }
+
+  update(): void {
+    this.#show(true);
+  }
+
+  #show(isFrame: boolean): void {
+    const view = this.#look();
+    const { helpers } = this.#host.values;
+    const hasLights = view !== null && helpers.includes('lights');
+    if (!hasLights) this.#lights.hide();
+    if (view === null) {
+      this.#objects.hide();
+      this.#svg.show([]);
+      return;
+    }
+    const objects = this.#objects.show(view, this.#scene, helpers);
+    const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
+    this.#svg.show(listOf([objects, lights], view));
+  }
+
+  /** The same at the picture's size: as large in it, in proportion, as on the page. */
+  drawOver(picture: HTMLCanvasElement, options: PictureOptions): void {
+    const context = picture.getContext('2d');
+    if (options.helpers !== true || context === null) return;
+    const { height } = this.#host.size();
+    const scale = height > 0 ? picture.height / height : 1;
+    const size = { width: picture.width / scale, height: picture.height / scale };
+    const view = this.#projection(size);
+    const scene = ballOf(this.#host);
+    const { helpers } = this.#host.values;
+    const objects = this.#objects.drawingAt(view, scene, helpers);
+    const lights = helpers.includes('lights') ? this.#lights.drawingAt(view, scene) : NO_DRAWING;
+    drawList(context, listOf([objects, lights], view), scale);
+  }
+
+  dispose(): void {
+    this.#lights.hide();
+    this.#objects.hide();
+    this.#element.remove();
+    removeStyles(this.#root, styles);
+  }
+
+  /** The projection of the picture as it is now; the same object while that stays. Null without a picture. */
+  #look(): Projection | null {
+    const { viewport } = this.#host;
+    const size = this.#host.size();
+    if (!(size.width > 0 && size.height > 0)) return null;
+    const { bounds, fov, orbit, width, height } = viewport;
+    const seen = [bounds, fov, orbit.pose, width, height, size.width, size.height];
+    if (this.#view === null || seen.some((value, i) => value !== this.#seen[i])) {
+      this.#seen = seen;
+      this.#scene = ballOf(this.#host);
+      this.#view = this.#projection(size, width > 0 && height > 0 ? width / height : undefined);
+    }
+    return this.#view;
+  }
+
+  #projection(
+    { width, height }: { readonly width: number; readonly height: number },
+    aspect = width / height,
+  ): Projection {
+    const { fov, orbit } = this.#host.viewport;
+    return new Projection({ pose: orbit.pose, fov, width, height, aspect });
+  }
+}
+
+function ballOf({ viewport }: ExtraHost): SceneBall {
+  const { bounds } = viewport;
+  if (bounds === null) return EMPTY;
+  return { center: bounds.centre, radius: bounds.radius > 0 ? bounds.radius : EMPTY.radius };
+}

@@ -1,0 +1,103 @@
+// The helpers of a viewer's lights: their marks and names, and their handles. Marks of a light are computed again only where the light, the
+// view or what hides it has changed. Knows no pointer and no SVG.
+import { sameValue } from '../../fields/field-store.js';
+import type { LightValues } from '../../light/light-state.js';
+import { fieldsOf } from '../../element/internals.js';
+import { numberedName, type PhongLight } from '../../element/phong-light.js';
+import { lightName } from '../../element/viewer/description.js';
+import type { ExtraHost } from '../../element/viewer/extras.js';
+import { boxAround } from '../drawing/label-layout.js';
+import type { Projection } from '../drawing/projection.js';
+import { Handles } from './handles.js';
+import type { Drawing } from './labels.js';
+import { type LightMarks, lightMarks } from './light-marks.js';
+import { Occlusion } from './occlusion.js';
+import type { SceneBall } from './placed-light.js';
+
+/** What a light's marks were computed from. */
+interface Known {
+  readonly values: LightValues;
+  readonly view: Projection;
+  readonly hidden: boolean;
+  readonly marks: LightMarks;
+}
+
+/** Between a light's place and its name, CSS pixels. */
+const GAP = 12;
+
+/** Opacity of the name of a light that is off. */
+const DIMMED = 0.75;
+
+export class LightHelpers {
+  readonly #host: ExtraHost;
+  readonly #handles: Handles;
+  readonly #occlusion: Occlusion<PhongLight>;
+  readonly #known = new Map<PhongLight, Known>();
+
+  /** `changed` is called when marks look different although nothing was drawn. */
+  constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
+    this.#host = host;
+    this.#handles = new Handles(host, place);
+    this.#occlusion = new Occlusion(host, changed);
+  }
+
+  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn. */
+  show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
+    const { lights } = this.#host.children;
+    const changed: PhongLight[] = [];
+    for (const light of this.#known.keys()) if (!lights.includes(light)) this.#known.delete(light);
+    for (const light of lights) {
+      const { values } = fieldsOf(light).store;
+      const hidden = this.#occlusion.isHidden(light);
+      const known = this.#known.get(light);
+      if (known?.view === view && known.hidden === hidden && sameValues(known.values, values)) continue;
+      // Otherwise only what hides it has changed, which is known.
+      if (known === undefined || known.hidden === hidden) changed.push(light);
+      const marks = lightMarks(values, view, scene, hidden);
+      this.#known.set(light, { values: { ...values }, view, hidden, marks });
+    }
+    const marks = lights.map((light) => this.#known.get(light)!.marks);
+    this.#handles.show(lights, marks, view, scene);
+    const places = new Map(lights.map((light, i) => [light, marks[i]!.placed.place]));
+    // A frame for another reason than a light: a mesh may have moved.
+    this.#occlusion.follow(view, places, isFrame && changed.length === 0 ? lights : changed);
+    return this.#drawing(lights, marks);
+  }
+
+  /** The same for another size, without handles. */
+  drawingAt(view: Projection, scene: SceneBall): Drawing {
+    const { lights } = this.#host.children;
+    const marks = lights.map((light) =>
+      lightMarks(fieldsOf(light).store.values, view, scene, this.#occlusion.isHidden(light)),
+    );
+    return this.#drawing(lights, marks);
+  }
+
+  hide(): void {
+    this.#handles.hide();
+    this.#occlusion.stop();
+    this.#known.clear();
+  }
+
+  #drawing(lights: readonly PhongLight[], marks: readonly LightMarks[]): Drawing {
+    const { texts } = this.#host.viewer;
+    return {
+      list: marks.flatMap(({ list }) => list),
+      names: lights.map((light, i) => {
+        const { values } = fieldsOf(light).store;
+        return {
+          text: lightName(texts, values.name || numberedName(i, texts), values),
+          center: marks[i]!.handles[0]!.at,
+          gap: GAP,
+          opacity: values.active ? 1 : DIMMED,
+        };
+      }),
+      covered: marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
+    };
+  }
+}
+
+function sameValues(a: Readonly<LightValues>, b: Readonly<LightValues>): boolean {
+  for (const key in a) if (!sameValue(a[key as keyof LightValues], b[key as keyof LightValues])) return false;
+  return true;
+}

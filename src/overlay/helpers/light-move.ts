@@ -1,0 +1,135 @@
+// One move of a light by the user, from its start to its end: writes the light's values, and makes the move one step that undo takes back.
+// Goes on from where the light is if something else writes to it meanwhile. Knows neither keys nor pointers.
+import { sameValue } from '../../fields/field-store.js';
+import type { LightValues } from '../../light/light-state.js';
+import { fieldsOf } from '../../element/internals.js';
+import type { PhongLight } from '../../element/phong-light.js';
+import type { PhongViewer } from '../../element/phong-viewer.js';
+import { historyOf, type Subject, valuesOf } from '../../element/viewer/history.js';
+import type { Projection } from '../drawing/projection.js';
+import type { LightMarks, Part } from './light-marks.js';
+import { type Anchor, type Change, moved, travelOfTurn } from './moves.js';
+import type { SceneBall } from './placed-light.js';
+
+/** Travel of one press of an arrow key: CSS pixels, and degrees where it turns a direction. */
+const STEP = { pixels: 8, degrees: 5 } as const;
+
+interface Move {
+  readonly light: PhongLight;
+  readonly part: Part;
+  readonly byKeys: boolean;
+  readonly subject: Subject<ReadonlyMap<string, unknown>>;
+  readonly before: ReadonlyMap<string, unknown>;
+  anchor: Anchor;
+  along: boolean;
+  /** Pointer travel at the anchor, or keys' travel since then. */
+  x: number;
+  y: number;
+  written: Change;
+}
+
+export class LightMove {
+  readonly #viewer: PhongViewer;
+  #move: Move | null = null;
+  #view: Projection | null = null;
+  #scene: SceneBall | null = null;
+  #marksOf: (light: PhongLight) => LightMarks | null = () => null;
+
+  constructor(viewer: PhongViewer) {
+    this.#viewer = viewer;
+  }
+
+  get active(): boolean {
+    return this.#move !== null;
+  }
+
+  get byKeys(): boolean {
+    return this.#move?.byKeys === true;
+  }
+
+  moves(light: PhongLight): boolean {
+    return this.#move?.light === light;
+  }
+
+  /** What is drawn now. */
+  see(view: Projection, scene: SceneBall, marksOf: (light: PhongLight) => LightMarks | null): void {
+    [this.#view, this.#scene, this.#marksOf] = [view, scene, marksOf];
+  }
+
+  /** False if another move goes on, or there is nothing to move. */
+  start(light: PhongLight, part: Part, byKeys: boolean): boolean {
+    if (this.#move !== null) return false;
+    const anchor = this.#anchor(light, part);
+    if (anchor === null) return false;
+    const subject = valuesOf(light);
+    this.#move = {
+      ...{ light, part, byKeys, subject, before: subject.read() },
+      ...{ anchor, along: false, x: 0, y: 0, written: {} },
+    };
+    return true;
+  }
+
+  /** The pointer's whole travel since the start, CSS pixels of the layer. */
+  to(dx: number, dy: number, along: boolean): void {
+    const move = this.#current(along, dx, dy);
+    if (move !== null) this.#write(move, dx - move.x, dy - move.y);
+  }
+
+  /** One press of a key: right and down are 1. */
+  step(right: number, down: number, along: boolean): void {
+    const move = this.#current(along, 0, 0);
+    const view = this.#view;
+    if (move === null || view === null) return;
+    const { placed } = move.anchor;
+    const turns = move.part === 'axis' || (move.part === 'place' && placed.directional);
+    const size = turns ? travelOfTurn(STEP.degrees, view) : STEP.pixels;
+    move.x += right * size;
+    move.y += down * size;
+    this.#write(move, move.x, move.y);
+  }
+
+  /** Puts back what the light was at the start. */
+  restore(): void {
+    const move = this.#move;
+    if (move === null) return;
+    const { subject, before } = move;
+    subject.restore(subject.read(), before);
+  }
+
+  end(): void {
+    const move = this.#move;
+    this.#move = null;
+    if (move !== null) historyOf(this.#viewer).record(move.subject, move.before);
+  }
+
+  /** The move, measured from here if its kind changed or something else has written to the light. */
+  #current(along: boolean, x: number, y: number): Move | null {
+    const move = this.#move;
+    if (move === null) return null;
+    const { values } = fieldsOf(move.light).store;
+    const isOwn = Object.entries(move.written).every(([key, value]) =>
+      sameValue(value, values[key as keyof LightValues]),
+    );
+    if (along === move.along && isOwn) return move;
+    const anchor = this.#anchor(move.light, move.part);
+    if (anchor === null) return null;
+    Object.assign(move, { anchor, along, x, y, written: {} });
+    return move;
+  }
+
+  #write(move: Move, dx: number, dy: number): void {
+    const view = this.#view;
+    if (view === null) return;
+    const { along, byKeys } = move;
+    move.written = moved(move.anchor, view, { dx, dy, along, byKeys });
+    for (const [key, value] of Object.entries(move.written))
+      fieldsOf(move.light).set(key as keyof Change, value);
+  }
+
+  #anchor(light: PhongLight, part: Part): Anchor | null {
+    const [view, scene, marks] = [this.#view, this.#scene, this.#marksOf(light)];
+    const handle = marks?.handles.find((each) => each.part === part);
+    if (view === null || scene === null || marks === null || handle === undefined) return null;
+    return { part, values: { ...fieldsOf(light).store.values }, placed: marks.placed, handle, view, scene };
+  }
+}

@@ -1,0 +1,128 @@
+// Where does a light stand in the scene, as its helper shows it? World space and scene units, whatever the light's own space. Knows neither
+// pixels nor elements.
+import { isSpot } from '../../light/light-features.js';
+import type { LightValues } from '../../light/light-state.js';
+import { radians } from '../../math/angle.js';
+import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import type { Projection } from '../drawing/projection.js';
+
+/** A sphere that holds the scene; its radius is above 0. */
+export interface SceneBall {
+  readonly center: Vec3;
+  readonly radius: number;
+}
+
+export interface PlacedLight {
+  readonly directional: boolean;
+  /** A directional light stands in its direction, at {@link DIRECTIONAL_AT} radii from the scene's centre. */
+  readonly place: Vec3;
+  /** Unit vector in which a directional light shines; null for others, and without a direction. */
+  readonly shines: Vec3 | null;
+  /** Of a spot; null for other lights. */
+  readonly spot: PlacedSpot | null;
+  /** Distance at which attenuation halves the light, if it does so anywhere but at the light itself. */
+  readonly halfDistance: number | null;
+}
+
+export interface PlacedSpot {
+  /** Unit vector. */
+  readonly axis: Vec3;
+  /** Length of the axis's arrow. */
+  readonly arrow: number;
+  /** Length of the cone's side. */
+  readonly reach: number;
+  /** Half-angle of the cone in degrees; 180 for none. */
+  readonly aperture: number;
+  /** Angle from the axis at which decay halves the light, degrees; null without decay. */
+  readonly halfAngle: number | null;
+}
+
+/** Distance of a directional light's helper from the scene's centre, in radii of the scene. */
+export const DIRECTIONAL_AT = 1.2;
+
+/** Longest arrow of a spot's axis, and shortest cone, in radii of the scene: both can be gripped in a scene of any size. */
+const LONGEST_ARROW = 0.6;
+const SHORTEST_REACH = 0.25;
+
+export function placedLight(values: Readonly<LightValues>, view: Projection, scene: SceneBall): PlacedLight {
+  const [x, y, z, w] = values.position;
+  const inCamera = values.space === 'camera';
+  const turned = (v: Vec3): Vec3 => (inCamera ? view.turnToWorld(v) : v);
+  const directional = w === 0;
+  const toward = normalize(turned([x, y, z]));
+  const place = directional
+    ? add(scene.center, scale(toward, DIRECTIONAL_AT * scene.radius))
+    : inCamera
+      ? view.toWorld([x, y, z])
+      : ([x, y, z] as const);
+  return {
+    directional,
+    place,
+    shines: directional && length(toward) > 0 ? scale(toward, -1) : null,
+    spot: isSpot(values) ? placedSpot(values, place, normalize(turned(values.axis)), scene) : null,
+    halfDistance: directional ? null : halfDistance(values.attenuation),
+  };
+}
+
+function placedSpot(values: Readonly<LightValues>, place: Vec3, axis: Vec3, scene: SceneBall): PlacedSpot {
+  const reach = Math.max(reachOf(place, axis, scene), SHORTEST_REACH * scene.radius);
+  return {
+    axis,
+    arrow: Math.min(reach, LONGEST_ARROW * scene.radius),
+    reach,
+    aperture: values.aperture,
+    halfAngle: halfAngle(values.cutoff),
+  };
+}
+
+/** Distance along the axis to the scene's ball: where it enters, or leaves from inside. Beside it, the distance to its centre. */
+function reachOf(place: Vec3, axis: Vec3, { center, radius }: SceneBall): number {
+  const toCenter = subtract(center, place);
+  const along = dot(toCenter, axis);
+  const aside = Math.hypot(...subtract(toCenter, scale(axis, along)));
+  const half = Math.sqrt(Math.max(radius * radius - aside * aside, 0));
+  if (aside < radius && along + half > 0) return along > half ? along - half : along + half;
+  return Math.hypot(along, aside);
+}
+
+/** Where kc + kl·d + kq·d² = 2; null where attenuation is constant or 1/2 at the light already. */
+export function halfDistance([kc, kl, kq]: Vec3): number | null {
+  if (kc >= 2 || (kl === 0 && kq === 0)) return null;
+  const missing = 2 - kc;
+  // The form without cancellation, which holds for kq = 0 too.
+  return (2 * missing) / (kl + Math.sqrt(kl * kl + 4 * kq * missing));
+}
+
+/** Where ((c + 1) / 2)^cutoff = 1/2, in degrees; null where that is nowhere. */
+export function halfAngle(cutoff: number): number | null {
+  const cosine = 2 * 0.5 ** (1 / cutoff) - 1;
+  return cutoff > 0 && cosine > -1 ? (Math.acos(cosine) * 180) / Math.PI : null;
+}
+
+/** A unit vector across the axis, in the picture's plane if it can be: the cone's outline as the eye sees it. */
+export function acrossAxis(axis: Vec3, place: Vec3, view: Projection): Vec3 {
+  const across = cross(axis, subtract(view.eye, place));
+  // Along the axis the outline is a circle, and any direction will do.
+  return length(across) > 1e-6 * length(subtract(view.eye, place))
+    ? normalize(across)
+    : normalize(cross(axis, leastAlong(axis)));
+}
+
+/** The world axis that is farthest from parallel. */
+function leastAlong(axis: Vec3): Vec3 {
+  const [x, y, z] = [Math.abs(axis[0]), Math.abs(axis[1]), Math.abs(axis[2])];
+  if (x <= y && x <= z) return [1, 0, 0];
+  return y <= z ? [0, 1, 0] : [0, 0, 1];
+}
+
+/** A place at an angle of `degrees` from the axis, `distance` from the light, turned to `across` by 0 and around it by `around`. */
+export function onCone(
+  { place, axis, across }: { readonly place: Vec3; readonly axis: Vec3; readonly across: Vec3 },
+  degrees: number,
+  distance: number,
+  around = 0,
+): Vec3 {
+  const side = add(scale(across, Math.cos(around)), scale(cross(axis, across), Math.sin(around)));
+  const angle = radians(degrees);
+  return add(place, scale(add(scale(axis, Math.cos(angle)), scale(side, Math.sin(angle))), distance));
+}

@@ -1,0 +1,63 @@
+// How does a pointer drag one of several elements? Reports the press and the whole travel since then in the layer's own pixels, which CSS
+// transforms may turn. One pointer at a time. Knows nothing of what is dragged.
+import { PictureCorners } from '../../element/page/picture-box.js';
+import { alongAxes, type PictureBox } from '../../camera/gesture.js';
+
+export interface DragListener {
+  /** The primary button pressed this element. False: it is not for dragging. */
+  press(element: HTMLElement): boolean;
+  /** Travel since the press, CSS pixels of the layer, right and down. `along`: Shift is down. */
+  moved(dx: number, dy: number, along: boolean): void;
+  end(): void;
+}
+
+interface Press {
+  readonly id: number;
+  readonly element: HTMLElement;
+  readonly x: number;
+  readonly y: number;
+  /** The layer's axes on the page. */
+  readonly axes: PictureBox['axes'];
+  dragged: boolean;
+}
+
+/** CSS pixels of the page. A press that moves less is a click: fingers are not steady. */
+const SLOP = 3;
+
+/** Listens to the children of `list`; travel is along the axes of `layer`. */
+export function listenToPointers(list: HTMLElement, layer: HTMLElement, listener: DragListener): void {
+  const corners = new PictureCorners(layer);
+  let press: Press | null = null;
+  const end = (event: PointerEvent): void => {
+    if (press?.id !== event.pointerId) return;
+    press = null;
+    listener.end();
+  };
+  list.addEventListener('pointerdown', (event) => {
+    const { target, pointerId: id, clientX: x, clientY: y } = event;
+    // An element that was removed gets no event at the end of its drag.
+    if (press?.element.isConnected === true && press.id !== id) return;
+    if (event.button !== 0 || !(target instanceof HTMLElement)) return;
+    event.preventDefault(); // no selection, no focus elsewhere
+    if (!listener.press(target)) return;
+    press = { id, element: target, x, y, axes: corners.box.axes, dragged: false };
+    try {
+      target.setPointerCapture(id);
+    } catch {
+      // The pointer is gone already or was made by a script: drag without capture.
+    }
+  });
+  list.addEventListener('pointermove', (event) => {
+    if (press?.id !== event.pointerId) return;
+    // The button was released without an event: over another window, under a menu.
+    if ((event.buttons & 1) === 0) {
+      end(event);
+      return;
+    }
+    const [dx, dy] = [event.clientX - press.x, event.clientY - press.y];
+    press.dragged ||= Math.hypot(dx, dy) >= SLOP;
+    if (press.dragged) listener.moved(...alongAxes(press.axes, dx, dy), event.shiftKey);
+  });
+  for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
+    list.addEventListener(type, end);
+}

@@ -1,0 +1,101 @@
+// How does a fragment's figure become lines over the picture? Arrows, arcs and labels in CSS pixels of the layer, as a display list. Knows
+// neither the equation nor the page.
+import type { Vec3 } from '../../math/vector.js';
+import { add, scale } from '../../math/vector.js';
+import { coreColor, cssColor } from '../drawing/contrast.js';
+import { arrow, type Primitive } from '../drawing/display-list.js';
+import { type Box, boxAround, type LabelWish, placeLabels } from '../drawing/label-layout.js';
+import type { Point, Projection } from '../drawing/projection.js';
+import { shortened, textWidth } from '../drawing/text-width.js';
+import type { Figure } from './figure.js';
+
+const WHITE: Vec3 = [1, 1, 1];
+
+/** Length of a vector across the line of sight: a share of the layer's smaller side, within limits in CSS pixels. */
+const ARROW = { share: 0.24, least: 22, most: 110 };
+
+/** Radius of the mark, CSS pixels. Shorter arrows point at the eye or away from it and have no line. */
+const MARK = 6;
+
+/** Layers smaller than this have room for arrows but not for their names. CSS pixels. */
+const NAMED = { width: 140, height: 110 };
+
+interface Labelled {
+  readonly text: string;
+  readonly color: string;
+  readonly wish: LabelWish;
+}
+
+/** The mark alone. `dashed`: hidden, or on no surface. */
+export const markOf = (at: Point, dashed: boolean): Primitive[] => [
+  { kind: 'disc', center: at, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
+];
+
+/** `p` is the point in world space, `at` its place on the layer. `outline`: a triangle around it, if any. `covered` by the box. */
+export function drawingOf(
+  projection: Projection,
+  p: Vec3,
+  at: Point,
+  { vectors, arcs }: Figure,
+  { outline, covered }: { readonly outline: readonly Vec3[]; readonly covered: Box },
+): Primitive[] {
+  const unit = arrowLength(projection) / projection.pixelsPerUnit(projection.depthOf(p));
+  const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
+  const list: Primitive[] = [];
+  const labels: Labelled[] = [label('V', at, MARK + 4)];
+  if (outline.length > 0)
+    list.push({
+      kind: 'stroke',
+      lines: projection.line([...outline, outline[0]!]),
+      color: '#fff',
+      width: 1,
+      dashed: true,
+    });
+  for (const { points, label: text } of arcs) {
+    const line = points.map(placeOf).filter((point) => point !== null);
+    if (line.length < 2) continue;
+    list.push({ kind: 'stroke', lines: [line], color: '#fff', width: 1.5 });
+    labels.push(label(text, line[Math.floor(line.length / 2)]!, 8));
+  }
+  for (const { name, direction, color, dashed } of vectors) {
+    const tip = placeOf(direction);
+    if (tip === null) continue;
+    const css = cssColor(coreColor(color ?? WHITE));
+    if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK)
+      list.push(...arrow([at, tip], { color: css, width: 2.5, dashed }));
+    labels.push(label(shortened(name), tip, 7, css));
+  }
+  list.push(...markOf(at, false), dot(at));
+  if (projection.width < NAMED.width || projection.height < NAMED.height) return list;
+  // The names of vectors come before those of angles.
+  labels.sort((a, b) => Number(a.text.endsWith('°')) - Number(b.text.endsWith('°')));
+  const places = placeLabels(
+    labels.map(({ wish }) => wish),
+    projection,
+    [boxAround(at, MARK), covered],
+  );
+  labels.forEach(({ text, color }, i) => {
+    const place = places[i];
+    if (place) list.push({ kind: 'label', at: place, text, color });
+  });
+  return list;
+}
+
+/** The tip of V, which points at the eye. */
+const dot = (center: Point): Primitive => ({
+  kind: 'disc',
+  center,
+  radius: 1,
+  fill: '#fff',
+  color: '#fff',
+  width: 1,
+});
+
+const label = (text: string, center: Point, gap: number, color = '#fff'): Labelled => ({
+  text,
+  color,
+  wish: { center, gap, width: textWidth(text) },
+});
+
+const arrowLength = ({ width, height }: Projection): number =>
+  Math.min(Math.max(ARROW.share * Math.min(width, height), ARROW.least), ARROW.most);

@@ -1,0 +1,92 @@
+// What do pointer and keys on a picture mean for its probe? A mouse hovers, a click or tap without a drag pins, arrow keys move the
+// cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS pixels of the layer. Knows
+// nothing of what is explained.
+import type { Point } from '../drawing/projection.js';
+
+export interface ProbeInputHost {
+  /** Where the mouse is; null once it has left, or drags. */
+  look(at: Point | null): void;
+  pin(at: Point): void;
+  /** Takes the pin away. False if there is none. */
+  release(): boolean;
+  /** Moves the cross-hair. */
+  step(across: number, down: number): void;
+  /** Pins what the cross-hair shows. */
+  pinHere(): void;
+  /** The cross-hair got the focus. */
+  focused(): void;
+  /** Neither cross-hair nor table has the focus any more. */
+  blurred(): void;
+}
+
+/** A press that moves farther than this turns the camera and pins nothing. CSS pixels; fingers are less steady. */
+const SLOP = { mouse: 4, touch: 10 } as const;
+
+/** CSS pixels per press of an arrow key, and with Shift. */
+const STEP = { fine: 1, coarse: 10 } as const;
+
+const ARROWS: Readonly<Record<string, readonly [across: number, down: number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
+
+/** Listens until `signal` is aborted. `root` holds the cross-hair and the table. */
+export function listen(
+  { surface, cursor, root }: Readonly<Record<'surface' | 'cursor' | 'root', HTMLElement>>,
+  host: ProbeInputHost,
+  signal: AbortSignal,
+): void {
+  let pressed: Point = { x: 0, y: 0 };
+  let steady = false;
+  const on = <K extends keyof HTMLElementEventMap>(
+    target: HTMLElement,
+    type: K,
+    listener: (event: HTMLElementEventMap[K]) => void,
+  ): void => target.addEventListener(type, listener, { signal });
+  const placeOf = ({ offsetX, offsetY }: MouseEvent): Point => {
+    // Inside CSS zoom, pointer events use the page's pixels. Not all browsers have this property.
+    const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
+    return { x: offsetX / zoom, y: offsetY / zoom };
+  };
+
+  on(surface, 'pointerdown', ({ clientX, clientY, isPrimary }) => {
+    pressed = { x: clientX, y: clientY };
+    steady = isPrimary; // a second finger pinches
+  });
+  on(surface, 'pointermove', (event) => {
+    const { clientX, clientY, buttons, pointerType } = event;
+    if (buttons === 0) {
+      if (pointerType !== 'touch') host.look(placeOf(event));
+      return;
+    }
+    const slop = pointerType === 'touch' ? SLOP.touch : SLOP.mouse;
+    steady &&= Math.hypot(clientX - pressed.x, clientY - pressed.y) <= slop;
+    if (!steady) host.look(null);
+  });
+  on(surface, 'pointerleave', () => host.look(null));
+  on(surface, 'click', (event) => {
+    if (steady) host.pin(placeOf(event));
+    steady = false;
+  });
+
+  on(cursor, 'focus', () => host.focused());
+  on(root, 'focusout', ({ relatedTarget }) => {
+    if (!root.contains(relatedTarget as Node | null)) host.blurred();
+  });
+  on(cursor, 'keydown', (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    const arrow = ARROWS[event.key];
+    const pixels = event.shiftKey ? STEP.coarse : STEP.fine;
+    if (arrow !== undefined) host.step(arrow[0] * pixels, arrow[1] * pixels);
+    else if (event.key === 'Enter') host.pinHere();
+    else return;
+    event.preventDefault();
+  });
+  // Escape must do nothing else, such as closing a dialog around the viewer, while it takes a pin away.
+  for (const target of [surface, root])
+    on(target, 'keydown', (event) => {
+      if (event.key === 'Escape' && host.release()) event.preventDefault();
+    });
+}

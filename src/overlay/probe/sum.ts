@@ -1,0 +1,101 @@
+// Which rows does the sum at a fragment have, and which light is it about? Plain values from an explanation of shadeAt. Colours in codes:
+// 255 is full. Knows neither elements of the page nor words in other languages.
+import type { PhongLight } from '../../element/phong-light.js';
+import type { FragmentExplanation, LightExplanation } from '../../element/viewer/shade-at.js';
+import { srgbDecode } from '../../math/color.js';
+import { add, map, type Vec3 } from '../../math/vector.js';
+
+/** Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular terms. */
+export type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | null;
+
+/** One active light's row. */
+export interface SumRow {
+  /** Null for the head-light. */
+  readonly light: PhongLight | null;
+  readonly name: string;
+  readonly absence: Absence;
+  readonly ambient: Vec3;
+  readonly diffuse: Vec3;
+  readonly specular: Vec3;
+  readonly att: number;
+  readonly decay: number;
+  /** Of the three terms. */
+  readonly total: Vec3;
+  readonly share: LightExplanation;
+}
+
+/** A row below the lights. */
+export interface TotalRow {
+  readonly label: 'base colour' | 'emissive' | 'sum' | 'encoded' | 'clamped';
+  readonly color: Vec3;
+}
+
+export interface Sum {
+  readonly rows: readonly SumRow[];
+  readonly totals: readonly TotalRow[];
+  /** The colour that is drawn, 0–255. */
+  readonly color: Vec3;
+}
+
+/** `linear`: the viewer shades in linear light, so terms and sum are decoded and the sum is encoded last. */
+export function sumOf(fragment: FragmentExplanation, linear: boolean): Sum {
+  const { shares, unlit, emissive, sum, color } = fragment;
+  const rows = unlit ? [] : shares.filter((share) => share !== null).map(rowOf);
+  const own = map(unlit ? fragment.baseColor : emissive, (x) => 255 * (linear ? srgbDecode(x) : x));
+  const totals: TotalRow[] = [];
+  if (unlit) totals.push({ label: 'base colour', color: own });
+  else if (own.some((x) => x > 0)) totals.push({ label: 'emissive', color: own });
+  const added = rows.reduce((total, row) => add(total, row.total), own);
+  if (!unlit) totals.push({ label: 'sum', color: added });
+  const encoded = codes(sum);
+  if (linear) totals.push({ label: 'encoded', color: encoded });
+  const shown = codes(color);
+  if (shown.some((x, i) => x !== encoded[i])) totals.push({ label: 'clamped', color: shown });
+  return { rows, totals, color: shown };
+}
+
+function rowOf(share: LightExplanation): SumRow {
+  const [ambient, diffuse, specular] = [codes(share.ambient), codes(share.diffuse), codes(share.specular)];
+  return {
+    light: share.light,
+    name: share.name,
+    absence: absenceOf(share),
+    ambient,
+    diffuse,
+    specular,
+    att: share.att,
+    decay: share.decay,
+    total: add(add(ambient, diffuse), specular),
+    share,
+  };
+}
+
+function absenceOf({ insideCone, L, NoL }: LightExplanation): Absence {
+  if (!insideCone) return 'outside its cone';
+  if (L.every((x) => x === 0)) return 'no direction';
+  return NoL > 0 ? null : 'behind the surface';
+}
+
+/** The rows by what they add, the largest first. Equal ones keep their order. */
+export const byShare = (rows: readonly SumRow[]): SumRow[] =>
+  [...rows].sort((a, b) => brightness(b.total) - brightness(a.total));
+
+const brightness = ([r, g, b]: Vec3): number => r + g + b;
+
+const codes = (color: Vec3): Vec3 => map(color, (x) => 255 * x);
+
+/** With a typographic minus, and none before a zero. */
+export function numberText(value: number, digits: number): string {
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
+  // Below a million the digits tell; larger ones, of extreme lights, would not fit.
+  const text = Math.abs(value) < 1e6 ? value.toFixed(digits) : value.toExponential(1);
+  return text.replace(/^-(?!0(\.0*)?$)/, '−').replace(/^-/, '');
+}
+
+/** Three numbers with a space between. */
+export const tripleText = (color: Vec3, digits: number): string =>
+  color.map((x) => numberText(x, digits)).join(' ');
+
+/** The angle whose cosine this is, in whole degrees. */
+export const degreesText = (cosine: number): string =>
+  `${String(Math.round((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI))}°`;

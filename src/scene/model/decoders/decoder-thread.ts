@@ -1,0 +1,136 @@
+// Where are meshes and textures unpacked? In a worker, one for each decoder, which keeps the page alive and ends at once with an abort. On
+// the main thread where no worker can start: the package on another origin, a page opened from disk, a policy, a bundler that left the
+// worker's file out. Must not know what is unpacked.
+import type { CreateDecoder, WorkerAnswer } from './decoder.js';
+
+/**
+ * How long a worker waits for another job, in milliseconds. The models of a page come one after another; starting a worker takes about
+ * 50 ms. Its heap never shrinks and is freed when it ends.
+ */
+const IDLE_MS = 5000;
+
+/** A decoder that has started. */
+interface Session<Job, Result> {
+  decode(job: Job, signal: AbortSignal): Promise<Result>;
+  end(): void;
+}
+
+/** Jobs are done one after the other: however many models are read, there is one worker. */
+export class DecoderThread<Job, Result> {
+  readonly #startWorker: () => Worker | null;
+  readonly #code: () => Promise<CreateDecoder<Job, Result>>;
+  readonly #setup: string;
+  #last: Promise<unknown> = Promise.resolve();
+  #session: Promise<Session<Job, Result>> | null = null;
+  /** A worker did not start, although its code is there: do not try again. */
+  #noWorker = false;
+  #idle: ReturnType<typeof setTimeout> | undefined;
+
+  /**
+   * @param startWorker null: there is no worker's file.
+   * @param code the same decoder for the main thread. Its error is the caller's, where the worker did not start either.
+   * @param setup passed to the decoder when it starts.
+   */
+  constructor(startWorker: () => Worker | null, code: () => Promise<CreateDecoder<Job, Result>>, setup = '') {
+    this.#startWorker = startWorker;
+    this.#code = code;
+    this.#setup = setup;
+  }
+
+  /**
+   * @param job is copied for the worker.
+   * @throws what the decoder throws, by message and name, or the signal's reason after an abort.
+   */
+  decode(job: Job, signal: AbortSignal): Promise<Result> {
+    const result = this.#last.then(() => this.#decodeNow(job, signal));
+    this.#last = result.catch(() => undefined);
+    return result;
+  }
+
+  async #decodeNow(job: Job, signal: AbortSignal): Promise<Result> {
+    signal.throwIfAborted();
+    clearTimeout(this.#idle);
+    try {
+      const session = await (this.#session ??= this.#open());
+      signal.throwIfAborted();
+      const result = await session.decode(job, signal);
+      this.#idle = setTimeout(() => {
+        this.#close();
+      }, IDLE_MS);
+      return result;
+    } catch (error) {
+      // It may still be at work, or broken by what it was given.
+      this.#close();
+      throw error;
+    }
+  }
+
+  async #open(): Promise<Session<Job, Result>> {
+    const worker = this.#noWorker ? null : await this.#openWorker();
+    if (worker) return worker;
+    const create = await this.#code();
+    this.#noWorker = true;
+    const decode = await create(this.#setup);
+    return {
+      decode: async (job) => (await decode(job)).result,
+      end: () => undefined,
+    };
+  }
+
+  /** Null if it cannot start. */
+  async #openWorker(): Promise<Session<Job, Result> | null> {
+    let worker: Worker | null = null;
+    try {
+      worker = this.#startWorker();
+      if (worker === null) return null;
+      await answerOf(worker, this.#setup);
+      return sessionOf(worker);
+    } catch {
+      worker?.terminate();
+      return null;
+    }
+  }
+
+  #close(): void {
+    void this.#session?.then(
+      (session) => {
+        session.end();
+      },
+      () => undefined,
+    );
+    this.#session = null;
+  }
+}
+
+const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
+  decode: (job, signal) => answerOf<Result>(worker, job, signal),
+  end: () => {
+    worker.terminate();
+  },
+});
+
+/** Sends a message and waits for its answer. */
+async function answerOf<Result>(worker: Worker, message: unknown, signal?: AbortSignal): Promise<Result> {
+  const done = new AbortController();
+  const until = { signal: done.signal };
+  try {
+    return await new Promise<Result>((resolve, reject) => {
+      const answered = ({ data }: MessageEvent<WorkerAnswer<Result>>): void => {
+        if ('result' in data) resolve(data.result);
+        else reject(Object.assign(new Error(data.error.message), { name: data.error.name }));
+      };
+      const failed = (event: Event): void => {
+        // Otherwise the browser would report it as the page's own.
+        event.preventDefault();
+        reject(new Error('the decoder has stopped'));
+      };
+      worker.addEventListener('message', answered, until);
+      worker.addEventListener('error', failed, until);
+      worker.addEventListener('messageerror', failed, until);
+      signal?.addEventListener('abort', () => reject(signal.reason as Error), until);
+      worker.postMessage(message);
+    });
+  } finally {
+    done.abort();
+  }
+}

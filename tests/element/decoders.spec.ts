@@ -1,0 +1,123 @@
+// Where are compressed models unpacked? In a worker that is a file of the package, on the main thread where it cannot start, alike to
+// the last bit; one worker for any number of models, none after an abort or a while of rest.
+
+import type { Locator, Page } from '@playwright/test';
+import type { BufferGeometry } from 'three';
+import { expect, strictPolicy, test } from '../support/test.js';
+import { dracoGlb } from '../fuzz/models.js';
+import { type PhongViewer, settled } from './support.js';
+
+const bunny = '/assets/models/bunny.glb';
+const scene = `<phong-viewer src="${bunny}"></phong-viewer>`;
+const size = { width: 90, height: 60 };
+const workerFile = /\/draco-worker[^/]*\.js$/;
+
+/** A number for each array of each geometry: equal only for equal bits. */
+const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const found: string[] = [];
+    element.scene.traverse((object) => {
+      const { geometry } = object as { geometry?: BufferGeometry };
+      if (geometry === undefined) return;
+      for (const [name, { array }] of Object.entries({ ...geometry.attributes, index: geometry.index! })) {
+        let hash = 0;
+        for (const byte of new Uint8Array(array.buffer)) hash = (Math.imul(hash, 31) + byte) | 0;
+        found.push(`${name} ${array.constructor.name} ${array.length} ${hash}`);
+      }
+    });
+    return found;
+  });
+
+const loaded = (viewer: Locator): Promise<boolean> =>
+  viewer.evaluate((element: PhongViewer) => element.loaded);
+
+/** Every worker that has started on the page. */
+function workersOf(page: Page): readonly string[] {
+  const started: string[] = [];
+  page.on('worker', (worker) => started.push(worker.url()));
+  return started;
+}
+
+test('a model is the same from the worker and from the main thread', async ({ page, mount }) => {
+  const started = workersOf(page);
+  const viewer = await mount(scene, size);
+  const threaded = await fingerprint(viewer);
+  expect(threaded.length).toBeGreaterThan(2);
+  expect(started).toEqual([expect.stringMatching(workerFile)]);
+
+  await page.route(workerFile, (route) => route.abort());
+  const alone = await mount(scene, size);
+  expect(await fingerprint(alone)).toEqual(threaded);
+  expect(started).toHaveLength(1);
+});
+
+test('damaged data give the same error from both', async ({ page, site, mount }) => {
+  const outcome = async (): Promise<string> => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', size);
+    return viewer.evaluate(
+      (element: PhongViewer, src) =>
+        new Promise<string>((resolve) => {
+          element.addEventListener('error', ({ detail }) => resolve(`${detail.code}: ${detail.message}`));
+          element.src = src;
+        }),
+      site.file(dracoGlb(1, 3, { faces: 1, points: 3 })),
+    );
+  };
+  const threaded = await outcome();
+  expect(threaded).toMatch(/^bad-model: .*Draco data/);
+  await page.route(workerFile, (route) => route.abort());
+  expect(await outcome()).toBe(threaded);
+});
+
+test('a policy that allows no worker does not keep the model from being shown', async ({
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/worker-src/);
+  const viewer = await mount(scene, { ...size, csp: `${strictPolicy}; worker-src 'none'` });
+  expect(await loaded(viewer)).toBe(true);
+});
+
+test('twenty models at once use one worker', async ({ page, mount }) => {
+  const started = workersOf(page);
+  // Different addresses, so that nothing is shared.
+  const many = Array.from({ length: 20 }, (_, i) => `<phong-mesh src="${bunny}?${i}"></phong-mesh>`).join('');
+  const viewer = await mount(`<phong-viewer>${many}</phong-viewer>`, size);
+  expect(await loaded(viewer)).toBe(true);
+  expect(started).toHaveLength(1);
+});
+
+test('removing the viewer ends the worker at its work, and the next model gets a new one', async ({
+  page,
+  mount,
+}) => {
+  const started = workersOf(page);
+  const starting = page.waitForEvent('worker');
+  await mount(scene, { ...size, waitForReady: false });
+  const worker = await starting;
+  const ended = worker.waitForEvent('close');
+  await page.evaluate(() => document.querySelector('phong-viewer')?.remove());
+  await ended;
+  await page.evaluate((src) => {
+    const viewer = document.createElement('phong-viewer');
+    viewer.alt = 'A bunny';
+    viewer.src = src;
+    document.body.append(viewer);
+  }, bunny);
+  const viewer = page.locator('phong-viewer');
+  await settled(viewer);
+  expect(await loaded(viewer)).toBe(true);
+  expect(started).toHaveLength(2);
+});
+
+test('a worker without work ends', async ({ page, mount }) => {
+  await page.clock.install();
+  const starting = page.waitForEvent('worker');
+  const mounting = mount(scene, size);
+  const worker = await starting;
+  const ended = worker.waitForEvent('close');
+  await mounting;
+  expect(page.workers()).toHaveLength(1);
+  await page.clock.fastForward(6000);
+  await ended;
+});

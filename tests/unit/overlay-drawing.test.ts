@@ -1,0 +1,180 @@
+// Does what is drawn over a picture lie where the picture shows it, with labels apart from each other and colours that can be seen?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../src/math/vector.js';
+import { coreColor, luminance } from '../../src/overlay/drawing/contrast.js';
+import { arrow } from '../../src/overlay/drawing/display-list.js';
+import { boxAround, LINE, placeLabels } from '../../src/overlay/drawing/label-layout.js';
+import { inside, Projection } from '../../src/overlay/drawing/projection.js';
+
+const sight = {
+  pose: { theta: 0, phi: 90, radius: 4, target: [0, 0, 0] },
+  fov: 90,
+  width: 400,
+  height: 200,
+} as const;
+
+describe('a projection', () => {
+  it('shows the target in the middle, and right and up where they are', () => {
+    const projection = new Projection(sight);
+    expect(projection.point([0, 0, 0])).toEqual({ x: 200, y: 100 });
+    const { x, y } = projection.point([1, 2, 0])!;
+    expect(x).toBeCloseTo(200 + 25, 10);
+    expect(y).toBeCloseTo(100 - 50, 10);
+  });
+
+  it('shows no point behind the eye, in its plane, or at it', () => {
+    const projection = new Projection(sight);
+    for (const place of [
+      [0, 0, 4],
+      [3, 1, 4],
+      [0, 0, 9],
+    ] as const)
+      expect(projection.point(place)).toBeNull();
+  });
+
+  it('finds the place again that lies on a point at a depth', () => {
+    const angle = fc.double({ min: -180, max: 180, noNaN: true });
+    const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
+    fc.assert(
+      fc.property(angle, angle, fc.tuple(coordinate, coordinate, coordinate), (theta, phi, place) => {
+        const pose = { ...sight.pose, theta, phi: Math.abs(phi) };
+        const projection = new Projection({ ...sight, pose });
+        const again = projection.placeAt(projection.point(place)!, projection.depthOf(place));
+        for (const i of [0, 1, 2] as const) expect(again[i]).toBeCloseTo(place[i], 10);
+      }),
+    );
+  });
+
+  it('cuts a line that runs behind the eye where it leaves the view, and drops one that is behind it', () => {
+    const projection = new Projection(sight);
+    const [from, to] = projection.segment([0, -1, 0], [0, -1, 100])!;
+    expect(from).toEqual({ x: 200, y: 125 });
+    expect(to).toEqual({ x: 200, y: 400 });
+    expect(projection.segment([0, 0, 5], [0, 0, 100])).toBeNull();
+    expect(projection.segment([1e6, 0, 0], [1e6, 1, 0])).toBeNull();
+  });
+
+  it('keeps every end finite and near the layer, for coordinates up to the largest', () => {
+    const coordinate = fc.double({ min: -1e15, max: 1e15, noNaN: true });
+    const place = fc.tuple(coordinate, coordinate, coordinate);
+    const projection = new Projection(sight);
+    fc.assert(
+      fc.property(place, place, (a, b) => {
+        for (const { x, y } of projection.segment(a, b) ?? []) {
+          expect(x).toBeGreaterThan(-401);
+          expect(x).toBeLessThan(801);
+          expect(y).toBeGreaterThan(-201);
+          expect(y).toBeLessThan(401);
+        }
+      }),
+    );
+  });
+
+  it('joins the pieces of a line that are seen, and parts them where it is not', () => {
+    const projection = new Projection(sight);
+    expect(
+      projection.line([
+        [0, 0, 0],
+        [0, 1, 0],
+        [1, 1, 0],
+      ]),
+    ).toHaveLength(1);
+    expect(
+      projection.line([
+        [0, 0, 0],
+        [0, 0, 9],
+        [0, 1, 9],
+        [0, 1, 0],
+      ]),
+    ).toHaveLength(2);
+  });
+
+  it('brings points inside, and to the middle of a layer without room', () => {
+    expect(inside({ x: -50, y: 1e9 }, sight, 10)).toEqual({ x: 10, y: 190 });
+    expect(inside({ x: 3, y: 3 }, { width: 10, height: 300 }, 10)).toEqual({ x: 5, y: 10 });
+  });
+});
+
+describe('labels', () => {
+  const size = { width: 300, height: 150 };
+
+  it('stay inside and never cover each other, however many points there are', () => {
+    const wish = fc.record({
+      center: fc.record({ x: fc.integer({ min: 0, max: 300 }), y: fc.integer({ min: 0, max: 150 }) }),
+      gap: fc.integer({ min: 0, max: 20 }),
+      width: fc.integer({ min: 1, max: 120 }),
+    });
+    fc.assert(
+      fc.property(fc.array(wish, { maxLength: 64 }), (wishes) => {
+        const boxes = placeLabels(wishes, size, []).flatMap((at, i) => {
+          if (at === null) return [];
+          const top = at.y + LINE.descent - LINE.height;
+          return [{ left: at.x, top, right: at.x + wishes[i]!.width, bottom: top + LINE.height }];
+        });
+        boxes.forEach((a, i) => {
+          expect(a.left >= 0 && a.top >= 0 && a.right <= 300 && a.bottom <= 150).toBe(true);
+          for (const b of boxes.slice(i + 1))
+            expect(a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top).toBe(
+              true,
+            );
+        });
+      }),
+    );
+  });
+
+  it('stand to the right, and elsewhere where something else is there', () => {
+    const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
+    expect(placeLabels(wishes, size, [])[0]!.x).toBe(110);
+    expect(placeLabels(wishes, size, [boxAround({ x: 120, y: 75 }, 8)])[0]!.x).toBe(50);
+  });
+
+  it('give way in the order of the wishes', () => {
+    const wish = { center: { x: 20, y: 8 }, gap: 0, width: 40 };
+    const placed = placeLabels([wish, wish, wish], { width: 62, height: 16 }, []);
+    expect(placed.map((at) => at !== null)).toEqual([true, false, false]);
+  });
+});
+
+describe('a core and its black outline', () => {
+  const contrast = (a: number, b: number): number => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+
+  it('have 3:1 with every colour behind them, one or the other, for a light of any colour', () => {
+    const channel = fc.double({ min: 0, max: 4, noNaN: true });
+    const color: fc.Arbitrary<Vec3> = fc.tuple(channel, channel, channel);
+    fc.assert(
+      fc.property(color, fc.double({ min: 0, max: 1, noNaN: true }), (own, behind) => {
+        const core = luminance(coreColor(own));
+        expect(Math.max(contrast(core, behind), contrast(0, behind))).toBeGreaterThanOrEqual(2.999);
+      }),
+    );
+  });
+
+  it('keep the colour of a light that is bright enough', () => {
+    expect(coreColor([1, 0.8, 0.5])).toEqual([1, 0.8, 0.5]);
+    expect(coreColor([2, 2, 1])).toEqual([1, 1, 0.5]);
+  });
+});
+
+it('draws an arrow of no length without a head', () => {
+  const look = { color: '#fff', width: 1 };
+  expect(
+    arrow(
+      [
+        { x: 1, y: 1 },
+        { x: 1, y: 1 },
+      ],
+      look,
+    ),
+  ).toHaveLength(1);
+  expect(
+    arrow(
+      [
+        { x: 1, y: 1 },
+        { x: 9, y: 1 },
+      ],
+      look,
+    ),
+  ).toHaveLength(2);
+});
