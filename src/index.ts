@@ -1,7 +1,8 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>` and `<phong-mesh>`. Importing it without a DOM does nothing.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>` and `<phong-compare>`. Importing it without a DOM does nothing.
  * A second copy on a page leaves the first copy's elements alone.
  */
+import { PhongCompare } from './element/phong-compare.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
@@ -16,15 +17,17 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
     ['phong-light', PhongLight],
     ['phong-mesh', PhongMesh],
     ['phong-viewer', PhongViewer],
+    ['phong-compare', PhongCompare],
   ] as const) {
     if (customElements.get(name) === undefined) customElements.define(name, element);
   }
 }
 
-export { PhongLight, PhongMesh, PhongViewer };
-export type { PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
+export { PhongCompare, PhongLight, PhongMesh, PhongViewer };
+export type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
-export type { PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
+export type { ViewerTexts } from './element/fields/texts.js';
+export type { PhongCompareProps, PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
 export type {} from './element/types/solid.js';
 export type {} from './element/types/svelte.js';
 export type {} from './element/types/tag-names.js';

@@ -12,8 +12,9 @@ import {
   useLayoutEffect,
   useRef,
 } from 'react';
-import type { PhongViewerEventMap } from './element/events.js';
+import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
+import type { ViewerTexts } from './element/fields/texts.js';
 import type { ComponentProps } from './element/jsx.js';
 import type { Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
@@ -21,10 +22,13 @@ import * as elements from './index.js';
 export type PhongLightElement = elements.PhongLight;
 export type PhongMeshElement = elements.PhongMesh;
 export type PhongViewerElement = elements.PhongViewer;
+export type PhongCompareElement = elements.PhongCompare;
 
 export type PhongLightProps = ComponentProps<elements.PhongLightProps, object>;
 export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.PhongMeshEventMap>;
 export type PhongViewerProps = ComponentProps<elements.PhongViewerProps, elements.PhongViewerEventMap>;
+
+export type PhongCompareProps = ComponentProps<elements.PhongCompareProps, elements.PhongCompareEventMap>;
 
 /** `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default. */
 export const PhongLight: ForwardRefExoticComponent<PhongLightProps> = component(
@@ -47,6 +51,12 @@ export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = componen
   elements.PhongViewer.observedAttributes,
 );
 
+/** `<phong-compare>`, as {@link PhongLight}, with the event `onDividerChange`. Its children are {@link PhongViewer}s. */
+export const PhongCompare: ForwardRefExoticComponent<PhongCompareProps> = component(
+  'phong-compare',
+  elements.PhongCompare.observedAttributes,
+);
+
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */
 const EVENTS: ReadonlyMap<string, string> = new Map(
   Object.entries({
@@ -56,8 +66,11 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onCameraChange: 'camera-change',
     onLightChange: 'light-change',
     onRender: 'render',
-  } satisfies Record<keyof Handlers<PhongViewerEventMap>, keyof PhongViewerEventMap>),
+    onDividerChange: 'divider-change',
+  } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),
 );
+
+type AllEvents = PhongViewerEventMap & PhongCompareEventMap;
 
 /** Props that are neither a value nor an event of the element are left to React. */
 function component<P extends object>(
@@ -71,6 +84,7 @@ function component<P extends object>(
     const handlers: [type: string, handler: EventListener][] = [];
     for (const [name, value] of Object.entries(props)) {
       const type = EVENTS.get(name);
+      if (name === 'texts') continue;
       const attribute = attributeOf(name);
       const text = isValue.has(attribute) ? attributeText(value) : undefined;
       if (type !== undefined) {
@@ -80,6 +94,11 @@ function component<P extends object>(
       else rendered[name === 'className' ? 'class' : name] = value;
     }
     useImperativeHandle(ref, () => element.current, []);
+    // A property without an attribute: React 18 would write one, and no version sets it when it hydrates.
+    const { texts } = props as { readonly texts?: ViewerTexts | null };
+    useClientEffect(() => {
+      if (element.current !== null && 'texts' in element.current) element.current.texts = texts;
+    }, [texts]);
     useClientEffect(() => {
       const target = element.current;
       for (const [type, handler] of handlers) target?.addEventListener(type, handler);

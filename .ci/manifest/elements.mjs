@@ -20,11 +20,13 @@ import ts from 'typescript';
  * @property {string} className
  * @property {string} description
  * @property {Value[]} values
+ * @property {Typed[]} properties  without an attribute
  * @property {Typed[]} readonly
  * @property {Method[]} methods
  * @property {Typed[]} events
  * @property {Named[]} slots
  * @property {Named[]} parts
+ * @property {Named[]} states  custom states, for `:state(…)`
  */
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -46,10 +48,12 @@ export function describeElements({ fields, attributeOf, formatValue }) {
     const declaration = file?.statements.find((s) => ts.isClassDeclaration(s) && s.name?.text === className);
     if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile)
       throw new Error(`${tag}: no class`);
+    const parts = reader.classParts(declaration);
     return {
       tag,
       className,
-      ...reader.classParts(declaration),
+      ...parts,
+      properties: parts.properties.filter(({ name }) => !(name in (fields[tag] ?? {}))),
       values: Object.entries(fields[tag] ?? {}).map(([name, field]) => ({
         attribute: attributeOf(name),
         field,
@@ -87,22 +91,27 @@ class SourceReader {
   /** @param {ts.ClassDeclaration} declaration */
   classParts(declaration) {
     const described = declaration.members.filter((member) => isOffered(member));
+    const getters = described.filter(ts.isGetAccessorDeclaration);
+    const settable = new Set(described.filter(ts.isSetAccessorDeclaration).map(nameOf));
     return {
       description: declaration.name ? this.#words(this.#symbol(declaration.name)) : '',
-      readonly: described
-        .filter(
-          (member) =>
-            ts.isGetAccessorDeclaration(member) &&
-            !declaration.members.some((m) => ts.isSetAccessorDeclaration(m) && nameOf(m) === nameOf(member)),
-        )
-        .map((member) => {
-          const { choices: _, ...rest } = this.property(declaration, nameOf(member));
-          return rest;
-        }),
+      properties: getters
+        .filter((member) => settable.has(nameOf(member)))
+        .map((member) => this.#typed(declaration, nameOf(member))),
+      readonly: getters
+        .filter((member) => !settable.has(nameOf(member)))
+        .map((member) => this.#typed(declaration, nameOf(member))),
       methods: described.filter(ts.isMethodDeclaration).map((member) => this.#method(member)),
       slots: tagged(declaration, 'slot'),
       parts: tagged(declaration, 'csspart'),
+      states: tagged(declaration, 'cssState'),
     };
+  }
+
+  /** @param {ts.ClassDeclaration} declaration @param {string} member @returns {Typed} */
+  #typed(declaration, member) {
+    const { name, description, type } = this.property(declaration, member);
+    return { name, description, type };
   }
 
   /** @param {ts.SourceFile} file @param {string} map @returns {Typed[]} */
@@ -166,6 +175,9 @@ class SourceReader {
     }
     const list = this.#listed(type);
     if (list) return `readonly (${this.#text(list)})[]`;
+    // A mapped type has a key per text of the viewer: too many to write out.
+    const { objectFlags } = /** @type {ts.ObjectType} */ (type);
+    if (type.aliasSymbol && objectFlags & ts.ObjectFlags.Mapped) return type.aliasSymbol.name;
     const { NoTruncation, InTypeAlias, UseSingleQuotesForStringLiteralType } = ts.TypeFormatFlags;
     const flags = NoTruncation | InTypeAlias | UseSingleQuotesForStringLiteralType;
     return this.#checker.typeToString(type, undefined, flags);

@@ -31,7 +31,9 @@ export function customElementsManifest(elements) {
 }
 
 /** @param {Element} element @returns {import('custom-elements-manifest').CustomElementDeclaration} */
-function declaration({ tag, className, description, values, readonly, methods, events, slots, parts }) {
+function declaration(element) {
+  const { tag, className, description, values, properties, readonly, methods, events, slots, parts, states } =
+    element;
   return {
     kind: 'class',
     customElement: true,
@@ -46,10 +48,20 @@ function declaration({ tag, className, description, values, readonly, methods, e
       type: { text: attributeType(value) },
       ...(value.fallback === undefined ? {} : { default: value.fallback }),
     })),
-    members: [...values.map(property), ...readonly.map(readonlyProperty), ...methods.map(method)],
+    members: [
+      ...values.map(property),
+      ...properties.map((typed) => ({
+        kind: /** @type {const} */ ('field'),
+        ...typed,
+        type: { text: typed.type },
+      })),
+      ...readonly.map(readonlyProperty),
+      ...methods.map(method),
+    ],
     events: events.map(({ type, ...named }) => ({ ...named, type: { text: type } })),
     slots,
     cssParts: parts,
+    cssStates: states,
   };
 }
 
@@ -115,6 +127,7 @@ export function webTypes(elements, { name, version }) {
                 type: value.type,
                 default: JSON.stringify(value.field.fallback),
               })),
+              ...element.properties,
               ...element.readonly.map((typed) => ({ ...typed, 'read-only': true })),
             ],
             events: element.events,

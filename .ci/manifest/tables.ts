@@ -2,6 +2,7 @@
 // field's value as an attribute.
 
 import type { Field } from '../../src/fields/field.js';
+import { COMPARE_FIELDS } from '../../src/element/fields/compare-fields.js';
 import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
@@ -12,4 +13,5 @@ export const fields: Readonly<Record<string, Readonly<Record<string, Field<unkno
   'phong-viewer': VIEWER_FIELDS,
   'phong-light': LIGHT_FIELDS,
   'phong-mesh': MESH_FIELDS,
+  'phong-compare': COMPARE_FIELDS,
 };

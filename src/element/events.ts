@@ -28,6 +28,12 @@ export interface PhongViewerEventMap {
   render: CustomEvent<null>;
 }
 
+/** Events of `<phong-compare>`. None bubbles. */
+export interface PhongCompareEventMap {
+  /** The user moved a divider; `detail.at` are the places of all, in percent. */
+  'divider-change': CustomEvent<{ readonly at: readonly number[] }>;
+}
+
 /** All events by name, including those of every element. */
 export type HeardEvents<Own> = Omit<HTMLElementEventMap, keyof Own> & Own;
 

@@ -2,6 +2,7 @@
 // camera, and what its probe is pinned to.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
+import type { CompareValues } from './fields/compare-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
 import type { PhongViewer } from './phong-viewer.js';
@@ -12,6 +13,7 @@ interface ValuesByTag {
   'phong-light': LightValues;
   'phong-mesh': MeshValues;
   'phong-viewer': ViewerValues;
+  'phong-compare': CompareValues;
 }
 
 type Tag = keyof ValuesByTag;

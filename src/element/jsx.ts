@@ -12,6 +12,7 @@ import type { ClassAttributes, HTMLAttributes } from 'react';
 type Unheard<Events> = `on${Capitalize<keyof Events & string>}`;
 
 type ElementProps<E extends AnyElement> = ValueProps<E['values']> &
+  E['properties'] &
   EventProps<E['events'], 'on'> &
   ClassAttributes<E['element']> &
   Omit<HTMLAttributes<E['element']>, keyof ValueProps<E['values']> | Unheard<E['events']>>;
@@ -22,6 +23,7 @@ export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events,
 export type PhongLightProps = ElementProps<Elements['light']>;
 export type PhongMeshProps = ElementProps<Elements['mesh']>;
 export type PhongViewerProps = ElementProps<Elements['viewer']>;
+export type PhongCompareProps = ElementProps<Elements['compare']>;
 
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
 /** @ts-ignore */
@@ -32,6 +34,7 @@ declare module 'react' {
       'phong-light': PhongLightProps;
       'phong-mesh': PhongMeshProps;
       'phong-viewer': PhongViewerProps;
+      'phong-compare': PhongCompareProps;
     }
   }
 }

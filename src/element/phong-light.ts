@@ -5,6 +5,7 @@ import { ChildElement } from './child-element.js';
 import { registryAround } from './child-registry.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { LightProperties } from './fields/properties.js';
+import { phrase, type ViewerTexts } from './fields/texts.js';
 import { fieldsOf } from './internals.js';
 
 export interface PhongLight extends LightProperties {
@@ -36,6 +37,7 @@ export class PhongLight extends ChildElement<LightValues> {
 }
 
 /** The name of a light without one; `index` counts the viewer's lights from 0. */
-export const numberedName = (index: number): string => `light ${String(index + 1)}`;
+export const numberedName = (index: number, texts: ViewerTexts | null = null): string =>
+  phrase(texts, 'light {number}', { number: String(index + 1) });
 
 defineProperties(PhongLight.prototype, LIGHT_FIELDS);

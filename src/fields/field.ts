@@ -110,6 +110,24 @@ function tupleField<T extends Vec3 | Vec4>(
   };
 }
 
+/** Any number of numbers in ascending order, at least one; a single one may stand alone. `expected` says so. */
+export function numbersField(expected: string, min: number, max: number): Field<readonly number[]> {
+  const at = numberCheck({ min, max }, expected);
+  return {
+    kind: 'numbers',
+    fallback: [],
+    expected,
+    check(value) {
+      if (isList(value) ? value.length === 0 || value.length > MOST_WORDS : typeof value !== 'number')
+        throw wrong(expected, value);
+      const numbers = (isList(value) ? Array.from(value) : [value]).map((n) => at(n, value));
+      if (numbers.some((n, i) => i > 0 && n < numbers[i - 1]!))
+        throw new RangeError(`expected ${expected}, got ${show(value)}`);
+      return numbers;
+    },
+  };
+}
+
 const isList = (value: unknown): value is readonly unknown[] =>
   Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 

@@ -1,10 +1,12 @@
 // How are several buttons shown in one row? Knows nothing about what they do.
 import { Controller, type GUI } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
 import { bound } from './bound.js';
+import { label } from './label.js';
 
 export class ButtonRow extends Controller {
-  /** `label`: accessible name of the group. */
-  constructor(folder: GUI, label: string) {
+  /** `name`: accessible name of the group. */
+  constructor(folder: GUI, name: ViewerText) {
     super(
       folder,
       bound(() => null),
@@ -13,18 +15,30 @@ export class ButtonRow extends Controller {
     );
     this.$name.remove();
     this.domElement.setAttribute('role', 'group');
-    this.domElement.setAttribute('aria-label', label);
+    label(this.domElement, (say) => {
+      this.domElement.setAttribute('aria-label', say(name));
+    });
   }
 
-  /** `name`: accessible name and tooltip, where the text is a symbol. */
-  add(text: string, press: () => void, name = text): HTMLButtonElement {
+  add(text: ViewerText, press: () => void): HTMLButtonElement {
+    const button = this.#add(press);
+    label(button, (say) => (button.textContent = say(text)));
+    return button;
+  }
+
+  /** `name`: accessible name and tooltip. */
+  addSymbol(symbol: string, name: ViewerText, press: () => void): void {
+    const button = this.#add(press);
+    button.textContent = symbol;
+    label(button, (say) => {
+      button.title = say(name);
+      button.setAttribute('aria-label', button.title);
+    });
+  }
+
+  #add(press: () => void): HTMLButtonElement {
     const button = document.createElement('button');
     button.type = 'button';
-    button.textContent = text;
-    if (name !== text) {
-      button.setAttribute('aria-label', name);
-      button.title = name;
-    }
     button.addEventListener('click', () => {
       // Not `disabled`, which would drop the focus.
       if (button.getAttribute('aria-disabled') !== 'true') press();

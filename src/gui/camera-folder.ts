@@ -8,9 +8,11 @@ import type { CameraState } from '../element/viewer/camera.js';
 import { cameraOf, historyOf, valuesOf } from '../element/viewer/history.js';
 import { Folder } from './folder.js';
 import { Readout } from './readout.js';
-import { addButton, addNumber, addVector, axesOf, type Rows } from './rows.js';
+import { explain } from './label.js';
+import { addButton, addNumber, addVector, type Rows } from './rows.js';
 import type { SceneRange } from './scene-range.js';
 import { linear, logarithmic, numberText } from './travel.js';
+import { AXES } from './vector-control.js';
 
 export class CameraFolder {
   readonly folder: Folder;
@@ -70,7 +72,7 @@ export class CameraFolder {
     const target = addVector(
       rows,
       'target',
-      axesOf('target'),
+      AXES,
       (axis) => this.#range.place(axis),
       () => this.#now.target,
       (place) => {
@@ -112,7 +114,7 @@ export class CameraFolder {
       () => viewer.autoRotate,
       (speed) => (viewer.autoRotate = speed),
     );
-    turning.domElement.title = 'Degrees per second about y';
+    explain(turning.domElement, 'Degrees per second about y');
   }
 
   get #radiusTravel() {

@@ -26,8 +26,12 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
   /** Buttons in the child's folder. */
   addButtons(gui: GUI, child: E): void {
     const row = new ButtonRow(gui, 'Order and copies');
-    row.add('↑', () => this.#move(child, -1), 'move up');
-    row.add('↓', () => this.#move(child, 1), 'move down');
+    row.addSymbol('↑', 'move up', () => {
+      this.#move(child, -1);
+    });
+    row.addSymbol('↓', 'move down', () => {
+      this.#move(child, 1);
+    });
     row.add('duplicate', () => {
       this.add(copyOf(child, this.#children()), (copy) => {
         child.after(copy);

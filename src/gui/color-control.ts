@@ -2,11 +2,13 @@
 // 255 is full, more is brighter. Knows no light or mesh.
 import { Controller, type GUI } from 'lil-gui';
 import { parseText } from '../element/fields/attribute-text.js';
+import type { ViewerText } from '../element/fields/text-list.js';
 import { sameValue } from '../fields/field-store.js';
 import { LIGHT_FIELDS } from '../light/light-state.js';
 import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { brightnessOf, colorOf, ColorMix, hexOf } from './color-mix.js';
+import { explain, label, nameRow } from './label.js';
 import { Slider } from './slider.js';
 import { accepted, TextField } from './text-field.js';
 import { linear, numberText } from './travel.js';
@@ -24,22 +26,25 @@ export class ColorControl extends Controller {
   #typed: { readonly text: string; readonly value: Vec3 } | null = null;
 
   /** `usual`: the end of the brightness slider; 1 is 255. */
-  constructor(folder: GUI, value: Bound<Vec3>, label: string, usual: number) {
+  constructor(folder: GUI, value: Bound<Vec3>, name: ViewerText, usual: number) {
     super(folder, value, 'value', 'color');
-    this.name(label);
+    nameRow(this, name);
     this.#bound = value;
-    this.#addPicker(label);
+    this.#addPicker(name);
     this.#field = new TextField({ read: () => this.#text, write: (text) => this.#write(text) });
     this.#field.input.setAttribute('aria-labelledby', this.$name.id);
-    this.#field.input.title = 'r g b, #rgb or a name; 255 is full';
     const brightness = bound(
       () => brightnessOf(value.value),
       (factor) => (value.value = this.#mix.brighten(value.value, factor)),
     );
     this.#slider = new Slider(brightness, linear(0, usual, 0.01));
-    this.#slider.input.setAttribute('aria-label', `${label} brightness`);
-    this.#slider.input.title = `${label} brightness`;
-    this.$widget.append(this.#field.input, this.#slider.input);
+    const { input } = this.#slider;
+    this.$widget.append(this.#field.input, input);
+    explain(this.#field.input, 'r g b, #rgb or a name; 255 is full');
+    label(input, (say) => {
+      input.title = say('{color} brightness', { color: say(name) });
+      input.setAttribute('aria-label', input.title);
+    });
     this.updateDisplay();
   }
 
@@ -51,15 +56,17 @@ export class ColorControl extends Controller {
     return this;
   }
 
-  #addPicker(label: string): void {
+  #addPicker(name: ViewerText): void {
     const picker = this.#picker;
     picker.type = 'color';
-    picker.setAttribute('aria-label', `${label} picker`);
     picker.addEventListener('input', () => {
       const { value } = this.#bound;
       this.#bound.value = this.#mix.recolor(value, colorOf(picker.value));
     });
     this.$widget.append(picker);
+    label(picker, (say) => {
+      picker.setAttribute('aria-label', say('{color} picker', { color: say(name) }));
+    });
   }
 
   get #text(): string {

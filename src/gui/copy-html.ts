@@ -1,6 +1,8 @@
 // How does the user copy the scene's markup? A button that writes it to the clipboard, or shows it selected if the clipboard is
 // not available. Knows nothing about the markup.
+import type { ViewerText } from '../element/fields/text-list.js';
 import type { ButtonRow } from './button-row.js';
+import { label } from './label.js';
 
 const LABEL = 'copy HTML';
 
@@ -22,7 +24,6 @@ export class CopyButton {
     this.#text.readOnly = true;
     this.#text.className = 'markup';
     this.#text.rows = 6;
-    this.#text.setAttribute('aria-label', "The scene's HTML");
     // As in lil-gui's own fields: keys typed here must not reach the camera.
     this.#text.addEventListener('keydown', (event) => {
       event.stopPropagation();
@@ -42,15 +43,24 @@ export class CopyButton {
       // Refused, or missing: pages without TLS have no clipboard.
       this.#text.value = markup;
       this.#row.domElement.after(this.#text);
+      label(this.#text, (say) => {
+        this.#text.setAttribute('aria-label', say("The scene's HTML"));
+      });
       this.#text.select();
       this.#text.scrollIntoView({ block: 'nearest' });
       this.#showResult('select and copy below');
     }
   }
 
-  #showResult(what: string): void {
+  #showResult(what: ViewerText): void {
     clearTimeout(this.#timer);
-    this.#button.textContent = what;
-    this.#timer = window.setTimeout(() => (this.#button.textContent = LABEL), RESULT_MS);
+    this.#show(what);
+    this.#timer = window.setTimeout(() => {
+      this.#show(LABEL);
+    }, RESULT_MS);
+  }
+
+  #show(text: ViewerText): void {
+    label(this.#button, (say) => (this.#button.textContent = say(text)));
   }
 }

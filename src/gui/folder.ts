@@ -1,6 +1,8 @@
 // When are a folder's rows built and refreshed? Built when the folder is first opened, refreshed only while they are visible.
 // Opens without animation, so no frame is requested. Knows nothing about what its rows show.
 import type { GUI } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
+import { label } from './label.js';
 import { type Edit, refresh, type Rows } from './rows.js';
 
 /** Builds the rows. Returns a function to call before each refresh, if one is needed. */
@@ -14,8 +16,8 @@ export class Folder {
   #built = false;
   #stale = true;
 
-  /** Starts closed. `edit`: how its rows write. */
-  constructor(parent: GUI, title: string, edit: Edit, build: BuildRows) {
+  /** Starts closed. `title`: null if the caller writes it. `edit`: how its rows write. */
+  constructor(parent: GUI, title: ViewerText | null, edit: Edit, build: BuildRows) {
     this.gui = addGroup(parent, title).close();
     this.#edit = edit;
     this.#build = build;
@@ -40,8 +42,12 @@ export class Folder {
   }
 }
 
-/** A folder of folders. Starts open. */
-export const addGroup = (parent: GUI, title: string): GUI => withoutAnimation(parent.addFolder(title));
+/** A folder of folders. Starts open. `title`: null if the caller writes it. */
+export function addGroup(parent: GUI, title: ViewerText | null): GUI {
+  const gui = withoutAnimation(parent.addFolder(''));
+  if (title !== null) label(gui.$title, (say) => gui.title(say(title)));
+  return gui;
+}
 
 /** Makes a GUI open and close without animation. */
 export function withoutAnimation(gui: GUI): GUI {

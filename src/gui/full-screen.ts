@@ -1,7 +1,7 @@
 // How does the user see the viewer in full screen? A button beside the panel's title, where the browser has full screen. Escape
 // leaves it, as everywhere. Knows nothing about the panel's rows.
-import { phrase } from '../element/fields/texts.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
+import { explain } from './label.js';
 
 export class FullScreenButton {
   readonly #viewer: PhongViewer;
@@ -14,17 +14,17 @@ export class FullScreenButton {
     this.#button.type = 'button';
     this.#button.className = 'full-screen';
     this.#button.addEventListener('click', this.#toggle);
-    viewer.addEventListener('fullscreenchange', this.update);
+    viewer.addEventListener('fullscreenchange', this.#update);
     title.after(this.#button);
-    this.update();
+    this.#update();
   }
 
-  readonly update = (): void => {
-    this.#button.title = phrase(this.#viewer.texts, this.#isOn ? 'Leave full screen' : 'Full screen');
+  readonly #update = (): void => {
+    explain(this.#button, this.#isOn ? 'Leave full screen' : 'Full screen');
   };
 
   dispose(): void {
-    this.#viewer.removeEventListener('fullscreenchange', this.update);
+    this.#viewer.removeEventListener('fullscreenchange', this.#update);
     this.#button.remove();
   }
 

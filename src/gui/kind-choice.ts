@@ -6,10 +6,6 @@ import type { Vec3, Vec4 } from '../math/vector.js';
 
 export const LIGHT_KINDS = ['directional', 'point', 'spot'] as const satisfies readonly LightKind[];
 
-/** Tooltip of the choice. */
-export const KIND_RULE =
-  'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.';
-
 export interface Cone {
   readonly aperture: number;
   readonly cutoff: number;

@@ -1,8 +1,9 @@
 // How does the user edit a light? One row per attribute of <phong-light>, written through the element's public properties. Units as
 // in HTML. Knows neither the other lights nor the panel around it.
 import type { GUI } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
 import { fieldsOf } from '../element/internals.js';
-import type { PhongLight } from '../element/phong-light.js';
+import { numberedName, type PhongLight } from '../element/phong-light.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { isSpot, kindOf } from '../light/light-features.js';
 import { LIGHT_SPACES } from '../light/light-state.js';
@@ -11,7 +12,8 @@ import { historyOf, valuesOf } from '../element/viewer/history.js';
 import type { ChildEditor } from './child-editor.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
-import { KIND_RULE, KindChoice, LIGHT_KINDS } from './kind-choice.js';
+import { KindChoice, LIGHT_KINDS } from './kind-choice.js';
+import { explain, label, type Say } from './label.js';
 import {
   addChoice,
   addColor,
@@ -19,7 +21,6 @@ import {
   addNumber,
   addText,
   addVector,
-  axesOf,
   type Edit,
   named,
   type Rows,
@@ -27,6 +28,11 @@ import {
 import type { SceneRange } from './scene-range.js';
 import type { TextControl } from './text-control.js';
 import { linear, logarithmic } from './travel.js';
+import { AXES } from './vector-control.js';
+
+/** Tooltip of the kind. */
+const KIND_RULE: ViewerText =
+  'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.';
 
 /** Initial end of the brightness slider. */
 const USUAL_BRIGHTNESS = 4;
@@ -60,7 +66,7 @@ export class LightFolder implements ChildFolder {
     this.#edit = (write, gesture) => {
       history.edit(valuesOf(light), write, gesture);
     };
-    this.folder = new Folder(group, '', this.#edit, (rows) => this.#build(rows));
+    this.folder = new Folder(group, null, this.#edit, (rows) => this.#build(rows));
     this.#addSwitch();
     editor.listenToKeys(this.folder, light, () => {
       this.folder.gui.open();
@@ -70,20 +76,25 @@ export class LightFolder implements ChildFolder {
 
   update(index: number): void {
     const { name, active } = fieldsOf(this.#light).store.values;
-    if (index !== this.#index || name !== this.#name) this.#setTitle(index, name);
+    if (index !== this.#index || name !== this.#name) {
+      this.#index = index;
+      this.#name = name;
+      label(this.folder.gui.$title, (say) => {
+        this.#writeTitle(say);
+      });
+    }
     this.#switch.checked = active;
     this.folder.gui.domElement.classList.toggle('off', !active);
     this.folder.update();
   }
 
-  #setTitle(index: number, name: string): void {
-    this.#index = index;
-    this.#name = name;
+  #writeTitle(say: Say): void {
     // The same default as the element's `name`, without its search through all siblings, which is slow with hundreds of lights.
-    const title = name === '' ? `light ${String(index + 1)}` : name;
-    this.#title = title;
-    this.folder.gui.title(title);
-    this.#switch.setAttribute('aria-label', `${title} active`);
+    const name = this.#name === '' ? numberedName(this.#index, this.#viewer.texts) : this.#name;
+    this.#title = name;
+    this.folder.gui.title(name);
+    this.#switch.setAttribute('aria-label', say('{name} active', { name }));
+    if (this.#nameRow !== null) this.#nameRow.input.placeholder = name;
   }
 
   /** Turns the light on and off without opening the folder. */
@@ -122,7 +133,7 @@ export class LightFolder implements ChildFolder {
         Object.assign(light, this.#kind.writesFor(values, choice, store.given('axis'), this.#target));
       },
     );
-    kind.domElement.title = KIND_RULE;
+    explain(kind.domElement, KIND_RULE);
     for (const key of ['ambient', 'diffuse', 'specular'] as const) {
       addColor(
         rows,
@@ -135,7 +146,7 @@ export class LightFolder implements ChildFolder {
     const position = addVector(
       rows,
       'position',
-      axesOf('position'),
+      AXES,
       () => this.#range.vector(),
       () => [values.position[0], values.position[1], values.position[2]],
       ([x, y, z]) => (light.position = [x, y, z, values.position[3]]),
@@ -176,7 +187,7 @@ export class LightFolder implements ChildFolder {
       addVector(
         rows,
         'axis',
-        axesOf('axis'),
+        AXES,
         () => linear(-1, 1, 0.01),
         () => values.axis,
         (axis) => (light.axis = axis),

@@ -1,6 +1,7 @@
 // How does the user edit a surface? A folder for the viewer's own mesh and one for each mesh child, with its transform. Colours
 // 255 = 1, degrees, scene units. Knows neither lights nor camera.
 import type { GUI } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
 import { fieldsOf } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -12,6 +13,7 @@ import type { ChildEditor } from './child-editor.js';
 import type { ChildFolder } from './child-folders.js';
 import { Folder } from './folder.js';
 import { ButtonRow } from './button-row.js';
+import { label } from './label.js';
 import { chooseModel } from './model-choice.js';
 import {
   addButton,
@@ -20,7 +22,6 @@ import {
   addNumber,
   addText,
   addVector,
-  axesOf,
   type Edit,
   named,
   type Rows,
@@ -28,8 +29,9 @@ import {
 import type { SceneRange } from './scene-range.js';
 import type { TextControl } from './text-control.js';
 import { linear, logarithmic } from './travel.js';
+import { AXES } from './vector-control.js';
 
-const AS_VIEWER = 'as viewer';
+const AS_VIEWER = 'as viewer' satisfies ViewerText;
 
 /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
 export function ownSurfaceFolder(
@@ -55,7 +57,9 @@ export function ownSurfaceFolder(
 export class MeshFolder implements ChildFolder {
   readonly folder: Folder;
   readonly #mesh: PhongMesh;
+  readonly #viewer: PhongViewer;
   #title = '';
+  #index = 0;
   #nameRow: TextControl | null = null;
 
   constructor(
@@ -66,11 +70,12 @@ export class MeshFolder implements ChildFolder {
     editor: ChildEditor<PhongMesh>,
   ) {
     this.#mesh = mesh;
+    this.#viewer = viewer;
     const history = historyOf(viewer);
     const edit: Edit = (write, gesture) => {
       history.edit(valuesOf(mesh), write, gesture);
     };
-    this.folder = new Folder(group, '', edit, (rows) => {
+    this.folder = new Folder(group, null, edit, (rows) => {
       const name = addText(
         rows,
         'name',
@@ -86,9 +91,12 @@ export class MeshFolder implements ChildFolder {
       const refreshRanges = addTransform(rows, mesh, range);
       editor.addButtons(rows.gui, mesh);
       return () => {
-        name.input.placeholder = this.#title;
+        this.#showTitle();
         refreshRanges();
       };
+    });
+    label(this.folder.gui.$title, () => {
+      this.#showTitle();
     });
     editor.listenToKeys(this.folder, mesh, () => {
       this.folder.gui.open();
@@ -97,9 +105,15 @@ export class MeshFolder implements ChildFolder {
   }
 
   update(index: number): void {
-    const title = meshTitle(this.#mesh, index);
-    if (title !== this.#title) this.folder.gui.title((this.#title = title));
+    this.#index = index;
+    this.#showTitle();
     this.folder.update();
+  }
+
+  #showTitle(): void {
+    const title = meshTitle(this.#viewer.texts, this.#mesh, this.#index);
+    if (title !== this.#title) this.folder.gui.title((this.#title = title));
+    if (this.#nameRow !== null) this.#nameRow.input.placeholder = title;
   }
 }
 
@@ -158,7 +172,7 @@ function addTransform(rows: Rows, mesh: PhongMesh, range: SceneRange): () => voi
   const position = addVector(
     rows,
     'position',
-    axesOf('position'),
+    AXES,
     (axis) => range.place(axis),
     () => mesh.position,
     (place) => (mesh.position = place),
@@ -166,7 +180,7 @@ function addTransform(rows: Rows, mesh: PhongMesh, range: SceneRange): () => voi
   addVector(
     rows,
     'rotation °',
-    ['rotation x °', 'rotation y °', 'rotation z °'],
+    AXES,
     () => linear(-180, 180, 1),
     () => mesh.rotation,
     (rotation) => (mesh.rotation = rotation),
@@ -174,7 +188,7 @@ function addTransform(rows: Rows, mesh: PhongMesh, range: SceneRange): () => voi
   addVector(
     rows,
     'scale',
-    axesOf('scale'),
+    AXES,
     () => linear(0, 4, 0.02),
     () => mesh.scale,
     (scale) => (mesh.scale = scale),

@@ -1,7 +1,7 @@
 // Which folders does the control panel have, and which change refreshes which? It writes through the elements' public properties only
 // and requests no frames. Loaded on demand. Must not know how anything is drawn.
 import { GUI } from 'lil-gui';
-import { phrase } from '../element/fields/texts.js';
+import type { ViewerTexts } from '../element/fields/texts.js';
 import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
@@ -14,6 +14,7 @@ import { ChildFolders } from './child-folders.js';
 import { CopyButton } from './copy-html.js';
 import { FullScreenButton } from './full-screen.js';
 import { addGroup, withoutAnimation, type Folder } from './folder.js';
+import { label, relabel } from './label.js';
 import { LightFolder } from './light-folder.js';
 import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
 import { chooseModel } from './model-choice.js';
@@ -47,9 +48,12 @@ class ControlPanel implements Panel {
   readonly #stopWaiting: () => void;
   readonly #stopHistory: () => void;
   #meshList: readonly PhongMesh[] = [];
+  /** Those that the panel is written in. */
+  #texts: ViewerTexts | null;
 
   constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
     this.#viewer = viewer;
+    this.#texts = viewer.texts;
     this.#dropStyles = adoptStyles(root);
     const gui = newRoot(place);
     this.#gui = gui;
@@ -104,16 +108,14 @@ class ControlPanel implements Panel {
     else if (change === 'mesh' || change === 'meshes') this.#updateMeshes();
     else this.#camera.update();
     if (change !== 'viewer') return;
-    this.#updateTexts();
+    if (this.#texts !== this.#viewer.texts) this.#relabel();
     this.#shading.update();
     this.#surface.update();
   }
 
-  #updateTexts(): void {
-    const title = phrase(this.#viewer.texts, 'Controls');
-    this.#gui.title(title);
-    this.#gui.domElement.setAttribute('aria-label', title);
-    this.#fullScreen.update();
+  #relabel(): void {
+    this.#texts = this.#viewer.texts;
+    relabel(this.#gui.domElement);
   }
 
   dispose(): void {
@@ -171,6 +173,11 @@ function newRoot(place: HTMLElement): GUI {
   // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
   gui.domElement.tabIndex = -1;
   gui.domElement.setAttribute('role', 'group');
+  label(gui.domElement, (say) => {
+    const title = say('Controls');
+    gui.title(title);
+    gui.domElement.setAttribute('aria-label', title);
+  });
   gui.domElement.dir = getComputedStyle(place).direction; // for rules that CSS has no logical property for
   return gui;
 }

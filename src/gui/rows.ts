@@ -1,13 +1,15 @@
 // How is a row made for each kind of value? One function per kind, bound to a getter and a setter, whose writes can be undone. Knows no
 // light, mesh or camera.
 import { type Controller, FunctionController, type GUI, OptionController } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
 import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { ColorControl } from './color-control.js';
+import { label, nameRow } from './label.js';
 import { NumberControl } from './number-control.js';
 import { TextControl } from './text-control.js';
 import type { Travel } from './travel.js';
-import { VectorControl } from './vector-control.js';
+import { type ComponentNames, VectorControl } from './vector-control.js';
 
 /** Runs `write` as a step that can be undone. Writes with the same `gesture` are one step until the user lets go. */
 export type Edit = (write: () => void, gesture: object | null) => void;
@@ -29,75 +31,81 @@ function edited<T>({ edit }: Rows, get: () => T, set: (value: T) => void): Bound
 
 export function addNumber(
   rows: Rows,
-  label: string,
+  name: ViewerText,
   travel: Travel,
   get: () => number,
   set: (value: number) => void,
 ): NumberControl {
-  return new NumberControl(rows.gui, edited(rows, get, set), label, travel);
+  return new NumberControl(rows.gui, edited(rows, get, set), name, travel);
 }
 
-/** `labels`: accessible names of x, y and z; with units, if they have one. */
+/** `components`: accessible names of x, y and z. */
 export function addVector(
   rows: Rows,
-  label: string,
-  labels: readonly [string, string, string],
+  name: ViewerText,
+  components: ComponentNames,
   travel: (axis: 0 | 1 | 2) => Travel,
   get: () => Vec3,
   set: (value: Vec3) => void,
 ): VectorControl {
-  return new VectorControl(rows.gui, edited(rows, get, set), label, labels, travel);
+  return new VectorControl(rows.gui, edited(rows, get, set), name, components, travel);
 }
-
-export const axesOf = (name: string): [string, string, string] => [`${name} x`, `${name} y`, `${name} z`];
 
 /** `usual`: the end of the brightness slider; 1 is 255. */
 export function addColor(
   rows: Rows,
-  label: string,
+  name: ViewerText,
   usual: number,
   get: () => Vec3,
   set: (value: Vec3) => void,
 ): void {
-  new ColorControl(rows.gui, edited(rows, get, set), label, usual);
+  new ColorControl(rows.gui, edited(rows, get, set), name, usual);
 }
 
 export function addFlag(
   rows: Rows,
-  label: string,
+  name: ViewerText,
   get: () => boolean,
   set: (value: boolean) => void,
 ): Controller {
-  return rows.gui.add(edited(rows, get, set), 'value').name(label);
+  return nameRow(rows.gui.add(edited(rows, get, set), 'value'), name);
 }
 
 export function addText(
   rows: Rows,
-  label: string,
+  name: ViewerText,
   get: () => string,
   set: (value: string) => void,
 ): TextControl {
-  return new TextControl(rows.gui, edited(rows, get, set), label);
+  return new TextControl(rows.gui, edited(rows, get, set), name);
 }
 
-/** `choices`: from the names shown to their values. */
+/** `choices`: from the texts shown to their values. */
 export function addChoice<T extends string | null>(
   rows: Rows,
-  label: string,
-  choices: Readonly<Record<string, T>>,
+  name: ViewerText,
+  choices: Choices<T>,
   get: () => T,
   set: (value: T) => void,
 ): OptionController {
-  return new OptionController(rows.gui, edited(rows, get, set), 'value', choices).name(label);
+  const row = nameRow(new OptionController(rows.gui, edited(rows, get, set), 'value', choices), name);
+  const { $select } = row;
+  const texts = Object.keys(choices) as ViewerText[];
+  label($select, (say) => {
+    texts.forEach((text, i) => ($select.options[i]!.textContent = say(text)));
+  });
+  return row;
 }
 
 /** The press is no step of its own: it edits what it needs to. */
-export function addButton(gui: GUI, label: string, press: () => void): FunctionController {
-  return new FunctionController(gui, { value: press }, 'value').name(label);
+export function addButton(gui: GUI, name: ViewerText, press: () => void): FunctionController {
+  return nameRow(new FunctionController(gui, { value: press }, 'value'), name);
 }
 
-/** Choices whose names are their values. */
-export const named = <T extends string>(values: readonly T[]): Readonly<Record<string, T>> =>
+type Choices<T> = { readonly [text in ViewerText]?: T };
+
+/** Choices whose texts are their values. */
+export const named = <T extends ViewerText>(values: readonly T[]): Choices<T> =>
   Object.fromEntries(values.map((value) => [value, value]));
 
 /** Updates a row. Rows keep what the user is typing. */

@@ -1,4 +1,4 @@
-// Every attribute of the three elements: what it gives where it is absent, valid, malformed or out of its domain, and what
+// Every attribute of the elements: what it gives where it is absent, valid, malformed or out of its domain, and what
 // its property refuses. Values in HTML's units; a table to be read beside the one for users.
 
 /** How an attribute behaves that is shared by many. */
@@ -244,6 +244,28 @@ const shape: readonly Row[] = [
   number('shininess', 32, 0, 1e6),
 ];
 
+const dividers: Row = {
+  attribute: 'at',
+  fallback: 'auto',
+  valid: [
+    ['30', [30]],
+    [' 0,12.5 100 ', [0, 12.5, 100]],
+    ['50 50', [50, 50]],
+    ['AUTO', 'auto'],
+  ],
+  malformed: ['', 'half', '50%', '1 x'],
+  outside: ['-1', '100.1', '60 40', '1e999'],
+  refused: [
+    [101, 'RangeError'],
+    [[60, 40], 'RangeError'],
+    [[NaN], 'RangeError'],
+    [[], 'TypeError'],
+    [['1'], 'TypeError'],
+    [true, 'TypeError'],
+    [{}, 'TypeError'],
+  ],
+};
+
 /** Every attribute, by element. */
 export const tables: Readonly<Record<string, readonly Row[]>> = {
   'phong-light': [
@@ -304,5 +326,11 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     { ...vector('probe-at', null, 1e15), property: 'probeAt' },
     { ...text('camera-group', ''), property: 'cameraGroup' },
     presence('gui'),
+  ],
+  'phong-compare': [
+    choice('layout', 'split', 'split', 'side'),
+    choice('direction', 'horizontal', 'horizontal', 'vertical'),
+    dividers,
+    { ...text('labels', ''), fallback: null, valid: [['Gouraud, Phong', 'Gouraud, Phong'], ['', '']] }, // prettier-ignore
   ],
 };

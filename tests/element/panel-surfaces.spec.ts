@@ -97,7 +97,7 @@ test("edits and shows a mesh's surface, style and transform", async ({ mount }) 
   await choice(folder, 'shading').selectOption('flat');
   await choice(folder, 'reflection').selectOption('blinn-phong');
   await field(folder, 'position x').fill('1.5');
-  await field(folder, 'rotation y °').fill('45');
+  await field(folder, 'rotation ° y').fill('45');
   await field(folder, 'scale z').fill('-2');
   const read = () =>
     mesh.evaluate(({ ka, kd, shading, reflection, position, rotation, scale }: PhongMesh) => ({
@@ -115,7 +115,7 @@ test("edits and shows a mesh's surface, style and transform", async ({ mount }) 
   await choice(folder, 'shading').selectOption('as viewer');
   expect((await read()).shading).toBeNull();
   await mesh.evaluate((element) => element.setAttribute('rotation', '10 20 30'));
-  await expect(field(folder, 'rotation z °')).toHaveValue('30');
+  await expect(field(folder, 'rotation ° z')).toHaveValue('30');
 });
 
 test('keeps mesh folders as they are while meshes are added, removed and reordered', async ({ mount }) => {

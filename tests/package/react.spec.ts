@@ -23,7 +23,7 @@ const app = (file: string): string => `
   function App() {
     const viewer = useRef(null);
     const [light, setLight] = useState({ active: false, ambient: [200, 100, 50] });
-    const [props, setProps] = useState({ theta: 20, autoRotate: 0, terms: ['ambient'], orbit: false, gui: false });
+    const [props, setProps] = useState({ theta: 20, autoRotate: 0, terms: ['ambient'], orbit: false, gui: false, texts: { Loading: 'Lädt' } });
     const [moved, setMoved] = useState('nothing');
     const [said, setSaid] = useState('nothing');
     useEffect(() => { document.body.dataset.shown = ''; }, []);
@@ -86,7 +86,7 @@ async function show(page: Page, site: Site, consoleGuard: ConsoleGuard, markup: 
 
 const values = (page: Page): Promise<unknown> =>
   page.locator('phong-viewer').evaluate((viewer: PhongViewer) => {
-    const { theta, phi, terms, orbit, gui, alt, lights, meshes } = viewer;
+    const { theta, phi, terms, orbit, gui, alt, texts, lights, meshes } = viewer;
     const { active, ambient, name } = lights[0] as PhongLight;
     const { scale, shininess } = meshes[0] as PhongMesh;
     return {
@@ -96,6 +96,7 @@ const values = (page: Page): Promise<unknown> =>
       orbit,
       gui,
       alt,
+      texts,
       light: { active, ambient, name },
       mesh: { scale, shininess },
     };
@@ -119,7 +120,7 @@ test('arrays, false, numbers and text are attributes of the markup that a server
     'style="display:block;width:300px;height:200px"',
   ])
     expect(markup).toContain(` ${attribute}`);
-  expect(markup).not.toMatch(/ name=|undefined|on[A-Z]/);
+  expect(markup).not.toMatch(/ name=| texts=|undefined|on[A-Z]/);
 });
 
 for (const way of ['hydrated', 'rendered by the client alone']) {
@@ -131,6 +132,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
     test('has the values of its props, and an empty console', async ({ page }) => {
       expect(await values(page)).toEqual({
         ...{ theta: 20, phi: 90, terms: ['ambient'], orbit: false, gui: false, alt: 'A "quoted" sphere' },
+        texts: { Loading: 'Lädt' },
         light: { active: false, ambient: [200, 100, 50], name: 'light 1' },
         mesh: { scale: [0.5, 0.5, 0.5], shininess: 1e-7 },
       });
@@ -144,7 +146,14 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       const viewer = page.locator('phong-viewer');
       expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 100, 200, 255]);
       await page.getByText('turn').click();
-      expect(await values(page)).toMatchObject({ theta: 90, phi: 90, terms: [], orbit: true, gui: false });
+      expect(await values(page)).toMatchObject({
+        theta: 90,
+        phi: 90,
+        terms: [],
+        orbit: true,
+        gui: false,
+        texts: null,
+      });
       await expect(viewer).toHaveAttribute('theta', '90');
       await expect(viewer).toHaveAttribute('terms', '');
       await expect(viewer).not.toHaveAttribute('auto-rotate');

@@ -14,7 +14,8 @@ import { phrase } from '../../src/element/fields/texts.js';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 
 const light = (values: Partial<LightValues> = {}): LightValues => new LightState(values).values;
-const mesh = (values: Partial<Parameters<typeof meshTitle>[0]> = {}): Parameters<typeof meshTitle>[0] => ({
+type Mesh = Parameters<typeof meshTitle>[1];
+const mesh = (values: Partial<Mesh> = {}): Mesh => ({
   name: '',
   src: '',
   geometry: null,
@@ -77,7 +78,7 @@ describe('a mesh', () => {
     [{ src: new File([], 'bunny.stl') }, 'bunny.stl'],
     [{}, 'mesh 3'],
   ])('of %j has a title', (values, title) => {
-    expect(meshTitle(mesh(values), 2)).toBe(title);
+    expect(meshTitle(null, mesh(values), 2)).toBe(title);
     expect(meshText(null, mesh(values), 2)).toBe(`${title}: mesh`);
   });
 });
@@ -97,6 +98,6 @@ describe("the page's own words", () => {
   });
 
   test('may repeat values and leave them out; words that are no value vanish', () => {
-    expect(phrase({ a: '{x}{x} {y}' }, 'a', { x: '$&' })).toBe('$&$& ');
+    expect(phrase({ name: '{x}{x} {y}' }, 'name', { x: '$&' })).toBe('$&$& ');
   });
 });

@@ -74,12 +74,27 @@ describe('the custom elements manifest', () => {
       expect(member.description, member.name).toBeTruthy();
   });
 
-  it('lists the events with their details, the slots and the parts', () => {
-    const { events, slots, cssParts } = declared('phong-viewer');
+  it('lists properties without an attribute, once', () => {
+    const writable = (tag: string) =>
+      declared(tag).members!.filter(
+        (member) => member.kind === 'field' && !member.readonly && !('attribute' in member),
+      );
+    expect(writable('phong-viewer')).toMatchObject([{ name: 'texts', type: { text: 'ViewerTexts | null' } }]);
+    expect(writable('phong-light')).toEqual([]);
+    const { properties } = webTypes(elements, {
+      name: 'x',
+      version: '1.0.0',
+    }).contributions.html.elements.find(({ name }) => name === 'phong-viewer')!.js;
+    expect(properties.filter(({ name }) => name === 'texts')).toMatchObject([{ type: 'ViewerTexts | null' }]);
+  });
+
+  it('lists the events with their details, the slots, the parts and the states', () => {
+    const { events, slots, cssParts, cssStates } = declared('phong-viewer');
     const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'render'];
     expect(events!.map(({ name }) => name).sort()).toEqual(names.sort());
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
     expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
+    expect(cssStates!.map(({ name }) => name)).toEqual(['loading', 'error', 'empty']);
     expect(cssParts!.map(({ name }) => name)).toEqual(expect.arrayContaining(['surface', 'panel']));
     expect(declared('phong-mesh').events!.map(({ name }) => name)).toEqual(['load', 'error']);
   });
@@ -110,7 +125,7 @@ describe("JetBrains' web-types and VS Code's data", () => {
 });
 
 describe('the types of properties and JSX', () => {
-  it('take one number where the property takes it for three', () => {
+  it('take one number where the property takes it for a list', () => {
     const typed: Record<SingleNumber, true> = {
       ambient: true,
       diffuse: true,
@@ -119,6 +134,7 @@ describe('the types of properties and JSX', () => {
       kd: true,
       ks: true,
       scale: true,
+      at: true,
     };
     const found = Object.values(tables.fields)
       .flatMap((fields) => Object.entries(fields))

@@ -3,6 +3,7 @@
 // inherited from the values' own interfaces.
 import type { LightValues } from '../../light/light-state.js';
 import type { MeshValues, ShapeValues } from '../../scene/mesh/mesh-fields.js';
+import type { CompareValues } from './compare-fields.js';
 import type { ViewerValues } from './viewer-fields.js';
 
 /** Numbers in a list: an array or a typed array. */
@@ -18,8 +19,8 @@ export type NumberList =
   | Uint8Array
   | Uint8ClampedArray;
 
-/** Properties where one number means three equal ones: a grey, or the same scale along every axis. */
-export type SingleNumber = 'ambient' | 'diffuse' | 'specular' | 'ka' | 'kd' | 'ks' | 'scale';
+/** Properties where one number may stand for a list: a grey, the same scale along every axis, the only divider. */
+export type SingleNumber = 'ambient' | 'diffuse' | 'specular' | 'ka' | 'kd' | 'ks' | 'scale' | 'at';
 
 /** What the property `K` accepts for values of type `T`. */
 type Input<K, T> =
@@ -41,6 +42,7 @@ type Light = Inputs<LightValues>;
 type Shape = Inputs<ShapeValues>;
 type Mesh = Inputs<MeshValues>;
 type Viewer = Inputs<ViewerValues>;
+type Compare = Inputs<CompareValues>;
 
 export interface LightProperties extends LightValues {
   get name(): LightValues['name'];
@@ -158,4 +160,15 @@ export interface ViewerProperties extends ShapeProperties, ViewerValues {
   set cameraGroup(value: Viewer['cameraGroup']);
   get gui(): ViewerValues['gui'];
   set gui(value: Viewer['gui']);
+}
+
+export interface CompareProperties extends CompareValues {
+  get layout(): CompareValues['layout'];
+  set layout(value: Compare['layout']);
+  get direction(): CompareValues['direction'];
+  set direction(value: Compare['direction']);
+  get at(): CompareValues['at'];
+  set at(value: Compare['at']);
+  get labels(): CompareValues['labels'];
+  set labels(value: Compare['labels']);
 }

@@ -1,16 +1,18 @@
-// Which words does a viewer itself show or announce, and how does a page replace them? English by default. Knows no place
-// where a text is shown.
+// How does a page replace the words that a viewer itself shows or announces? English by default; text-list.ts has all texts. Knows no
+// place where a text is shown.
+import type { ViewerErrorCode } from '../viewer/loading.js';
+import type { ViewerText } from './text-list.js';
 
 /**
  * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in braces stand for values. A text for
- * a code of `error`, such as `load-failed`, takes the place of the message, which names the file and the cause.
+ * a code of `error`, such as `load-failed`, replaces the English message, which is its `{message}`; `{url}` is the address.
  */
-export type ViewerTexts = Readonly<Record<string, string | undefined>>;
+export type ViewerTexts = { readonly [text in ViewerText | ViewerErrorCode]?: string | undefined };
 
 /** A text, in the page's words if it has its own, with values in place of the words in braces. */
 export const phrase = (
   texts: ViewerTexts | null,
-  text: string,
+  text: keyof ViewerTexts,
   values: Readonly<Record<string, string>> = {},
 ): string =>
   // By a function: in a replacement text `$&` would have a meaning, and names may contain it.

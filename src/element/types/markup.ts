@@ -2,25 +2,41 @@
 // the element's own events. Derived from the interfaces behind the tables of fields. Knows no framework. Types only.
 import type { LightValues } from '../../light/light-state.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
-import type { PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
+import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
 import type { Inputs } from '../fields/properties.js';
+import type { CompareValues } from '../fields/compare-fields.js';
+import type { ViewerTexts } from '../fields/texts.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { PhongCompare } from '../phong-compare.js';
 import type { PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
 
-/** Class, values and events of each element. */
+/** Class, values, properties without an attribute, and events of each element. */
 export interface Elements {
-  readonly light: { readonly element: PhongLight; readonly values: LightValues; readonly events: object };
+  readonly light: {
+    readonly element: PhongLight;
+    readonly values: LightValues;
+    readonly properties: object;
+    readonly events: object;
+  };
   readonly mesh: {
     readonly element: PhongMesh;
     readonly values: MeshValues;
+    readonly properties: object;
     readonly events: PhongMeshEventMap;
   };
   readonly viewer: {
     readonly element: PhongViewer;
     readonly values: ViewerValues;
+    readonly properties: { readonly texts?: ViewerTexts | null | undefined };
     readonly events: PhongViewerEventMap;
+  };
+  readonly compare: {
+    readonly element: PhongCompare;
+    readonly values: CompareValues;
+    readonly properties: object;
+    readonly events: PhongCompareEventMap;
   };
 }
 

@@ -17,7 +17,11 @@ type Values<V> = {
   readonly [K in keyof V & string as `attr:${AttributeName<K>}`]?: string | number | boolean | undefined;
 };
 
-type OwnProps<E extends AnyElement> = Values<E['values']> & EventProps<E['events'], 'on:'>;
+type Properties<P> = P & { readonly [K in keyof P & string as `prop:${K}`]?: P[K] };
+
+type OwnProps<E extends AnyElement> = Values<E['values']> &
+  Properties<E['properties']> &
+  EventProps<E['events'], 'on:'>;
 
 /** Solid's own `onLoad` and `onload` promise other events than these. */
 type Mistyped<Events> = Lowercase<`on${keyof Events & string}`> | `on${Capitalize<keyof Events & string>}`;
@@ -34,6 +38,7 @@ declare module 'solid-js' {
       'phong-light': Attributes<Elements['light']>;
       'phong-mesh': Attributes<Elements['mesh']>;
       'phong-viewer': Attributes<Elements['viewer']>;
+      'phong-compare': Attributes<Elements['compare']>;
     }
   }
 }

@@ -9,6 +9,7 @@ import type { AnyElement, Elements, EventProps, ValueProps } from './markup.js';
 import type { HTMLAttributes } from 'svelte/elements';
 
 type OwnProps<E extends AnyElement> = ValueProps<E['values']> &
+  E['properties'] &
   EventProps<E['events'], 'on'> &
   EventProps<E['events'], 'on:'>;
 
@@ -21,5 +22,6 @@ declare module 'svelte/elements' {
     'phong-light': Attributes<Elements['light']>;
     'phong-mesh': Attributes<Elements['mesh']>;
     'phong-viewer': Attributes<Elements['viewer']>;
+    'phong-compare': Attributes<Elements['compare']>;
   }
 }

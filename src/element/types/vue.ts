@@ -10,7 +10,9 @@ import type { HTMLAttributes, PublicProps } from 'vue';
 /** Vue writes `null` and `undefined` as 0, false or an empty text, not as the default. */
 type Given<Props> = { readonly [K in keyof Props]?: NonNullable<Props[K]> };
 
-type OwnProps<E extends AnyElement> = Given<ValueProps<E['values']>> & Handlers<E['events']>;
+type OwnProps<E extends AnyElement> = Given<ValueProps<E['values']>> &
+  E['properties'] &
+  Handlers<E['events']>;
 
 /** A global component, as vue-tsc reads it: its props, and the element that a template ref holds. */
 type Component<E extends AnyElement> = new () => E['element'] & {
@@ -26,5 +28,6 @@ declare module 'vue' {
     'phong-light': Component<Elements['light']>;
     'phong-mesh': Component<Elements['mesh']>;
     'phong-viewer': Component<Elements['viewer']>;
+    'phong-compare': Component<Elements['compare']>;
   }
 }

@@ -129,7 +129,7 @@ export class ViewerAnnouncements implements ReactiveController {
   #describe(): void {
     const texts = (this.#language = this.#texts);
     const { camera, lights, meshes } = this.#viewer;
-    const names = lights.map((light, i) => lightName(texts, nameOf(light, i), light));
+    const names = lights.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
     this.#writeDescription();
     const items = [
@@ -151,17 +151,18 @@ export class ViewerAnnouncements implements ReactiveController {
   }
 
   #lightText(light: PhongLight, index: number): string {
-    return lightText(this.#texts, nameOf(light, index), fieldsOf(light).store.values);
+    return lightText(this.#texts, this.#nameOf(light, index), fieldsOf(light).store.values);
+  }
+
+  /** Not the element's `name`: its default takes a search through all lights. */
+  #nameOf(light: PhongLight, index: number): string {
+    return fieldsOf(light).store.values.name || numberedName(index, this.#texts);
   }
 
   get #texts(): ViewerTexts | null {
     return this.#viewer.texts;
   }
 }
-
-/** Not the element's `name`: its default takes a search through all lights. */
-const nameOf = (light: PhongLight, index: number): string =>
-  fieldsOf(light).store.values.name || numberedName(index);
 
 /** Screen readers may read again what is written, even if it is the same. */
 function write(element: Element, text: string): void {

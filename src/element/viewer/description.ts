@@ -1,9 +1,10 @@
 // How are camera, lights and meshes said in words, for people who do not see the picture? Plain functions from values to
 // text; degrees and scene units. Knows neither the elements' tree nor when a text is read.
-import { kindOf } from '../../light/light-features.js';
+import { kindOf, type LightKind } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fileName } from '../../scene/mesh/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
+import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState } from './camera.js';
 
@@ -11,6 +12,9 @@ import type { CameraState } from './camera.js';
 const NAMED = 8;
 
 const LIGHTS = 'Lights: {lights}.';
+
+const lightOf = (kind: LightKind): ViewerText =>
+  `{name}: ${kind} light, position {position}, diffuse {diffuse}`;
 
 export const cameraText = (
   texts: ViewerTexts | null,
@@ -41,7 +45,7 @@ export const lightName = (
 ): string => (active ? name : phrase(texts, '{name} (off)', { name }));
 
 export function lightText(texts: ViewerTexts | null, name: string, values: LightValues): string {
-  const light = phrase(texts, `{name}: ${kindOf(values)} light, position {position}, diffuse {diffuse}`, {
+  const light = phrase(texts, lightOf(kindOf(values)), {
     name: lightName(texts, name, values),
     position: numbers(values.position.slice(0, 3)),
     diffuse: numbers(values.diffuse),
@@ -50,15 +54,20 @@ export function lightText(texts: ViewerTexts | null, name: string, values: Light
 }
 
 export const meshText = (texts: ViewerTexts | null, mesh: MeshNames, index: number): string =>
-  phrase(texts, '{name}: mesh', { name: meshTitle(mesh, index) });
+  phrase(texts, '{name}: mesh', { name: meshTitle(texts, mesh, index) });
 
 type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
 
 /** A mesh's name, else its file or shape, else its number among the viewer's meshes; `index` counts from 0. */
-export const meshTitle = ({ name, src, geometry }: MeshNames, index: number): string =>
-  name ||
-  (src === '' ? geometry : typeof src === 'string' ? fileOf(src) : fileName(src)) ||
-  `mesh ${String(index + 1)}`;
+export function meshTitle(
+  texts: ViewerTexts | null,
+  { name, src, geometry }: MeshNames,
+  index: number,
+): string {
+  const file = typeof src === 'string' ? fileOf(src) : fileName(src);
+  const shape = src === '' && geometry !== null ? phrase(texts, geometry) : '';
+  return name || file || shape || phrase(texts, 'mesh {number}', { number: String(index + 1) });
+}
 
 /** `teapot.glb` from `models/teapot.glb?v=2`. */
 const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?? '';

@@ -61,7 +61,11 @@ export class ViewerTree {
     const { newest, retryable } = failure;
     if (newest === null) this.#removeMessage();
     else {
-      write(this.#notice, texts?.[newest.code] ?? newest.message);
+      const { code, message, url } = newest;
+      write(
+        this.#notice,
+        texts?.[code] === undefined ? message : phrase(texts, code, { message, url: url ?? '' }),
+      );
       write(this.#retry, phrase(texts, 'Try again'));
       this.#retry.hidden = !retryable;
       if (this.#message.parentNode === null) this.panel.before(this.#message);

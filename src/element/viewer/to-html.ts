@@ -4,6 +4,7 @@ import { fileName } from '../../scene/mesh/file-name.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
 import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';
+import type { PhongCompare } from '../phong-compare.js';
 import type { PhongViewer } from '../phong-viewer.js';
 
 /** The page's own attributes that are kept. */
@@ -12,8 +13,17 @@ const KEPT = ['id', 'class', 'style'];
 /** Wrappers that are written as they are; others, such as custom elements, which may bring lights of their own, become `div`. */
 const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
 
+/** A comparison with its viewers. */
+export function compareMarkup(compare: PhongCompare): string {
+  const { store } = fieldsOf(compare);
+  // Percent are rounded to eight digits, as any other value.
+  const values = attributes('phong-compare', store, {}, 1);
+  const inner = compare.viewers.map((viewer) => `${sceneMarkup(viewer, '  ')}\n`).join('');
+  return `<phong-compare${kept(compare)}${values}>\n${inner}</phong-compare>`;
+}
+
 /** The viewer with its meshes and lights in document order, in their wrappers. The camera and a pinned point are those shown now. */
-export function sceneMarkup(viewer: PhongViewer): string {
+export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
   const { theta, phi, radius, target } = viewer.camera;
   const framing = viewerCameras.get(viewer)?.placement.framing;
   const shown = {
@@ -33,7 +43,7 @@ export function sceneMarkup(viewer: PhongViewer): string {
     const inner = (tree.get(element) ?? []).map((child) => `${write(child, `${indent}  `)}\n`).join('');
     return `${indent}<${name}${kept(element)}${values}>${inner === '' ? '' : `\n${inner}${indent}`}</${name}>`;
   };
-  return write(viewer, '');
+  return write(viewer, margin);
 }
 
 /** The meshes, lights and wrappers in the viewer and in each other. Shadow trees count as their hosts' children. */

@@ -4,6 +4,7 @@ import { lazyCode } from '../../scene/lazy-code.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
+import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
@@ -26,8 +27,12 @@ export interface ViewerSnapshot {
 }
 
 /** As the panel and explanations name a light; `index` counts the viewer's lights from 0. */
-export const lightName = (light: PhongLight | null, { values }: LightState, index: number): string =>
-  light === null ? 'head-light' : values.name || numberedName(index);
+export const lightName = (
+  light: PhongLight | null,
+  { values }: LightState,
+  index: number,
+  texts: ViewerTexts | null = null,
+): string => (light === null ? phrase(texts, 'head-light') : values.name || numberedName(index, texts));
 
 /** `size` is the picture's size in CSS pixels, before any transform or zoom. */
 export function viewerSnapshot(
@@ -48,7 +53,7 @@ export function viewerSnapshot(
     height: size.height * zoom,
     lights: viewport.lighting.lights.lights.map((state, index) => {
       const light = children.lightOf(state);
-      return { light, name: lightName(light, state, index), values: { ...state.values } };
+      return { light, name: lightName(light, state, index, viewer.texts), values: { ...state.values } };
     }),
   };
 }

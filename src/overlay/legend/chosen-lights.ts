@@ -40,6 +40,6 @@ export function lightsText(host: ExtraHost): string {
   if (!isOne) return phrase(viewer.texts, 'all lights');
   if (index === undefined) return phrase(viewer.texts, 'no light is active');
   const state = lights[index]!;
-  const light = lightName(children.lightOf(state), state, index);
+  const light = lightName(children.lightOf(state), state, index, viewer.texts);
   return state.values.active ? light : phrase(viewer.texts, '{light} (not active)', { light });
 }

@@ -1,4 +1,5 @@
 // What do a view's colours mean? The title and the scale of its legend, as data. Knows no DOM.
+import type { ViewerText } from '../../element/fields/text-list.js';
 import { SCALE_CODES, scaleColor } from '../../material/view/scale.js';
 import type { View } from '../../material/views.js';
 import type { Vec3 } from '../../math/vector.js';
@@ -26,11 +27,11 @@ const MOST_MARKS = 8;
 export const ERROR_END = 2;
 
 /** English; `blinn`: highlights are of Blinn's half vector. */
-export function titleOf(view: View, blinn: boolean): string {
+export function titleOf(view: View, blinn: boolean): ViewerText {
   return view === 'r-dot-v' && blinn ? 'N · H' : TITLES[view];
 }
 
-const TITLES: Readonly<Record<View, string>> = {
+const TITLES: Readonly<Record<View, ViewerText>> = {
   shaded: 'Shaded',
   ambient: 'Ambient term',
   diffuse: 'Diffuse term',

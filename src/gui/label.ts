@@ -1,0 +1,39 @@
+// How do the panel's texts follow `viewer.texts`? An element that shows one keeps the function that writes it. Knows neither controls nor
+// languages.
+import type { Controller } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
+import { phrase } from '../element/fields/texts.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+
+/** A text in the page's words, with values in place of the words in braces. */
+export type Say = (text: ViewerText, values?: Readonly<Record<string, string>>) => string;
+
+const writers = new WeakMap<Element, (say: Say) => void>();
+
+/** Writes what `element`, a part of the panel, shows: now and whenever the texts change. An element has one such function. */
+export function label(element: Element, write: (say: Say) => void): void {
+  writers.set(element, write);
+  write(sayIn(element));
+}
+
+/** Names a row. Returns it. */
+export function nameRow<Row extends Controller>(row: Row, name: ViewerText): Row {
+  label(row.$name, (say) => row.name(say(name)));
+  return row;
+}
+
+/** Gives `element` a tooltip. */
+export function explain(element: HTMLElement, text: ViewerText): void {
+  label(element, (say) => (element.title = say(text)));
+}
+
+/** The viewer's texts have changed. */
+export function relabel(panel: Element): void {
+  const say = sayIn(panel);
+  for (const element of [panel, ...panel.querySelectorAll('*')]) writers.get(element)?.(say);
+}
+
+function sayIn(panel: Element): Say {
+  const { texts } = (panel.getRootNode() as ShadowRoot).host as PhongViewer;
+  return (text, values) => phrase(texts, text, values);
+}

@@ -1,0 +1,50 @@
+// Where are the dividers of a comparison, and how far does a key move one?
+
+import { describe, expect, it } from 'vitest';
+import { keyStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/places.js';
+
+describe('the dividers of a comparison', () => {
+  it('make equal parts unless they are declared', () => {
+    expect(placesOf('auto', 2)).toEqual([50]);
+    expect(placesOf('auto', 4)).toEqual([25, 50, 75]);
+  });
+
+  it('are one less than the viewers, and none without viewers', () => {
+    expect(placesOf('auto', 1)).toEqual([]);
+    expect(placesOf('auto', 0)).toEqual([]);
+    expect(placesOf([10, 20], 1)).toEqual([]);
+    expect(placesOf([10, 20, 30], 3)).toEqual([10, 20]);
+  });
+
+  it('share what the declared ones leave', () => {
+    expect(placesOf([40], 4)).toEqual([40, 60, 80]);
+    expect(placesOf([100], 3)).toEqual([100, 100]);
+  });
+
+  it('stop at each other and at the edges', () => {
+    expect(rangeOf([20, 60], 0)).toEqual([0, 60]);
+    expect(rangeOf([20, 60], 1)).toEqual([20, 100]);
+    expect(withMoved([20, 60], 0, 80)).toEqual([60, 60]);
+    expect(withMoved([20, 60], 1, 180)).toEqual([20, 100]);
+    expect(withMoved([20, 60], 0, -5)).toEqual([0, 60]);
+  });
+});
+
+describe('a key on a divider', () => {
+  const step = (key: string, shiftKey = false, vertical = false, rtl = false) =>
+    keyStep({ key, shiftKey }, vertical, rtl);
+
+  it('moves it in the direction of the arrow', () => {
+    expect(step('ArrowRight')).toBe(1);
+    expect(step('ArrowRight', false, false, true)).toBe(-1);
+    expect(step('ArrowDown')).toBeUndefined();
+    expect(step('ArrowDown', false, true)).toBe(1);
+    expect(step('ArrowRight', false, true)).toBeUndefined();
+  });
+
+  it('moves it by 10 % with Shift or by page keys, and all the way by Home and End', () => {
+    expect([step('ArrowLeft', true), step('PageUp'), step('PageDown')]).toEqual([-10, -10, 10]);
+    expect([step('Home'), step('End')]).toEqual(['min', 'max']);
+    expect(step('a')).toBeUndefined();
+  });
+});

@@ -1,0 +1,57 @@
+// Does the list of texts have each text of the source once, and no other? That the source has no other text is up to the compiler.
+
+import { readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, expectTypeOf, it } from 'vitest';
+import { VIEWER_TEXTS, type ViewerText } from '../../src/element/fields/text-list.js';
+import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
+import { LIGHT_KINDS } from '../../src/gui/kind-choice.js';
+import { TERMS } from '../../src/material/program/variant.js';
+
+const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
+  .filter((path) => path.endsWith('.ts') && !path.endsWith('text-list.ts'))
+  .map((path) => readFileSync(join('src', path), 'utf8'))
+  .join('\n');
+
+/** Texts that the source puts together. */
+const composed = new Set<string>([
+  ...TERMS.map((term) => `${term} term`),
+  ...LIGHT_KINDS.map((kind) => `{name}: ${kind} light, position {position}, diffuse {diffuse}`),
+]);
+
+describe('the list of texts', () => {
+  it('has no text twice', () => {
+    expect(new Set(VIEWER_TEXTS).size).toBe(VIEWER_TEXTS.length);
+  });
+
+  it.each(VIEWER_TEXTS)('has "%s" because the viewer uses it', (text) => {
+    const inSource = [`'${text}'`, `"${text}"`].some((literal) => source.includes(literal));
+    expect(inSource || composed.has(text)).toBe(true);
+  });
+
+  it('takes the texts of a file, and none of another type', () => {
+    expectTypeOf<Record<ViewerText, string>>().toExtend<ViewerTexts>();
+    expectTypeOf<Record<string, string>>().toExtend<ViewerTexts>();
+    expectTypeOf<{ 'Try again': string; 'load-failed': string }>().toExtend<ViewerTexts>();
+    expectTypeOf<{ 'Try again': number }>().not.toExtend<ViewerTexts>();
+    expectTypeOf<{ retry: string }>().not.toExtend<ViewerTexts>();
+  });
+});
+
+describe("a viewer's texts", () => {
+  it('are a frozen copy, and null for none', () => {
+    const texts = { Loading: 'Lädt' };
+    const copy = checkedTexts(texts);
+    texts.Loading = '';
+    expect(copy).toEqual({ Loading: 'Lädt' });
+    expect(Object.isFrozen(copy)).toBe(true);
+    expect([checkedTexts(null), checkedTexts(undefined)]).toEqual([null, null]);
+  });
+
+  it('replace what they have, even by nothing', () => {
+    const texts = { Loading: '', 'Try again': undefined };
+    expect(phrase(texts, 'Loading')).toBe('');
+    expect(phrase(texts, 'Try again')).toBe('Try again');
+    expect(phrase(texts, 'light {number}', { number: '3' })).toBe('light 3');
+  });
+});
