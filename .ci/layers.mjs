@@ -30,7 +30,7 @@ export const layers = {
   overlay: {
     layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],
     lazy: ['reference'],
-    types: ['three'],
+    packages: ['three'],
   },
   gui: {
     layers: ['element', 'scene', 'material', 'camera', 'light', 'fields', 'math'],

@@ -26,7 +26,7 @@ test('has a folder for lights, camera, shading and material, and one for meshes 
 }) => {
   const viewer = await mount(scene('gui', 'sun', 'lamp'));
   await expect(titleOf(viewer, 'Material')).toBeVisible();
-  expect(await titlesIn(panelOf(viewer))).toEqual(['Lights', 'Camera', 'Shading', 'Material', 'Meshes']);
+  expect(await titlesIn(panelOf(viewer))).toEqual(['Lights', 'Camera', 'Shading', 'Show', 'Material', 'Meshes']);
   await expect(titleOf(viewer, 'Meshes')).toBeHidden();
   await viewer.evaluate((element: PhongViewer) => {
     element.geometry = null;
@@ -204,7 +204,7 @@ test('warns and keeps the picture if its code cannot be fetched', async ({ page,
 
 test('is legible and has accessible names', async ({ page, mount }) => {
   const viewer = await mount(scene('gui', 'sun') + '<main></main>', { width: 900, height: 650 });
-  for (const title of ['sun', 'Camera', 'Shading', 'Material']) {
+  for (const title of ['sun', 'Camera', 'Shading', 'Show', 'Material']) {
     await opened(viewer, title);
     const { violations } = await new AxeBuilder({ page })
       .include({ fromShadowDom: ['phong-viewer', '.panel'] })

@@ -3,6 +3,9 @@
 import {
   BackSide,
   BoxGeometry,
+  type BufferAttribute,
+  type BufferGeometry,
+  DynamicDrawUsage,
   Group,
   Line,
   LineBasicMaterial,
@@ -285,5 +288,35 @@ describe('the corners of what was picked', () => {
       [0, 0, 0],
       [0, 0, 0],
     ]);
+  });
+});
+
+describe('a snapshot of an animated mesh', () => {
+  const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+  const taken = (): BufferGeometry | undefined =>
+    snapshotThrough(view).objects.find(({ object }) => object === own[0])?.geometry;
+
+  function animated(): BufferGeometry {
+    const { geometry } = wall();
+    (geometry.getAttribute('position') as BufferAttribute).setUsage(DynamicDrawUsage);
+    return geometry;
+  }
+
+  it('has vertices of its own, which stay as they were', () => {
+    const geometry = animated();
+    const before = taken()!;
+    const place = geometry.getAttribute('position') as BufferAttribute;
+    place.setX(0, 7);
+    place.needsUpdate = true;
+    expect(before.getAttribute('position').getX(0)).toBe(-0.5);
+    expect(taken()!.getAttribute('position').getX(0)).toBe(7);
+  });
+
+  it('shares them with the next one while the vertices rest, so that a probe copies nothing', () => {
+    const geometry = animated();
+    const before = taken();
+    expect(taken()).toBe(before);
+    geometry.setAttribute('normal', (geometry.getAttribute('normal') as BufferAttribute).clone());
+    expect(taken()).not.toBe(before);
   });
 });

@@ -1,7 +1,7 @@
 // How is a display list drawn into a picture file? By Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a strict CSP
 // refuses. The same looks as svg-layer.ts. Knows nothing of what the list means.
 import { HALO } from './contrast.js';
-import { DASHES, type Disc, FONT, OUTLINE, type Primitive, type Stroke } from './display-list.js';
+import { DASHES, type Disc, FONT, outlineOf, type Primitive, type Stroke } from './display-list.js';
 
 /** Draws the list; `scale` is how many of the canvas's pixels are one of the list's. */
 export function drawList(context: CanvasRenderingContext2D, list: readonly Primitive[], scale: number): void {
@@ -35,7 +35,7 @@ function drawShape(context: CanvasRenderingContext2D, shape: Stroke | Disc): voi
   const { color, width } = shape;
   context.setLineDash(shape.dashed === true ? [...DASHES] : []);
   context.strokeStyle = HALO;
-  context.lineWidth = width + 2 * OUTLINE;
+  context.lineWidth = width + 2 * outlineOf(shape);
   context.stroke(path);
   const isFilled = shape.kind === 'stroke' && shape.filled === true;
   const fill = shape.kind === 'disc' ? shape.fill : isFilled ? color : null;

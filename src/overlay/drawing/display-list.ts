@@ -12,6 +12,8 @@ export interface Stroke {
   readonly dashed?: boolean;
   /** Fills the lines as polygons instead of drawing them. */
   readonly filled?: boolean;
+  /** Width of the outline on either side, CSS pixels. Default 1.5. */
+  readonly outline?: number;
   /** 0–1, default 1. */
   readonly opacity?: number;
 }
@@ -41,7 +43,10 @@ export interface Label {
 export type Primitive = Stroke | Disc | Label;
 
 /** The outline on either side of a core, CSS pixels. */
-export const OUTLINE = 1.5;
+const OUTLINE = 1.5;
+
+export const outlineOf = (shape: Stroke | Disc): number =>
+  shape.kind === 'stroke' ? (shape.outline ?? OUTLINE) : OUTLINE;
 
 /** On and off, CSS pixels. */
 export const DASHES = [5, 4] as const;
@@ -52,12 +57,12 @@ export const FONT = '600 12px system-ui, sans-serif';
 /** Length and half the width of an arrow's head, CSS pixels. */
 const HEAD = { length: 9, half: 4 };
 
-/** The head of an arrow whose line ends at `tip`; null where the line is too short to have a direction. */
-export function arrowHead(from: Point, tip: Point): readonly Point[] | null {
+/** The head of an arrow whose line ends at `tip`, `size` pixels long; null where the line is too short to have a direction. */
+export function arrowHead(from: Point, tip: Point, size: number = HEAD.length): readonly Point[] | null {
   const length = Math.hypot(tip.x - from.x, tip.y - from.y);
   if (!(length > 1)) return null;
   const [ux, uy] = [(tip.x - from.x) / length, (tip.y - from.y) / length];
-  const reach = Math.min(HEAD.length, length);
+  const reach = Math.min(size, length);
   const half = (HEAD.half * reach) / HEAD.length;
   const base = { x: tip.x - reach * ux, y: tip.y - reach * uy };
   return [

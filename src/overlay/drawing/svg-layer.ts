@@ -1,6 +1,6 @@
 // How is a display list shown on the page? As SVG, which is crisp at any resolution and zoom. Elements are kept from list to list, and
 // only what differs is written. Knows nothing of what the list means.
-import { DASHES, FONT, OUTLINE, type Primitive } from './display-list.js';
+import { DASHES, FONT, outlineOf, type Primitive } from './display-list.js';
 import { HALO } from './contrast.js';
 import type { Point } from './projection.js';
 
@@ -25,11 +25,11 @@ export class SvgLayer {
     this.element.style.font = FONT;
   }
 
-  /** Shows exactly this. A primitive that is the same object as before at its place in the list costs nothing. */
+  /** Shows exactly this. A shape that is the same object as before at its place in the list, or an equal label, costs nothing. */
   show(list: readonly Primitive[]): void {
     list.forEach((primitive, i) => {
       const shown = this.#shown[i];
-      if (shown?.primitive === primitive) return;
+      if (shown !== undefined && isSame(shown.primitive, primitive)) return;
       const elements =
         shown?.primitive.kind === primitive.kind ? shown.elements : this.#replace(shown, primitive.kind);
       this.#shown[i] = { primitive, elements };
@@ -50,6 +50,17 @@ export class SvgLayer {
     return elements;
   }
 }
+
+/** Labels are placed anew for each list, but few of them move. */
+const isSame = (a: Primitive, b: Primitive): boolean =>
+  a === b ||
+  (a.kind === 'label' &&
+    b.kind === 'label' &&
+    a.text === b.text &&
+    a.at.x === b.at.x &&
+    a.at.y === b.at.y &&
+    a.color === b.color &&
+    a.opacity === b.opacity);
 
 function write(elements: readonly SVGElement[], primitive: Primitive): void {
   const opacity = String(primitive.opacity ?? 1);
@@ -72,7 +83,13 @@ function write(elements: readonly SVGElement[], primitive: Primitive): void {
       : { d: pathOf(primitive.lines, primitive.filled === true) };
   const filled = primitive.kind === 'stroke' && primitive.filled === true;
   const inner = primitive.kind === 'disc' ? (primitive.fill ?? 'none') : filled ? color : 'none';
-  set(halo, { ...shape, ...line, fill: 'none', stroke: HALO, 'stroke-width': String(width + 2 * OUTLINE) });
+  set(halo, {
+    ...shape,
+    ...line,
+    fill: 'none',
+    stroke: HALO,
+    'stroke-width': String(width + 2 * outlineOf(primitive)),
+  });
   if (core !== undefined)
     set(core, {
       ...shape,

@@ -1,7 +1,7 @@
 // The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape restores; pointers drag. Places
 // elements over what is drawn, and reports what the user does. Knows no arithmetic of moves.
 import type { ViewerText } from '../../element/fields/text-list.js';
-import { phrase } from '../../element/fields/texts.js';
+import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
 import { numberedName, type PhongLight } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
@@ -18,6 +18,10 @@ interface Shown {
   readonly element: HTMLElement;
   readonly light: PhongLight;
   readonly part: Part;
+  /** What it was placed and named by. */
+  handle: Handle | null;
+  index: number;
+  texts: ViewerTexts | null;
 }
 
 /** What handles of parts add to the light's name. */
@@ -95,10 +99,6 @@ export class Handles {
     this.#list.hidden = true;
   }
 
-  dispose(): void {
-    this.hide();
-  }
-
   #keyOf(light: PhongLight, part: Part): string {
     let id = this.#ids.get(light);
     if (id === undefined) this.#ids.set(light, (id = this.#lastId += 1));
@@ -112,7 +112,7 @@ export class Handles {
       tabindex: '-1',
       'aria-selected': 'false',
     });
-    const shown = { element, light, part };
+    const shown: Shown = { element, light, part, handle: null, index: 0, texts: null };
     this.#shown.set(key, shown);
     this.#byElement.set(element, shown);
     return shown;
@@ -135,20 +135,23 @@ export class Handles {
     if (hadFocus) (this.#current?.element ?? this.#host.tree.surface).focus({ preventScroll: true });
   }
 
-  #place({ element, light, part }: Shown, { at, outside }: Handle, index: number, view: Projection): void {
+  #place(shown: Shown, handle: Handle, index: number, view: Projection): void {
+    const { element, light, part } = shown;
+    const { texts } = this.#host.viewer;
+    if (shown.handle === handle && shown.index === index && shown.texts === texts) return;
+    Object.assign(shown, { handle, index, texts });
+    const { at, outside } = handle;
     const { x, y } = inside(at, view, EDGE);
     element.style.transform = `translate(${x}px, ${y}px)`;
     // Those of parts outside could not be told apart at the edge. Keys still reach them.
     element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
-    const { texts } = this.#host.viewer;
     const { values } = fieldsOf(light).store;
     const name = values.name || numberedName(index, texts);
     const label =
       part === 'place'
         ? lightText(texts, name, values)
         : phrase(texts, PART_TEXTS[part], { name, degrees: String(values.aperture) });
-    // While it moves, the announcement after a pause says where it is: a name that changes is read with each step.
-    if (!this.#move.moves(light) || !element.hasAttribute('aria-label')) set(element, 'aria-label', label);
+    set(element, 'aria-label', label);
     set(element, 'aria-description', phrase(texts, 'Enter starts moving.'));
   }
 

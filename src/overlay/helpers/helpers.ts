@@ -5,12 +5,13 @@ import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { create } from '../../element/viewer/template.js';
 import { drawList } from '../drawing/canvas-drawing.js';
-import type { Primitive } from '../drawing/display-list.js';
 import { Projection } from '../drawing/projection.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import styles from './helpers.css?inline';
+import { listOf, NO_DRAWING } from './labels.js';
 import { LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './placed-light.js';
+import { SceneHelpers } from './scene-helpers.js';
 
 export const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
 
@@ -23,6 +24,7 @@ class Helpers implements Extra {
   readonly #element = create('div', { class: 'helpers' });
   readonly #svg = new SvgLayer();
   readonly #lights: LightHelpers;
+  readonly #objects: SceneHelpers;
   #view: Projection | null = null;
   /** What {@link #view} and the scene's ball depend on. */
   #seen: readonly unknown[] = [];
@@ -33,41 +35,51 @@ class Helpers implements Extra {
     this.#root = host.tree.layer.getRootNode() as ShadowRoot;
     addStyles(this.#root, styles);
     this.#element.append(this.#svg.element);
-    this.#lights = new LightHelpers(host, this.#element, () => this.update());
+    const changed = (): void => this.#show(false);
+    this.#lights = new LightHelpers(host, this.#element, changed);
+    this.#objects = new SceneHelpers(host, changed);
     host.tree.layer.append(this.#element);
   }
 
   update(): void {
+    this.#show(true);
+  }
+
+  #show(isFrame: boolean): void {
     const view = this.#look();
+    const { helpers } = this.#host.values;
+    const hasLights = view !== null && helpers.includes('lights');
+    if (!hasLights) this.#lights.hide();
     if (view === null) {
+      this.#objects.hide();
       this.#svg.show([]);
-      this.#lights.hide();
       return;
     }
-    const { helpers } = this.#host.values;
-    const list = helpers.includes('lights') ? this.#lights.show(view, this.#scene) : this.#lights.hide();
-    this.#svg.show(list);
+    const objects = this.#objects.show(view, this.#scene, helpers);
+    const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
+    this.#svg.show(listOf([objects, lights], view));
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
-  drawOver(picture: HTMLCanvasElement, { helpers }: PictureOptions): void {
+  drawOver(picture: HTMLCanvasElement, options: PictureOptions): void {
     const context = picture.getContext('2d');
-    if (helpers !== true || context === null) return;
+    if (options.helpers !== true || context === null) return;
     const { height } = this.#host.size();
     const scale = height > 0 ? picture.height / height : 1;
     const size = { width: picture.width / scale, height: picture.height / scale };
-    drawList(context, this.#listAt(this.#projection(size)), scale);
+    const view = this.#projection(size);
+    const scene = ballOf(this.#host);
+    const { helpers } = this.#host.values;
+    const objects = this.#objects.drawingAt(view, scene, helpers);
+    const lights = helpers.includes('lights') ? this.#lights.drawingAt(view, scene) : NO_DRAWING;
+    drawList(context, listOf([objects, lights], view), scale);
   }
 
   dispose(): void {
-    this.#lights.dispose();
+    this.#lights.hide();
+    this.#objects.hide();
     this.#element.remove();
     removeStyles(this.#root, styles);
-  }
-
-  #listAt(view: Projection): readonly Primitive[] {
-    const { helpers } = this.#host.values;
-    return helpers.includes('lights') ? this.#lights.listAt(view, ballOf(this.#host)) : [];
   }
 
   /** The projection of the picture as it is now; the same object while that stays. Null without a picture. */

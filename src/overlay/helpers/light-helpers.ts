@@ -1,16 +1,15 @@
-// The helpers of a viewer's lights: their marks and names as a display list, and their handles. Marks of a light are computed again only
-// where the light, the view or what hides it has changed. Knows no pointer and no SVG.
+// The helpers of a viewer's lights: their marks and names, and their handles. Marks of a light are computed again only where the light, the
+// view or what hides it has changed. Knows no pointer and no SVG.
 import { sameValue } from '../../fields/field-store.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
 import { numberedName, type PhongLight } from '../../element/phong-light.js';
 import { lightName } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
-import type { Label, Primitive } from '../drawing/display-list.js';
-import { boxAround, placeLabels } from '../drawing/label-layout.js';
+import { boxAround } from '../drawing/label-layout.js';
 import type { Projection } from '../drawing/projection.js';
-import { shortened, textWidth } from '../drawing/text-width.js';
 import { Handles } from './handles.js';
+import type { Drawing } from './labels.js';
 import { type LightMarks, lightMarks } from './light-marks.js';
 import { Occlusion } from './occlusion.js';
 import type { SceneBall } from './placed-light.js';
@@ -26,14 +25,14 @@ interface Known {
 /** Between a light's place and its name, CSS pixels. */
 const GAP = 12;
 
-const LABEL = { dimmed: 0.75, color: '#fff' } as const;
+/** Opacity of the name of a light that is off. */
+const DIMMED = 0.75;
 
 export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
   readonly #occlusion: Occlusion<PhongLight>;
   readonly #known = new Map<PhongLight, Known>();
-  readonly #labels = new Map<PhongLight, Label>();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
@@ -42,80 +41,59 @@ export class LightHelpers {
     this.#occlusion = new Occlusion(host, changed);
   }
 
-  /** Shows the handles. The list is what to draw. */
-  show(view: Projection, scene: SceneBall): readonly Primitive[] {
-    const lights = this.#host.children.lights;
-    let changed = lights.length !== this.#known.size;
-    for (const light of this.#known.keys()) if (!lights.includes(light)) this.#forget(light);
+  /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn. */
+  show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
+    const { lights } = this.#host.children;
+    const changed: PhongLight[] = [];
+    for (const light of this.#known.keys()) if (!lights.includes(light)) this.#known.delete(light);
     for (const light of lights) {
       const { values } = fieldsOf(light).store;
       const hidden = this.#occlusion.isHidden(light);
       const known = this.#known.get(light);
       if (known?.view === view && known.hidden === hidden && sameValues(known.values, values)) continue;
-      changed = true;
+      // Otherwise only what hides it has changed, which is known.
+      if (known === undefined || known.hidden === hidden) changed.push(light);
       const marks = lightMarks(values, view, scene, hidden);
       this.#known.set(light, { values: { ...values }, view, hidden, marks });
     }
     const marks = lights.map((light) => this.#known.get(light)!.marks);
     this.#handles.show(lights, marks, view, scene);
-    this.#occlusion.follow(
-      view,
-      lights.map((light, i) => [light, marks[i]!.placed.place] as const),
-      changed,
-    );
-    return [...marks.flatMap(({ list }) => list), ...this.#labelsOf(lights, marks, view)];
+    const places = new Map(lights.map((light, i) => [light, marks[i]!.placed.place]));
+    // A frame for another reason than a light: a mesh may have moved.
+    this.#occlusion.follow(view, places, isFrame && changed.length === 0 ? lights : changed);
+    return this.#drawing(lights, marks);
   }
 
-  /** The list alone, for another size. */
-  listAt(view: Projection, scene: SceneBall): readonly Primitive[] {
+  /** The same for another size, without handles. */
+  drawingAt(view: Projection, scene: SceneBall): Drawing {
     const { lights } = this.#host.children;
     const marks = lights.map((light) =>
       lightMarks(fieldsOf(light).store.values, view, scene, this.#occlusion.isHidden(light)),
     );
-    return [...marks.flatMap(({ list }) => list), ...this.#labelsOf(lights, marks, view)];
+    return this.#drawing(lights, marks);
   }
 
-  hide(): readonly Primitive[] {
+  hide(): void {
     this.#handles.hide();
     this.#occlusion.stop();
-    for (const light of [...this.#known.keys()]) this.#forget(light);
-    return [];
+    this.#known.clear();
   }
 
-  dispose(): void {
-    this.#handles.dispose();
-    this.#occlusion.stop();
-  }
-
-  #forget(light: PhongLight): void {
-    this.#known.delete(light);
-    this.#labels.delete(light);
-  }
-
-  #labelsOf(lights: readonly PhongLight[], marks: readonly LightMarks[], view: Projection): readonly Label[] {
+  #drawing(lights: readonly PhongLight[], marks: readonly LightMarks[]): Drawing {
     const { texts } = this.#host.viewer;
-    const names = lights.map((light, i) => {
-      const { values } = fieldsOf(light).store;
-      return shortened(lightName(texts, values.name || numberedName(i, texts), values));
-    });
-    const places = marks.map(({ handles }) => handles[0]!.at);
-    const placed = placeLabels(
-      names.map((name, i) => ({ center: places[i]!, gap: GAP, width: textWidth(name) })),
-      view,
-      marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
-    );
-    return lights.flatMap((light, i) => {
-      const at = placed[i];
-      if (!at) return [];
-      const known = this.#labels.get(light);
-      const text = names[i]!;
-      const opacity = light.active ? 1 : LABEL.dimmed;
-      if (known?.text === text && known.opacity === opacity && known.at.x === at.x && known.at.y === at.y)
-        return [known];
-      const label: Label = { kind: 'label', at, text, color: LABEL.color, opacity };
-      this.#labels.set(light, label);
-      return [label];
-    });
+    return {
+      list: marks.flatMap(({ list }) => list),
+      names: lights.map((light, i) => {
+        const { values } = fieldsOf(light).store;
+        return {
+          text: lightName(texts, values.name || numberedName(i, texts), values),
+          center: marks[i]!.handles[0]!.at,
+          gap: GAP,
+          opacity: values.active ? 1 : DIMMED,
+        };
+      }),
+      covered: marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
+    };
   }
 }
 

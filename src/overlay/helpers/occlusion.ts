@@ -18,10 +18,12 @@ const TOLERANCE = 1e-3;
 export class Occlusion<Key> {
   readonly #host: ExtraHost;
   readonly #changed: () => void;
-  readonly #hidden = new Set<Key>();
+  readonly #hidden = new Map<Key, boolean>();
   #view: Projection | null = null;
-  #places: readonly (readonly [Key, Vec3])[] = [];
+  #places: ReadonlyMap<Key, Vec3> = new Map();
   #timer = 0;
+  /** Places that may have changed since the last series of rays began. */
+  readonly #stale = new Set<Key>();
 
   constructor(host: ExtraHost, changed: () => void) {
     this.#host = host;
@@ -30,54 +32,65 @@ export class Occlusion<Key> {
 
   /** As last known; false before that. */
   isHidden(key: Key): boolean {
-    return this.#hidden.has(key);
+    return this.#hidden.get(key) === true;
   }
 
-  /** Finds out what hides these places. `changed`: they, the view or the scene may have. */
-  follow(view: Projection, places: readonly (readonly [Key, Vec3])[], changed: boolean): void {
+  /** Whether it is known that nothing hides the place. */
+  isSeen(key: Key): boolean {
+    return this.#hidden.get(key) === false;
+  }
+
+  /** Finds out what hides these places. `changed`: those for which that may have changed. */
+  follow(view: Projection, places: ReadonlyMap<Key, Vec3>, changed: Iterable<Key>): void {
     this.#view = view;
     this.#places = places;
-    if (changed && this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
+    for (const key of changed) this.#stale.add(key);
+    this.#wait();
   }
 
   stop(): void {
     clearTimeout(this.#timer);
     this.#timer = 0;
+    this.#stale.clear();
     this.#hidden.clear();
+  }
+
+  #wait(): void {
+    if (this.#stale.size > 0 && this.#timer === 0) this.#timer = window.setTimeout(this.#start, PAUSE);
   }
 
   readonly #start = (): void => {
     this.#timer = 0;
+    const keys = [...this.#stale];
+    this.#stale.clear();
     const view = this.#view;
     const { scene } = this.#host.snapshot();
-    if (view !== null && scene !== null) this.#test(view, scene, this.#places, 0, false);
+    if (view === null || scene === null) return;
+    for (const key of this.#hidden.keys()) if (!this.#places.has(key)) this.#hidden.delete(key);
+    this.#test(view, scene, keys, false);
   };
 
-  /** Tests places from `first` on; `differs`: some before were found to differ. */
-  #test(
-    view: Projection,
-    scene: SceneSnapshot,
-    places: readonly (readonly [Key, Vec3])[],
-    first: number,
-    differs: boolean,
-  ): void {
+  /** Tests one slice of the places that are left; `differs`: some before were found to differ. */
+  #test(view: Projection, scene: SceneSnapshot, left: Key[], differs: boolean): void {
     const end = performance.now() + SLICE;
-    let other = differs;
-    let next = first;
-    while (next < places.length && (next === first || performance.now() < end)) {
-      const [key, place] = places[next]!;
+    let differ = differs;
+    do {
+      const key = left.pop();
+      const place = key === undefined ? undefined : this.#places.get(key);
+      if (key === undefined || place === undefined) continue;
       const hidden = isBehind(place, view, scene);
-      if (hidden !== this.#hidden.has(key)) other = true;
-      if (hidden) this.#hidden.add(key);
-      else this.#hidden.delete(key);
-      next += 1;
-    }
-    if (next < places.length)
+      if (hidden !== this.#hidden.get(key)) differ = true;
+      this.#hidden.set(key, hidden);
+    } while (left.length > 0 && performance.now() < end);
+    if (left.length > 0)
       this.#timer = window.setTimeout(() => {
         this.#timer = 0;
-        this.#test(view, scene, places, next, other);
+        this.#test(view, scene, left, differ);
       });
-    else if (other) this.#changed();
+    else {
+      if (differ) this.#changed();
+      this.#wait();
+    }
   }
 }
 

@@ -1,7 +1,7 @@
 // How does a pointer drag one of several elements? Reports the press and the whole travel since then in the layer's own pixels, which CSS
 // transforms may turn. One pointer at a time. Knows nothing of what is dragged.
 import { PictureCorners } from '../../element/page/picture-box.js';
-import { alongAxes } from '../../camera/gesture.js';
+import { alongAxes, type PictureBox } from '../../camera/gesture.js';
 
 export interface DragListener {
   /** The primary button pressed this element. False: it is not for dragging. */
@@ -16,6 +16,8 @@ interface Press {
   readonly element: HTMLElement;
   readonly x: number;
   readonly y: number;
+  /** The layer's axes on the page. */
+  readonly axes: PictureBox['axes'];
   dragged: boolean;
 }
 
@@ -38,7 +40,7 @@ export function listenToPointers(list: HTMLElement, layer: HTMLElement, listener
     if (event.button !== 0 || !(target instanceof HTMLElement)) return;
     event.preventDefault(); // no selection, no focus elsewhere
     if (!listener.press(target)) return;
-    press = { id, element: target, x, y, dragged: false };
+    press = { id, element: target, x, y, axes: corners.box.axes, dragged: false };
     try {
       target.setPointerCapture(id);
     } catch {
@@ -54,7 +56,7 @@ export function listenToPointers(list: HTMLElement, layer: HTMLElement, listener
     }
     const [dx, dy] = [event.clientX - press.x, event.clientY - press.y];
     press.dragged ||= Math.hypot(dx, dy) >= SLOP;
-    if (press.dragged) listener.moved(...alongAxes(corners.box.axes, dx, dy), event.shiftKey);
+    if (press.dragged) listener.moved(...alongAxes(press.axes, dx, dy), event.shiftKey);
   });
   for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
     list.addEventListener(type, end);

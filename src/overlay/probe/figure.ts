@@ -2,7 +2,7 @@
 // among them: it points at the eye, so the picture shows it as a point. For the same reason the angle between R and V has no arc: it
 // would lie on R itself. Knows no pixels.
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
-import { add, dot, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { add, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { byShare, degreesText, type Sum, type SumRow } from './sum.js';
 
 /** Lights with an arrow of their own. More arrows than these cannot be told apart. */
@@ -43,7 +43,8 @@ export function figureOf(
   { alone, halfway }: { readonly alone: boolean; readonly halfway: boolean },
 ): Figure {
   const { N, V } = fragment;
-  const vectors: Vector[] = N.every((x) => x === 0) ? [] : [plain('N', N)];
+  const hasNormal = length(N) > 0;
+  const vectors: Vector[] = hasNormal ? [plain('N', N)] : [];
   const arcs: Arc[] = [];
   const rows = alone && chosen !== null ? [chosen] : byShare(sum.rows).slice(0, MOST_LIGHTS);
   if (chosen !== null && !rows.includes(chosen)) rows.push(chosen);
@@ -53,7 +54,7 @@ export function figureOf(
     const name = sum.rows.length === 1 ? 'L' : `L ${row.name}`;
     vectors.push({ name, direction: L, color: colorOf(row), dashed: row.absence !== null });
   }
-  if (chosen === null || vectors.length === 0 || chosen.absence === 'no direction') return { vectors, arcs };
+  if (chosen === null || !hasNormal || chosen.absence === 'no direction') return { vectors, arcs };
   const { L, NoL, RoV } = chosen.share;
   const color = colorOf(chosen);
   arcs.push({ points: arc(N, L, ARC_RADIUS.L), label: degreesText(NoL) });

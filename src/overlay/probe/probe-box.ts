@@ -1,11 +1,13 @@
 // What does the probe say beside the arrows? The colour, the table of its sum, and the steps of one light, in a box at the picture's lower or
 // upper edge, whichever is away from the point. Knows neither the scene nor the pointer.
+import { SvgLayer } from '../drawing/svg-layer.js';
 import type { Box } from '../drawing/label-layout.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { create, set } from '../../element/viewer/template.js';
+import { planeOf } from './plane.js';
 import { type Sum, type SumRow, tripleText } from './sum.js';
-import { type Chosen, SumTable } from './sum-table.js';
+import { type Chosen, STEPS, SumTable } from './sum-table.js';
 import { GOURAUD, stepsText, UNLIT } from './words.js';
 
 /** What the box shows. */
@@ -37,7 +39,9 @@ export class ProbeBox {
   readonly #scale = create('span', { class: 'scale', 'aria-hidden': 'true' });
   readonly #release = create('button', { class: 'release', type: 'button' });
   readonly #scroll = create('div', { class: 'scroll' });
-  readonly #steps = create('p', { class: 'steps' });
+  /** The angles side on, where there is room. */
+  readonly #plane = new SvgLayer();
+  readonly #steps = create('p', { class: 'steps', id: STEPS });
   readonly #message = create('p', { class: 'note' });
   readonly #table: SumTable;
   readonly #resized = new ResizeObserver(([entry]) => {
@@ -58,10 +62,13 @@ export class ProbeBox {
     const head = create('p', { class: 'head' });
     head.append(this.#swatch, this.#codes, this.#scale, this.#release);
     this.#scroll.append(this.#table.element);
+    this.#plane.element.classList.add('plane');
+    const beside = create('div', { class: 'beside' });
+    beside.append(this.#scroll, this.#plane.element);
     this.#release.append('×');
     this.#release.addEventListener('click', release);
     this.#resized.observe(this.element);
-    this.element.append(head, this.#message, this.#scroll, this.#steps);
+    this.element.append(head, this.#message, beside, this.#steps);
   }
 
   get chosen(): Chosen {
@@ -85,6 +92,7 @@ export class ProbeBox {
     write(this.#codes, tripleText(sum.color, digits));
     write(this.#message, fragment.unlit ? phrase(texts, UNLIT) : gouraud ? phrase(texts, GOURAUD) : '');
     this.#table.show(sum, row, texts, digits);
+    this.#plane.show(row === null ? [] : planeOf(fragment, row, halfway));
     write(this.#steps, row === null ? '' : stepsText(texts, row, fragment, halfway));
   }
 

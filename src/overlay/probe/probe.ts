@@ -15,7 +15,7 @@ import { figureOf } from './figure.js';
 import { ProbeBox } from './probe-box.js';
 import { listen, type ProbeInputHost } from './probe-input.js';
 import { adoptProbeStyles } from './probe-styles.js';
-import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
+import { byShare, type Sum, sumOf } from './sum.js';
 import { trianglePlaces } from './triangle.js';
 import { fragmentText, HIDDEN, NOTHING, OUTSIDE } from './words.js';
 
@@ -59,6 +59,8 @@ class Probe implements Extra, ProbeInputHost {
   /** The fragment here gets pinned with its explanation. */
   #toPin: Point | null = null;
   #shown: Shown | null = null;
+  /** The user has pointed or pressed something since the last explanation: only such are announced. */
+  #acted = false;
   #busy = false;
   #again = false;
   /** The time of the frame in which the last explanation began. */
@@ -100,12 +102,12 @@ class Probe implements Extra, ProbeInputHost {
     // The cross-hair stays where it is while it has the focus.
     if (at === null && this.#hasFocus) return;
     this.#free = at;
-    this.#explainOncePerFrame();
+    this.#follow();
   }
 
   pin(at: Point): void {
     this.#toPin = at;
-    this.#explainOncePerFrame();
+    this.#follow();
   }
 
   pinHere(): void {
@@ -119,7 +121,7 @@ class Probe implements Extra, ProbeInputHost {
     const declared = this.#host.values.probeAt;
     this.#pin = sameValue(this.#pin, declared) ? null : declared;
     this.#free = this.#hasFocus ? (this.#shown?.at ?? null) : null;
-    this.#explainOncePerFrame();
+    this.#follow();
     return true;
   }
 
@@ -129,13 +131,13 @@ class Probe implements Extra, ProbeInputHost {
     this.#pin = null;
     // Half a pixel inside: there is nothing to explain on the far edges.
     this.#free = inside({ x: x + across, y: y + down }, { width, height }, 0.5);
-    this.#explainOncePerFrame();
+    this.#follow();
   }
 
   focused(): void {
     if (this.#pin !== null) return;
     this.#free ??= this.#middle;
-    this.#explainOncePerFrame();
+    this.#follow();
   }
 
   blurred(): void {
@@ -166,8 +168,16 @@ class Probe implements Extra, ProbeInputHost {
 
   get #projection(): Projection {
     const { viewport } = this.#host;
-    const sizes = { ...this.#size, aspect: viewport.width / Math.max(viewport.height, 1) };
-    return new Projection({ pose: viewport.orbit.pose, fov: viewport.fov, ...sizes });
+    const { width, height, orbit, fov } = viewport;
+    // None before the first layout.
+    const aspect = width > 0 && height > 0 ? { aspect: width / height } : {};
+    return new Projection({ pose: orbit.pose, fov, ...this.#size, ...aspect });
+  }
+
+  /** The user chose another point. */
+  #follow(): void {
+    this.#acted = true;
+    this.#explainOncePerFrame();
   }
 
   /** In this frame, or in the next one if this one has had its explanation. */
@@ -195,6 +205,8 @@ class Probe implements Extra, ProbeInputHost {
       if (this.#listening.signal.aborted) return;
       this.#shown = shown;
       this.#show();
+      if (this.#acted && shown !== null) this.#announcer.say(this.#inWords(shown));
+      this.#acted = false;
       if (this.#again) this.#explainOncePerFrame();
     });
   }
@@ -222,7 +234,7 @@ class Probe implements Extra, ProbeInputHost {
       if (fragment === null && !this.#hasFocus) return null;
     }
     if (fragment === null) {
-      const silent = this.#pin === null && !this.#hasFocus;
+      const silent = (this.#pin === null && !this.#hasFocus) || !viewer.loaded;
       return silent ? null : { ...nothing, message: phrase(this.#texts, NOTHING) };
     }
     const hidden =
@@ -237,38 +249,40 @@ class Probe implements Extra, ProbeInputHost {
   /** Writes what is explained to the page. */
   #show(): void {
     viewerPins.set(this.#host.viewer, this.#pin);
-    const shown = this.#shown;
-    const texts = this.#texts;
     this.#box.pinned = this.#pin !== null;
-    set(this.#root, 'data-shown', shown === null ? null : '');
-    if (shown === null) {
-      this.#drawing.show([]);
-      return;
-    }
-    const { at, fragment, sum, message } = shown;
+    const focused = this.#box.element.contains(this.#focus);
+    set(this.#root, 'data-shown', this.#shown === null ? null : '');
+    if (this.#shown === null) this.#drawing.show([]);
+    else this.#showPoint(this.#shown);
+    // What had the focus may be gone: a row with its light, or the box.
+    if (focused && (this.#shown === null || this.#focus === null))
+      this.#cursor.focus({ preventScroll: true });
+  }
+
+  #showPoint({ at, fragment, sum, message }: Shown): void {
+    const texts = this.#texts;
     const { x, y } = at ?? this.#middle;
     this.#cursor.style.translate = `${x.toFixed(1)}px ${y.toFixed(1)}px`;
     const covered = this.#box.keepAwayFrom(y, this.#size);
     if (at === null || fragment === null || sum === null) {
       this.#drawing.show(at === null ? [] : markOf(at, true));
       this.#box.showMessage(message, texts);
-      this.#announcer.say(message);
       return;
     }
     const { viewer } = this.#host;
     const { mesh } = fragment;
     const halfway = (mesh.reflection ?? viewer.reflection) === 'blinn-phong';
     const gouraud = (mesh.shading ?? viewer.shading) === 'gouraud';
-    const chosen = this.#box.chosen;
-    const row: SumRow | null =
-      chosen === undefined
-        ? (byShare(sum.rows)[0] ?? null)
-        : (sum.rows.find(({ light }) => light === chosen) ?? null);
-    const figure = figureOf(fragment, sum, row, { alone: chosen !== undefined, halfway });
+    const { chosen } = this.#box;
+    const row = chosen === undefined ? byShare(sum.rows)[0] : sum.rows.find(({ light }) => light === chosen);
+    const figure = figureOf(fragment, sum, row ?? null, { alone: chosen !== undefined, halfway });
     const outline = gouraud ? trianglePlaces(fragment) : [];
     this.#drawing.show(drawingOf(this.#projection, fragment.p, at, figure, { outline, covered }));
-    this.#box.show({ fragment, sum, row, halfway, gouraud }, texts, this.#size.width);
-    this.#announcer.say(fragmentText(texts, fragment, sum));
+    this.#box.show({ fragment, sum, row: row ?? null, halfway, gouraud }, texts, this.#size.width);
+  }
+
+  #inWords({ fragment, sum, message }: Shown): string {
+    return fragment === null || sum === null ? message : fragmentText(this.#texts, fragment, sum);
   }
 
   #nameCursor(): void {

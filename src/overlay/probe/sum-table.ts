@@ -10,6 +10,9 @@ import { numberText, type Sum, type SumRow, tripleText } from './sum.js';
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
 
+/** Id of the element that says how the chosen light's terms come about. */
+export const STEPS = 'probe-steps';
+
 interface Row {
   readonly element: HTMLTableRowElement;
   readonly cells: readonly HTMLTableCellElement[];
@@ -87,7 +90,7 @@ export class SumTable {
   }
 
   #addLightRow(): LightRow {
-    const button = create('button', { type: 'button' });
+    const button = create('button', { type: 'button', 'aria-describedby': STEPS });
     const note = create('small', {});
     const head = create('th', { scope: 'row' });
     head.append(button, note);

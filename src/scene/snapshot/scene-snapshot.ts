@@ -14,6 +14,7 @@ import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { type BaseLook, PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
+import { sameValue } from '../../fields/field-store.js';
 import { hasMovingVertices } from '../bounds.js';
 
 /** How the Phong material shades an object. */
@@ -76,18 +77,35 @@ export function drawnObjects<Owner>(
   return into;
 }
 
+/** The attributes that an animation changes. */
+const MOVING = ['position', 'normal', 'tangent'] as const;
+
+interface Copy {
+  /** The attributes and their versions when they were copied. */
+  readonly state: readonly unknown[];
+  readonly geometry: BufferGeometry;
+}
+
+/** The latest copy of each animated geometry: a probe takes a snapshot for each move of the mouse. */
+const copies = new WeakMap<BufferGeometry, Copy>();
+
 /** A geometry whose vertices stay as they are: itself, or a copy of one that an animation changes. */
 function still(geometry: BufferGeometry): BufferGeometry {
   if (!hasMovingVertices(geometry)) return geometry;
+  const moving = MOVING.filter((name) => geometry.hasAttribute(name)).map(
+    (name) => [name, geometry.getAttribute(name) as BufferAttribute] as const,
+  );
+  const state = moving.flatMap(([, attribute]) => [attribute, attribute.version]);
+  const known = copies.get(geometry);
+  if (sameValue(known?.state, state)) return known!.geometry;
   const Geometry = geometry.constructor as typeof BufferGeometry;
   const copy = new Geometry();
   copy.index = geometry.index;
   Object.assign(copy.attributes, geometry.attributes);
-  for (const name of ['position', 'normal', 'tangent'])
-    if (geometry.hasAttribute(name))
-      copy.setAttribute(name, (geometry.getAttribute(name) as BufferAttribute).clone());
+  for (const [name, attribute] of moving) copy.setAttribute(name, attribute.clone());
   copy.boundingBox = geometry.boundingBox?.clone() ?? null;
   copy.boundingSphere = geometry.boundingSphere?.clone() ?? null;
+  copies.set(geometry, { state, geometry: copy });
   return copy;
 }
 

@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../math/vector.js';
 import { faceNormals } from '../face-normals.js';
 import type { ModelReader } from '../format.js';
-import { ModelBudget } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';

@@ -1,0 +1,42 @@
+// Which names are drawn, and where? Places the names of all helpers together, so that none covers another. CSS pixels of the layer. Knows
+// nothing of what is named.
+import type { Label, Primitive } from '../drawing/display-list.js';
+import { type Box, placeLabels } from '../drawing/label-layout.js';
+import type { Point, Projection } from '../drawing/projection.js';
+import { shortened, textWidth } from '../drawing/text-width.js';
+
+export interface Name {
+  readonly text: string;
+  readonly center: Point;
+  /** Around the centre, CSS pixels. */
+  readonly gap: number;
+  readonly opacity?: number;
+}
+
+/** What some helpers draw. */
+export interface Drawing {
+  readonly list: readonly Primitive[];
+  readonly names: readonly Name[];
+  /** What names do not cover if they can go elsewhere. */
+  readonly covered: readonly Box[];
+}
+
+export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
+
+const COLOR = '#fff';
+
+/** One list of several drawings, with their names on top. The first drawings are lowest, and their names come last. */
+export function listOf(drawings: readonly Drawing[], view: Projection): Primitive[] {
+  const names = [...drawings].reverse().flatMap((each) => each.names);
+  const texts = names.map(({ text }) => shortened(text));
+  const places = placeLabels(
+    names.map(({ center, gap }, i) => ({ center, gap, width: textWidth(texts[i]!) })),
+    view,
+    drawings.flatMap(({ covered }) => covered),
+  );
+  const labels = names.flatMap(({ opacity = 1 }, i): Label[] => {
+    const at = places[i];
+    return at ? [{ kind: 'label', at, text: texts[i]!, color: COLOR, opacity }] : [];
+  });
+  return [...drawings.flatMap(({ list }) => list), ...labels];
+}

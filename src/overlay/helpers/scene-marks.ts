@@ -1,0 +1,267 @@
+// What is drawn for the scene itself: axes, the grid on the ground, the boxes and the normals of meshes? From the scene's ball and its
+// meshes to strokes. World space; CSS pixels of the layer. Knows neither lights nor elements.
+import { Matrix3, type Mesh } from 'three';
+import { normalMatrix } from '../../material/normal-matrix.js';
+import { PhongMaterial } from '../../material/phong-material.js';
+import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { arrowHead, type Primitive, type Stroke } from '../drawing/display-list.js';
+import type { Point, Projection } from '../drawing/projection.js';
+import type { Name } from './labels.js';
+import type { SceneBall } from './placed-light.js';
+
+/** How what hides places is asked: `key` names one from frame to frame. */
+export interface Hiding {
+  /** Something is in front of the place; false while that is not known. */
+  hidden(key: string, place: Vec3): boolean;
+  /** Nothing is in front of the place; false while that is not known. */
+  seen(key: string, place: Vec3): boolean;
+}
+
+/** Light enough for a core (contrast.ts), and apart for eyes that see red and green alike. */
+const COLORS = {
+  x: '#ff9a8a',
+  y: '#8fe388',
+  z: '#8fc4ff',
+  grid: '#c8d0e0',
+  bounds: '#ffd24a',
+  normals: '#7fe0ff',
+} as const;
+
+/** Length of an axis beyond the scene's centre, in radii of the scene. */
+const AXIS = 1.3;
+
+/** Pieces of an axis and of a line of the grid that are hidden, or not, as a whole. */
+const AXIS_PIECES = 24;
+const GRID_PIECES = 16;
+
+/** From the origin along x, y and z, with names. */
+export function axesMarks(
+  view: Projection,
+  { center, radius }: SceneBall,
+  hiding: Hiding,
+): { list: Primitive[]; names: Name[] } {
+  const reach = length(center) + AXIS * radius;
+  const list: Primitive[] = [];
+  const names: Name[] = [];
+  for (const [i, name] of (['x', 'y', 'z'] as const).entries()) {
+    const tip: Vec3 = [i === 0 ? reach : 0, i === 1 ? reach : 0, i === 2 ? reach : 0];
+    const look = { kind: 'stroke', color: COLORS[name], width: 2 } as const;
+    const { shown, behind } = pieces([0, 0, 0], tip, AXIS_PIECES, `axis ${name}`, view, hiding);
+    if (behind.length > 0) list.push({ ...look, lines: behind, dashed: true });
+    if (shown.length > 0) list.push({ ...look, lines: shown });
+    const [from, end] = view.segment([0, 0, 0], tip) ?? [];
+    if (from === undefined || end === undefined) continue;
+    const head = arrowHead(from, end);
+    if (head !== null) list.push({ ...look, lines: [head], filled: true });
+    names.push({ text: name, center: end, gap: 10 });
+  }
+  return { list, names };
+}
+
+/** Lines of the plane y = 0 under the scene, at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are left out. */
+export function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): Primitive[] {
+  const step = roundStep(radius / 4);
+  const lowX = Math.floor((center[0] - GRID * radius) / step);
+  const highX = Math.ceil((center[0] + GRID * radius) / step);
+  const lowZ = Math.floor((center[2] - GRID * radius) / step);
+  const highZ = Math.ceil((center[2] + GRID * radius) / step);
+  // Far from the origin the lines' coordinates round to each other.
+  if (!(highX - lowX < MOST_LINES && highZ - lowZ < MOST_LINES)) return [];
+  const lines: (readonly Point[])[] = [];
+  const draw = (key: string, from: Vec3, to: Vec3): void => {
+    lines.push(...pieces(from, to, GRID_PIECES, key, view, hiding).shown);
+  };
+  for (let x = lowX; x <= highX; x++)
+    draw(`grid x ${x}`, [x * step, 0, lowZ * step], [x * step, 0, highZ * step]);
+  for (let z = lowZ; z <= highZ; z++)
+    draw(`grid z ${z}`, [lowX * step, 0, z * step], [highX * step, 0, z * step]);
+  return lines.length === 0
+    ? []
+    : [{ kind: 'stroke', lines, color: COLORS.grid, width: 1, outline: 0.5, opacity: 0.7 }];
+}
+
+/** Half the grid's size, in radii of the scene. */
+const GRID = 1.5;
+
+/** Twice as many as a scene at the origin has. */
+const MOST_LINES = 40;
+
+/** 1, 2 or 5 times a power of ten, at least `length`. */
+function roundStep(length: number): number {
+  const power = 10 ** Math.floor(Math.log10(length));
+  return ([1, 2, 5, 10].find((step) => step * power >= length) ?? 10) * power;
+}
+
+/** A line in equal pieces: those in front, and those behind shapes. Neighbours are joined. */
+function pieces(
+  from: Vec3,
+  to: Vec3,
+  count: number,
+  key: string,
+  view: Projection,
+  hiding: Hiding,
+): { shown: Stroke['lines']; behind: Stroke['lines'] } {
+  const at = (share: number): Vec3 => add(from, scale(subtract(to, from), share));
+  const result: Record<'shown' | 'behind', (readonly Point[])[]> = { shown: [], behind: [] };
+  const sideOf = (i: number): 'shown' | 'behind' =>
+    hiding.hidden(`${key} ${i}`, at((i + 0.5) / count)) ? 'behind' : 'shown';
+  for (let i = 0, first = 0; i < count; i++) {
+    const side = sideOf(i);
+    if (i + 1 < count && sideOf(i + 1) === side) continue;
+    const piece = view.segment(at(first / count), at((i + 1) / count));
+    if (piece !== null) result[side].push(piece);
+    first = i + 1;
+  }
+  return result;
+}
+
+/** The box of each mesh along its own axes. Edges at its back are dashed. */
+export function boundsMarks(meshes: readonly Mesh[], view: Projection): Primitive[] {
+  const front: (readonly Point[])[] = [];
+  const back: (readonly Point[])[] = [];
+  for (const mesh of meshes.slice(0, MOST_BOXES)) boxEdges(mesh, view, front, back);
+  const look = { kind: 'stroke', color: COLORS.bounds, width: 1.5 } as const;
+  return [
+    ...(back.length > 0 ? [{ ...look, lines: back, dashed: true }] : []),
+    ...(front.length > 0 ? [{ ...look, lines: front }] : []),
+  ];
+}
+
+/** More could not be told apart. */
+const MOST_BOXES = 200;
+
+function boxEdges(
+  mesh: Mesh,
+  view: Projection,
+  front: (readonly Point[])[],
+  back: (readonly Point[])[],
+): void {
+  const { geometry, matrixWorld } = mesh;
+  if (geometry.boundingBox === null) geometry.computeBoundingBox();
+  const box = geometry.boundingBox;
+  if (box === null || box.isEmpty()) return;
+  const [low, high] = [box.min.toArray(), box.max.toArray()];
+  const e = matrixWorld.elements;
+  const corner = (bits: number): Vec3 => {
+    const [x, y, z] = [0, 1, 2].map((i) => ((bits >> i) & 1 ? high[i]! : low[i]!)) as [
+      number,
+      number,
+      number,
+    ];
+    return place(e, x, y, z);
+  };
+  /** A face is in front if the eye is on its outer side: farther along its axis than the opposite one. */
+  const isFront = (axis: number, bit: number): boolean => {
+    const [u, v] = [1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3)];
+    const base = bit << axis;
+    const outward = subtract(corner(base), corner(base ^ (1 << axis)));
+    const normal = cross(subtract(corner(base | u), corner(base)), subtract(corner(base | v), corner(base)));
+    const side = dot(normal, outward) < 0 ? -1 : 1;
+    return side * dot(normal, subtract(view.eye, corner(base))) > 0;
+  };
+  for (const axis of [0, 1, 2]) {
+    for (const bits of [0, 1, 2, 3]) {
+      const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+      const base = ((bits & 1) << u) | ((bits >> 1) << v);
+      const edge = view.segment(corner(base), corner(base | (1 << axis)));
+      if (edge === null) continue;
+      (isFront(u, bits & 1) || isFront(v, bits >> 1) ? front : back).push(edge);
+    }
+  }
+}
+
+const place = (e: ArrayLike<number>, x: number, y: number, z: number): Vec3 => [
+  e[0]! * x + e[4]! * y + e[8]! * z + e[12]!,
+  e[1]! * x + e[5]! * y + e[9]! * z + e[13]!,
+  e[2]! * x + e[6]! * y + e[10]! * z + e[14]!,
+];
+
+/** Normals of all meshes together. More would cover the picture. */
+const MOST_NORMALS = 400;
+
+/** CSS pixels of the scene's disc for each normal, so that small scenes are not covered either. */
+const NORMAL_PIXELS = 300;
+
+/** Of a normal, in radii of the scene. */
+const NORMAL = 0.09;
+
+/** Takes vertices in an order without a pattern: steps of a fixed size would follow the rows of a sphere. */
+const GOLDEN = (Math.sqrt(5) - 1) / 2;
+
+/**
+ * Normals as the picture shades with them, at a sample of the vertices, or of the triangles under flat shading: those that face the eye.
+ * A surface with two sides has a normal on the one that is seen.
+ */
+export function normalMarks(
+  meshes: readonly Mesh[],
+  view: Projection,
+  { center, radius }: SceneBall,
+  hiding: Hiding,
+): Primitive[] {
+  const drawn = meshes.filter(
+    ({ geometry }) => geometry.hasAttribute('normal') && geometry.hasAttribute('position'),
+  );
+  const pixels = Math.PI * (radius * view.pixelsPerUnit(view.depthOf(center))) ** 2;
+  const each = Math.min(MOST_NORMALS, pixels / NORMAL_PIXELS) / drawn.length;
+  const lines: (readonly Point[])[] = [];
+  const heads: (readonly Point[])[] = [];
+  for (const [index, mesh] of drawn.entries()) {
+    const { count } = mesh.geometry.getAttribute('position');
+    const samples = Math.min(Math.ceil(each), count);
+    const normalAt = normalsOf(mesh);
+    for (let i = 0; i < samples; i++) {
+      const { p, N, isTwoSided } = normalAt(samples === count ? i : Math.floor(((i * GOLDEN) % 1) * count));
+      if (length(N) === 0) continue;
+      const faces = dot(N, subtract(view.eye, p)) > 0;
+      const key = `normal ${index} ${i}`;
+      if (faces ? hiding.hidden(key, p) : !isTwoSided || !hiding.seen(key, p)) continue;
+      const ends = view.segment(p, add(p, scale(N, (faces ? 1 : -1) * NORMAL * radius)));
+      if (ends === null) continue;
+      lines.push(ends);
+      const head = arrowHead(...ends, 5);
+      if (head !== null) heads.push(head);
+    }
+  }
+  const look = { kind: 'stroke', color: COLORS.normals, width: 1, outline: 1 } as const;
+  return lines.length === 0
+    ? []
+    : [
+        { ...look, lines },
+        { ...look, lines: heads, filled: true },
+      ];
+}
+
+interface SurfacePoint {
+  readonly p: Vec3;
+  /** Unit vector, or zero. */
+  readonly N: Vec3;
+  readonly isTwoSided: boolean;
+}
+
+/** World place and normal by vertex. */
+function normalsOf({ geometry, matrixWorld, material }: Mesh): (vertex: number) => SurfacePoint {
+  const turn = new Matrix3();
+  normalMatrix(matrixWorld, turn);
+  const phong = material instanceof PhongMaterial ? material : null;
+  const isFlat = phong?.style.shading === 'flat';
+  const isTwoSided = phong?.sides === 'double';
+  const position = geometry.getAttribute('position');
+  const normal = geometry.getAttribute('normal');
+  const e = matrixWorld.elements;
+  const m = turn.elements;
+  const placeOf = (vertex: number): Vec3 =>
+    place(e, position.getX(vertex), position.getY(vertex), position.getZ(vertex));
+  return (vertex) => {
+    const [x, y, z] = [normal.getX(vertex), normal.getY(vertex), normal.getZ(vertex)];
+    const N = normalize([
+      m[0] * x + m[3] * y + m[6] * z,
+      m[1] * x + m[4] * y + m[7] * z,
+      m[2] * x + m[5] * y + m[8] * z,
+    ]);
+    const first = vertex - (vertex % 3);
+    const p = isFlat
+      ? scale(add(add(placeOf(first), placeOf(first + 1)), placeOf(first + 2)), 1 / 3)
+      : placeOf(vertex);
+    return { p, N, isTwoSided };
+  };
+}

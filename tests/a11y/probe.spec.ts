@@ -1,0 +1,151 @@
+// Can everybody use the probe: by keyboard and screen reader, in forced colours, in a language written from the right?
+
+import AxeBuilder from '@axe-core/playwright';
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from '../support/test.js';
+import { assign, nextFrame, type PhongViewer } from '../element/support.js';
+
+const scene = (attributes = 'probe'): string =>
+  `<main><phong-viewer alt="A sphere" geometry="sphere" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>
+    <phong-light name="sun" position="-1 1.4 1.2 0" ambient="26 28 36"></phong-light>
+    <phong-light name="lamp" position="0.9 0.5 0.6 1" diffuse="#d98c46"></phong-light>
+  </phong-viewer></main>`;
+
+const region = (viewer: Locator): Locator => viewer.locator('.probe [aria-live]');
+const box = (viewer: Locator): Locator => viewer.getByRole('group', { name: 'Probe' });
+const cursor = (viewer: Locator): Locator => viewer.getByRole('application', { name: 'Probe' });
+
+/** The texts of the probe's live region, in order, with the milliseconds at which they came. */
+async function announced(page: Page): Promise<() => Promise<[text: string, at: number][]>> {
+  const texts = await page.locator('phong-viewer').evaluateHandle((viewer) => {
+    const list: [string, number][] = [];
+    const live = viewer.shadowRoot!.querySelector('.probe [aria-live]')!;
+    new MutationObserver(() => list.push([live.textContent, performance.now()])).observe(live, {
+      childList: true,
+      characterData: true,
+      subtree: true,
+    });
+    return list;
+  });
+  return () => texts.evaluate((list) => [...list]);
+}
+
+test('the cross-hair has a name, a role and its keys in words, and what it shows is announced', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene());
+  await expect(cursor(viewer)).toHaveAttribute('aria-roledescription', 'cross-hair');
+  await expect(cursor(viewer)).toHaveAttribute('aria-description', /Arrow keys move it by a pixel/);
+  await expect(region(viewer)).toBeEmpty();
+  await cursor(viewer).focus();
+  await expect(region(viewer)).toHaveText(
+    /^Point [−\d. ]+\. Colour: red \d+, green \d+, blue \d+\. (sun|lamp): ambient/,
+  );
+  await expect(region(viewer)).toHaveAttribute('aria-live', 'polite');
+});
+
+test('announcements are at least a second apart, and the last one is of the last point', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene());
+  const texts = await announced(page);
+  await cursor(viewer).focus();
+  for (let i = 0; i < 12; i++) {
+    await page.keyboard.press('ArrowUp');
+    await page.waitForTimeout(120);
+  }
+  const point = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(300, 188))!.p);
+  const last = `Point ${point.map((x) => String(Number(x.toPrecision(3))).replace('-', '−')).join(' ')}.`;
+  await expect(region(viewer)).toContainText(last);
+  const times = (await texts()).map(([, at]) => at);
+  expect(times.length).toBeGreaterThan(1);
+  // A timer of a second; browsers round its start.
+  for (let i = 1; i < times.length; i++) expect(times[i]! - times[i - 1]!).toBeGreaterThan(990);
+});
+
+test('nothing is announced of what the user did not do: a declared point, a light that a script writes', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+  await expect(box(viewer)).toBeVisible();
+  await assign(viewer.locator('phong-light').first(), { diffuse: [9, 99, 9] });
+  await nextFrame(page);
+  await expect(region(viewer)).toBeEmpty();
+});
+
+test('the table has a caption, headers for rows and columns, and one Tab stop', async ({ page, mount }) => {
+  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+  const table = viewer.getByRole('table', { name: 'Red, green and blue of each term; 255 is full' });
+  await expect(table.getByRole('columnheader')).toHaveCount(7);
+  await expect(table.getByRole('rowheader')).toHaveText(['sun', 'lamp', 'sum']);
+  await expect(table.getByRole('button')).toHaveText(['sun', 'lamp']);
+  expect(
+    await table
+      .getByRole('button')
+      .evaluateAll((all) => all.filter((each) => (each as HTMLElement).tabIndex === 0).length),
+  ).toBe(1);
+  const button = table.locator('button[tabindex="0"]');
+  await button.focus();
+  await expect(button).toHaveAccessibleDescription(/: N·L = cos \d+° = /);
+  await expect(button).toHaveAttribute('aria-pressed', 'false');
+  await page.keyboard.press('Enter');
+  await expect(button).toHaveAttribute('aria-pressed', 'true');
+});
+
+test('axe finds nothing to complain of, hovering, pinned and at 120 × 90', async ({ page, mount }) => {
+  for (const size of [{}, { width: 120, height: 90 }]) {
+    await mount(scene('probe probe-at="0 0 0.5"'), size);
+    await expect(page.locator('[part=probe]')).toBeVisible();
+    const { violations } = await new AxeBuilder({ page }).disableRules(['page-has-heading-one']).analyze();
+    expect(violations).toEqual([]);
+  }
+});
+
+test('the focus goes to the cross-hair when the row or the button that had it is gone', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+  const button = viewer.getByRole('table').getByRole('button', { name: 'lamp' });
+  await button.focus();
+  await viewer
+    .locator('phong-light')
+    .last()
+    .evaluate((light) => light.remove());
+  await expect(cursor(viewer)).toBeFocused();
+  await viewer.getByRole('button', { name: 'Unpin' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(cursor(viewer)).toBeFocused();
+  await expect(box(viewer)).not.toHaveClass(/pinned/);
+});
+
+test('can be in another language, which replaces all of its texts at once', async ({ page, mount }) => {
+  const viewer = await mount(scene('probe probe-at="0 0 0.5" dir="rtl"'));
+  await expect(box(viewer)).toBeVisible();
+  await assign(viewer, { texts: { Probe: 'Sonde', light: 'Licht', sum: 'Summe', Unpin: 'Lösen' } });
+  await expect(viewer.getByRole('group', { name: 'Sonde' })).toBeVisible();
+  await expect(viewer.getByRole('columnheader', { name: 'Licht' })).toBeVisible();
+  await expect(viewer.getByRole('button', { name: 'Lösen' })).toBeVisible();
+  const { x, width } = (await page.locator('[part=probe]').boundingBox())!;
+  expect(x + width, 'at the right edge').toBeGreaterThan(580);
+  // Red first, whatever the direction.
+  const cell = viewer.getByRole('table').locator('td').first();
+  expect(await cell.evaluate((element) => getComputedStyle(element).direction)).toBe('ltr');
+});
+
+test.describe('in forced colours', () => {
+  test.use({ forcedColors: 'active' });
+
+  test('the swatch keeps the colour of the point', async ({ mount }) => {
+    const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+    await expect(box(viewer)).toBeVisible();
+    const [shown, color] = await viewer.evaluate(async (element: PhongViewer) => {
+      const swatch = element.shadowRoot!.querySelector('.probe .swatch')!;
+      return [getComputedStyle(swatch).backgroundColor, (await element.shadeAt(300, 200))!.color] as const;
+    });
+    const numbers = (shown.match(/[\d.]+/g) ?? []).map(Number);
+    color.forEach((c, i) => expect(Math.abs(numbers[i]! - 255 * c)).toBeLessThan(1));
+  });
+});
