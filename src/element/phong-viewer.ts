@@ -16,7 +16,7 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import styles from './phong-viewer.css?inline';
-import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
+import { CAMERA_KEYS, type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
@@ -150,7 +150,7 @@ export class PhongViewer extends ReactiveElement {
 
   constructor() {
     super();
-    this.#store.listen((key) => this.requestUpdate(key));
+    this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
     for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
@@ -278,6 +278,7 @@ export class PhongViewer extends ReactiveElement {
   /** After `moveBefore` everything is as it was: the browser would disconnect and connect the element without this. */
   connectedMoveCallback(): void {
     this.#visibility.look();
+    this.#display.extras.apply();
   }
 
   override attributeChangedCallback(name: string, old: string | null, text: string | null): void {
@@ -336,7 +337,7 @@ export class PhongViewer extends ReactiveElement {
   #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
     if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
-    this.#display.cameraMoved(source);
+    this.#display.cameraMoved(source, linked);
     this.#panel.changed('camera');
   }
 }
