@@ -5,11 +5,11 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import {
   CORNER_LIMIT,
   MEMORY_LIMIT,
-  ModelBudget,
   PART_LIMIT,
   PIXEL_LIMIT,
   VALUE_LIMIT,
 } from '../../src/scene/model/limits.js';
+import { ModelBudget } from '../../src/scene/model/model-budget.js';
 import { loadModel, ModelError, type Model } from '../../src/scene/model/load-model.js';
 import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {
@@ -210,7 +210,9 @@ describe('images', () => {
 
   it('that are none are an error with their number', async () => {
     const file = texturedGlb([Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')], [{ source: 0 }]);
-    expect(await outcome(file)).toMatch(/^bad-model: .*images\[0\] is no PNG, JPEG, WebP, AVIF or KTX2 image/);
+    expect(await outcome(file)).toMatch(
+      /^bad-model: .*images\[0\] is no PNG, JPEG, WebP, AVIF or KTX2 image/,
+    );
   });
 });
 

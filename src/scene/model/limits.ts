@@ -1,6 +1,4 @@
-// How large may a model be? Every format checks a file's claims against these before it allocates for them; past one of them the
-// result is `too-large`. Chosen so that the page's renderer and GPU process together grow by less than 1 GB. Knows no format.
-import { ModelError } from './model.js';
+// How large may a model be? Chosen so that the page's renderer and GPU process together grow by less than 1 GB. Knows no format.
 
 /**
  * Most bytes of one model, all its files together, as they arrive after decompression: 256 MiB. The reader holds the bytes and their
@@ -12,8 +10,8 @@ export const BYTE_LIMIT = 2 ** 28;
 export const CORNER_LIMIT = 2 ** 24;
 
 /**
- * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder runs on the main thread, where that takes up to a
- * second, and needs 350 bytes per triangle. A larger model can have several such meshes.
+ * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder's heap and what comes out of it take 500 MB for
+ * them, and 1.1 GB for two million. A larger model can have several such meshes.
  */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 
@@ -43,55 +41,3 @@ export const IMAGE_PIXEL_LIMIT = 2 ** 25;
 
 /** Most bytes that a model may take in the page and the GPU process together, by the estimate in {@link ModelBudget}. */
 export const MEMORY_LIMIT = 950_000_000;
-
-/** What a model claims, in the units of the limits above. */
-export interface ModelClaims {
-  readonly corners?: number;
-  readonly values?: number;
-  readonly parts?: number;
-  readonly nodes?: number;
-  readonly json?: number;
-  readonly pixels?: number;
-}
-
-/** Adds up what a model claims. One instance per model. */
-export class ModelBudget {
-  #corners = 0;
-  #values = 0;
-  #parts = 0;
-  #nodes = 0;
-  #json = 0;
-  #pixels = 0;
-
-  /** @throws ModelError `too-large` past a limit. Call before allocating. */
-  add({ corners = 0, values = 0, parts = 0, nodes = 0, json = 0, pixels = 0 }: ModelClaims): void {
-    requireAtMost((this.#json += json), JSON_LIMIT, 'values in its JSON');
-    requireAtMost((this.#nodes += nodes), NODE_LIMIT, 'nodes');
-    requireAtMost((this.#parts += parts), PART_LIMIT, 'draws');
-    requireAtMost((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
-    requireAtMost((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
-    requireAtMost((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');
-    requireAtMost(this.#memory, MEMORY_LIMIT, 'bytes in memory (vertices and images)');
-  }
-
-  /**
-   * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes 4 bytes in the
-   * page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12 kB, a node 2 kB.
-   */
-  get #memory(): number {
-    const uploading = Math.min(this.#pixels, IMAGE_PIXEL_LIMIT);
-    return Math.ceil(
-      8 * this.#values + 9.4 * this.#pixels + 8 * uploading + 12_000 * this.#parts + 2_000 * this.#nodes,
-    );
-  }
-}
-
-/** @throws ModelError `too-large` if a model claims more than the limit of something. */
-export function requireAtMost(claimed: number, limit: number, what: string): void {
-  if (claimed <= limit) return;
-  const [count, most] = [claimed, limit].map((value) => value.toLocaleString('en'));
-  throw new ModelError(
-    'too-large',
-    `The model has ${count ?? ''} ${what}; at most ${most ?? ''} can be shown.`,
-  );
-}

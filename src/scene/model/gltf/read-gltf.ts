@@ -3,7 +3,7 @@
 import type { BufferGeometry, Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
-import { ModelBudget } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import { mapsOfLook, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import type { Attribute } from './attributes.js';
@@ -19,11 +19,13 @@ import { gltfTextures, type GltfTextures } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {
   const budget = new ModelBudget();
+  const slices = new Slices(source.signal);
   const { json, body } = openContainer(source.bytes, budget);
+  await slices.pauseIfDue();
   const document = readDocument(json, budget);
+  await slices.pauseIfDue();
   const bytes = gltfBytes(document, body, source);
   const textures = gltfTextures(document, bytes, budget, source.signal);
-  const slices = new Slices(source.signal);
   const turn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',
