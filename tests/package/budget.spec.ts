@@ -58,8 +58,8 @@ test('a bundled app is not larger than measured, and smaller with the standalone
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 302 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(303_000);
+  // Measured: 303 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(304_000);
 });
 
 test("the React components add little to the elements' own code", () => {
