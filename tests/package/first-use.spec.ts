@@ -66,6 +66,12 @@ const uses: readonly Use[] = [
   { what: 'no view', use: set({ viewLight: '' }), chunks: [] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
   { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: [] },
+  { what: 'a camera group', use: set({ cameraGroup: 'all' }), chunks: ['camera-group'] },
+  {
+    what: 'a comparison',
+    use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-compare'))),
+    chunks: ['comparison'],
+  },
   { what: 'the panel', use: set({ gui: true }), chunks: ['history', 'panel'] },
   {
     what: 'a model',
