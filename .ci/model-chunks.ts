@@ -4,7 +4,7 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/scene\/model\/(slices|face-normals|image|image-size|stl\/stl-kind|decoders\/decoder-thread|ktx2\/(decode-ktx2|ktx2-header))\.ts$/,
+    test: /\/src\/scene\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|stl\/stl-kind|decoders\/decoder-thread|ktx2\/(decode-ktx2|ktx2-header))\.ts$/,
   },
   { name: 'model-triangles', test: /\/src\/scene\/model\/(owned-model|(text|triangles)\/[^/]+)\.ts$/ },
 ];

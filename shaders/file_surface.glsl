@@ -7,7 +7,7 @@
 float exponentOfRoughness(float roughness) {
   float alpha = max(roughness, LEAST_ROUGHNESS);
   alpha *= alpha;
-  return 0.5 / (alpha * alpha) - 0.5;
+  return max(0.5 / (alpha * alpha) - 0.5, LEAST_FILE_EXPONENT);
 }
 
 /** The share of Ks that keeps a broad lobe's light that of the default exponent's lobe; 1 for narrower ones. */

@@ -3,9 +3,10 @@
 
 in vec3 position;
 in vec3 normal;
-uniform mat4 uModelToShading;
+// three.js's names, because it sends these with each mesh and the material's own uniforms once. Both are to shading space.
+uniform mat4 modelViewMatrix;
+uniform mat3 normalMatrix;
 uniform mat4 uShadingToClip;
-uniform mat3 uNormalToShading;
 #ifdef HAS_UV
 in vec2 uv;
 #endif
@@ -70,7 +71,7 @@ out vec3 vNormal;
 #endif
 
 void main() {
-  vec3 p = (uModelToShading * vec4(position, 1.0)).xyz;
+  vec3 p = (modelViewMatrix * vec4(position, 1.0)).xyz;
 #ifdef HAS_MAP
   vMapUv = (uMapTransform * vec3(MAP_UV, 1.0)).xy;
 #endif
@@ -83,13 +84,13 @@ void main() {
 #ifdef HAS_NORMAL_MAP
   vNormalMapUv = (uNormalMapTransform * vec3(NORMAL_MAP_UV, 1.0)).xy;
   // Tangents lie in the surface: they turn with the model's own matrix, which may mirror.
-  vTangent = vec4(unitOrZero(mat3(uModelToShading) * tangent.xyz), tangent.w * uMirrored);
+  vTangent = vec4(unitOrZero(mat3(modelViewMatrix) * tangent.xyz), tangent.w * uMirrored);
 #endif
 #ifdef HAS_VERTEX_COLOR
   vColor = color;
 #endif
 #ifndef IS_UNLIT
-  vec3 N = unitOrZero(uNormalToShading * normal);
+  vec3 N = unitOrZero(normalMatrix * normal);
 #ifdef SHADING_GOURAUD
   vec3 V = unitOrZero(uEye - p);
   shadeFace(p, N, V, vFrontAmbient, vFrontDiffuse, vFrontSpecular);

@@ -35,4 +35,5 @@ export const closerLooks: readonly Entry[] = [
   { path: 'shapes/', label: 'Shapes' },
   { path: 'lights/', label: 'Many lights' },
   { path: 'bunny/', label: 'Bunny' },
+  { path: 'models/', label: 'Twenty models' },
 ];

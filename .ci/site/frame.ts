@@ -102,7 +102,7 @@ export function footerHtml(path: string, { version, repository }: Facts): string
         </p>
         <p>
           phong-viewer ${escapeHtml(version)}, MIT licence, <a href="${escapeHtml(repository)}">source</a>. Every picture
-          on these pages is drawn as you look at it.
+          by phong-viewer on these pages is drawn as you look at it.
         </p>
       </footer>`;
 }

@@ -10,6 +10,7 @@ import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
 import { apiHtml, kilobytes, releasesHtml, sizesHtml } from './generated.js';
+import { pairsHtml, type ModelEntries } from './models.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const demo = join(repository, 'demo');
@@ -91,6 +92,10 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
       const file = join(dist, 'phong-viewer.standalone.js');
       return existsSync(file) ? kilobytes(file) : '…';
     },
+  ],
+  [
+    'pairs',
+    () => pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries),
   ],
   ['scene', sceneHtml],
   ['panelled', (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui')],

@@ -54,12 +54,22 @@ export const WebGLMaterials = function () {
   };
 };
 
+/** Morph targets: the elements pose models themselves, and the shaders that read three's are not here. */
+export const WebGLMorphtargets = function () {
+  return { update: () => refuse('morph targets') };
+};
+
 /** Output buffers other than the canvas: the viewer's renderer is never made with one. */
 export const WebGLOutput = undefined;
 
 /** Shadow maps: the shading equation has no shadows. */
 export const WebGLShadowMap = function () {
   return { enabled: false, autoUpdate: true, needsUpdate: false, render() {} };
+};
+
+/** Uniform blocks, which only a user's own material could have. */
+export const WebGLUniformsGroups = function () {
+  return { update: () => refuse('uniform groups'), bind() {}, dispose() {} };
 };
 
 /** WebXR: the viewer starts no session. */

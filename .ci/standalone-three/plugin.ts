@@ -16,8 +16,10 @@ const replaced: ReadonlySet<string> = new Set([
   'renderers/webgl/WebGLEnvironments.js',
   'renderers/webgl/WebGLLights.js',
   'renderers/webgl/WebGLMaterials.js',
+  'renderers/webgl/WebGLMorphtargets.js',
   'renderers/webgl/WebGLOutput.js',
   'renderers/webgl/WebGLShadowMap.js',
+  'renderers/webgl/WebGLUniformsGroups.js',
   'renderers/webxr/WebXRManager.js',
 ]);
 

@@ -16,7 +16,7 @@ import { Visibility } from './page/visibility.js';
 import type { PhongLight } from './phong-light.js';
 import type { PhongMesh } from './phong-mesh.js';
 import styles from './phong-viewer.css?inline';
-import { type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
+import { CAMERA_KEYS, type CameraSource, type CameraState, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
 import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
@@ -51,6 +51,7 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart notice - the element's own message when something fails
  * @csspart retry - the button under that message, which tries again what failed
  * @csspart panel - the control panel's place
+ * @csspart legend - what the colours of `view` mean
  * @csspart probe - the box of `probe`: a point's colour and the table of its sum
  * @cssState loading - something requested has not arrived yet
  * @cssState error - something has failed and still does
@@ -150,7 +151,7 @@ export class PhongViewer extends ReactiveElement {
 
   constructor() {
     super();
-    this.#store.listen((key) => this.requestUpdate(key));
+    this.#store.listen((key) => !CAMERA_KEYS.has(key) && this.requestUpdate(key));
     // Visibility first: it brings the holder into the element's document.
     for (const part of [this.#visibility, this.#camera, this.#loading]) this.addController(part);
     viewerCameras.set(this, this.#camera);
@@ -336,7 +337,7 @@ export class PhongViewer extends ReactiveElement {
   #cameraMoved(source: CameraSource, linked: boolean): void {
     // The first framing is not a move.
     if (this.hasUpdated) this.#events.enqueue('camera-change', linked ? { source, linked } : { source });
-    this.#display.cameraMoved(source);
+    this.#display.cameraMoved(source, linked);
     this.#panel.changed('camera');
   }
 }

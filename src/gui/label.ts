@@ -34,6 +34,8 @@ export function relabel(panel: Element): void {
 }
 
 function sayIn(panel: Element): Say {
-  const { texts } = (panel.getRootNode() as ShadowRoot).host as PhongViewer;
+  const root = panel.getRootNode();
+  // Where a wait ends after the panel has gone, there is no host.
+  const texts = 'host' in root ? (root as { host: PhongViewer }).host.texts : null;
   return (text, values) => phrase(texts, text, values);
 }

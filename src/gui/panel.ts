@@ -24,6 +24,7 @@ import { addButton, type Edit } from './rows.js';
 import { savePicture } from './save-picture.js';
 import { SceneRange } from './scene-range.js';
 import { shadingFolder } from './shading-folder.js';
+import { showFolder } from './show-folder.js';
 import { listenForUndo } from './undo-keys.js';
 
 /** In viewers narrower than this, in CSS pixels, the panel starts closed, because it would hide the picture. */
@@ -41,6 +42,7 @@ class ControlPanel implements Panel {
   readonly #meshes: ChildFolders<PhongMesh>;
   readonly #camera: CameraFolder;
   readonly #shading: Folder;
+  readonly #show: Folder;
   readonly #surface: ReturnType<typeof ownSurfaceFolder>;
   readonly #copy: CopyButton;
   readonly #fullScreen: FullScreenButton;
@@ -78,6 +80,7 @@ class ControlPanel implements Panel {
     };
     this.#camera = new CameraFolder(gui, viewer, this.#range);
     this.#shading = shadingFolder(gui, viewer, edit);
+    this.#show = showFolder(gui, viewer, edit);
     this.#surface = ownSurfaceFolder(gui, viewer, edit);
     this.#meshGroup = addGroup(gui, 'Meshes').close();
     this.#meshes = new ChildFolders(
@@ -107,6 +110,7 @@ class ControlPanel implements Panel {
     if (change === 'light' || change === 'lights') this.#lights.update(this.#viewer.lights);
     else if (change === 'mesh' || change === 'meshes') this.#updateMeshes();
     else this.#camera.update();
+    if (change !== 'camera') this.#show.update();
     if (change !== 'viewer') return;
     if (this.#texts !== this.#viewer.texts) this.#relabel();
     this.#shading.update();
@@ -132,7 +136,8 @@ class ControlPanel implements Panel {
   #refreshVisible(): void {
     this.#lights.refreshVisible();
     this.#meshes.refreshVisible();
-    for (const folder of [this.#camera.folder, this.#shading, this.#surface.folder]) folder.refreshVisible();
+    for (const folder of [this.#camera.folder, this.#shading, this.#show, this.#surface.folder])
+      folder.refreshVisible();
   }
 
   #updateMeshes(): void {

@@ -80,11 +80,11 @@ export function addText(
   return new TextControl(rows.gui, edited(rows, get, set), name);
 }
 
-/** `choices`: from the texts shown to their values. */
+/** `choices`: from the texts shown, or names, to their values. */
 export function addChoice<T extends string | null>(
   rows: Rows,
   name: ViewerText,
-  choices: Choices<T>,
+  choices: Choices<T> | Readonly<Record<string, T>>,
   get: () => T,
   set: (value: T) => void,
 ): OptionController {

@@ -42,8 +42,11 @@ export const LEAST_ROUGHNESS = 0.045;
 /** The (n + 2)/(2π) of Lafortune and Willems' modified Phong lobe, without 1/(2π), at the default exponent 32. */
 export const FULL_LOBE = 34;
 
+/** Reached at a roughness of 0.76. A lobe with a smaller exponent is a flat patch that ends in an edge where R·V reaches 0. */
+export const LEAST_FILE_EXPONENT = 1;
+
 /**
- * The exponent n of R·V for a roughness of 0–1: 0 for 1, 7.5 for 0.5, 312 for 0.2.
+ * The exponent n of R·V for a roughness of 0–1: 1 from 0.76 on, 7.5 for 0.5, 312 for 0.2.
  *
  * Roughness is squared (alpha, Burley, "Physically-Based Shading at Disney", 2012). A Blinn–Phong lobe of that alpha has the
  * exponent 2/alpha² − 2 (Walter and others, "Microfacet Models for Refraction through Rough Surfaces", 2007). R turns twice
@@ -51,7 +54,7 @@ export const FULL_LOBE = 34;
  */
 export function exponentOfRoughness(roughness: number): number {
   const alpha = Math.max(roughness, LEAST_ROUGHNESS) ** 2;
-  return 0.5 / (alpha * alpha) - 0.5;
+  return Math.max(0.5 / (alpha * alpha) - 0.5, LEAST_FILE_EXPONENT);
 }
 
 /**

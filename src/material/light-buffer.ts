@@ -38,6 +38,9 @@ export class LightBuffer {
   /** 1 / the texture's width and height. */
   readonly textureScale = new Vector2(1 / TEXTURE_WIDTH, 1);
 
+  /** The last version that was counted as an upload; kept by its lighting. */
+  counted = -1;
+
   /** Goes up whenever a number changes. */
   get version(): number {
     return this.#version;
@@ -71,7 +74,7 @@ export class LightBuffer {
     if (first === end) return;
     let last = end - 1;
     while (kept[last] === data[last]) last -= 1;
-    for (let i = first; i <= last; i++) kept[i] = data[i]!;
+    kept.set(data.subarray(first, last + 1), first);
     this.#version += 1;
     this.#contentKey = `${String(this.#id)}:${String(this.#version)}`;
     this.#addStale(first >> 2, (last >> 2) + 1);

@@ -65,8 +65,6 @@ export class PhongLighting {
   #capacity = 0;
   #device: Device | null = null;
   #uploads = 0;
-  /** The version of each buffer that was last sent. */
-  readonly #uploaded = new WeakMap<LightBuffer, number>();
   /** Shading space to the view of the frame's own camera. */
   readonly #frameView = new Matrix4();
   #frameCamera: Camera | null = null;
@@ -239,8 +237,8 @@ export class PhongLighting {
 
   /** Counts a draw that sent these lights. */
   countUpload(buffer: LightBuffer): void {
-    if (this.#uploaded.get(buffer) === buffer.version) return;
-    this.#uploaded.set(buffer, buffer.version);
+    if (buffer.counted === buffer.version) return;
+    buffer.counted = buffer.version;
     this.#uploads += 1;
   }
 

@@ -1,6 +1,7 @@
 // Which lights is each mesh drawn with? All of them, or those whose cones reach its bounds. Meshes that the same lights reach
 // share one buffer; many narrow spots on one mesh get a light grid. Culls again only where lights or mesh changed.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
+import { sameValue } from '../fields/field-store.js';
 import { type Box, cullLights } from '../light/cull-lights.js';
 import { divideLights, LEAST_DIVIDED } from '../light/light-grid.js';
 import { selectLights } from '../light/pack-lights.js';
@@ -25,6 +26,7 @@ export class MeshLights {
   readonly #choices = new WeakMap<Mesh, Choice>();
   #version = 0;
   #frame = 0;
+  /** Another array when it has moved. */
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
 
@@ -41,7 +43,7 @@ export class MeshLights {
       this.#grids.delete(grid);
     }
     this.#frame += 1;
-    this.#origin = origin;
+    if (!sameValue(origin, this.#origin)) this.#origin = origin;
   }
 
   /** The lights in `all.packed` changed. */
@@ -153,17 +155,14 @@ class Choice {
   /** Whether bounds changed since the last call. */
   moved(origin: Vec3): boolean {
     const { geometry, matrixWorld } = this.#mesh;
-    const [x, y, z] = this.#origin;
     const stays =
       this.#geometry === geometry &&
       this.#bounds === geometry.boundingBox &&
-      x === origin[0] &&
-      y === origin[1] &&
-      z === origin[2] &&
+      this.#origin === origin &&
       this.#matrix.equals(matrixWorld);
     if (stays) return false;
     this.#geometry = geometry;
-    this.#origin = [origin[0], origin[1], origin[2]];
+    this.#origin = origin;
     this.#matrix.copy(matrixWorld);
     this.#box = boundsOf(this.#mesh, origin);
     this.#bounds = geometry.boundingBox;

@@ -6,8 +6,6 @@ import {
   FrontSide,
   GLSL3,
   Material,
-  Matrix3,
-  Matrix4,
   type Mesh,
   NormalBlending,
   RawShaderMaterial,
@@ -107,8 +105,8 @@ export class PhongMaterial extends RawShaderMaterial {
   readonly #programs: ProgramChoice;
   #linear = false;
   #variant: Variant | null = null;
-  readonly #model = new Matrix4();
-  #placed: Mesh | null = null;
+  /** The lights and the aim of the last draw. */
+  #lights: LightBuffer | null = null;
   #aim = 0;
   readonly #uniforms;
 
@@ -117,8 +115,6 @@ export class PhongMaterial extends RawShaderMaterial {
     const look = { ...PLAIN_LOOK, ...given };
     const uniforms = {
       ...fileUniforms(look),
-      uModelToShading: { value: new Matrix4() },
-      uNormalToShading: { value: new Matrix3() },
       uEye: lighting.eye,
       uShadingToClip: lighting.clip,
       uKa: { value: new Vector3() },
@@ -209,11 +205,13 @@ export class PhongMaterial extends RawShaderMaterial {
       uLightTexture.value = lights.sendTexture(renderer);
       uLightTextureScale.value.copy(lights.textureScale);
     }
-    const sameMesh = this.#place(mesh);
+    const mirrors = this.#place(mesh);
     const aim = this.#lighting.aim(camera);
-    // three.js sends a material's uniforms once per frame; meshes and cameras after the first need theirs sent again.
-    this.uniformsNeedUpdate = !sameMesh || aim !== this.#aim || uLightRows.needsUpdate;
+    // three.js sends a material's uniforms once per frame, unless they change between two of its draws.
+    this.uniformsNeedUpdate =
+      aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
     this.#aim = aim;
+    this.#lights = lights;
   }
 
   /** Frees the material's programs; drawing makes them again. */
@@ -240,23 +238,23 @@ export class PhongMaterial extends RawShaderMaterial {
     this.needsUpdate = true;
   }
 
-  /** Writes the mesh's place into the uniforms; true where they were the same mesh's. */
+  /**
+   * Writes the mesh's place in shading space into the matrices that three.js sends with each mesh, in place of those for its
+   * own materials. True where the uniform for mirrored meshes has changed.
+   */
   #place(mesh: Mesh): boolean {
     const { origin } = this.#lighting;
-    const model = this.#model.copy(mesh.matrixWorld);
+    const model = mesh.modelViewMatrix.copy(mesh.matrixWorld);
     const e = model.elements;
     e[12] -= origin[0];
     e[13] -= origin[1];
     e[14] -= origin[2];
-    const { uModelToShading, uNormalToShading, uMirrored } = this.#uniforms;
-    const last = uModelToShading.value;
-    if (!last.equals(model)) {
-      normalMatrix(last.copy(model), uNormalToShading.value);
-      uMirrored.value = model.determinant() < 0 ? -1 : 1;
-    }
-    const same = mesh === this.#placed;
-    this.#placed = mesh;
-    return same;
+    normalMatrix(model, mesh.normalMatrix);
+    if (this.look.normalMap === null) return false;
+    const { uMirrored } = this.#uniforms;
+    const before = uMirrored.value;
+    uMirrored.value = model.determinant() < 0 ? -1 : 1;
+    return uMirrored.value !== before;
   }
 
   #writeSurface(): void {

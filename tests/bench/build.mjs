@@ -40,7 +40,7 @@ export async function buildPages(folder) {
   const filter = (/** @type {string} */ file) => !/[\\/]types$|\.map$/.test(file);
   cpSync(dist, join(folder, 'dist'), { recursive: true, filter });
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
-  await writeModels(join(folder, 'models'));
+  writeModels(join(folder, 'models'));
   const peers = installPeers();
   if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
   else copyPeers(join(folder, 'peers'));

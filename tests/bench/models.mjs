@@ -1,9 +1,10 @@
 // @ts-check
-// The model files that the bench loads in every viewer: three real ones and seven made here, each with another kind of work
-// (triangles, textures, parts, materials, several files). Knows no viewer.
+// The model files that the bench loads in every viewer: five by other people and five made here, each with another kind of
+// work (triangles, textures, parts, materials, several files). Knows no viewer.
 
-import { mkdirSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { cpSync, mkdirSync, writeFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { crc32, deflateSync } from 'node:zlib';
 import { glbFile } from './glb.mjs';
 
@@ -17,8 +18,8 @@ export const MODELS = /** @type {const} */ ({
   '400 k triangles': '400k.glb',
   'four textures': 'textures.glb',
   '500 parts': 'parts.glb',
-  'metal and rough': 'metal.glb',
-  'text with a .bin': 'text.gltf',
+  controller: 'magicleap-two.glb',
+  engine: '2CylinderEngine.gltf',
 });
 
 const FLOAT = 5126;
@@ -29,25 +30,28 @@ const UNSIGNED_INT = 5125;
 const TEXTURE_SIZE = 1024;
 const PARTS = 500;
 
+const assets = fileURLToPath(new URL('../../demo/assets/models/', import.meta.url));
+/** Licences: demo/assets/models/real/NOTICE.md. The engine is a text file with a .bin; it and the first three use Draco. */
+const REAL = [
+  'bunny.glb',
+  'real/suzi.glb',
+  'real/pmndrs.glb',
+  'real/magicleap-two.glb',
+  'real/engine/2CylinderEngine.gltf',
+  'real/engine/2CylinderEngine.bin',
+];
+
 /** @param {string} folder */
-export async function writeModels(folder) {
+export function writeModels(folder) {
   mkdirSync(folder, { recursive: true });
   /** @param {string} name @param {string | Uint8Array} file */
   const write = (name, file) => writeFileSync(join(folder, name), file);
-  for (const name of /** @type {const} */ (['bunny', 'suzi', 'pmndrs'])) {
-    /** @type {{ default: string }} */
-    const asset = await import(`@pmndrs/assets/models/${name}.glb.js`);
-    write(MODELS[name], Buffer.from(asset.default.slice(asset.default.indexOf(',') + 1), 'base64'));
-  }
+  for (const file of REAL) cpSync(join(assets, file), join(folder, basename(file)));
   write(MODELS['10 k triangles'], one(bumpySphere(100, 51)).glb());
   write(MODELS['100 k triangles'], one(bumpySphere(320, 158)).glb());
   write(MODELS['400 k triangles'], quantizedPatches().glb());
   write(MODELS['four textures'], texturedSpheres().glb());
   write(MODELS['500 parts'], manyParts().glb());
-  write(MODELS['metal and rough'], metalSpheres().glb());
-  const text = one(bumpySphere(200, 76)).text('text.bin');
-  write(MODELS['text with a .bin'], text.gltf);
-  write('text.bin', text.bin);
 }
 
 /**
@@ -152,12 +156,6 @@ class Gltf {
     this.json.buffers = [{ byteLength: this.#length }];
     return glbFile(this.json, this.#bin());
   }
-
-  /** @param {string} uri of the buffer */
-  text(uri) {
-    this.json.buffers = [{ byteLength: this.#length, uri }];
-    return { gltf: JSON.stringify(this.json), bin: this.#bin() };
-  }
 }
 
 /** @param {Float32Array | Int16Array} positions */
@@ -241,30 +239,6 @@ function manyParts() {
       translation: [i % 10, Math.floor(i / 10) % 10, Math.floor(i / 100)],
       scale: [0.45, 0.45, 0.45],
     });
-  }
-  return gltf;
-}
-
-function metalSpheres() {
-  const gltf = new Gltf();
-  const side = 3;
-  const texture = { index: 0 };
-  const image = { mimeType: 'image/png', bufferView: gltf.view(noisePng(256, 5)) };
-  Object.assign(gltf.json, {
-    images: [image],
-    textures: [{ source: 0 }],
-    materials: Array.from({ length: side * side }, (_, i) => ({
-      pbrMetallicRoughness: {
-        baseColorFactor: [0.9, 0.7, 0.3, 1],
-        metallicFactor: (i % side) / (side - 1),
-        roughnessFactor: (1 + Math.floor(i / side)) / side,
-        metallicRoughnessTexture: texture,
-      },
-    })),
-  });
-  for (let material = 0; material < side * side; material++) {
-    const translation = [2.2 * (material % side), 2.2 * Math.floor(material / side), 0];
-    gltf.node(gltf.mesh(bumpySphere(64, 32), { material }), { translation });
   }
   return gltf;
 }

@@ -42,7 +42,7 @@ const asked = (page: Page): Promise<string[]> => page.evaluate(() => window.aske
 test('requests no frame and no timer while nothing changes, folders open', async ({ page, mount }) => {
   await watch(page);
   const viewer = await mount(scene);
-  for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Material']) await opened(viewer, title);
+  for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Show', 'Material']) await opened(viewer, title);
   await page.mouse.move(10, 390);
   await page.waitForTimeout(300);
   await asked(page);

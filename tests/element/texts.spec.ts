@@ -50,6 +50,25 @@ test('texts replaces every text of the panel, of the picture and of its descript
   expect(left.filter((text) => !/^[-\d., e]+$/.test(text)).sort()).toEqual(['Sonne', 'Szene', '↑', '↓']);
 });
 
+test('texts replaces every text of helpers, legend and probe', async ({ page, mount }) => {
+  const viewer = await mount(
+    `<phong-viewer alt="Szene" geometry="sphere" helpers="lights" view="light-count" probe probe-at="0 0 0.5" phi="90" theta="0">
+      <phong-light name="Sonne"></phong-light><phong-light position="1 2 3 1" cutoff="4" axis="0 -1 0"></phong-light></phong-viewer>`,
+  );
+  await assign(viewer, { texts: bracketed });
+  await expect(viewer.locator('[part=probe]')).toContainText('[light 2]');
+  await page.mouse.move(300, 200);
+  await expect
+    .poll(() => textsIn(viewer))
+    .toEqual(expect.arrayContaining(['[Lights in the picture]', '[Lights and meshes]']));
+  const left = (await textsIn(viewer)).filter((text) => !isReplaced(text));
+  // Without numbers, the names of vectors, and the cross of the button "Unpin".
+  expect(left.filter((text) => !/^[-−\d., e+°]+$|^[NLVR]\b|^×$/.test(text)).sort()).toEqual([
+    'Sonne',
+    'Szene',
+  ]);
+});
+
 test('texts relabels an open panel, which stays as it is', async ({ page, mount }) => {
   const viewer = await mount(scene);
   const sun = await opened(viewer, 'Sonne');
@@ -104,6 +123,23 @@ test('texts replaces what buttons of the panel say for a while', async ({ page, 
   await expect(viewer.getByRole('textbox', { name: "[The scene's HTML]" })).toBeVisible();
   await assign(viewer, { texts: null });
   await expect(button(viewer, 'select and copy below')).toBeVisible();
+  await expect(button(viewer, 'copy HTML')).toBeVisible();
+});
+
+test('a panel that is removed while the clipboard is asked leaves nothing behind', async ({
+  page,
+  mount,
+}) => {
+  await page.addInitScript(() => {
+    const writeText = () => new Promise<void>((resolve) => Object.assign(window, { allow: resolve }));
+    Object.defineProperty(navigator, 'clipboard', { value: { writeText } });
+  });
+  const viewer = await mount(scene);
+  await button(viewer, 'copy HTML').click();
+  await assign(viewer, { gui: false });
+  await expect(panelOf(viewer)).toHaveCount(0);
+  await page.evaluate(() => (window as unknown as { allow: () => void }).allow());
+  await assign(viewer, { gui: true });
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 

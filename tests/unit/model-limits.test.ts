@@ -6,11 +6,11 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import {
   CORNER_LIMIT,
   MEMORY_LIMIT,
-  ModelBudget,
   PART_LIMIT,
   PIXEL_LIMIT,
   VALUE_LIMIT,
 } from '../../src/scene/model/limits.js';
+import { ModelBudget } from '../../src/scene/model/model-budget.js';
 import { loadModel, ModelError, type Model } from '../../src/scene/model/load-model.js';
 import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {

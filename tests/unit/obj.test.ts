@@ -179,6 +179,12 @@ describe('the materials of an OBJ file', () => {
     expect(warnings).toEqual([]);
   });
 
+  it('have no highlight where Ns is 0, as MeshLab, Blender and 3ds Max write it beside a bright Ks', async () => {
+    const look = await withMtl('newmtl m\nKd 0.5 0.5 0.5\nKs 1 1 1\nillum 2\nNs 0.000000\n');
+    expect(look).toMatchObject({ kd: [0.5, 0.5, 0.5], ks: [0, 0, 0] });
+    expect(await withMtl('newmtl m\nKs 1 1 1\nNs 0.1\n')).toMatchObject({ ks: [1, 1, 1], shininess: 0.1 });
+  });
+
   it('have Kd for Ka where the file has none, and leave to the element what it does not say', async () => {
     const look = await withMtl('newmtl m\nKd 0.5\n');
     expect(look).toMatchObject({ ka: [0.5, 0.5, 0.5], kd: [0.5, 0.5, 0.5], opacity: 1, alphaMode: 'opaque' });
@@ -191,6 +197,8 @@ describe('the materials of an OBJ file', () => {
     ['d 0.5\nTr 1', 0.5],
     ['Tr 1\nd 1', 1],
     ['Tr 0.75', 0.25],
+    // Nobody saves an invisible material: the writer means opacity.
+    ['Tr 1.000000', 1],
     ['d -halo 0.5', 0.5],
     ['d 7', 1],
     ['d', 1],

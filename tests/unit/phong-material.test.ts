@@ -40,6 +40,20 @@ function lit(values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }],
   return { lights, lighting, material, mesh, camera, gpu, draw };
 }
 
+describe('its uniforms', () => {
+  it('are sent once for all meshes of a frame that read the same lights', () => {
+    const spot = { position: [0, 3, 0, 1], axis: [0, -1, 0], aperture: 20 } as const;
+    const { material, mesh, draw } = lit([{}, spot]);
+    const beside = new Mesh(mesh.geometry, material);
+    const far = new Mesh(mesh.geometry, material);
+    far.position.x = 50;
+    draw(3, [mesh, beside]);
+    expect(material.uniformsNeedUpdate).toBe(false);
+    draw(1, [mesh, far]);
+    expect(material.uniformsNeedUpdate).toBe(true);
+  });
+});
+
 describe('another program', () => {
   it('is asked for where code is needed for the first time', () => {
     const { lights, lighting, material, draw } = lit();

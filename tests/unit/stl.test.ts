@@ -58,6 +58,20 @@ describe('a binary STL file', () => {
     expect(mixed.parts[0]?.look.baseColor).toEqual([1, 1, 1]);
   });
 
+  it('has the colour of the body where every triangle has 0 for its own, which would be black', async () => {
+    const model = await loadFiles({ 'a.stl': binary([{}, {}], 'COLOR=\x33\x66\xff\xff') });
+    expect(model.parts[0]?.look).toMatchObject({ baseColor: [0.2, 0.4, 1], opacity: 1 });
+    expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
+    const black = await loadFiles({ 'a.stl': binary([{}, { bits: 31 }], 'COLOR=\x33\x66\xff\xff') });
+    expect(numbersOf(black, 'color').slice(6, 12)).toEqual([0, 0, 0, 1, 0, 0]);
+  });
+
+  it('is opaque where a space follows three bytes of colour: COLOR=rgb MATERIAL=', async () => {
+    const header = 'COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f ';
+    const model = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], header) });
+    expect(model.parts[0]?.look).toMatchObject({ opacity: 1, alphaMode: 'opaque' });
+  });
+
   it('can be translucent as a whole', async () => {
     const model = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], 'COLOR=\xff\xff\xff\x33') });
     expect(model.parts[0]?.look).toMatchObject({ opacity: 0.2, alphaMode: 'blend' });

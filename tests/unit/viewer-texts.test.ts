@@ -5,6 +5,8 @@ import { join } from 'node:path';
 import { describe, expect, expectTypeOf, it } from 'vitest';
 import { VIEWER_TEXTS, type ViewerText } from '../../src/element/fields/text-list.js';
 import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
+import type { PhongViewerProps } from '../../src/element/jsx.js';
+import { HELPERS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_KINDS } from '../../src/gui/kind-choice.js';
 import { TERMS } from '../../src/material/program/variant.js';
 
@@ -16,6 +18,7 @@ const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
 /** Texts that the source puts together. */
 const composed = new Set<string>([
   ...TERMS.map((term) => `${term} term`),
+  ...HELPERS.map((helper) => `show ${helper}`),
   ...LIGHT_KINDS.map((kind) => `{name}: ${kind} light, position {position}, diffuse {diffuse}`),
 ]);
 
@@ -35,6 +38,7 @@ describe('the list of texts', () => {
     expectTypeOf<{ 'Try again': string; 'load-failed': string }>().toExtend<ViewerTexts>();
     expectTypeOf<{ 'Try again': number }>().not.toExtend<ViewerTexts>();
     expectTypeOf<{ retry: string }>().not.toExtend<ViewerTexts>();
+    expectTypeOf<PhongViewerProps['texts']>().toEqualTypeOf<ViewerTexts | null | undefined>();
   });
 });
 

@@ -4,10 +4,10 @@
 // second; announces only what the user changed. Knows nothing of drawing.
 import type { ReactiveController } from '@lit/reactive-element';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import type { PhongViewerEventMap } from '../events.js';
 import { fieldsOf } from '../internals.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
 import type { PhongViewer } from '../phong-viewer.js';
+import type { CameraSource } from './camera.js';
 import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
 import { keysText, nameSurface } from './naming.js';
 import { create, set, type ViewerTree } from './template.js';
@@ -45,8 +45,6 @@ export class ViewerAnnouncements implements ReactiveController {
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
-    viewer.addEventListener('render', () => this.#update());
-    viewer.addEventListener('camera-change', ({ detail }) => this.#onCamera(detail));
     viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
@@ -70,17 +68,17 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#surface === null) return;
     this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
     this.#writeDescription();
-    if (this.#scene !== null && this.#language !== this.#texts) this.#update();
+    if (this.#scene !== null && this.#language !== this.#texts) this.describeSoon();
   }
 
-  /** Describes the scene soon. */
-  #update(): void {
+  /** Describes the scene soon. Not by the event: a listener takes three times as long as the event itself. */
+  describeSoon(): void {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
 
   /** The viewer that the user moves speaks for those linked to it. */
-  #onCamera({ source, linked }: PhongViewerEventMap['camera-change']['detail']): void {
-    if (source === 'script' || source === 'auto' || linked === true) return;
+  cameraMoved(source: CameraSource, linked: boolean): void {
+    if (source === 'script' || source === 'auto' || linked) return;
     this.#cameraMoved = true;
     this.#userActed();
   }

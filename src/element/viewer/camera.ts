@@ -49,7 +49,13 @@ export interface CameraLink {
   turns(camera: ViewerCamera): boolean;
 }
 
-const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>(['theta', 'phi', 'radius', 'target']);
+/** Values that act when they are assigned: the viewer needs no update for them. */
+export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>([
+  'theta',
+  'phi',
+  'radius',
+  'target',
+]);
 
 export class ViewerCamera implements ReactiveController {
   readonly #host: CameraHost;

@@ -78,14 +78,16 @@ export class ViewerDisplay {
     this.extras.apply();
   }
 
-  cameraMoved(source: CameraSource): void {
+  cameraMoved(source: CameraSource, linked: boolean): void {
     this.extras.cameraMoved(source);
+    this.#announcements.cameraMoved(source, linked);
   }
 
   /** A frame was drawn. */
   drawn(): void {
     this.checkEmpty();
     this.extras.drawn();
+    this.#announcements.describeSoon();
     this.#reveal();
     this.#viewer.dispatchEvent(new CustomEvent('render'));
   }

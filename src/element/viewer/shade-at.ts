@@ -2,17 +2,17 @@
 // code is fetched with the first explanation. Knows nothing of rays or triangles.
 import type { Mesh } from 'three';
 import type { LightValues } from '../../light/light-state.js';
-import { add, map, subtract, type Vec3 } from '../../math/vector.js';
-import type { LightShare } from '../../reference/index.js';
+import { add, map, type Vec3 } from '../../math/vector.js';
+import type { LightShare, Shaded } from '../../reference/index.js';
 import { lazyCode } from '../../scene/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
-import { pick } from '../../scene/snapshot/pick.js';
-import { surfaceAt } from '../../scene/snapshot/surface-at.js';
+import { type Hit, pick } from '../../scene/snapshot/pick.js';
+import { type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
 import type { PhongLight } from '../phong-light.js';
 import type { PhongMesh } from '../phong-mesh.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import { shadeHit, type Subject } from './shade-hit.js';
+import { type Equation, relative, shadeHit } from './shade-hit.js';
 
 /** One light's share of a fragment. Frozen. */
 export interface LightExplanation extends LightShare {
@@ -76,12 +76,10 @@ export async function shadeAt(
   const hit = scene === null ? null : pick(scene, column, row);
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
-  const surface = surfaceAt(phong, hit.drawn.geometry, hit, hit.base);
-  const subject: Subject = { hit, corners: cornersOf(hit), surface };
   const equation = await referenceCode();
-  const shaded = shadeHit(
+  const { surface, shaded } = shadedAt(
     equation,
-    subject,
+    hit,
     lights.map(({ values }) => relative(values, hit.frame.origin)),
   );
   const { ka, kd, ks } = equation.coefficientsOf(surface, phong.linear);
@@ -113,19 +111,25 @@ export async function shadeAt(
   });
 }
 
+/** What the picture shows of a hit, and its surface. `lights` are relative to the frame's origin. */
+export function shadedAt(
+  equation: Equation,
+  hit: Hit,
+  lights: readonly LightValues[],
+): { readonly surface: SurfaceHere; readonly shaded: Shaded } {
+  const { phong, geometry } = hit.drawn;
+  const surface = surfaceAt(phong, geometry, hit, hit.base);
+  return { surface, shaded: shadeHit(equation, { hit, corners: cornersOf(hit), surface }, lights) };
+}
+
+export { pick, relative };
+
 /** The device pixel at CSS pixel `at`. The GPU draws the fragment at its centre. */
 function pixel(name: string, at: unknown, size: number, pixels: number): number {
   if (typeof at !== 'number')
     throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
   if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
   return Math.floor((at * pixels) / size);
-}
-
-/** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
-function relative(values: LightValues, origin: Vec3): LightValues {
-  const [x, y, z, w] = values.position;
-  if (w === 0 || values.space === 'camera') return values;
-  return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
 
 /** Adding 0 turns -0 into 0, so that equal vectors print alike. */

@@ -2,7 +2,7 @@
 // neither elements nor how the equation's code is loaded.
 import type { LightValues } from '../../light/light-state.js';
 import type { Term } from '../../material/program/variant.js';
-import { add, scale, type Vec3, type Vec4 } from '../../math/vector.js';
+import { add, scale, subtract, type Vec3, type Vec4 } from '../../math/vector.js';
 import type { shade as Shade, Shaded, sumOf as SumOf, Surface } from '../../reference/index.js';
 import type { Corner } from '../../scene/snapshot/corners.js';
 import type { Hit } from '../../scene/snapshot/pick.js';
@@ -48,6 +48,13 @@ export function shadeHit(equation: Equation, subject: Subject, lights: readonly 
     return { ...share, ambient: term('ambient'), diffuse: term('diffuse'), specular: term('specular') };
   });
   return { ...here, shares, ...equation.sumOf(shares, surface, linear) };
+}
+
+/** A light with its position relative to `origin`: subtracting first keeps precision far from the world's origin. */
+export function relative(values: LightValues, origin: Vec3): LightValues {
+  const [x, y, z, w] = values.position;
+  if (w === 0 || values.space === 'camera') return values;
+  return { ...values, position: [...subtract([x, y, z], origin), 1] };
 }
 
 const weighted = (weights: Vec3, [a, b, c]: readonly [Vec3, Vec3, Vec3]): Vec3 =>

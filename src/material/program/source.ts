@@ -21,7 +21,7 @@ import srgb from '../../../shaders/srgb.glsl?raw';
 import surfaceColor from '../../../shaders/surface_color.glsl?raw';
 import { layoutDefines } from '../../light/light-layout.js';
 import { SRGB } from '../../math/color.js';
-import { FULL_LOBE, LEAST_ROUGHNESS } from '../file-surface.js';
+import { FULL_LOBE, LEAST_FILE_EXPONENT, LEAST_ROUGHNESS } from '../file-surface.js';
 
 const float = (n: number): string => n.toExponential();
 
@@ -53,6 +53,7 @@ const AVERAGES = [
 
 /** Left out of programs without metal-rough and normal maps. */
 const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
+#define LEAST_FILE_EXPONENT ${float(LEAST_FILE_EXPONENT)}
 #define FULL_LOBE ${float(FULL_LOBE)}
 ${fileSurface}`;
 

@@ -214,14 +214,19 @@ function forEachRun(
 }
 
 /** For each kind, the features that any of its lights needs. */
-export function unions(packed: Readonly<PackedLights>, mask: number): Record<LightKind, number> {
-  const features: Record<LightKind, number> = { directional: -1, point: -1, spot: -1 };
-  forEachLight(packed, (light, kind) => {
-    const own = packed.features[light]! & mask;
-    features[kind] = features[kind] === -1 ? own : unionOf(features[kind], own);
-  });
-  for (const kind of KINDS) if (features[kind] === -1) features[kind] = 0;
-  return features;
+export function unions(
+  { counts, features }: Readonly<PackedLights>,
+  mask: number,
+): Record<LightKind, number> {
+  const all: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
+  let light = 0;
+  for (const kind of KINDS) {
+    for (let i = 0; i < counts[kind]; i++, light++) {
+      const own = features[light]! & mask;
+      all[kind] = i === 0 ? own : unionOf(all[kind], own);
+    }
+  }
+  return all;
 }
 
 /** All feature bits but those of terms that are not summed. */

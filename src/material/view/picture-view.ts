@@ -16,7 +16,8 @@ export function pictureView(view: View, chosen: (lights: Lights) => Lights): Pic
   if (!isDrawnView(view)) return { term, separate: false, lights: chosen, choose: null };
   const quantity = quantityUniforms();
   const uViewLights = { value: 1 };
-  const own = { ...quantity, uViewLights };
+  const uViewOpen = { value: 0 };
+  const own = { ...quantity, uViewLights, uViewOpen };
   const counts = view === 'light-count';
   return {
     term,
@@ -26,7 +27,9 @@ export function pictureView(view: View, chosen: (lights: Lights) => Lights): Pic
       if (!counts) writeQuantityLight(quantity, all[0], space);
       if (!counts) return [];
       uViewLights.value = scaleEnd(all);
-      return countLights(all, space);
+      const counted = countLights(all, space);
+      uViewOpen.value = counted.open;
+      return counted.lights;
     },
     choose(programs, lighting, mesh, uniforms) {
       Object.assign(uniforms, own);

@@ -4,9 +4,8 @@ import viewCount from '../../../shaders/view_count.glsl?raw';
 import viewQuantity from '../../../shaders/view_quantity.glsl?raw';
 import viewTriangles from '../../../shaders/view_triangles.glsl?raw';
 import viewTrianglesVertex from '../../../shaders/view_triangles.vert.glsl?raw';
-import type { Vec3 } from '../../math/vector.js';
 import { type Variant, variantOf } from '../program/variant.js';
-import { SCALE_CODES } from './scale.js';
+import { SCALE_GLSL } from './scale.js';
 
 /** The views with programs of their own. */
 export type DrawnView = keyof typeof TEXTS;
@@ -48,7 +47,7 @@ function make(view: DrawnView, general: Variant, grid: boolean): Variant {
   for (const name of DROPPED) Reflect.deleteProperty(defines, name);
   defines[`VIEW_${view.replaceAll('-', '_').toUpperCase()}`] = '';
   if (view === 'light-count') {
-    defines['SCALE_COLORS'] = SCALE_CODES.map(literal).join();
+    defines['SCALE_COLOR'] = SCALE_GLSL;
     if ('IS_UNLIT' in general.defines) defines['VIEW_UNLIT'] = '';
     if (grid) defines['HAS_LIGHT_GRID'] = '';
   }
@@ -57,5 +56,3 @@ function make(view: DrawnView, general: Variant, grid: boolean): Variant {
   const vertexShader = ['#define main shadedMain', variant.vertexShader, '#undef main', viewTrianglesVertex];
   return { ...variant, vertexShader: vertexShader.join('\n') };
 }
-
-const literal = (codes: Vec3): string => `vec3(${codes.map((code) => code.toFixed(1)).join()})/255.0`;

@@ -20,6 +20,7 @@ export class LegendBox {
   readonly #lights = create('p', { class: 'legend-lights', dir: 'auto' });
   readonly #scale = create('div', {});
   readonly #note = create('p', { class: 'legend-note', role: 'status' });
+  readonly #progress = create('progress', { class: 'legend-progress', max: '1' });
   #bars: readonly Bar[] = [];
 
   constructor() {
@@ -32,6 +33,16 @@ export class LegendBox {
     setText(this.#title, title);
     setText(this.#lights, lights);
     setText(this.#note, note);
+  }
+
+  /** Shows a share from 0 to 1, or nothing for null. */
+  showProgress(share: number | null, label: string): void {
+    if (share === null) this.#progress.remove();
+    else {
+      this.#progress.value = share;
+      this.#progress.setAttribute('aria-label', label);
+      if (this.#progress.parentNode === null) this.#box.append(this.#progress);
+    }
   }
 
   /** `bars`: another list where a bar is different. */
@@ -55,7 +66,7 @@ function barElements({ label, colors, fields, marks }: Bar): Element[] {
   row.append(bar);
   if (marks.length === 0) return [row];
   const line = create('div', {
-    class: label === '' ? 'legend-marks' : 'legend-marks labelled',
+    class: `legend-marks${label === '' ? '' : ' labelled'}${fields ? '' : ' flush'}`,
     dir: 'ltr',
   });
   for (const mark of marks) {

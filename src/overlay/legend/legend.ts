@@ -3,10 +3,15 @@
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView, scaleEnd } from '../../material/view/picture-view.js';
+import { lazyCode } from '../../scene/lazy-code.js';
 import { chosenLights, lightsText } from './chosen-lights.js';
+import type { ErrorView } from '../error/error-view.js';
+import { snapshotOf } from '../error/picture-snapshot.js';
 import { LegendBox } from './legend-box.js';
 import { adoptStyles } from './legend-styles.js';
-import { type Bar, barsOf, titleOf } from './view-scale.js';
+import { type Bar, barsOf, ERROR_END, titleOf } from './view-scale.js';
+
+const errorCode = lazyCode(() => import('../error/error-view.js'), 'the error view');
 
 export const showView = (host: ExtraHost): Extra => new ViewExtra(host);
 
@@ -16,6 +21,11 @@ class ViewExtra implements Extra {
   readonly #dropStyles: () => void;
   /** The values that the picture was last set to. */
   #shown = '';
+  /** Null before its code has arrived, and for other views. */
+  #error: ErrorView | null = null;
+  #errorWanted = false;
+  /** Of the error: the share that is measured, null while the picture moves, and the largest one once all is. */
+  #progress: { readonly done: number | null; readonly largest: number } = { done: null, largest: NaN };
   #scale: { readonly key: string; readonly bars: readonly Bar[] } = { key: '', bars: [] };
 
   constructor(host: ExtraHost) {
@@ -32,17 +42,71 @@ class ViewExtra implements Extra {
       viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
       viewport.style = { ...viewport.style }; // materials and geometries follow
     }
+    if (values.view !== 'error') this.#hideError();
+    else if (this.#errorWanted) this.#error?.update();
+    else void this.#showError();
     this.#updateLegend();
   }
 
+  async drawOver(picture: HTMLCanvasElement): Promise<void> {
+    const host = this.#host;
+    if (host.values.view !== 'error') return;
+    const snapshot = snapshotOf(host.viewport, picture, chosenLights(host));
+    const { drawError } = await errorCode();
+    await drawError(picture, snapshot, ERROR_END);
+  }
+
   dispose(): void {
-    const { values, viewport } = this.#host;
+    const { viewport } = this.#host;
+    this.#hideError();
     this.#legend.place.remove();
     this.#dropStyles();
-    // A viewer that has left the page still draws its view, for toBlob.
-    if (values.view !== 'shaded' || values.viewLight !== '') return;
     viewport.lighting.view = null;
     viewport.style = { ...viewport.style };
+  }
+
+  async #showError(): Promise<void> {
+    const host = this.#host;
+    this.#errorWanted = true;
+    try {
+      const { ErrorView } = await errorCode();
+      if (!this.#wantsError) return;
+      this.#error = new ErrorView({
+        ...host,
+        end: ERROR_END,
+        lights: () => chosenLights(host),
+        progress: (done, largest) => {
+          this.#progress = { done, largest };
+          this.#updateLegend();
+        },
+      });
+      this.#error.update();
+    } catch (error) {
+      this.#errorWanted = false; // the next update tries again
+      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+    }
+  }
+
+  /** The code may arrive after the view has changed, and after another request for it. */
+  get #wantsError(): boolean {
+    return this.#errorWanted && this.#error === null;
+  }
+
+  #hideError(): void {
+    this.#errorWanted = false;
+    this.#error?.dispose();
+    this.#error = null;
+    this.#progress = { done: null, largest: NaN };
+  }
+
+  /** What is said of the error, once it is known. */
+  get #note(): string {
+    const { done, largest } = this.#progress;
+    const { texts } = this.#host.viewer;
+    if (this.#host.values.view !== 'error') return '';
+    if (done === null) return phrase(texts, 'measured when the picture is still');
+    if (Number.isNaN(largest)) return '';
+    return phrase(texts, 'largest away from edges: {error}', { error: largest.toFixed(2) });
   }
 
   #updateLegend(): void {
@@ -53,8 +117,11 @@ class ViewExtra implements Extra {
       label: phrase(texts, 'Legend'),
       title: phrase(texts, titleOf(view, reflection === 'blinn-phong')),
       lights: lightsText(host),
-      note: '',
+      note: this.#note,
     });
+    const { done } = this.#progress;
+    const busy = view === 'error' && done !== null && done < 1;
+    this.#legend.showProgress(busy ? done : null, phrase(texts, 'Measuring the error'));
     const most = view === 'light-count' ? scaleEnd(chosenLights(host)) : 1;
     const key = `${view} ${String(most)}`;
     if (this.#scale.key !== key) this.#scale = { key, bars: barsOf(view, most) };

@@ -1,6 +1,6 @@
 // What do a view's colours mean? The title and the scale of its legend, as data. Knows no DOM.
 import type { ViewerText } from '../../element/fields/text-list.js';
-import { SCALE_CODES, scaleColor } from '../../material/view/scale.js';
+import { scaleColor } from '../../material/view/scale.js';
 import type { View } from '../../material/views.js';
 import type { Vec3 } from '../../math/vector.js';
 
@@ -16,6 +16,9 @@ export interface Bar {
 
 const BLACK: Vec3 = [0, 0, 0];
 const UNIT_MARKS = ['0', '0.5', '1'].map((text, i) => ({ at: i / 2, text }));
+
+/** The scale's colours from 0 to 1, close enough to be blended in straight lines. */
+const SCALE: readonly Vec3[] = Array.from({ length: 17 }, (_, i) => codes(scaleColor(i / 16)));
 
 /** Counts of which each has a field of its own. Beyond, fields would be narrower than 3 pixels. */
 const MOST_FIELDS = 48;
@@ -65,7 +68,7 @@ export function barsOf(view: View, most: number): readonly Bar[] {
       return [countBar(most)];
     case 'error': {
       const marks = ['0', '0.5', '1', '1.5', `${String(ERROR_END)}+`].map((text, i) => ({ at: i / 4, text }));
-      return [{ label: '', colors: SCALE_CODES, fields: false, marks }];
+      return [{ label: '', colors: SCALE, fields: false, marks }];
     }
     default:
       return [];
@@ -81,7 +84,7 @@ function countBar(most: number): Bar {
   if (counts.at(-1) !== most) counts.push(most);
   return {
     label: '',
-    colors: fields ? Array.from({ length: most + 1 }, (_, i) => codes(scaleColor(i / most))) : SCALE_CODES,
+    colors: fields ? Array.from({ length: most + 1 }, (_, i) => codes(scaleColor(i / most))) : SCALE,
     fields,
     marks: counts.map((count) => ({
       at: fields ? (count + 0.5) / (most + 1) : count / most,
@@ -90,7 +93,9 @@ function countBar(most: number): Bar {
   };
 }
 
-const codes = ([r, g, b]: Vec3): Vec3 => [Math.round(r * 255), Math.round(g * 255), Math.round(b * 255)];
+function codes([r, g, b]: Vec3): Vec3 {
+  return [Math.round(r * 255), Math.round(g * 255), Math.round(b * 255)];
+}
 
 /** The next of 1, 2, 5, 10, 20 and so on. */
 function roundStep(least: number): number {

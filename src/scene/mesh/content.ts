@@ -6,10 +6,9 @@ import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import { lazyCode } from '../lazy-code.js';
-import { isDataUri } from '../model/data-uri.js';
 import { gltfCode, isNamedGltf } from '../model/gltf-code.js';
 import type { LoadOptions } from '../model/load-model.js';
-import { requestFile } from '../model/request-file.js';
+import { isDataUri, requestFile } from '../model/request-file.js';
 
 /** A geometry and how it looks, as far as its file or shape says. */
 export interface ContentPart {

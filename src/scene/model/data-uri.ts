@@ -1,13 +1,12 @@
 // Which bytes does a data: URI hold? Decoded here, because fetching one needs `connect-src data:`, which a strict CSP refuses.
 import { ModelError } from './model.js';
+import { isDataUri } from './request-file.js';
 
 export interface DataUri {
   /** Media type without parameters, lower case; default `text/plain`. */
   readonly type: string;
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
-
-export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
 
 /** Percent-encoded or base64 (padding and white space optional). Throws a `bad-model` error for anything else. */
 export function decodeDataUri(uri: string): DataUri {

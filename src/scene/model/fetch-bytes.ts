@@ -1,9 +1,9 @@
 // How are a model's files downloaded? With progress, abort, limits of size and silence, and errors that a page's author understands.
 // Must not know what the bytes mean.
-import { decodeDataUri, isDataUri } from './data-uri.js';
+import { decodeDataUri } from './data-uri.js';
 import { BYTE_LIMIT } from './limits.js';
 import { ModelError } from './model.js';
-import { type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
+import { isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
 
 /**
  * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough for a server

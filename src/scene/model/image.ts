@@ -3,7 +3,8 @@
 import { imageSize, type ImageSize } from './image-size.js';
 import { decodeKtx2 } from './ktx2/decode-ktx2.js';
 import { isKtx2 } from './ktx2/ktx2-header.js';
-import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT, type ModelBudget } from './limits.js';
+import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
+import type { ModelBudget } from './model-budget.js';
 
 /** Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its result. */
 const PIXELS_AT_ONCE = 2 ** 24;

@@ -17,7 +17,7 @@ export async function modelContent(
 ): Promise<Content> {
   const model = await loadModel(url, options, from);
   if (model.dropped !== undefined && model.dropped.size > 0)
-    console.warn(`${nameOf(url)}: ${[...model.dropped].join(', ')} cannot be shown and are left out.`);
+    console.warn(`${nameOf(url)} is shown without ${[...model.dropped].join(', ')}.`);
   return {
     parts: model.parts.map(({ name, geometry, matrix, look }) => ({
       name,

@@ -10,6 +10,9 @@ export interface FileRequest {
   stop(): void;
 }
 
+/** Not requested: a strict policy forbids fetching it, and what it holds is there already. */
+export const isDataUri = (uri: string): boolean => /^data:/i.test(uri);
+
 export function requestFile(
   url: URL,
   redirect: RequestRedirect,

@@ -1,7 +1,7 @@
 // How does long work keep the page alive? Loops over vertices run in slices and let the browser handle input and frames between them. Must
 // not know what is computed.
 
-/** Time that a task may take: half a frame at 60 Hz. */
+/** Half a frame at 60 Hz. */
 const TASK_MS = 8;
 
 /** Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than a microsecond. */
@@ -10,13 +10,16 @@ const SLICE = 2 ** 13;
 /** Steps between two looks at the clock, minus 1, in loops that call {@link Slices.pause} themselves. */
 export const PAUSE_MASK = 0x7ff;
 
-/** Loops of one model, that share a clock and end when the load is aborted. */
+/** Loops that share a clock and end when the load is aborted. */
 export class Slices {
   readonly #signal: AbortSignal;
+  readonly #taskMs: number;
   #since = performance.now();
 
-  constructor(signal: AbortSignal) {
+  /** `taskMs`: time that a task may take. Default: half a frame at 60 Hz. */
+  constructor(signal: AbortSignal, taskMs = TASK_MS) {
     this.#signal = signal;
+    this.#taskMs = taskMs;
   }
 
   /**
@@ -32,7 +35,7 @@ export class Slices {
 
   /** Whether the task has taken long enough: call {@link pause}. */
   get due(): boolean {
-    return performance.now() - this.#since > TASK_MS;
+    return performance.now() - this.#since > this.#taskMs;
   }
 
   /** Call between pieces of work that know no number of items. */

@@ -1,6 +1,6 @@
 // Which animations of a glTF document can be played, and what do they cost? Channels of shown nodes, with samplers that fit their
 // properties. An animation with a mistake is left out, and the model is shown without it. Knows the JSON only.
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import type { Accessor } from './accessors.js';
 import { indexAt, objectAt, objectsAt, textAt, type JsonObject } from './json.js';
 import type { Interpolation } from './tracks.js';

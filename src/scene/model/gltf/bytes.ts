@@ -1,7 +1,8 @@
 // Which bytes belong to a glTF document's buffers, buffer views and images? Each is fetched or decoded once, on first use. Must not
 // know what they mean.
 import { lazyCode } from '../../lazy-code.js';
-import { decodeDataUri, isDataUri } from '../data-uri.js';
+import { decodeDataUri } from '../data-uri.js';
+import { isDataUri } from '../request-file.js';
 import type { ModelSource } from '../format.js';
 import { BYTE_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';

@@ -1,6 +1,7 @@
 // What will a glTF document cost when it is drawn? Counts draws, corners and numbers of what its scene shows, from the JSON alone, before
 // anything is allocated. Must agree with parts.ts about what is shared and what is copied.
-import { DRACO_LIMIT, requireAtMost, type ModelBudget } from '../limits.js';
+import { DRACO_LIMIT } from '../limits.js';
+import { requireAtMost, type ModelBudget } from '../model-budget.js';
 import type { Accessor } from './accessors.js';
 import type { Primitive } from './primitives.js';
 

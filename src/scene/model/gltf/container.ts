@@ -1,6 +1,6 @@
 // What are the JSON and the binary chunk of a .glb or .gltf file? Lengths are checked against the size of the file. Must not know
 // what the JSON says.
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 
 export interface Container {
   readonly json: unknown;

@@ -2,7 +2,7 @@
 // scenes, cameras, lights, other textures, extras) is removed before anything is loaded. Every index and
 // size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../../fields/clip.js';
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import { readAccessors, readBufferViews, type Accessor, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';

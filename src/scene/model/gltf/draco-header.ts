@@ -1,6 +1,7 @@
 // How large is a mesh in Draco data? Read from its header and compared with the document's claims before the decoder allocates for it.
 // Follows the Draco bitstream specification 2.2, sections 3.2 to 5, and its differences in older versions. Must not know how it is decoded.
-import { DRACO_LIMIT, requireAtMost } from '../limits.js';
+import { DRACO_LIMIT } from '../limits.js';
+import { requireAtMost } from '../model-budget.js';
 import type { DracoClaims } from './claims.js';
 
 /** Encoders merge or split vertices, and some do not update the accessors. None that we have seen comes near twice their count. */

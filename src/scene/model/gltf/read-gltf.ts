@@ -3,7 +3,7 @@
 import type { BufferGeometry, Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
-import { ModelBudget } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import { mapsOfLook, type Model, type ModelPart } from '../model.js';
 import { Slices } from '../slices.js';
 import type { Attribute } from './attributes.js';

@@ -16,7 +16,7 @@ import {
   type Wrapping,
 } from 'three';
 import { countImage, decodeImage } from '../image.js';
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { GltfBytes } from './bytes.js';
 import { unsupported, type GltfDocument } from './document.js';

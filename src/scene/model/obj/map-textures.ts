@@ -9,7 +9,7 @@ import {
 } from 'three';
 import type { ModelSource } from '../format.js';
 import { countImage, decodeImage, type ImageFile } from '../image.js';
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { MtlMap } from './mtl.js';
 

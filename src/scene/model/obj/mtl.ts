@@ -1,5 +1,5 @@
-// Which materials does an MTL file define? Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they are written:
-// encoded sRGB, no conversion. Other statements are skipped. Knows no textures but their names.
+// Which materials does an MTL file define? Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they are written,
+// but for an Ns of 0: encoded sRGB, no conversion. Other statements are skipped. Knows no textures but their names.
 import type { Vec3 } from '../../../math/vector.js';
 import { LIMITS } from '../../../light/light-state.js';
 import { TextScanner } from '../text/text-scanner.js';
@@ -69,7 +69,9 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft): 
   } else if (keyword === 'tr') {
     const transparency = scanner.number();
     // Some exporters write both, and mean opacity by both. `d` is the older and the defined one.
-    if (!Number.isNaN(transparency) && !material.dissolved) material.opacity = 1 - clamped(transparency);
+    if (Number.isNaN(transparency) || material.dissolved) return;
+    // 1 would be invisible. Programs that write it mean opaque.
+    material.opacity = transparency < 1 ? 1 - clamped(transparency) : 1;
   } else if (keyword === 'map_kd') {
     material.map = readMap(scanner.rest());
   }
@@ -137,7 +139,14 @@ function readMap(text: string): MtlMap | null {
 
 const finite = (value: number, fallback: number): number => (Number.isFinite(value) ? value : fallback);
 
-function finished({ dissolved: _, ...material }: Draft): MtlMaterial {
+/**
+ * `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for plain surfaces. As an exponent it would add
+ * all of Ks to every lit point.
+ */
+const PLAIN = { ks: [0, 0, 0] } as const;
+
+function finished({ dissolved: _, ...draft }: Draft): MtlMaterial {
+  const material = draft.shininess === 0 ? { ...draft, ...PLAIN } : draft;
   const { kd, map } = material;
   // A texture without a colour is shown as it is.
   const diffuse = kd ?? (map === null ? undefined : ([1, 1, 1] as const));

@@ -1,7 +1,7 @@
 // How is an OBJ file with its MTL libraries read? One part per object and material; the material's coefficients are those of the equation.
 // Corners without a normal get one by smoothing group. A separate chunk.
 import type { ModelReader, ModelSource } from '../format.js';
-import { ModelBudget } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';

@@ -1,7 +1,8 @@
 // How is a PLY file read, as text or binary? Vertices with normals and colours, faces as lists or strips. Vertices that the file gives no
 // normals are smoothed, with edges where faces meet at a sharp angle. A separate chunk.
 import type { ModelReader } from '../format.js';
-import { CORNER_LIMIT, ModelBudget } from '../limits.js';
+import { CORNER_LIMIT } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';

@@ -4,7 +4,7 @@ import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../../math/vector.js';
 import { faceNormals } from '../face-normals.js';
 import type { ModelReader } from '../format.js';
-import { ModelBudget } from '../limits.js';
+import { ModelBudget } from '../model-budget.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';
@@ -54,6 +54,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promi
   const places = new Places(3 * count);
   const colors = new Growing(Float32Array);
   let colored = false;
+  let anyBits = 0;
   for (let i = 0; i < count; i += 1) {
     if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const at = STL_HEADER + i * STL_TRIANGLE;
@@ -64,7 +65,9 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promi
         view.getFloat32(corner + 8, true),
       );
     }
-    const own = triangleColor(view.getUint16(at + 48, true), header !== null);
+    const bits = view.getUint16(at + 48, true);
+    anyBits |= bits;
+    const own = triangleColor(bits, header !== null);
     if (own !== null && !colored) {
       // Triangles before the first coloured one have the body's colour.
       colored = true;
@@ -72,6 +75,8 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promi
     }
     if (colored) pushColor(colors, own ?? header?.color ?? WHITE);
   }
+  // All 0: the writer knows no colours of triangles. By Magics' convention they would be black.
+  colored &&= anyBits > 0;
   return {
     name: '',
     places,
@@ -87,18 +92,18 @@ function pushColor(colors: Growing<Float32Array>, color: Vec3): void {
   for (const channel of color) colors.push(channel);
 }
 
+const SPACE = 0x20;
+
 /** The body's colour as Magics writes it: `COLOR=` and four bytes r g b a in the header. */
 function headerColor(view: DataView): { readonly color: Vec3; readonly opacity: number } | null {
   const word = 'COLOR=';
   for (let at = 0; at + word.length + 4 <= STL_HEADER - 4; at += 1) {
     if (!Array.from(word).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0)))
       continue;
-    const [r = 0, g = 0, b = 0, a = 0] = [6, 7, 8, 9].map((i) => view.getUint8(at + i) / 255);
-    return {
-      color: [r, g, b],
-      // Some writers leave it 0, and do not mean an invisible body.
-      opacity: a > 0 ? a : 1,
-    };
+    const [r = 0, g = 0, b = 0] = [6, 7, 8].map((i) => view.getUint8(at + i) / 255);
+    const alpha = view.getUint8(at + 9);
+    // Some writers leave it 0, and do not mean an invisible body. Others write three bytes and a space.
+    return { color: [r, g, b], opacity: alpha === 0 || alpha === SPACE ? 1 : alpha / 255 };
   }
   return null;
 }

@@ -1,6 +1,6 @@
 // How do corners become a geometry that the GPU reads? Corners that agree in everything share a vertex. Knows no format.
 import { BufferAttribute, BufferGeometry } from 'three';
-import type { ModelBudget } from '../limits.js';
+import type { ModelBudget } from '../model-budget.js';
 import { PAUSE_MASK, type Slices } from '../slices.js';
 import { itemAt, NONE, type CornerLists } from './corner-lists.js';
 import { Growing } from './growing.js';

@@ -1,0 +1,36 @@
+// Programs after their first draw: a broken one is reported, and the attributes of the others stay as they are.
+import type { WebGLRenderer } from 'three';
+import { expect, it, vi } from 'vitest';
+import { LinkCheck } from '../../src/scene/gpu/link-check.js';
+
+/** A renderer whose programs have linked, or have not. */
+function drawn(links: boolean) {
+  const attributes = { position: {} };
+  const program = { program: {}, isReady: () => true, getAttributes: () => attributes };
+  const gl = {
+    getProgramParameter: () => links,
+    isContextLost: () => false,
+    getAttachedShaders: () => [],
+    getProgramInfoLog: () => 'broken by hand',
+  };
+  const renderer = { debug: {}, info: { programs: [program] }, getContext: () => gl };
+  return { attributes, renderer: renderer as unknown as WebGLRenderer };
+}
+
+it('keeps anything from being added to the attributes of a program', () => {
+  const { attributes, renderer } = drawn(true);
+  new LinkCheck(renderer).check(renderer);
+  expect(Object.isExtensible(attributes)).toBe(false);
+});
+
+it('reports a program that does not link, once', () => {
+  const reported = vi.fn();
+  vi.stubGlobal('reportError', reported);
+  const { renderer } = drawn(false);
+  const check = new LinkCheck(renderer);
+  check.check(renderer);
+  check.check(renderer);
+  expect(reported).toHaveBeenCalledTimes(1);
+  expect(String(reported.mock.calls[0]?.[0])).toContain('broken by hand');
+  vi.unstubAllGlobals();
+});

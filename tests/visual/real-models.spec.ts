@@ -1,0 +1,85 @@
+// Do models by other people look as they do in another renderer? On the site's page of twenty: the same pixels are covered, in similar
+// colours, and the caption names what a model is shown without. The light differs, so colours are compared coarsely.
+
+import { readFileSync } from 'node:fs';
+import type { ModelEntries } from '../../.ci/site/models.js';
+import type { ViewerLike } from '../support/picture.js';
+import { expect, test } from '../support/test.js';
+
+const { models } = JSON.parse(
+  readFileSync(new URL('../../demo/models/models.json', import.meta.url), 'utf8'),
+) as ModelEntries;
+
+/** Of the pixels that one of the pictures covers, the share that both cover. Edges may fall differently. */
+const COVERED = 0.98;
+
+/** Largest distance of the mean colours, in codes per channel. Today's largest is 41. */
+const COLOUR = 50;
+
+test('there are twenty models, of all four formats', () => {
+  const formats = models.map(({ file }) => file.slice(file.lastIndexOf('.') + 1));
+  expect(formats).toHaveLength(20);
+  expect([...new Set(formats)].sort()).toEqual(['glb', 'gltf', 'obj', 'ply', 'stl']);
+});
+
+test('each model covers the pixels of the other picture, in similar colours', async ({
+  page,
+  consoleGuard,
+}) => {
+  test.setTimeout(300_000);
+  const warnings = consoleGuard.allow(/^warning: .* is shown without /);
+  await page.goto('/demo/models/');
+  const found: string[] = [];
+  for (const { id } of models) {
+    const item = page.locator(`#${id}`);
+    const viewer = item.locator('phong-viewer');
+    await viewer.scrollIntoViewIfNeeded();
+    await expect
+      .poll(() => viewer.evaluate((v) => (v as ViewerLike & { loaded?: boolean }).loaded))
+      .toBe(true);
+    const { covered, colours } = await item.evaluate(compared);
+    if (covered < COVERED) found.push(`${id}: ${covered.toFixed(3)} of the pixels are covered in both`);
+    const distance = Math.max(...colours[0].map((c, i) => Math.abs(c - colours[1][i]!)));
+    if (distance > COLOUR) found.push(`${id}: mean colours ${colours.map(String).join(' and ')}`);
+  }
+  expect(found).toEqual([]);
+  const expected = models
+    .filter(({ dropped }) => dropped.length > 0)
+    .map(({ file, dropped }) => `${file} is shown without ${dropped.join(', ')}.`);
+  expect(warnings.map((text) => text.replace(/^.*\/assets\/models\//, '')).sort()).toEqual(expected.sort());
+});
+
+interface Compared {
+  readonly covered: number;
+  /** Means over the pixels that both cover. */
+  readonly colours: readonly [readonly number[], readonly number[]];
+}
+
+/** Runs in the page: the viewer's picture and the one beside it. */
+async function compared(item: Element): Promise<Compared> {
+  const image = item.querySelector('img')!;
+  image.loading = 'eager';
+  await image.decode();
+  const size = { width: image.naturalWidth, height: image.naturalHeight };
+  const texels = (source: CanvasImageSource): Uint8ClampedArray => {
+    const context = new OffscreenCanvas(size.width, size.height).getContext('2d')!;
+    context.drawImage(source, 0, 0);
+    return context.getImageData(0, 0, size.width, size.height).data;
+  };
+  const blob = await (item.querySelector('phong-viewer') as ViewerLike).toBlob(size);
+  const pictures = [texels(await createImageBitmap(blob)), texels(image)] as const;
+  let [both, either] = [0, 0];
+  const sums = [
+    [0, 0, 0],
+    [0, 0, 0],
+  ] as const satisfies readonly number[][];
+  for (let i = 3; i < pictures[0].length; i += 4) {
+    const [ours, other] = pictures.map((data) => data[i]! > 127) as [boolean, boolean];
+    if (ours || other) either += 1;
+    if (!(ours && other)) continue;
+    both += 1;
+    pictures.forEach((data, k) => [0, 1, 2].forEach((c) => (sums[k]![c]! += data[i - 3 + c]!)));
+  }
+  const mean = (sum: readonly number[]): number[] => sum.map((c) => Math.round(c / both));
+  return { covered: both / either, colours: [mean(sums[0]), mean(sums[1])] };
+}
