@@ -1,4 +1,4 @@
-// Which chunks hold the code that several readers of models share? Without these groups each shared file would be a request of its own.
+// Which chunks hold the code that several readers of models, or several views, share? Without these groups each shared file would be a request of its own.
 // None of them may be the target of an import(): such a chunk could not be fetched again after a failure.
 
 export const modelChunks = [
@@ -6,5 +6,6 @@ export const modelChunks = [
     name: 'model-shared',
     test: /\/src\/scene\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|stl\/stl-kind|decoders\/decoder-thread|ktx2\/(decode-ktx2|ktx2-header))\.ts$/,
   },
+  { name: 'view-shared', test: /\/src\/(material\/view\/scale|overlay\/error\/picture-snapshot)\.ts$/ },
   { name: 'model-triangles', test: /\/src\/scene\/model\/(owned-model|(text|triangles)\/[^/]+)\.ts$/ },
 ];

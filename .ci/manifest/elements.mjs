@@ -57,13 +57,16 @@ export function describeElements({ fields, attributeOf, formatValue }) {
       values: Object.entries(fields[tag] ?? {}).map(([name, field]) => ({
         attribute: attributeOf(name),
         field,
-        fallback: field.fallback === null ? undefined : (formatValue(field.fallback, field) ?? 'false'),
+        fallback: field.fallback === null ? undefined : (formatValue(field.fallback, field) ?? absent(field)),
         ...reader.property(declaration, name),
       })),
       events: reader.events(eventsFile, `${className}EventMap`),
     };
   });
 }
+
+/** The default of an attribute that must be absent for it: false, or an empty list. @param {{ kind: string }} field */
+const absent = ({ kind }) => (kind === 'presence' ? 'false' : '');
 
 function compilerOptions() {
   const { config } = ts.readConfigFile(join(repository, 'tsconfig.json'), ts.sys.readFile);

@@ -34,6 +34,7 @@ test.describe('the packed package', () => {
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
+    /^dist\/(chunks|shared)\/basis_transcoder\.wasm$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
     /^dist\/[\w.-]+\.json$/,
     /^dist\/THIRD-PARTY-LICENSES\.txt$/,

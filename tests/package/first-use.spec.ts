@@ -60,7 +60,7 @@ const uses: readonly Use[] = [
   { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['pick', 'shade-at'] },
   { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
-  { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend'] },
+  { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend', 'view-shared'] },
   { what: 'a view of the lights that add something', use: set({ view: 'light-count' }), chunks: [] },
   { what: 'one light alone', use: set({ view: 'shaded', viewLight: 'light 1' }), chunks: [] },
   { what: 'no view', use: set({ viewLight: '' }), chunks: [] },

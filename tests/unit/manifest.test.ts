@@ -53,7 +53,7 @@ describe('the custom elements manifest', () => {
     const { fallback, kind } = fieldOf(title);
     if (fallback === null) expect(text).toBeUndefined();
     else if (kind === 'presence') expect(text).toBe('false');
-    else expect(text).toBe(tables.formatValue(fallback, fieldOf(title)));
+    else expect(text).toBe(tables.formatValue(fallback, fieldOf(title)) ?? '');
   });
 
   it('spells the choices out', () => {

@@ -156,12 +156,16 @@ export class Projection {
       else to = Math.min(to, room / step);
     }
     if (!(from <= to)) return null;
-    return [
-      from === 0 ? a : { x: a.x + from * dx, y: a.y + from * dy },
-      to === 1 ? b : { x: a.x + to * dx, y: a.y + to * dy },
-    ];
+    // Of an end far away rounding may leave hundreds of pixels.
+    const at = (share: number): Point => ({
+      x: clamp(a.x + share * dx, -OUTSIDE * this.width, (1 + OUTSIDE) * this.width),
+      y: clamp(a.y + share * dy, -OUTSIDE * this.height, (1 + OUTSIDE) * this.height),
+    });
+    return [from === 0 ? a : at(from), to === 1 ? b : at(to)];
   }
 }
+
+const clamp = (x: number, low: number, high: number): number => Math.min(Math.max(x, low), high);
 
 /** The nearest point that is at least `margin` pixels inside the layer; the middle of a layer smaller than that. */
 export function inside(
