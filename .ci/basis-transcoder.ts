@@ -5,17 +5,10 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
+import { scriptAsModule } from './script-as-module.js';
 
 const SCRIPT = '/libs/basis/basis_transcoder.js';
 const FILE = 'basis_transcoder.wasm';
-
-/** What the script expects around it. Its `require` is called only in Node. */
-const prologue = `
-const module = { exports: {} };
-const exports = module.exports;
-const __dirname = '';
-const require = (name) => globalThis.process.getBuiltinModule(name);
-`;
 
 /**
  * From the first text to the second, and what stands there instead. The variables are those of Emscripten's own functions: values go to
@@ -73,10 +66,7 @@ export function basisTranscoder(): Plugin {
     config: () => ({ optimizeDeps: { exclude: ['three/examples/jsm/libs/basis/basis_transcoder.js'] } }),
     transform(code, id) {
       if (!id.endsWith(SCRIPT)) return null;
-      return {
-        code: `${prologue}${withoutEval(code)}\nexport default module.exports;\n`,
-        map: { mappings: '' },
-      };
+      return scriptAsModule(withoutEval(code));
     },
   };
 }

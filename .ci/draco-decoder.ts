@@ -3,18 +3,10 @@
 // factory, in the dev server, in Node tests and in dist/.
 
 import type { Plugin } from 'vite';
+import { scriptAsModule } from './script-as-module.js';
 
 /** The specifier of the plain JavaScript decoder: no WebAssembly, so it runs under a strict CSP. */
 export const dracoDecoderSpecifier = 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
-
-// What a CommonJS script expects around it. Its `require` is called only where `process` exists; defining it here keeps
-// bundlers from resolving the calls.
-const prologue = `
-const module = { exports: {} };
-const exports = module.exports;
-const __dirname = '';
-const require = (name) => globalThis.process.getBuiltinModule(name);
-`;
 
 export function dracoDecoder(): Plugin {
   return {
@@ -23,11 +15,7 @@ export function dracoDecoder(): Plugin {
     config: () => ({ optimizeDeps: { exclude: [dracoDecoderSpecifier] } }),
     transform(code, id) {
       if (!id.includes('/libs/draco/gltf/draco_decoder.js')) return null;
-      // No source map: the file is a compiler's output, and its map would be three times its size.
-      return {
-        code: `${prologue}${code}\nexport default module.exports;\n`,
-        map: { mappings: '' },
-      };
+      return scriptAsModule(code);
     },
   };
 }

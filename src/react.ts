@@ -43,8 +43,8 @@ export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
 );
 
 /**
- * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange` and
- * `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
+ * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`, `onProbeChange`
+ * and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
  */
 export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(
   'phong-viewer',
@@ -65,6 +65,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onError: 'error',
     onCameraChange: 'camera-change',
     onLightChange: 'light-change',
+    onProbeChange: 'probe-change',
     onRender: 'render',
     onDividerChange: 'divider-change',
   } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),

@@ -62,7 +62,7 @@ try {
     await element.scrollIntoViewIfNeeded();
     const { url, view } = await element.evaluate(async (node) => {
       const viewer = /** @type {Viewer} */ (/** @type {unknown} */ (node));
-      if (!viewer.loaded) await new Promise((resolve) => node.addEventListener('load', resolve));
+      while (!viewer.loaded) await new Promise((resolve) => requestAnimationFrame(resolve));
       const { eye, target, up, radius } = viewer.camera;
       return {
         url: new URL(viewer.src, location.href).href,

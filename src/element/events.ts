@@ -3,6 +3,7 @@
 import type { PhongLight } from './phong-light.js';
 import type { CameraSource } from './viewer/camera.js';
 import type { ViewerErrorDetail } from './viewer/loading.js';
+import type { FragmentExplanation } from './viewer/shade-at.js';
 
 /** Events of `<phong-mesh>`. None bubbles. */
 export interface PhongMeshEventMap {
@@ -10,6 +11,12 @@ export interface PhongMeshEventMap {
   load: CustomEvent<{ readonly url: string }>;
   /** Its `src` cannot be shown; `detail.code` and `detail.message` say why. */
   error: CustomEvent<ViewerErrorDetail>;
+}
+
+/** What the probe shows. */
+export interface ProbeDetail {
+  readonly fragment: FragmentExplanation | null;
+  readonly pinned: boolean;
 }
 
 /** Events of `<phong-viewer>`. None bubbles; several of one type in a task become one. */
@@ -24,6 +31,11 @@ export interface PhongViewerEventMap {
   'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
   /** Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it may be empty). */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
+  /**
+   * The probe shows another point, or the point has changed: `detail.fragment` as by `shadeAt`, null where none is explained.
+   * `detail.pinned`: it stays there when the mouse moves.
+   */
+  'probe-change': CustomEvent<ProbeDetail>;
   /** A frame was drawn. */
   render: CustomEvent<null>;
 }

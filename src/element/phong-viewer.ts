@@ -51,6 +51,7 @@ export interface PhongViewer extends ViewerProperties {
  * @csspart notice - the element's own message when something fails
  * @csspart retry - the button under that message, which tries again what failed
  * @csspart panel - the control panel's place
+ * @csspart legend - what the colours of `view` mean
  * @csspart probe - the box of `probe`: a point's colour and the table of its sum
  * @cssState loading - something requested has not arrived yet
  * @cssState error - something has failed and still does

@@ -2,8 +2,11 @@
 // bit by bit, events by their number.
 
 import type { Page } from '@playwright/test';
-import { expect, test } from '../support/test.js';
-import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from './support.js';
+import { allReady, expect, test } from '../support/test.js';
+import { holdContext, loseAndRestore } from './many-viewers.js';
+import { opened, slider } from './panel-rows.js';
+import { countEverything, NOTHING, spentIn } from './counting.js';
+import { assign, cameraOf, drag, Fingers, nextFrame, type PhongViewer, record, settled } from './support.js';
 
 /** Two viewers of 300 × 200 side by side. */
 const pair = (first: string, second: string, inner = ''): string =>
@@ -32,10 +35,7 @@ test('the first of a group keeps its camera, and the others take it', async ({ p
   expect(await expectOnePose(page)).toMatchObject({ theta: 10, phi: 70, radius: 5 });
 });
 
-test('a drag, a wheel turn, keys and a property move all, and each says so once', async ({
-  page,
-  mount,
-}) => {
+test('a drag, a wheel turn, keys and a property move all, and each says so once', async ({ page, mount }) => {
   const first = await mount(pair('', ''), size);
   const second = page.locator('phong-viewer').nth(1);
   const heard = [await record(first, 'camera-change'), await record(second, 'camera-change')] as const;
@@ -133,6 +133,21 @@ test('a viewer that leaves its group moves alone, and takes the camera of the on
   expect((await expectOnePose(page)).theta).toBe(10);
 });
 
+test('a viewer that is moved on its page keeps the camera of its group, and says nothing', async ({
+  page,
+  mount,
+}) => {
+  const first = await mount(pair('', 'fov="20"'), size);
+  const before = JSON.stringify(await expectOnePose(page));
+  const heard = await record(first, 'camera-change');
+  const others = await record(page.locator('phong-viewer').nth(1), 'camera-change');
+  await page.evaluate(() => document.body.append(document.querySelector('phong-viewer')!));
+  await allReady(page);
+  await nextFrame(page);
+  expect(JSON.stringify(await expectOnePose(page))).toBe(before);
+  expect([...(await heard.take()), ...(await others.take())]).toEqual([]);
+});
+
 test('one turntable turns a group, and waits while any viewer is dragged', async ({ page, mount }) => {
   const first = await mount(pair('auto-rotate="30"', 'auto-rotate="-700"'), size);
   const heard = await record(page.locator('phong-viewer').nth(1), 'camera-change');
@@ -212,4 +227,68 @@ test('20 linked viewers take one event and one frame each for a move', async ({ 
   expect(counts.moves).toEqual(Array<number>(20).fill(10));
   expect(counts.frames).toEqual(Array<number>(20).fill(10));
   expect(counts.thetas).toEqual(Array<number>(20).fill(40));
+});
+
+test('two fingers on one viewer shift and zoom all', async ({ page, mount }) => {
+  await mount(pair('', ''), size);
+  const before = JSON.stringify(await expectOnePose(page));
+  const fingers = await Fingers.on(page);
+  await fingers.down([340, 100], [380, 100]);
+  await fingers.move([330, 90], [400, 90]);
+  await fingers.move([320, 80], [420, 80]);
+  expect(JSON.stringify(await expectOnePose(page))).not.toBe(before);
+  await fingers.up();
+  await expectOnePose(page);
+});
+
+test('the panel moves all, as the source panel, and undoes it for all', async ({ page, mount }) => {
+  const first = await mount(pair('gui', ''), { ...size, width: 500, height: 350 });
+  const folder = await opened(first, 'Camera');
+  const before = JSON.stringify(await expectOnePose(page));
+  const heard = await record(page.locator('phong-viewer').nth(1), 'camera-change');
+  await slider(folder, 'θ azimuth °').fill('75');
+  expect((await expectOnePose(page)).theta).toBe(75);
+  const linked = { type: 'camera-change', detail: { source: 'panel', linked: true } };
+  expect((await heard.take()).at(-1)).toEqual(linked);
+  await page.keyboard.press('Control+z');
+  expect(JSON.stringify(await expectOnePose(page))).toBe(before);
+  expect((await heard.take()).at(-1)).toEqual(linked);
+});
+
+test('the next viewer turns the group once the first is out of view, and nothing happens after both stop', async ({
+  page,
+  mount,
+}) => {
+  await countEverything(page);
+  const first = await mount(pair('auto-rotate="30"', 'auto-rotate="-30"'), {
+    ...size,
+    css: `${size.css} [hidden] { display: none !important }`,
+  });
+  const second = page.locator('phong-viewer').nth(1);
+  await first.evaluate((element: PhongViewer) => {
+    element.hidden = true;
+  });
+  await nextFrame(page);
+  const heard = await record(second, 'camera-change');
+  await expect.poll(async () => (await heard.take()).at(-1)?.detail).toEqual({ source: 'auto' });
+  await expectOnePose(page);
+  await first.evaluate((element: PhongViewer) => {
+    element.hidden = false;
+  });
+  for (const viewer of [first, second]) await assign(viewer, { autoRotate: 0 });
+  await allReady(page);
+  await nextFrame(page);
+  // The description is written a second after the last frame.
+  await expect.poll(() => spentIn(page, 300), { timeout: 20_000 }).toEqual(NOTHING);
+  await expectOnePose(page);
+});
+
+test('a group moves while its viewers have no context, and they come back with the right camera', async ({
+  page,
+  mount,
+}) => {
+  await holdContext(page);
+  const first = await mount(pair('', ''), size);
+  await loseAndRestore(page, page.locator('phong-viewer'), () => assign(first, { theta: 123, phi: 45 }));
+  expect(await expectOnePose(page)).toMatchObject({ theta: 123, phi: 45 });
 });

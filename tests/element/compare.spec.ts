@@ -4,7 +4,9 @@
 import type { Locator, Page } from '@playwright/test';
 import type { PhongCompare } from '../../src/index.js';
 import { decodePng, type Picture, pixelAt } from '../support/picture.js';
-import { allReady, expect, test, type Mount } from '../support/test.js';
+import { allReady, expect, strictPolicy, test, type Mount } from '../support/test.js';
+import { countEverything, countsOf } from './counting.js';
+import { opened, panelOf } from './panel-rows.js';
 import {
   assign,
   cameraOf,
@@ -221,6 +223,27 @@ test('a drag on either picture turns both, and a name of a camera group keeps a 
   expect(await cameraOf(viewers[0]!)).not.toEqual(first);
 });
 
+test('two fingers on both sides of a divider are one pinch', async ({ page, mount }) => {
+  await compared(page, mount, comparison());
+  const viewers = [0, 1].map((i) => page.locator('phong-viewer').nth(i));
+  const before = await cameraOf(viewers[0]!);
+  const fingers = await Fingers.on(page);
+  await fingers.down([150, 100]);
+  await fingers.down([150, 100], [250, 100]);
+  await fingers.move([125, 100], [275, 100]);
+  await fingers.move([100, 100], [300, 100]);
+  const after = await cameraOf(viewers[1]!);
+  expect(after.theta).toBe(before.theta);
+  expect(after.radius).toBeCloseTo(before.radius / 2, 6);
+  expect(await cameraOf(viewers[0]!)).toEqual(after);
+  await fingers.up();
+  // Each finger alone turns both.
+  await fingers.down([300, 100]);
+  await fingers.move([340, 100]);
+  await fingers.up();
+  expect((await cameraOf(viewers[0]!)).theta).toBeLessThan(before.theta);
+});
+
 test('a move draws each viewer once, and none that the divider hides', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();
@@ -386,4 +409,91 @@ test('without its code the viewers are there, one after the other, and a warning
   await page.unroute(/\/comparison-/);
   await page.evaluate(() => document.body.append(document.querySelector('phong-compare')!));
   await expect(page.getByRole('separator')).toBeAttached();
+});
+
+test('works where the page forbids every Trusted Types policy, and in a shadow tree', async ({
+  page,
+  mount,
+}) => {
+  await mount('<main></main>', {
+    css,
+    csp: `${strictPolicy}; require-trusted-types-for 'script'; trusted-types 'none'`,
+  });
+  await page.evaluate(() => {
+    const compare = Object.assign(document.createElement('phong-compare'), { at: 25 });
+    for (const alt of ['A', 'B'])
+      compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt }));
+    compare.style.display = 'block';
+    compare.style.width = '400px';
+    document.querySelector('main')?.attachShadow({ mode: 'open' }).append(compare);
+  });
+  const divider = page.getByRole('separator');
+  await expect(divider).toHaveAccessibleName('Divider between A and B');
+  const box = (await divider.boundingBox())!;
+  await drag(page, [box.x + 12, box.y + 20], [100, 0]);
+  expect(await placeOf(divider)).toBe(50);
+});
+
+test('a viewer takes the camera of the comparison that it is moved to', async ({ page, mount }) => {
+  await compared(
+    page,
+    mount,
+    comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"')) +
+      comparison('', sphere('alt="C" theta="50"') + sphere('alt="D"')),
+  );
+  const thetas = () =>
+    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => camera.theta));
+  expect(await thetas()).toEqual([10, 10, 50, 50]);
+  await page.evaluate(() => {
+    const [first, second] = document.querySelectorAll('phong-compare');
+    second?.append(first!.lastElementChild!);
+  });
+  await allReady(page);
+  expect(await thetas()).toEqual([10, 50, 50, 50]);
+});
+
+test('panel and picture of a split viewer keep their places: an open panel is beside neither picture alone', async ({
+  page,
+  mount,
+}) => {
+  const wide = 'phong-compare { width: 900px; height: 400px }';
+  const compare = await compared(
+    page,
+    mount,
+    comparison('at="60"', sphere('alt="A" gui') + sphere('alt="B"')),
+    wide,
+  );
+  const first = page.locator('phong-viewer').first();
+  await opened(first, 'Camera');
+  const surfaces = await Promise.all(
+    [0, 1].map((i) => page.locator('phong-viewer').nth(i).locator('[part=surface]').boundingBox()),
+  );
+  expect(surfaces[0]).toEqual(surfaces[1]);
+  const right = async (): Promise<number> => {
+    const { x, width } = (await panelOf(first).boundingBox())!;
+    return x + width;
+  };
+  expect(await right()).toBeLessThan(540);
+  await assign(compare, { at: 80 });
+  expect(await right()).toBeGreaterThan(600);
+  expect(await right()).toBeLessThan(720);
+});
+
+test('comparisons that come and go leave nothing behind', async ({ page, mount }) => {
+  await countEverything(page);
+  await mount('<main></main>');
+  for (let time = 0; time < 3; time++) {
+    await page.evaluate(async () => {
+      const compare = document.createElement('phong-compare');
+      for (let i = 0; i < 3; i++)
+        compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt: '' }));
+      document.body.append(compare);
+      await Promise.all(compare.viewers.map((viewer) => viewer.ready));
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      compare.remove();
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    });
+    const { listeners, observers } = await countsOf(page);
+    expect({ listeners, observers }).toEqual({ listeners: 0, observers: 0 });
+  }
 });

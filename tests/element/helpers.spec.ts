@@ -3,7 +3,17 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { assign, cameraOf, nextFrame, type PhongLight, type PhongViewer, record } from './support.js';
+import { field, opened } from './panel-rows.js';
+import {
+  assign,
+  cameraOf,
+  Fingers,
+  nextFrame,
+  type PhongLight,
+  type PhongViewer,
+  record,
+  settled,
+} from './support.js';
 
 const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"'): string =>
   `<phong-viewer alt="A box" helpers geometry="box" ${camera} ${attributes}>${lights}</phong-viewer>`;
@@ -59,6 +69,7 @@ test.describe('a light in the picture', () => {
   }) => {
     const viewer = await mount(scene(lamp, 'gui'));
     const events = await record(viewer, 'light-change', 'camera-change');
+    const folder = await opened(viewer, 'lamp');
     const before = await middleOf(handle(viewer, 'lamp'));
     await drag(page, handle(viewer, 'lamp'), -60, 30);
     const after = await middleOf(handle(viewer, 'lamp'));
@@ -67,6 +78,7 @@ test.describe('a light in the picture', () => {
     const { position } = await light(viewer);
     expect(position[2]).toBeCloseTo(0, 3);
     expect(position[3]).toBe(1);
+    await expect(field(folder, 'position x')).toHaveValue(String(position[0]));
     const types = new Set((await events.take()).map(({ type }) => type));
     expect([...types]).toEqual(['light-change']);
     expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
@@ -76,6 +88,21 @@ test.describe('a light in the picture', () => {
     expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
     await handle(viewer, 'lamp').press('Control+Shift+z');
     expect((await light(viewer)).position).toEqual(position);
+  });
+
+  test('stays under a pointer that rests while something else turns the camera', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 50, y, { steps: 3 });
+    await assign(viewer, { theta: 30 });
+    await settled(viewer);
+    await nextFrame(page);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(after.x).toBeCloseTo(x - 50, 0);
+    expect(after.y).toBeCloseTo(y, 0);
+    await page.mouse.up();
   });
 
   test('moves along the view with Shift, and stays under the same pixel', async ({ page, mount }) => {
@@ -170,6 +197,23 @@ test.describe('by keys', () => {
     await expect(page.getByText('Next')).toBeFocused();
   });
 
+  test('keys that are faster than frames all count', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const positions = await handle(viewer, 'lamp').evaluate((element) => {
+      const { lights } = (element.getRootNode() as ShadowRoot).host as PhongViewer;
+      element.focus();
+      return ['Enter', 'ArrowRight', 'Shift+ArrowDown', 'ArrowRight'].map((name) => {
+        const key = name.replace('Shift+', '');
+        element.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: key !== name, bubbles: true }));
+        return lights[0]!.position;
+      });
+    });
+    const [start, right, nearer, end] = positions.map(([x]) => x);
+    expect(right).toBeGreaterThan(start!);
+    expect(nearer! / right!).toBeCloseTo(Math.exp(-8 / 150), 3); // nearer to the axis of the view, on the same line
+    expect(end).toBeGreaterThan(nearer!);
+  });
+
   test('Escape restores, and there and back is where it was', async ({ page, mount }) => {
     const viewer = await mount(scene(sun));
     await handle(viewer, 'sun').press('Enter');
@@ -217,6 +261,48 @@ test.describe('nothing is thrown and nothing sticks', () => {
       const after = (await light(viewer, (await handle(viewer, 'lamp').count()) === 0 ? 0 : 1)).position;
       expect(after).not.toEqual(before);
     });
+
+  test('where the context is lost in the middle of a drag, and comes back', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    await viewer.evaluate((element: PhongViewer) =>
+      element.addEventListener('error', (event) => event.preventDefault()),
+    );
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 20, y, { steps: 2 });
+    const loss = await viewer.evaluateHandle((element) => {
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+      extension.loseContext();
+      return extension;
+    });
+    await nextFrame(page);
+    await page.mouse.move(x - 40, y, { steps: 2 });
+    await page.mouse.up();
+    const { position } = await light(viewer);
+    expect(position[0]).toBeLessThan(0.35);
+    await loss.evaluate((extension) => extension.restoreContext());
+    await settled(viewer);
+    await drag(page, handle(viewer, 'lamp'), 0, 30);
+    expect((await light(viewer)).position[1]).toBeLessThan(position[1]);
+  });
+
+  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene(lamp) + scene(sun), { width: 300, height: 200 });
+    const other = page.locator('phong-viewer').nth(1);
+    await drag(page, handle(viewer, 'lamp'), -20, 10);
+    await drag(page, handle(other, 'sun'), 20, 10);
+    const [moved, turned] = [(await light(viewer)).position, (await light(other)).position];
+    await handle(viewer, 'lamp').press('Control+z');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    expect((await light(other)).position).toEqual(turned);
+    expect(moved).not.toEqual([0.5, 0.4, 0, 1]);
+    expect(turned).not.toEqual([0, 1, 2, 0]);
+  });
 
   test('with lights behind the eye, at it, at a pole, and in a viewer of 120 × 90', async ({
     page,
@@ -269,4 +355,157 @@ test('helpers are in a picture file where they are requested, and only there', a
     }, helpers);
   expect(await differs(false)).toBe(false);
   expect(await differs(true)).toBe(true);
+});
+
+test.describe('a viewer with helpers', () => {
+  test('fetches nothing for them while they are off, and redraws nothing while they are on and nothing changes', async ({
+    page,
+    mount,
+  }) => {
+    const requests: string[] = [];
+    page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+    const viewer = await mount(scene(lamp).replace(' helpers', ''));
+    await assign(viewer, { theta: 20 });
+    await settled(viewer);
+    expect(requests.filter((path) => path.includes('helpers'))).toEqual([]);
+    await assign(viewer, { helpers: 'lights axes grid normals bounds' });
+    await expect(viewer.getByRole('listbox')).toBeVisible();
+    expect(requests.filter((path) => path.includes('helpers'))).toHaveLength(1);
+    const work = () =>
+      viewer.evaluate(async (element: PhongViewer) => {
+        const { frames } = element.stats;
+        const changes: MutationRecord[] = [];
+        const observer = new MutationObserver((records) => changes.push(...records));
+        const layer = element.shadowRoot!.querySelector('.layer')!;
+        observer.observe(layer, { subtree: true, attributes: true, childList: true, characterData: true });
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        return [element.stats.frames - frames, changes.length];
+      });
+    // The rays that find out what is hidden take a while.
+    await expect.poll(work).toEqual([0, 0]);
+    expect(await work()).toEqual([0, 0]);
+  });
+
+  test('writes to no other light’s elements while one of 64 is dragged', async ({ page, mount }) => {
+    const lights = Array.from(
+      { length: 64 },
+      (_, i) =>
+        `<phong-light name="l${i}" position="${Math.cos(i)} ${Math.sin(i)} ${i / 64} 1"></phong-light>`,
+    );
+    const viewer = await mount(scene(lights.join('')));
+    const { x, y } = await middleOf(handle(viewer, 'l0:'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 10, y - 5);
+    await nextFrame(page);
+    await page.waitForTimeout(300);
+    const written = await viewer.evaluateHandle((element) => {
+      const nodes = new Set<Node>();
+      const observer = new MutationObserver((records) => {
+        for (const { target } of records) nodes.add(target);
+      });
+      const layer = element.shadowRoot!.querySelector('.layer')!;
+      observer.observe(layer, { subtree: true, attributes: true, childList: true });
+      return nodes;
+    });
+    await page.mouse.move(x - 12, y - 6);
+    await nextFrame(page);
+    // Its disc with the outline, its handle and its name, and the names that give way to it: of more than 250 elements.
+    expect(await written.evaluate(({ size }) => size)).toBeLessThan(16);
+    await page.mouse.up();
+  });
+
+  test('keeps zooming by the wheel over a handle', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    await handle(viewer, 'lamp').focus();
+    const { radius } = await cameraOf(viewer);
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.wheel(0, 100);
+    await expect.poll(async () => (await cameraOf(viewer)).radius).toBeGreaterThan(radius);
+  });
+
+  test('lets a finger drag a light, and the page scroll beside it', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const fingers = await Fingers.on(page);
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    const { theta } = await cameraOf(viewer);
+    await fingers.down([x, y]);
+    for (const step of [10, 20, 40]) await fingers.move([x, y + step]);
+    await fingers.up();
+    expect((await light(viewer)).position[1]).toBeLessThan(0.35);
+    expect((await cameraOf(viewer)).theta).toBe(theta);
+  });
+
+  test('follows the pointer where CSS has turned and scaled it', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp), {
+      css: 'phong-viewer { transform: translate(50px, 60px) rotate(90deg) scale(0.5) }',
+    });
+    const before = await middleOf(handle(viewer, 'lamp'));
+    await drag(page, handle(viewer, 'lamp'), 20, 30);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(after.x).toBeCloseTo(before.x + 20, 0);
+    expect(after.y).toBeCloseTo(before.y + 30, 0);
+  });
+
+  test('shows a light behind a shape with dashes', async ({ mount }) => {
+    const viewer = await mount(scene('<phong-light name="lamp" position="0 0 -2 1"></phong-light>'));
+    const dashed = viewer.locator('circle:not([stroke-dasharray=none])');
+    await expect(dashed).toHaveCount(2);
+    await assign(viewer.locator('phong-light'), { position: [0, 0, 2, 1] });
+    await expect(dashed).toHaveCount(0);
+  });
+
+  test('shows its texts in the page’s words, and a removed light’s focus goes to the next one', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene(lamp + sun));
+    await assign(viewer, {
+      texts: {
+        'Lights in the picture': 'Lichter im Bild',
+        'Enter starts moving.': 'Enter bewegt.',
+        '{name}: point light, position {position}, diffuse {diffuse}': '{name}, bei {position}',
+      },
+    });
+    await expect(viewer.getByRole('listbox', { name: 'Lichter im Bild' })).toBeVisible();
+    await expect(handle(viewer, 'lamp')).toHaveAccessibleName('lamp, bei 0.5 0.4 0');
+    await expect(handle(viewer, 'lamp')).toHaveAccessibleDescription('Enter bewegt.');
+    await handle(viewer, 'lamp').focus();
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await expect(handle(viewer, 'sun')).toBeFocused();
+    await page.keyboard.press('Enter');
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await expect(viewer).toBeFocused();
+    await expect(viewer.getByRole('listbox')).toBeHidden();
+  });
+
+  test('draws axes, grid, bounds and normals, and takes them away', async ({ mount }) => {
+    const viewer = await mount(scene(lamp).replace(' helpers', ' helpers="axes"'));
+    await expect(viewer.locator('svg text')).toHaveText(['x', 'y', 'z']);
+    await expect(viewer.getByRole('listbox')).toBeHidden();
+    const paths = viewer.locator('svg path');
+    for (const name of ['grid', 'bounds', 'normals']) {
+      await assign(viewer, { helpers: name });
+      await expect(viewer.locator('svg text')).toHaveCount(0);
+      await expect(paths.first(), name).toBeAttached();
+      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
+        `helpers="${name}"`,
+      );
+    }
+    await assign(viewer, { helpers: [] });
+    await expect(viewer.locator('svg')).toHaveCount(0);
+  });
+
+  test('has the framing, the fragments and the lights that it has without', async ({ mount }) => {
+    const viewer = await mount(scene(`${lamp}<phong-light position="40 0 0 1"></phong-light>`));
+    const facts = () =>
+      viewer.evaluate(async (element: PhongViewer) => {
+        await element.ready;
+        return [element.camera.radius, await element.shadeAt(300, 200), element.stats.drawCalls];
+      });
+    const withHelpers = await facts();
+    await assign(viewer, { helpers: [] });
+    expect(await facts()).toEqual(withHelpers);
+  });
 });

@@ -2,13 +2,12 @@
 // error otherwise. textured.glb has the same texels in a PNG.
 
 import type { Locator, Page } from '@playwright/test';
-import { compare, expect, pixels, strictPolicy, test, type Picture } from '../support/test.js';
-import { startSite, testMounts } from '../support/site.js';
+import { compare, expect, pixels, test, type Picture } from '../support/test.js';
+import { startSite, testMounts, wasmPolicy } from '../support/site.js';
 import { type PhongViewer } from './support.js';
 
 const model = (name: string): string => `/fixtures/models/${name}`;
 const size = { width: 120, height: 90 };
-const wasmPolicy = strictPolicy.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'");
 const sceneOf = (name: string): string =>
   `<phong-viewer src="${model(name)}" theta="0" phi="90" ka="255" kd="0" ks="0">
     <phong-light ambient="255 255 255"></phong-light></phong-viewer>`;

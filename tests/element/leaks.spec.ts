@@ -10,6 +10,7 @@ const stays = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></ph
 const kinds = [
   '<phong-viewer src="/fixtures/models/textured.glb"></phong-viewer>',
   '<phong-viewer geometry="sphere" shading="flat" gui></phong-viewer>',
+  '<phong-viewer geometry="box" helpers="lights grid"><phong-light position="1 2 3 1"></phong-light></phong-viewer>',
   '<phong-viewer color-interpolation="linear" auto-rotate="9"><phong-light></phong-light><phong-mesh geometry="torus"></phong-mesh></phong-viewer>',
 ];
 

@@ -39,6 +39,11 @@ test.describe('an attribute that does not exist', () => {
     [scene('', ' height="300"'), '<phong-viewer> has no attribute height. CSS sets the size: write style="width: …; height: …".'], // prettier-ignore
     [scene('', ' autorotate="9"'), '<phong-viewer> has no attribute autorotate. Did you mean auto-rotate?'],
     [scene(light('shininess="9"')), '<phong-light> has no attribute shininess. It belongs to <phong-mesh> and <phong-viewer>.'], // prettier-ignore
+    ['<phong-compare width="9"></phong-compare>', '<phong-compare> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // prettier-ignore
+    [
+      '<phong-compare lables="a"></phong-compare>',
+      '<phong-compare> has no attribute lables. Did you mean labels?',
+    ],
   ];
 
   test('is named with the one to write', async ({ page, mount, consoleGuard }) => {
@@ -249,4 +254,16 @@ test.describe('the code that knows mistakes', () => {
     await reported(page, warnings, 1);
     expect(await spentIn(page, 300)).toEqual(NOTHING);
   });
+});
+
+test('a viewer that is no child of its <phong-compare> is named with the cure', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  const warnings = consoleGuard.allow(/^warning: A <phong-viewer> in a/, 1);
+  await mount(`<phong-compare>${scene('')}<figure>${scene('')}</figure></phong-compare>`, size);
+  expect(await reported(page, warnings, 1)).toEqual([
+    'A <phong-viewer> in a <figure> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.',
+  ]);
 });

@@ -388,6 +388,36 @@ test.describe('the box', () => {
   });
 });
 
+test('`probe-change` says which fragment is shown, whether it is pinned, and when there is none', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene());
+  const events = await viewer.evaluateHandle((element: PhongViewer) => {
+    const list: [number | null, boolean][] = [];
+    element.addEventListener('probe-change', ({ detail: { fragment, pinned } }) =>
+      list.push([fragment === null ? null : fragment.color[0], pinned]),
+    );
+    return list;
+  });
+  const last = (): Promise<[number | null, boolean] | undefined> => events.evaluate((list) => list.at(-1));
+  const red = (x: number, y: number): Promise<number> =>
+    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at))!.color[0], [
+      x,
+      y,
+    ] as const);
+  await page.mouse.move(280, 130);
+  await expect.poll(last).toEqual([await red(280, 130), false]);
+  await page.mouse.click(280, 130);
+  await expect.poll(last).toEqual([await red(280, 130), true]);
+  await escape(page);
+  await expect.poll(last).toEqual([null, false]);
+  const count = await events.evaluate((list) => list.length);
+  await assign(viewer, { kd: [9, 9, 9] });
+  await nextFrame(page);
+  expect(await events.evaluate((list) => list.length), 'nothing is shown').toBe(count);
+});
+
 test('without `probe` nothing of it is fetched; with it, one file, once', async ({ page, mount }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(new URL(request.url()).pathname));

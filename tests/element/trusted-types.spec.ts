@@ -14,7 +14,7 @@ test("panel, models, Draco, messages and copied HTML work under trusted-types 'n
   consoleGuard.allow(/requires 'TrustedHTML'/, 1);
   consoleGuard.allow(/refused trusted-types-sink/, 2);
   const viewer = await mount(
-    `<phong-viewer gui alt="A bunny" src="/assets/models/bunny.glb" poster="data:image/gif;base64,R0lGODlhAQABAAAAACw=">
+    `<phong-viewer gui helpers alt="A bunny" src="/assets/models/bunny.glb" poster="data:image/gif;base64,R0lGODlhAQABAAAAACw=">
       <phong-light name="lamp" diffuse="#fc8" position="2 2 0 1" aperture="60"></phong-light>
       <phong-mesh src="/fixtures/models/textured.glb" position="0.2 0 0"></phong-mesh>
       <phong-mesh geometry="teapot" ka="oklch(0.7 0.1 200)"></phong-mesh></phong-viewer>`,
@@ -31,7 +31,7 @@ test("panel, models, Draco, messages and copied HTML work under trusted-types 'n
   });
   expect(refused).toContain('TrustedHTML');
   const loaded = await viewer.evaluate(async (element: PhongViewer) => {
-    await element.toBlob();
+    await element.toBlob({ helpers: true });
     await element.shadeAt(300, 200);
     return element.loaded;
   });

@@ -60,8 +60,18 @@ const uses: readonly Use[] = [
   { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['pick', 'shade-at'] },
   { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
+  { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend'] },
+  { what: 'a view of the lights that add something', use: set({ view: 'light-count' }), chunks: [] },
+  { what: 'one light alone', use: set({ view: 'shaded', viewLight: 'light 1' }), chunks: [] },
+  { what: 'no view', use: set({ viewLight: '' }), chunks: [] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
   { what: 'auto-rotate', use: set({ autoRotate: 5 }), chunks: [] },
+  { what: 'a camera group', use: set({ cameraGroup: 'all' }), chunks: ['camera-group'] },
+  {
+    what: 'a comparison',
+    use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-compare'))),
+    chunks: ['comparison'],
+  },
   { what: 'the panel', use: set({ gui: true }), chunks: ['history', 'panel'] },
   {
     what: 'a model',

@@ -12,6 +12,9 @@ import { outputFolder } from '../../.ci/output-folder.mjs';
 export const strictPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
 
+/** The same for models that need WebAssembly. */
+export const wasmPolicy = strictPolicy.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'");
+
 export interface PageOptions {
   /** Content-Security-Policy; default strict; empty for none. */
   readonly csp?: string;

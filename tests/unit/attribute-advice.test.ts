@@ -3,6 +3,7 @@
 import { describe, expect, it } from 'vitest';
 import { attributeAdvice } from '../../src/element/diagnosis/attribute-advice.js';
 import { attributesOf } from '../../src/element/fields/field-binding.js';
+import { COMPARE_FIELDS } from '../../src/element/fields/compare-fields.js';
 import { VIEWER_FIELDS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
@@ -11,6 +12,7 @@ const known = new Map([
   ['phong-light', attributesOf(LIGHT_FIELDS)],
   ['phong-mesh', attributesOf(MESH_FIELDS)],
   ['phong-viewer', attributesOf(VIEWER_FIELDS)],
+  ['phong-compare', attributesOf(COMPARE_FIELDS)],
 ]);
 const real = new Set([...known.values()].flat());
 const global =
@@ -54,7 +56,7 @@ describe.each([...known.keys()])('<%s>', (tag) => {
   });
 
   it('has advice for usual guesses', () => {
-    const guesses = { 'phong-light': 'color colour intensity pos rotate distance', 'phong-mesh': 'color colour pos width height rotate', 'phong-viewer': 'color colour intensity pos width height rotate distance' }[tag]; // prettier-ignore
+    const guesses = { 'phong-light': 'color colour intensity pos rotate distance', 'phong-mesh': 'color colour pos width height rotate', 'phong-viewer': 'color colour intensity pos width height rotate distance', 'phong-compare': 'width position value vertical label mode' }[tag]; // prettier-ignore
     for (const word of guesses?.split(' ') ?? [])
       expect(attributeAdvice(tag, word, known), word).toMatch(/^(Write|CSS) .*\.$/);
   });

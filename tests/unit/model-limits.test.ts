@@ -210,7 +210,9 @@ describe('images', () => {
 
   it('that are none are an error with their number', async () => {
     const file = texturedGlb([Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')], [{ source: 0 }]);
-    expect(await outcome(file)).toMatch(/^bad-model: .*images\[0\] is no PNG, JPEG, WebP, AVIF or KTX2 image/);
+    expect(await outcome(file)).toMatch(
+      /^bad-model: .*images\[0\] is no PNG, JPEG, WebP, AVIF or KTX2 image/,
+    );
   });
 });
 

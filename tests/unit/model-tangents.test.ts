@@ -1,5 +1,5 @@
 // Do computed tangents agree with three.js's own, which follow the same published method?
-import type { BufferGeometry} from 'three';
+import type { BufferGeometry } from 'three';
 import { SphereGeometry, Vector4 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { addTangents } from '../../src/scene/model/gltf/tangents.js';

@@ -3,7 +3,7 @@
 import { createElement, type FunctionComponent } from 'react';
 import { renderToStaticMarkup } from 'react-dom/server';
 import { describe, expect, it } from 'vitest';
-import { PhongLight, PhongMesh, PhongViewer, type PhongViewerProps } from '../../src/react.js';
+import { PhongCompare, PhongLight, PhongMesh, PhongViewer, type PhongViewerProps } from '../../src/react.js';
 
 const markup = <P extends object>(component: FunctionComponent<P>, props: P): string =>
   renderToStaticMarkup(createElement(component, props));
@@ -54,6 +54,14 @@ describe('the React components on a server', () => {
     expect(markup(PhongViewer, props)).toBe(
       '<phong-viewer id="scene" class="wide" style="width:10px" hidden="" tabIndex="0" aria-label="A box">' +
         '<phong-light name="sun"></phong-light></phong-viewer>',
+    );
+  });
+
+  it('write a comparison with its viewers', () => {
+    const props = { at: [30], labels: 'A, B', onDividerChange: () => undefined };
+    const viewer = createElement(PhongViewer, { alt: 'A' });
+    expect(markup(PhongCompare, { ...props, children: viewer })).toBe(
+      '<phong-compare at="30" labels="A, B"><phong-viewer alt="A"></phong-viewer></phong-compare>',
     );
   });
 

@@ -5,12 +5,13 @@ import { srgbEncode } from '../../src/math/color.js';
 import { map, type Vec3 } from '../../src/math/vector.js';
 import { VIEWS, type View } from '../../src/material/views.js';
 import { shade } from '../../src/reference/index.js';
+import { drawnWith, logGl } from '../element/gl-log.js';
 import { assign, type PhongViewer, settled } from '../element/support.js';
 import { compare, expect, pixels, test, type Mount } from '../support/test.js';
 import { patch } from '../support/gltf.js';
 import { repeats } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
-import { randomScene, sceneMarkup } from './random-scene.js';
+import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 import { type CastScene, lens } from './ray-cast.js';
 import { type Explained, viewColor } from './view-colors.js';
 
@@ -158,6 +159,30 @@ for (const shading of ['phong', 'gouraud', 'flat', 'blinn-phong'] as const) {
     }
   });
 }
+
+test('counts many narrow spots by the cells of their grid, seed 5', async ({ page, mount }) => {
+  await logGl(page);
+  const scene = randomScene(4);
+  const dice = new Dice(5);
+  const spots = Array.from({ length: 90 }, () => {
+    const [x, z] = [dice.from(-2, 2), dice.from(-2, 2)];
+    return { ...randomLight(dice), position: [x, 3, z, 1], axis: [0, -1, 0], aperture: 4, cutoff: 2, active: true, space: 'world' } as const; // prettier-ignore
+  });
+  const upright = { position: [0, 0, 0], rotation: [0, 0, 0], scale: [4, 4, 4] } as const;
+  const pose = { theta: 20, phi: 30, radius: 5, target: [0, 0, 0] } as const;
+  const crowd: CastScene = {
+    ...scene,
+    pose,
+    meshes: [{ ...scene.meshes[0]!, ...upright }],
+    lights: [...scene.lights, ...spots],
+  };
+  const viewer = await mount(sceneMarkup(crowd), SIZE);
+  const errors = await errorsOf(viewer, crowd, 'light-count', null);
+  expect(errors.max, errors.at).toBeLessThanOrEqual(1);
+  expect(errors.compared).toBeGreaterThan(3000);
+  const drawn = (await drawnWith(page)).at(-1);
+  expect(drawn?.fragment).toContain('#define HAS_LIGHT_GRID');
+});
 
 test('keeps explaining the shaded picture, whatever the view', async ({ mount }) => {
   const viewer = await mount(`<phong-viewer geometry="sphere" segments="8">${lights}</phong-viewer>`, SIZE);

@@ -2,6 +2,7 @@
 // others. Knows neither cameras nor pictures.
 import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';
+import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
@@ -11,6 +12,7 @@ import { create, set } from '../viewer/template.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './places.js';
+import { SharedTouch } from './shared-touch.js';
 
 interface Pane {
   readonly box: HTMLElement;
@@ -41,7 +43,9 @@ export class Comparison implements DividerHost {
     // The direction of the text may have changed, which no event reports.
     for (const type of ['pointerover', 'focusin'] as const)
       root.addEventListener(type, () => this.update(), { signal: this.#listeners.signal });
+    new SharedTouch(root, this.#listeners.signal);
     this.update();
+    inspect(element);
   }
 
   get vertical(): boolean {

@@ -54,6 +54,14 @@ const GUESSES: Readonly<Record<string, Advice>> = {
     'Write alt="…".': 'label description caption',
     'Write loading="lazy".': 'lazy',
   },
+  'phong-compare': {
+    'CSS sets the size: write style="width: …; height: …".': 'width height size',
+    'Write layout="split" or layout="side".': 'mode type kind',
+    'Write at="…": where the divider is, in percent.':
+      'position pos value start offset percent split divider',
+    'Write direction="vertical" for viewers from top to bottom.': 'vertical orientation axis',
+    'Write labels="…", separated by commas.': 'label names captions titles',
+  },
 };
 
 /** HTML's global attributes without a `-`, and those of RDFa. They are nobody's mistake, however near a real name they are. */

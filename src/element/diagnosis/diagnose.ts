@@ -6,9 +6,11 @@ import { registryAround } from '../child-registry.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import { isNamed } from '../viewer/naming.js';
 import { attributeAdvice } from './attribute-advice.js';
-import { strayAttributes } from './inspect.js';
+import { strayAttributes, wrappedViewer } from './inspect.js';
 
 const TAGS = ['phong-light', 'phong-mesh', 'phong-viewer'] as const;
+/** Not for the inside of a viewer. */
+const ALL_TAGS = [...TAGS, 'phong-compare'] as const;
 
 /** The page's warnings. A page with more mistakes than this has one cause for most of them. */
 const MOST = 100;
@@ -16,7 +18,7 @@ const given = new Set<string>();
 
 /** Warns of the mistakes in these elements. */
 export function diagnose(elements: readonly Element[]): void {
-  const known = new Map(TAGS.map((tag) => [tag as string, attributesOf(tag)]));
+  const known = new Map(ALL_TAGS.map((tag) => [tag as string, attributesOf(tag)]));
   for (const element of elements) {
     const tag = element.localName;
     for (const name of strayAttributes(element)) {
@@ -24,11 +26,20 @@ export function diagnose(elements: readonly Element[]): void {
       if (advice !== undefined) warn(`<${tag}> has no attribute ${clip(name)}. ${advice}`);
     }
     if (!element.isConnected) continue;
-    if (tag === 'phong-viewer') {
+    if (tag === 'phong-compare') diagnoseWrapped(element);
+    else if (tag === 'phong-viewer') {
       diagnoseContent(element);
       if (!isNamed(element as PhongViewer)) warn(UNNAMED);
     } else if (registryAround(element) === null) warn(lonely(element));
   }
+}
+
+function diagnoseWrapped(compare: Element): void {
+  const wrapper = wrappedViewer(compare)?.parentElement?.localName;
+  if (wrapper !== undefined)
+    warn(
+      `A <phong-viewer> in a <${clip(wrapper)}> inside a <phong-compare> is not shown. Make it a child of the <phong-compare>.`,
+    );
 }
 
 const UNNAMED =

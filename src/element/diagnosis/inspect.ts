@@ -34,6 +34,10 @@ export function strayAttributes(element: Element): string[] {
   return element.getAttributeNames().filter((name) => !own.includes(name) && !FOREIGN.test(name));
 }
 
+/** A viewer in a <phong-compare> that is not its child. */
+export const wrappedViewer = (compare: Element): Element | null =>
+  compare.querySelector(':scope > :not(phong-viewer) phong-viewer');
+
 const FOREIGN = /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_)|[^\p{L}\d]/u;
 
 function inspectSoon(): void {
@@ -50,6 +54,7 @@ function isSuspect(element: Element): boolean {
   // It is tested when it comes back.
   if (!element.isConnected) return !inspected.delete(element);
   if (strayAttributes(element).length > 0) return true;
+  if (element.localName === 'phong-compare') return wrappedViewer(element) !== null;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
     !isNamed(element as PhongViewer) ||

@@ -57,6 +57,8 @@ export function parseText(text: string, field: Field<unknown>): unknown {
 export function formatValue(value: unknown, field: Field<unknown>): string | null {
   if (field.kind === 'presence') return value === true ? '' : null;
   if (value === null || value === undefined) return null;
+  // The empty attribute would mean something else.
+  if (field.empty !== undefined && Array.isArray(value) && value.length === 0) return null;
   return Array.isArray(value) ? value.join(' ') : `${value as string | number | boolean}`;
 }
 

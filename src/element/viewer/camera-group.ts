@@ -46,24 +46,24 @@ function groupAt<K>(
 
 class CameraGroup implements CameraLink, SharedFit {
   /** In the order in which they joined, which is document order for a page's markup. */
-  readonly #members = new Set<Member>();
+  readonly #members = new Map<ViewerCamera, Member>();
   /** For the framing that all members share; null after a change. */
   #fitted: { readonly framing: Framing; readonly fit: Fit; readonly from: Member } | null = null;
   #settling = false;
 
   /** The first member keeps its camera. Those that follow take the group's. */
   join(member: Member): void {
-    const [first] = this.#members;
-    this.#members.add(member);
+    const [first] = this.#members.values();
+    this.#members.set(member.camera, member);
     member.camera.link = this;
-    if (first !== undefined) member.camera.place(placementOf(first), 'script', true);
     member.viewport.fit.shared = this;
     this.changed();
+    if (first !== undefined) member.camera.place(placementOf(first), 'script', true);
   }
 
   /** The member keeps the camera that it has, or fits it to its own scene if that is `auto`. */
   leave(member: Member): void {
-    this.#members.delete(member);
+    this.#members.delete(member.camera);
     member.camera.link = null;
     member.viewport.fit.shared = null;
     member.viewport.invalidate();
@@ -71,15 +71,15 @@ class CameraGroup implements CameraLink, SharedFit {
   }
 
   moved(camera: ViewerCamera, source: CameraSource): void {
-    const mover = [...this.#members].find((member) => member.camera === camera);
+    const mover = this.#members.get(camera);
     if (mover === undefined) return;
     const placement = placementOf(mover);
-    for (const member of this.#members) if (member !== mover) member.camera.place(placement, source, true);
+    for (const other of this.#members.keys()) if (other !== camera) other.place(placement, source, true);
   }
 
   /** The first one that turns by itself turns all. A drag in any viewer stops it, as the drag would fight it. */
   turns(camera: ViewerCamera): boolean {
-    const cameras = [...this.#members].map((member) => member.camera);
+    const cameras = [...this.#members.keys()];
     return cameras.find(({ turning }) => turning) === camera && !cameras.some(({ dragging }) => dragging);
   }
 
@@ -97,7 +97,7 @@ class CameraGroup implements CameraLink, SharedFit {
   /** The fit with the largest radius, and its target. Scenes that show nothing count only where all are empty. */
   fit(framing: Framing): Fit {
     if (this.#fitted?.framing !== framing) {
-      const fits = [...this.#members].map((from) => ({
+      const fits = [...this.#members.values()].map((from) => ({
         framing,
         fit: from.viewport.fit.fitOf(framing, from.viewport.fov),
         from,
@@ -110,7 +110,7 @@ class CameraGroup implements CameraLink, SharedFit {
 
   /** Moves all cameras to the fit, on behalf of the member that it comes from. */
   #settle(): void {
-    const [first] = this.#members;
+    const [first] = this.#members.values();
     const framing = first?.viewport.framing ?? null;
     if (framing === null) return;
     const { target, radius } = this.fit(framing);

@@ -8,9 +8,9 @@ export const HALO = '#000';
 
 /**
  * Relative luminance of a core. Backgrounds from 0.1 on have 3:1 with the black outline, darker ones with a core of at least
- * 3 · (0.1 + 0.05) − 0.05.
+ * 3 · (0.1 + 0.05) − 0.05 = 0.4, and a little for rounding to 8 bits.
  */
-const CORE = 0.4;
+const CORE = 0.41;
 
 /** WCAG's weights of the linear channels. */
 const LUMINANCE: Vec3 = [0.2126, 0.7152, 0.0722];

@@ -1,6 +1,7 @@
 // How far is each pixel of a picture from the equation in float64? From coarse to fine, in short tasks. In steps of 1/255, as 8-bit codes
 // are. Knows neither viewers nor canvases.
 import type { LightValues } from '../../light/light-state.js';
+import type { LightShare } from '../../reference/index.js';
 import { dot, type Vec3 } from '../../math/vector.js';
 import type * as ShadeAt from '../../element/viewer/shade-at.js';
 import type { Equation } from '../../element/viewer/shade-hit.js';
@@ -45,7 +46,7 @@ export class ErrorMeasure implements Measured {
   readonly #scene: SceneSnapshot;
   readonly #lights: readonly Readonly<LightValues>[];
   readonly #code: PixelCode;
-  /** By pixel: which surface is seen, 0 for none; under flat shading each triangle is one. */
+  /** By pixel: which surface is seen in which cones, as a hash; 0 for none. Under flat shading each triangle is a surface. */
   readonly #surfaces: Int32Array;
   readonly #normals: Float32Array;
   #done = 0;
@@ -114,8 +115,8 @@ export class ErrorMeasure implements Measured {
     const { pick, shadedAt, equation } = this.#code;
     const hit = pick(this.#scene, x, y);
     if (hit === null || hit.base.opacity < 1) return NaN;
-    const { color, N } = shadedAt(equation, hit, this.#lights).shaded;
-    this.#surfaces[at] = this.#surfaceOf(hit);
+    const { color, N, shares } = shadedAt(equation, hit, this.#lights).shaded;
+    this.#surfaces[at] = this.#surfaceOf(hit, shares);
     this.#normals.set(N, 3 * at);
     let error = 0;
     for (let i = 0; i < 3; i++) error = Math.max(error, Math.abs(data[4 * at + i]! - 255 * color[i]!));
@@ -123,9 +124,13 @@ export class ErrorMeasure implements Measured {
     return error;
   }
 
-  #surfaceOf({ drawn, triangle }: Hit): number {
-    const index = this.#scene.objects.indexOf(drawn) + 1;
-    return drawn.phong.style.shading === 'flat' ? index + this.#scene.objects.length * (triangle + 1) : index;
+  #surfaceOf({ drawn, triangle }: Hit, shares: readonly (LightShare | null)[]): number {
+    let key = this.#scene.objects.indexOf(drawn) + 1;
+    if (drawn.phong.style.shading === 'flat') key = hashed(key, triangle);
+    shares.forEach((share, i) => {
+      if (share?.insideCone === false) key = hashed(key, i);
+    });
+    return key;
   }
 
   /** Beside an edge a pixel may be the average of both sides, which the equation makes no promise about. */
@@ -166,5 +171,7 @@ export class ErrorMeasure implements Measured {
     return [normals[3 * at]!, normals[3 * at + 1]!, normals[3 * at + 2]!];
   }
 }
+
+const hashed = (key: number, n: number): number => (Math.imul(key, 31) + n + 1) | 0;
 
 const NEIGHBOURS = [[-1, -1], [0, -1], [1, -1], [-1, 0], [1, 0], [-1, 1], [0, 1], [1, 1]] as const; // prettier-ignore

@@ -51,7 +51,7 @@ export class Handles {
     this.#list.addEventListener('focusout', () => this.#endKeys());
     // The picture below zooms, if it may.
     this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
-    listenToPointers(this.#list, host.tree.layer, {
+    listenToPointers(this.#list, place, {
       press: (element) => {
         const shown = this.#byElement.get(element);
         if (shown === undefined) return false;
@@ -71,7 +71,7 @@ export class Handles {
     view: Projection,
     scene: SceneBall,
   ): void {
-    this.#move.see(view, scene, (light) => marks[lights.indexOf(light)] ?? null);
+    this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
     set(this.#list, 'aria-label', phrase(texts, 'Lights in the picture'));
     const kept = new Set<string>();

@@ -45,7 +45,8 @@ export class LightHelpers {
   show(view: Projection, scene: SceneBall, isFrame: boolean): Drawing {
     const { lights } = this.#host.children;
     const changed: PhongLight[] = [];
-    for (const light of this.#known.keys()) if (!lights.includes(light)) this.#known.delete(light);
+    const present = new Set(lights);
+    for (const light of this.#known.keys()) if (!present.has(light)) this.#known.delete(light);
     for (const light of lights) {
       const { values } = fieldsOf(light).store;
       const hidden = this.#occlusion.isHidden(light);

@@ -79,12 +79,14 @@ export function lightMarks(
     if (spot.halfAngle !== null && spot.halfAngle < spot.aperture)
       stroke(view.line(rim(cone, spot.halfAngle, spot.reach)), 1, true);
     if (spot.aperture < 180) stroke(outlineOf(cone, spot, view), 1.5);
-    arrowTo(add(place, scale(spot.axis, spot.arrow)));
-    handles.push(handleAt('axis', add(place, scale(spot.axis, spot.arrow)), view));
+    const tip = add(place, scale(spot.axis, spot.arrow));
+    handles.push(handleAt('axis', tip, view));
     if (spot.aperture < 180)
       handles.push(handleAt('aperture', onCone(cone, spot.aperture, spot.reach), view));
+    for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
+    // Over its handle, which would hide the head.
+    arrowTo(tip);
   }
-  for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
   const handle = handleAt('place', place, view);
   handles.unshift(handle);
   const fill = values.active ? cssColor(own) : null;

@@ -7,7 +7,7 @@ import type { PhongLight } from '../../element/phong-light.js';
 import type { PhongViewer } from '../../element/phong-viewer.js';
 import { historyOf, type Subject, valuesOf } from '../../element/viewer/history.js';
 import type { Projection } from '../drawing/projection.js';
-import type { LightMarks, Part } from './light-marks.js';
+import { lightMarks, type Part } from './light-marks.js';
 import { type Anchor, type Change, moved, travelOfTurn } from './moves.js';
 import type { SceneBall } from './placed-light.js';
 
@@ -22,6 +22,8 @@ interface Move {
   readonly before: ReadonlyMap<string, unknown>;
   anchor: Anchor;
   along: boolean;
+  /** The pointer's whole travel as it was last; null before it moves, and for keys. */
+  last: readonly [dx: number, dy: number] | null;
   /** Pointer travel at the anchor, or keys' travel since then. */
   x: number;
   y: number;
@@ -33,7 +35,6 @@ export class LightMove {
   #move: Move | null = null;
   #view: Projection | null = null;
   #scene: SceneBall | null = null;
-  #marksOf: (light: PhongLight) => LightMarks | null = () => null;
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
@@ -51,9 +52,12 @@ export class LightMove {
     return this.#move?.light === light;
   }
 
-  /** What is drawn now. */
-  see(view: Projection, scene: SceneBall, marksOf: (light: PhongLight) => LightMarks | null): void {
-    [this.#view, this.#scene, this.#marksOf] = [view, scene, marksOf];
+  /** What is drawn now. A light that a pointer drags stays under it while the camera moves by itself. */
+  see(view: Projection, scene: SceneBall): void {
+    const isNew = view !== this.#view;
+    [this.#view, this.#scene] = [view, scene];
+    const move = this.#move;
+    if (isNew && move !== null && !move.byKeys && move.last !== null) this.to(...move.last, move.along);
   }
 
   /** False if another move goes on, or there is nothing to move. */
@@ -64,7 +68,7 @@ export class LightMove {
     const subject = valuesOf(light);
     this.#move = {
       ...{ light, part, byKeys, subject, before: subject.read() },
-      ...{ anchor, along: false, x: 0, y: 0, written: {} },
+      ...{ anchor, along: false, last: null, x: 0, y: 0, written: {} },
     };
     return true;
   }
@@ -72,7 +76,9 @@ export class LightMove {
   /** The pointer's whole travel since the start, CSS pixels of the layer. */
   to(dx: number, dy: number, along: boolean): void {
     const move = this.#current(along, dx, dy);
-    if (move !== null) this.#write(move, dx - move.x, dy - move.y);
+    if (move === null) return;
+    move.last = [dx, dy];
+    this.#write(move, dx - move.x, dy - move.y);
   }
 
   /** One press of a key: right and down are 1. */
@@ -102,7 +108,10 @@ export class LightMove {
     if (move !== null) historyOf(this.#viewer).record(move.subject, move.before);
   }
 
-  /** The move, measured from here if its kind changed or something else has written to the light. */
+  /**
+   * The move, measured from here if its kind changed or something else has written to the light, and for keys if the camera has moved:
+   * earlier steps were along other axes.
+   */
   #current(along: boolean, x: number, y: number): Move | null {
     const move = this.#move;
     if (move === null) return null;
@@ -110,7 +119,8 @@ export class LightMove {
     const isOwn = Object.entries(move.written).every(([key, value]) =>
       sameValue(value, values[key as keyof LightValues]),
     );
-    if (along === move.along && isOwn) return move;
+    const isSameView = !move.byKeys || move.anchor.view === this.#view;
+    if (along === move.along && isOwn && isSameView) return move;
     const anchor = this.#anchor(move.light, move.part);
     if (anchor === null) return null;
     Object.assign(move, { anchor, along, x, y, written: {} });
@@ -126,10 +136,13 @@ export class LightMove {
       fieldsOf(move.light).set(key as keyof Change, value);
   }
 
+  /** The light as its values are now: what is drawn may be older, as keys can be faster than frames. */
   #anchor(light: PhongLight, part: Part): Anchor | null {
-    const [view, scene, marks] = [this.#view, this.#scene, this.#marksOf(light)];
-    const handle = marks?.handles.find((each) => each.part === part);
-    if (view === null || scene === null || marks === null || handle === undefined) return null;
-    return { part, values: { ...fieldsOf(light).store.values }, placed: marks.placed, handle, view, scene };
+    const [view, scene] = [this.#view, this.#scene];
+    if (view === null || scene === null) return null;
+    const values = { ...fieldsOf(light).store.values };
+    const { placed, handles } = lightMarks(values, view, scene, false);
+    const handle = handles.find((each) => each.part === part);
+    return handle === undefined ? null : { part, values, placed, handle, view, scene };
   }
 }

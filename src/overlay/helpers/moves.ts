@@ -126,23 +126,26 @@ function isNearSide(place: Vec3, { center }: SceneBall, { eye }: Projection): bo
 
 /**
  * Where a ray from outside meets a ball, on the near or far side, as a unit vector from its centre. A ray that misses the ball goes on
- * to the other side: one that passes at 1.2 radii means the same as one at 0.8 radii there.
+ * around it: from the outline, which it touches at one radius from the centre, to the middle of the other side at two radii.
  */
 function onBall({ origin, direction }: Ray, { center, radius }: SceneBall, nearSide: boolean): Vec3 {
   const toCenter = subtract(center, origin);
   const aside = subtract(scale(direction, dot(toCenter, direction)), toCenter);
-  const distance = length(aside) / radius;
-  // Seen from the middle of the far side there is no way on: the pointer is two radii off.
-  const folded = distance <= 1 ? distance : Math.max(2 - distance, 0);
-  const outward = normalize(aside);
-  const depth = Math.sqrt(1 - folded * folded);
-  const isNear = distance <= 1 === nearSide;
-  return normalize(add(scale(outward, folded), scale(normalTo(outward, direction), isNear ? -depth : depth)));
+  const passed = length(aside) / radius;
+  if (passed <= 1) {
+    const depth = Math.sqrt(1 - passed * passed) * radius;
+    return normalize(add(aside, scale(direction, nearSide ? -depth : depth)));
+  }
+  const inward = normalize(toCenter);
+  const outward = normalize(subtract(aside, scale(inward, dot(aside, inward))));
+  // Angles from the point that is nearest to the eye.
+  const outline = Math.acos(radius / length(toCenter));
+  const end = nearSide ? Math.PI : 0;
+  // As fast as a point on the ball is, seen from the side: the same on both sides of the outline.
+  const share = Math.acos(1 - Math.min(passed - 1, 1)) / (Math.PI / 2);
+  const angle = outline + (end - outline) * share;
+  return normalize(add(scale(inward, -Math.cos(angle)), scale(outward, Math.sin(angle))));
 }
-
-/** The ray's direction without its part along `outward`, unit length. */
-const normalTo = (outward: Vec3, direction: Vec3): Vec3 =>
-  normalize(subtract(direction, scale(outward, dot(outward, direction))));
 
 /** Rodrigues' rotation of `v` about a unit axis, in radians. */
 function rotated(v: Vec3, axis: Vec3, angle: number): Vec3 {
@@ -157,6 +160,9 @@ const PIXELS_PER_DEGREE = 8;
 /** Degrees between the cones that are compared at first. */
 const COARSE = 2;
 
+/** Degrees. A cone of 180 is none, and would take its handle away in the middle of the move. */
+const WIDEST = 179;
+
 /** In degrees, to a tenth: the cone whose edge passes nearest to the pointer. */
 function apertureAfter(
   { placed, handle, values, view: start }: Anchor,
@@ -164,7 +170,7 @@ function apertureAfter(
   travel: Travel,
 ): number {
   const { place, spot } = placed;
-  const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), 180);
+  const clamped = (degrees: number): number => Math.min(Math.max(Math.round(10 * degrees) / 10, 0), WIDEST);
   if (spot === null) return values.aperture;
   if (travel.byKeys) return clamped(values.aperture + (travel.dx - travel.dy) / PIXELS_PER_DEGREE);
   const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, start) };
@@ -177,8 +183,8 @@ function apertureAfter(
       if (distanceAt(degrees) < distanceAt(best)) best = degrees;
     return best;
   };
-  const coarse = nearest(0, 180, COARSE);
-  return clamped(nearest(Math.max(coarse - COARSE, 0), Math.min(coarse + COARSE, 180), 0.1));
+  const coarse = nearest(0, WIDEST, COARSE);
+  return clamped(nearest(Math.max(coarse - COARSE, 0), Math.min(coarse + COARSE, WIDEST), 0.1));
 }
 
 const distance = (point: Point | null, { x, y }: Point): number =>

@@ -5,7 +5,7 @@ import { normalMatrix } from '../../material/normal-matrix.js';
 import { PhongMaterial } from '../../material/phong-material.js';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { arrowHead, type Primitive, type Stroke } from '../drawing/display-list.js';
-import type { Point, Projection } from '../drawing/projection.js';
+import { inside, type Point, type Projection } from '../drawing/projection.js';
 import type { Name } from './labels.js';
 import type { SceneBall } from './placed-light.js';
 
@@ -53,9 +53,24 @@ export function axesMarks(
     if (from === undefined || end === undefined) continue;
     const head = arrowHead(from, end);
     if (head !== null) list.push({ ...look, lines: [head], filled: true });
-    names.push({ text: name, center: end, gap: 10 });
+    const last = lastInside(tip, view);
+    if (last !== null) names.push({ text: name, center: last, gap: NAME_GAP });
   }
   return { list, names };
+}
+
+/** Between an axis and its name, CSS pixels. */
+const NAME_GAP = 10;
+
+/** The farthest point of an axis that leaves room for its name inside. */
+function lastInside(tip: Vec3, view: Projection): Point | null {
+  for (let i = AXIS_PIECES; i > 0; i--) {
+    const point = view.point(scale(tip, i / AXIS_PIECES));
+    if (point === null) continue;
+    const { x, y } = inside(point, view, NAME_GAP);
+    if (x === point.x && y === point.y) return point;
+  }
+  return null;
 }
 
 /** Lines of the plane y = 0 under the scene, at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are left out. */

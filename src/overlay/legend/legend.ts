@@ -21,7 +21,9 @@ class ViewExtra implements Extra {
   readonly #dropStyles: () => void;
   /** The values that the picture was last set to. */
   #shown = '';
-  #error: Promise<ErrorView | null> | null = null;
+  /** Null before its code has arrived, and for other views. */
+  #error: ErrorView | null = null;
+  #errorWanted = false;
   /** Of the error: the share that is measured, null while the picture moves, and the largest one once all is. */
   #progress: { readonly done: number | null; readonly largest: number } = { done: null, largest: NaN };
   #scale: { readonly key: string; readonly bars: readonly Bar[] } = { key: '', bars: [] };
@@ -40,11 +42,9 @@ class ViewExtra implements Extra {
       viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
       viewport.style = { ...viewport.style }; // materials and geometries follow
     }
-    if (values.view === 'error') this.#error ??= this.#showError();
-    else this.#hideError();
-    void this.#error?.then((error) => {
-      error?.update();
-    });
+    if (values.view !== 'error') this.#hideError();
+    else if (this.#errorWanted) this.#error?.update();
+    else void this.#showError();
     this.#updateLegend();
   }
 
@@ -57,22 +57,21 @@ class ViewExtra implements Extra {
   }
 
   dispose(): void {
-    const { values, viewport } = this.#host;
+    const { viewport } = this.#host;
     this.#hideError();
     this.#legend.place.remove();
     this.#dropStyles();
-    // A viewer that has left the page still draws its view, for toBlob.
-    if (values.view !== 'shaded' || values.viewLight !== '') return;
     viewport.lighting.view = null;
     viewport.style = { ...viewport.style };
   }
 
-  async #showError(): Promise<ErrorView | null> {
+  async #showError(): Promise<void> {
     const host = this.#host;
+    this.#errorWanted = true;
     try {
       const { ErrorView } = await errorCode();
-      if (host.values.view !== 'error' || !this.#legend.place.isConnected) return null;
-      return new ErrorView({
+      if (!this.#wantsError) return;
+      this.#error = new ErrorView({
         ...host,
         end: ERROR_END,
         lights: () => chosenLights(host),
@@ -81,16 +80,21 @@ class ViewExtra implements Extra {
           this.#updateLegend();
         },
       });
+      this.#error.update();
     } catch (error) {
+      this.#errorWanted = false; // the next update tries again
       console.warn(`<phong-viewer>: ${(error as Error).message}`);
-      return null;
     }
   }
 
+  /** The code may arrive after the view has changed, and after another request for it. */
+  get #wantsError(): boolean {
+    return this.#errorWanted && this.#error === null;
+  }
+
   #hideError(): void {
-    void this.#error?.then((error) => {
-      error?.dispose();
-    });
+    this.#errorWanted = false;
+    this.#error?.dispose();
     this.#error = null;
     this.#progress = { done: null, largest: NaN };
   }

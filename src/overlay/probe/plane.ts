@@ -65,7 +65,8 @@ export function planeOf(
     list.push({ kind: 'stroke', lines: [line], color: '#fff', width: 1 });
     const text = degreesText(cosine);
     texts.push(text);
-    wishes.push({ center: line[ARC_STEPS / 2]!, gap: 9, width: textWidth(text) });
+    // Nearer to L, or to R or H, than to what the other angle is measured from.
+    wishes.push({ center: line[(3 * ARC_STEPS) / 4]!, gap: 9, width: textWidth(text) });
   });
   const places = placeLabels(wishes, PLANE, []);
   places.forEach((place, i) => {

@@ -26,8 +26,11 @@ const WIDE = 600;
 /** Pixels between the box and the point, where the other edge leaves more: room for arrows. */
 const CLEARANCE = 60;
 
-/** The other edge must leave so many pixels more: near the middle the box would go back and forth. */
-const GAIN = 24;
+/** Pixels by which the edge that the box is not at must be better. */
+const GAIN = 12;
+
+/** Of the picture, where the box can be. */
+export type Edge = 'low' | 'high';
 
 /** From the box to the layer's edge; see probe.css. */
 const MARGIN = 8;
@@ -41,8 +44,8 @@ export class ProbeBox {
   readonly #scroll = create('div', { class: 'scroll' });
   /** The angles side on, where there is room. */
   readonly #plane = new SvgLayer();
-  readonly #steps = create('p', { class: 'steps', id: STEPS });
-  readonly #message = create('p', { class: 'note' });
+  readonly #steps = create('p', { class: 'steps', id: STEPS, dir: 'auto' });
+  readonly #message = create('p', { class: 'note', dir: 'auto' });
   readonly #table: SumTable;
   readonly #resized = new ResizeObserver(([entry]) => {
     const [size] = entry?.borderBoxSize ?? [];
@@ -101,19 +104,24 @@ export class ProbeBox {
     this.#release.hidden = !pinned;
   }
 
-  /** Moves to the other edge if the point, at `y`, is near. Returns what the box covers of a layer of this size. */
-  keepAwayFrom(y: number, layer: { readonly width: number; readonly height: number }): Box {
+  /**
+   * Chooses the edge for a point at `y`: the preferred one unless the point is near it and the other one leaves more room. Returns what
+   * the box covers of a layer of this size.
+   */
+  keepAwayFrom(y: number, layer: { readonly width: number; readonly height: number }, preferred: Edge): Box {
     const { classList } = this.element;
     const { width, height } = this.#size;
-    const reach = height + MARGIN + CLEARANCE;
-    const low = classList.contains('low');
-    const [near, far] = low ? [layer.height - y, y] : [y, layer.height - y];
-    const moves = near < reach && far > near + GAIN;
-    classList.toggle('low', moves !== low);
-    classList.toggle('high', moves === low);
-    const top = moves === low ? 0 : layer.height - height - MARGIN;
-    const start = this.element.matches(':dir(rtl)') ? layer.width - width - MARGIN : 0;
-    return { left: start, right: start + width + MARGIN, top, bottom: top + height + MARGIN };
+    const room = { low: layer.height - y, high: y };
+    const other = preferred === 'low' ? 'high' : 'low';
+    // What is chosen keeps a lead, so that the box does not go back and forth.
+    const lead = classList.contains(other) ? GAIN : -GAIN;
+    const near = room[preferred] - lead < height + MARGIN + CLEARANCE;
+    const edge = near && room[other] + lead > room[preferred] ? other : preferred;
+    classList.toggle('low', edge === 'low');
+    classList.toggle('high', edge === 'high');
+    const top = edge === 'high' ? 0 : layer.height - height - MARGIN;
+    const left = this.element.matches(':dir(rtl)') ? layer.width - width - MARGIN : 0;
+    return { left, right: left + width + MARGIN, top, bottom: top + height + MARGIN };
   }
 
   dispose(): void {

@@ -90,7 +90,7 @@ export class SumTable {
   }
 
   #addLightRow(): LightRow {
-    const button = create('button', { type: 'button', 'aria-describedby': STEPS });
+    const button = create('button', { type: 'button', 'aria-describedby': STEPS, dir: 'auto' });
     const note = create('small', {});
     const head = create('th', { scope: 'row' });
     head.append(button, note);

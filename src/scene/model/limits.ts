@@ -10,8 +10,8 @@ export const BYTE_LIMIT = 2 ** 28;
 export const CORNER_LIMIT = 2 ** 24;
 
 /**
- * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder runs on the main thread, where that takes up to a
- * second, and needs 350 bytes per triangle. A larger model can have several such meshes.
+ * Most corners, and most vertices, of one Draco mesh: a million triangles. The decoder's heap and what comes out of it take 500 MB for
+ * them, and 1.1 GB for two million. A larger model can have several such meshes.
  */
 export const DRACO_LIMIT = 3 * 2 ** 20;
 

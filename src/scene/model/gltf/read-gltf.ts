@@ -19,11 +19,13 @@ import { gltfTextures, type GltfTextures } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {
   const budget = new ModelBudget();
+  const slices = new Slices(source.signal);
   const { json, body } = openContainer(source.bytes, budget);
+  await slices.pauseIfDue();
   const document = readDocument(json, budget);
+  await slices.pauseIfDue();
   const bytes = gltfBytes(document, body, source);
   const textures = gltfTextures(document, bytes, budget, source.signal);
-  const slices = new Slices(source.signal);
   const turn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({
     name: 'phong_viewer_bytes',

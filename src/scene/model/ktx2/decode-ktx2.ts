@@ -32,7 +32,7 @@ export function decodeKtx2(
 }
 
 function notFetched(cause: unknown): never {
-  const message = 'The decoder of KTX2 textures, which this model needs, could not be fetched.';
+  const message = `The decoder of KTX2 textures, which this model needs, could not be fetched with ${transcoder}.`;
   throw new ModelError('load-failed', message, { cause });
 }
 

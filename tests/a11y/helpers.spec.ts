@@ -1,0 +1,98 @@
+// Can the lights in the picture be found, chosen and moved without seeing them? Read from Chromium's accessibility tree; rules by axe.
+
+import AxeBuilder from '@axe-core/playwright';
+import { PNG } from 'pngjs';
+import { expect, test } from '../support/test.js';
+import { accessibleNode, accessibleNodes } from './tree.js';
+
+const scene = `<main><h1>Lights</h1><phong-viewer alt="A box" geometry="box" helpers="lights axes grid normals bounds">
+  <phong-light name="lamp" position="0.5 0.4 1 1"></phong-light>
+  <phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" active="false"></phong-light>
+</phong-viewer></main>`;
+
+test('lights are a list of options with names and places, of which one has been chosen', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene);
+  await expect(viewer.getByRole('option')).toHaveCount(4);
+  const { name } = await accessibleNode(page, 'listbox');
+  expect(name).toBe('Lights in the picture');
+  const options = (await accessibleNodes(page)).filter(({ role }) => role === 'option');
+  expect(options.map((option) => [option.name, option.description])).toEqual([
+    ['lamp: point light, position 0.5 0.4 1, diffuse 255 255 255', 'Enter starts moving.'],
+    ['spot (off): spot light, position −0.6 0.5 0, diffuse 255 255 255', 'Enter starts moving.'],
+    ['spot: axis', 'Enter starts moving.'],
+    ['spot: edge of the cone, 20°', 'Enter starts moving.'],
+  ]);
+  expect(options.map(({ properties }) => properties['selected'])).toEqual([true, false, false, false]);
+});
+
+test('what keys do is announced at the start of a move, and where the light is after it', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene);
+  await viewer.getByRole('option', { name: /^lamp/ }).press('Enter');
+  await expect(viewer.locator('.helpers [aria-live=polite]')).toHaveText(
+    'Arrow keys move, with Shift toward you and away. Enter ends, Escape restores.',
+  );
+  await page.keyboard.press('ArrowUp');
+  await page.keyboard.press('Enter');
+  await expect(viewer.locator('.helpers [aria-live=polite]')).toHaveText('');
+  await expect(viewer.locator('.reader [aria-live=polite]')).toHaveText(
+    /^lamp: point light, position \S+ 0.4/,
+  );
+});
+
+test('helpers break no rule of axe', async ({ page, mount }) => {
+  const viewer = await mount(scene);
+  await expect(viewer.getByRole('option')).toHaveCount(4);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
+});
+
+const luminance = (color: readonly number[]): number => {
+  const [r, g, b] = color.map((code) => {
+    const c = code / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
+};
+const contrast = (a: number, b: number): number => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+
+for (const background of ['#fff', '#000', '#777', '#00f', '#595959', '#fc8'])
+  test(`lights, arrows and names have a contrast of 3:1 on ${background}`, async ({ mount }) => {
+    const lights = ['#00f', '#fc8', '#000', '#777', '#fff'].map(
+      (color, i) =>
+        `<phong-light name="${i}" diffuse="${color}" position="${(i - 2) * 0.6} 0.5 0 1"></phong-light>`,
+    );
+    const viewer = await mount(
+      `<phong-viewer alt="Lights" helpers theta="0" phi="90" radius="4" target="0 0 0">${lights.join('')}
+        <phong-light name="sun" diffuse="#400" position="0 -1 0 0"></phong-light></phong-viewer>`,
+      { css: `phong-viewer { background: ${background} }` },
+    );
+    await expect(viewer.locator('svg text')).toHaveCount(6);
+    const { data, width } = PNG.sync.read(await viewer.screenshot());
+    const colorAt = (x: number, y: number): number[] => {
+      const at = 4 * (Math.round(y) * width + Math.round(x));
+      return [data[at]!, data[at + 1]!, data[at + 2]!];
+    };
+    const behind = luminance(colorAt(2, 2));
+    /** The best of a line of pixels across a shape. */
+    const across = (x: number, y: number, length: number): number =>
+      Math.max(...Array.from({ length }, (_, i) => contrast(luminance(colorAt(x + i, y)), behind)));
+    for (const option of await viewer.getByRole('option').all()) {
+      const { x, y, width: size, height } = (await option.boundingBox())!;
+      expect(
+        across(x, y + height / 2, size),
+        (await option.getAttribute('aria-label')) ?? '',
+      ).toBeGreaterThanOrEqual(3);
+    }
+    for (const text of await viewer.locator('svg text').all()) {
+      const { x, y, width: size, height } = (await text.boundingBox())!;
+      expect(across(x, y + height / 2, size)).toBeGreaterThanOrEqual(3);
+    }
+    const arrow = (await viewer.locator('svg path').last().boundingBox())!;
+    expect(across(arrow.x - 2, arrow.y + arrow.height / 2, arrow.width + 4)).toBeGreaterThanOrEqual(3);
+  });

@@ -1,0 +1,97 @@
+// Do users' bundlers build the workers that unpack Draco and KTX2, and does the model show where they do not? The packed tarball in fresh
+// projects. Installs from the registry, so it is slow: @release.
+
+import { cpSync, mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import type { Page } from '@playwright/test';
+import { startSite } from '../support/site.js';
+import { expect, test } from '../support/test.js';
+import type { PhongViewer } from '../element/support.js';
+import { freshProject, type FreshProject } from './fresh-project.js';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const head = '<head><link rel="icon" href="data:,"></head>';
+const body =
+  '<script type="module" src="./main.js"></script>' +
+  '<phong-viewer alt="A bunny" src="bunny.glb"></phong-viewer><phong-viewer alt="A picture" src="ktx2.glb"></phong-viewer>';
+
+/** Whether the models are shown, and how many workers are there for them. */
+async function show(page: Page, address: string): Promise<{ loaded: readonly boolean[]; workers: number }> {
+  await page.goto(address);
+  const loaded = await page.evaluate(async () => {
+    await customElements.whenDefined('phong-viewer');
+    const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
+    await Promise.all(viewers.map((viewer) => viewer.ready));
+    return viewers.map((viewer) => viewer.loaded);
+  });
+  return { loaded, workers: page.workers().length };
+}
+
+test.describe('the decoders of the packed tarball @release', () => {
+  test.describe.configure({ mode: 'serial', timeout: 300_000 });
+  let project: FreshProject;
+
+  test.beforeAll(() => {
+    test.setTimeout(300_000);
+    project = freshProject(['three', 'vite', 'rollup@^4', '@rollup/plugin-node-resolve@^16', 'webpack@^5', 'webpack-cli@^6']); // prettier-ignore
+    project.write('main.js', "import 'phong-viewer';\n");
+    mkdirSync(join(project.folder, 'public'));
+    for (const path of ['demo/assets/models/bunny.glb', 'tests/fixtures/models/ktx2.glb'])
+      cpSync(join(repository, path), join(project.folder, 'public', path.replace(/.*\//, '')));
+  });
+
+  test.afterAll(() => project.remove());
+
+  test('run in workers that Vite built', async ({ page }) => {
+    const site = await startSite({ '/': project.build(body) }, '');
+    const shown = await show(page, `${site.origin}/`);
+    await site.close();
+    expect(shown).toEqual({ loaded: [true, true], workers: 2 });
+  });
+
+  test("run in Vite's development server", async ({ page, consoleGuard }) => {
+    project.write('index.html', `<!doctype html><html lang="en">${head}<body>${body}</body></html>`);
+    // Vite's own command prints the address in colours.
+    project.write(
+      'serve.js',
+      "import { createServer } from 'vite'; const server = await createServer({ server: { port: 0 } }); await server.listen(); console.log(`http://localhost:${server.httpServer.address().port}`);",
+    );
+    consoleGuard.allow(/Lit is in dev mode/);
+    consoleGuard.allow(/\[vite\]/);
+    const server = await project.serve('../serve.js', []);
+    const shown = await show(page, `${server.origin}/`);
+    server.stop();
+    expect(shown).toEqual({ loaded: [true, true], workers: 2 });
+  });
+
+  test('run in workers that webpack built', async ({ page, consoleGuard }) => {
+    consoleGuard.allow(/Lit is in dev mode/);
+    project.write(
+      'webpack.config.js',
+      "export default { mode: 'development', devtool: false, entry: './main.js', performance: { hints: false }, output: { path: import.meta.dirname + '/public', filename: 'main.js' } };",
+    );
+    project.run('npx webpack');
+    project.write('public/index.html', `<!doctype html><html lang="en">${head}<body>${body}</body></html>`);
+    const site = await startSite({ '/': join(project.folder, 'public') }, '');
+    const shown = await show(page, `${site.origin}/`);
+    await site.close();
+    expect(shown).toEqual({ loaded: [true, true], workers: 2 });
+  });
+
+  test('run on the main thread where Rollup left the workers out, but for KTX2', async ({
+    page,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(/404/);
+    project.run(
+      'npx rollup main.js --dir rolled --format es --plugin node-resolve --silent && cp public/*.glb rolled/',
+    );
+    project.write('rolled/index.html', `<!doctype html><html lang="en">${head}<body>${body}</body></html>`);
+    const site = await startSite({ '/': join(project.folder, 'rolled') }, '');
+    const shown = await show(page, `${site.origin}/`);
+    await site.close();
+    // The transcoder's WebAssembly is left out too.
+    expect(shown).toEqual({ loaded: [true, false], workers: 0 });
+  });
+});

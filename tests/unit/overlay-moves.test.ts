@@ -1,0 +1,196 @@
+// Does a light follow a drag in any view, keep what it has to keep, and come back where the drag came from?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { LightState, type LightValues } from '../../src/light/light-state.js';
+import type { Vec3 } from '../../src/math/vector.js';
+import { Projection } from '../../src/overlay/drawing/projection.js';
+import { lightMarks, type Part } from '../../src/overlay/helpers/light-marks.js';
+import { moved, type Anchor, type Travel } from '../../src/overlay/helpers/moves.js';
+import { halfAngle, halfDistance, placedLight } from '../../src/overlay/helpers/placed-light.js';
+
+const scene = { center: [0, 0, 0], radius: 1 } as const;
+const sight = {
+  pose: { theta: 0, phi: 90, radius: 4, target: [0, 0, 0] },
+  fov: 45,
+  width: 400,
+  height: 300,
+} as const;
+const values = (given: Partial<LightValues>): LightValues => new LightState(given).values;
+
+function anchorOf(light: LightValues, view: Projection, part: Part = 'place'): Anchor {
+  const { placed, handles } = lightMarks(light, view, scene, false);
+  return { part, values: light, placed, handle: handles.find((each) => each.part === part)!, view, scene };
+}
+
+const travel = (dx: number, dy: number, more: Partial<Travel> = {}): Travel => ({
+  dx,
+  dy,
+  along: false,
+  byKeys: false,
+  ...more,
+});
+
+const angle = fc.double({ min: -180, max: 180, noNaN: true });
+const pixel = fc.integer({ min: -300, max: 300 });
+const coordinate = fc.double({ min: -3, max: 3, noNaN: true });
+const view = fc
+  .tuple(angle, angle)
+  .map(([theta, phi]) => new Projection({ ...sight, pose: { ...sight.pose, theta, phi: Math.abs(phi) } }));
+const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
+
+describe('a light that is moved', () => {
+  it('lies under the pointer at the depth it had, in both spaces and every view', () => {
+    fc.assert(
+      fc.property(
+        view,
+        fc.tuple(coordinate, coordinate, coordinate),
+        fc.boolean(),
+        pixel,
+        pixel,
+        (from, place, inCamera, dx, dy) => {
+          const light = values({ position: [...place, 1], space: inCamera ? 'camera' : 'world' });
+          const anchor = anchorOf(light, from);
+          if (anchor.handle.outside) return;
+          const { position } = moved(anchor, from, travel(dx, dy));
+          const after = placedLight({ ...light, position: position! }, from, scene).place;
+          const depth = from.depthOf(anchor.handle.place);
+          expect(from.depthOf(after)).toBeCloseTo(depth, 3);
+          const shown = from.point(after);
+          // Rounded to a ten-thousandth of the scene.
+          const tolerance = 2e-4 * from.pixelsPerUnit(depth);
+          expect(Math.abs(shown!.x - anchor.handle.at.x - dx)).toBeLessThan(tolerance);
+          expect(Math.abs(shown!.y - anchor.handle.at.y - dy)).toBeLessThan(tolerance);
+        },
+      ),
+    );
+  });
+
+  it('keeps the length of a directional vector and of an axis, and changes nothing else', () => {
+    const vector = fc.tuple(coordinate, coordinate, coordinate).filter((v) => lengthOf(v) > 0.01);
+    fc.assert(
+      fc.property(
+        view,
+        vector,
+        fc.boolean(),
+        fc.boolean(),
+        pixel,
+        pixel,
+        (from, v, along, byKeys, dx, dy) => {
+          const sun = values({ position: [...v, 0] });
+          const turned = moved(anchorOf(sun, from), from, travel(dx, dy, { along, byKeys }));
+          expect(Object.keys(turned)).toEqual(['position']);
+          expect(lengthOf(turned.position!) / lengthOf(v)).toBeCloseTo(1, 12);
+          expect(turned.position![3]).toBe(0);
+          const spot = values({ position: [1, 1, 1, 1], axis: v, aperture: 20 });
+          const axis = moved(anchorOf(spot, from, 'axis'), from, travel(dx, dy, { along, byKeys }));
+          expect(Object.keys(axis)).toEqual(['axis']);
+          expect(lengthOf(axis.axis!) / lengthOf(v)).toBeCloseTo(1, 12);
+        },
+      ),
+    );
+  });
+
+  it('comes back where it was when the pointer does', () => {
+    const vector = fc.tuple(coordinate, coordinate, coordinate).filter((v) => lengthOf(v) > 0.01);
+    fc.assert(
+      fc.property(view, vector, fc.boolean(), fc.boolean(), (from, v, along, byKeys) => {
+        const sun = values({ position: [...v, 0] });
+        const anchor = anchorOf(sun, from);
+        // A handle at the edge goes under the pointer with the first pixel.
+        if (anchor.handle.outside) return;
+        const { position } = moved(anchor, from, travel(0, 0, { along, byKeys }));
+        for (const i of [0, 1, 2] as const) expect(position![i]).toBeCloseTo(v[i], 9);
+      }),
+    );
+  });
+
+  it('goes around the ball where the pointer leaves its outline, without a jump', () => {
+    const from = new Projection(sight);
+    const anchor = anchorOf(values({ position: [0, 0, 1, 0] }), from);
+    let last: Vec3 = [0, 0, 1];
+    for (let dx = 1; dx <= 400; dx++) {
+      const [x, y, z] = moved(anchor, from, travel(dx, 0)).position!;
+      // At the outline a pixel is worth most: the square root of its share of the ball.
+      expect(Math.hypot(x - last[0], y - last[1], z - last[2])).toBeLessThan(0.25);
+      last = [x, y, z];
+    }
+    expect(last[2]).toBeLessThan(-0.9);
+  });
+
+  it('is finite and within the domain for lights anywhere, the eye and 1e15 included', () => {
+    const anywhere = fc.oneof(coordinate, fc.constantFrom(0, 4, -4, 1e15, -1e15, 1e-300));
+    fc.assert(
+      fc.property(
+        view,
+        fc.tuple(anywhere, anywhere, anywhere),
+        fc.constantFrom(0, 1),
+        fc.boolean(),
+        fc.boolean(),
+        pixel,
+        pixel,
+        (from, v, w, along, byKeys, dx, dy) => {
+          const light = values({ position: [...v, w], axis: [0, -1, 0], aperture: 30 });
+          for (const part of ['place', 'axis', 'aperture'] as const)
+            expect(() =>
+              values(moved(anchorOf(light, from, part), from, travel(dx, dy, { along, byKeys }))),
+            ).not.toThrow();
+        },
+      ),
+    );
+  });
+
+  it('opens its cone to where the pointer is', () => {
+    const from = new Projection(sight);
+    const spot = values({ position: [0, 1, 0, 1], axis: [0, -1, 0], aperture: 20 });
+    const anchor = anchorOf(spot, from, 'aperture');
+    const wider = lightMarks({ ...spot, aperture: 47 }, from, scene, false).handles.find(
+      ({ part }) => part === 'aperture',
+    )!;
+    const { x, y } = anchor.handle.at;
+    expect(moved(anchor, from, travel(wider.at.x - x, wider.at.y - y)).aperture).toBeCloseTo(47, 1);
+    expect(moved(anchor, from, travel(16, 0, { byKeys: true })).aperture).toBe(22);
+    expect(moved(anchor, from, travel(-9999, 0, { byKeys: true })).aperture).toBe(0);
+    // At 180 it would be no cone, and its handle would go in the middle of the move.
+    expect(moved(anchor, from, travel(9999, 0, { byKeys: true })).aperture).toBe(179);
+  });
+});
+
+describe('a light’s helper', () => {
+  it('is inside the layer for every light, in layers of every size', () => {
+    const anywhere = fc.oneof(coordinate, fc.constantFrom(0, 4, 1e15, -1e15));
+    fc.assert(
+      fc.property(
+        view,
+        fc.tuple(anywhere, anywhere, anywhere),
+        fc.constantFrom(0, 1),
+        fc.integer({ min: 1, max: 500 }),
+        (from, v, w, width) => {
+          const small = new Projection({ ...sight, pose: from.pose, width });
+          const { handles } = lightMarks(values({ position: [...v, w], aperture: 20 }), small, scene, false);
+          for (const { at } of handles) {
+            expect(at.x >= 0 && at.x <= width, `${at.x}`).toBe(true);
+            expect(at.y >= 0 && at.y <= 300, `${at.y}`).toBe(true);
+          }
+        },
+      ),
+    );
+  });
+
+  it('stands 1.2 radii from the scene where it is directional, and at the centre without a direction', () => {
+    const from = new Projection(sight);
+    expect(placedLight(values({ position: [0, 5, 0, 0] }), from, scene).place).toEqual([0, 1.2, 0]);
+    expect(placedLight(values({ position: [0, 0, 0, 0] }), from, scene).place).toEqual([0, 0, 0]);
+  });
+
+  it('shows where attenuation and decay have halved the light', () => {
+    expect(halfDistance([1, 0, 0])).toBeNull();
+    expect(halfDistance([1, 1, 0])).toBe(1);
+    expect(halfDistance([0, 0, 2])).toBe(1);
+    expect(halfDistance([2, 1, 1])).toBeNull();
+    expect(halfAngle(0)).toBeNull();
+    expect(halfAngle(1)).toBeCloseTo(90, 10);
+    const cosine = Math.cos((halfAngle(12)! * Math.PI) / 180);
+    expect(((cosine + 1) / 2) ** 12).toBeCloseTo(0.5, 12);
+  });
+});

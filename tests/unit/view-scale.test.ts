@@ -1,0 +1,87 @@
+// Can numbers be read from the colours of views, and which lights can a count be of?
+import { describe, expect, it } from 'vitest';
+import { LightState, type LightValues } from '../../src/light/light-state.js';
+import { countLights } from '../../src/material/view/count-lights.js';
+import { scaleColor } from '../../src/material/view/scale.js';
+import { VIEWS } from '../../src/material/views.js';
+import { srgbDecode } from '../../src/math/color.js';
+import { barsOf, titleOf } from '../../src/overlay/legend/view-scale.js';
+
+const luminance = (t: number): number => {
+  const [r, g, b] = scaleColor(t);
+  return 0.2126 * srgbDecode(r) + 0.7152 * srgbDecode(g) + 0.0722 * srgbDecode(b);
+};
+
+describe('the scale', () => {
+  it('grows in luminance all the way, from dark to light, so that no hue has to be seen', () => {
+    for (let i = 0; i < 255; i++) expect(luminance((i + 1) / 255)).toBeGreaterThan(luminance(i / 255));
+    expect(luminance(0)).toBeLessThan(0.02);
+    expect(luminance(1)).toBeGreaterThan(0.8);
+  });
+
+  it('has a colour of its own for each of 200 counts, all within sRGB', () => {
+    const colors = Array.from({ length: 201 }, (_, i) => scaleColor(i / 200));
+    expect(new Set(colors.map((color) => color.map((c) => Math.round(255 * c)).join())).size).toBe(201);
+    for (const channel of colors.flat()) {
+      expect(channel).toBeGreaterThanOrEqual(0);
+      expect(channel).toBeLessThanOrEqual(1);
+    }
+  });
+
+  it('ends where its numbers end', () => {
+    expect(scaleColor(-1)).toEqual(scaleColor(0));
+    expect(scaleColor(9)).toEqual(scaleColor(1));
+  });
+});
+
+describe('the legend', () => {
+  it('marks a count from 0 to the number of lights, with a field for each where there is room', () => {
+    for (let most = 1; most <= 500; most++) {
+      const [bar] = barsOf('light-count', most);
+      const { marks, colors, fields } = bar!;
+      const numbers = marks.map(({ text }) => Number(text));
+      expect(numbers[0], String(most)).toBe(0);
+      expect(numbers.at(-1), String(most)).toBe(most);
+      expect(numbers, String(most)).toEqual([...new Set(numbers)].sort((a, b) => a - b));
+      expect(marks.length, String(most)).toBeLessThanOrEqual(9);
+      if (fields) expect(colors).toHaveLength(most + 1);
+    }
+  });
+
+  it('has a title for every view', () => {
+    for (const view of VIEWS) expect(titleOf(view, false), view).not.toBe('');
+    expect(titleOf('r-dot-v', true)).toBe('N · H');
+  });
+});
+
+describe('the lights that are counted', () => {
+  const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+  const space = { worldToShading: identity, cameraToShading: identity, linear: false };
+  const light = (values: Partial<LightValues>): Readonly<LightValues> => new LightState(values).values;
+  const counted = (values: Partial<LightValues>) => countLights([light(values)], space);
+
+  it('are neither inactive nor black', () => {
+    expect(counted({ active: false }).lights).toEqual([]);
+    expect(counted({ diffuse: [0, 0, 0], specular: [0, 0, 0] }).lights).toEqual([]);
+    expect(counted({ diffuse: [0, 0, 0], specular: [0, 0, 0], ambient: [0, 0, 1] }).lights).toHaveLength(1);
+  });
+
+  it('are not directional lights that miss their own cone', () => {
+    const aimed = { position: [0, 1, 0, 0], axis: [0, -1, 0], aperture: 20 } as const;
+    expect(counted(aimed).open).toBe(1);
+    expect(counted({ ...aimed, axis: [1, 0, 0] }).lights).toEqual([]);
+  });
+
+  it('keep ambient light alone where they have no direction', () => {
+    const [nowhere] = counted({ position: [0, 0, 0, 0], ambient: [9, 9, 9] }).lights;
+    expect(nowhere!.attenuation[0]).toBe(7);
+    expect(counted({ position: [0, 0, 0, 1], ambient: [9, 9, 9] }).lights[0]!.attenuation[0]).toBe(511);
+  });
+
+  it('stand with those without a cone first', () => {
+    const spot = light({ position: [0, 1, 0, 1], aperture: 20 });
+    const { lights, open } = countLights([spot, light({}), spot], space);
+    expect(open).toBe(1);
+    expect(lights.map(({ aperture }) => aperture)).toEqual([180, 20, 20]);
+  });
+});
