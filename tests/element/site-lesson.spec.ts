@@ -138,3 +138,29 @@ test('the playground says that it shows one viewer of a comparison', async ({ pa
   await expect(page.locator('#messages')).toHaveText('Left out: <phong-compare>.');
   await expect(page.locator('phong-viewer')).toHaveCount(1);
 });
+
+test('the lights page draws its lights on request, and drags of them are in its listing', async ({
+  page,
+}) => {
+  await open(page, 'lights/');
+  const show = page.getByRole('button', { name: 'Show them' });
+  const handles = page.getByRole('option');
+  await expect(handles).toHaveCount(0);
+  await show.click();
+  await expect(show).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('option', { name: /^light 3: spot/ })).toBeVisible();
+  const position = (): Promise<string> =>
+    page
+      .locator('#garden')
+      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[3]!.position.join(' '));
+  const before = await position();
+  await page.getByRole('option', { name: /^light 3: spot/ }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  const after = await position();
+  expect(after).not.toBe(before);
+  await expect(page.locator('.listing[data-of] pre')).toContainText(`position="${after}"`);
+  await show.click();
+  await expect(handles).toHaveCount(0);
+});
