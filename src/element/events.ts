@@ -15,7 +15,12 @@ export interface PhongMeshEventMap {
 
 /** What the probe shows. */
 export interface ProbeDetail {
+  /** As by `shadeAt`; null where none is explained. */
   readonly fragment: FragmentExplanation | null;
+  /** Where it is, as `shadeAt` takes it. Null outside the picture, and while nothing is shown. */
+  readonly x: number | null;
+  readonly y: number | null;
+  /** It stays there when the mouse moves. */
   readonly pinned: boolean;
 }
 
@@ -31,10 +36,7 @@ export interface PhongViewerEventMap {
   'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
   /** Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it may be empty). */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
-  /**
-   * The probe shows another point, or the point has changed: `detail.fragment` as by `shadeAt`, null where none is explained.
-   * `detail.pinned`: it stays there when the mouse moves.
-   */
+  /** The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and `detail.y`. */
   'probe-change': CustomEvent<ProbeDetail>;
   /** A frame was drawn. */
   render: CustomEvent<null>;

@@ -25,5 +25,5 @@ export const fieldsOf = <T extends Tag>(
 
 export const viewerCameras = new WeakMap<PhongViewer, ViewerCamera>();
 
-/** The point that a viewer's probe is pinned to, in world space; null for none. Viewers without a probe are not among them. */
-export const viewerPins = new WeakMap<PhongViewer, Vec3 | null>();
+/** The point that the user has pinned a viewer's probe to, in world space. */
+export const viewerPins = new WeakMap<PhongViewer, Vec3>();

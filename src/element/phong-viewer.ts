@@ -279,6 +279,7 @@ export class PhongViewer extends ReactiveElement {
   /** After `moveBefore` everything is as it was: the browser would disconnect and connect the element without this. */
   connectedMoveCallback(): void {
     this.#visibility.look();
+    this.#display.extras.apply();
   }
 
   override attributeChangedCallback(name: string, old: string | null, text: string | null): void {

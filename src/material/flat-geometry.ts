@@ -5,7 +5,7 @@ import { BufferAttribute, BufferGeometry, type InterleavedBufferAttribute } from
 const made = new WeakMap<BufferGeometry, BufferGeometry>();
 const sources = new WeakMap<BufferGeometry, BufferGeometry>();
 
-/** What {@link flatGeometry} made this geometry from; the geometry itself where it made it not. */
+/** What {@link flatGeometry} made this geometry from; the geometry itself if it is no such copy. */
 export const smoothGeometry = (geometry: BufferGeometry): BufferGeometry => sources.get(geometry) ?? geometry;
 
 /**

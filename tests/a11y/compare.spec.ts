@@ -1,5 +1,6 @@
 // What does a screen reader find in a comparison and in linked viewers? Read from Chromium's accessibility tree.
 
+import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '../support/test.js';
 import { drag, nextFrame } from '../element/support.js';
 import { accessibleNodes } from './tree.js';
@@ -75,4 +76,17 @@ test('of linked viewers only the one that the user moves announces the camera', 
   const spoken = (i: number) => page.locator('phong-viewer').nth(i).locator('[aria-live]');
   await expect(spoken(0)).toHaveText(/Camera: azimuth/);
   await expect(spoken(1)).toHaveCount(0);
+});
+
+test('a page of comparisons breaks no rule of axe', async ({ page, mount }) => {
+  const viewers = viewer('Gouraud') + viewer('Phong') + viewer('Flat');
+  await mount(
+    `<main><h1>Comparisons</h1><phong-compare>${viewers}</phong-compare>
+      <phong-compare direction="vertical" labels="one, two, three">${viewers}</phong-compare>
+      <phong-compare layout="side">${viewers}</phong-compare></main>`,
+    { css, csp: '' },
+  );
+  await expect(page.getByRole('separator')).toHaveCount(4);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
 });

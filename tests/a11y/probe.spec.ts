@@ -107,7 +107,8 @@ test('the focus goes to the cross-hair when the row or the button that had it is
   page,
   mount,
 }) => {
-  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+  const viewer = await mount(scene());
+  await page.mouse.click(300, 150);
   const button = viewer.getByRole('table').getByRole('button', { name: 'lamp' });
   await button.focus();
   await viewer
@@ -122,7 +123,8 @@ test('the focus goes to the cross-hair when the row or the button that had it is
 });
 
 test('can be in another language, which replaces all of its texts at once', async ({ page, mount }) => {
-  const viewer = await mount(scene('probe probe-at="0 0 0.5" dir="rtl"'));
+  const viewer = await mount(scene('probe dir="rtl"'));
+  await page.mouse.click(300, 150);
   await expect(box(viewer)).toBeVisible();
   await assign(viewer, { texts: { Probe: 'Sonde', light: 'Licht', sum: 'Summe', Unpin: 'Lösen' } });
   await expect(viewer.getByRole('group', { name: 'Sonde' })).toBeVisible();

@@ -452,6 +452,26 @@ test('a viewer takes the camera of the comparison that it is moved to', async ({
   expect(await thetas()).toEqual([10, 50, 50, 50]);
 });
 
+test('a viewer that is moved without being disconnected joins the comparison, too', async ({
+  page,
+  mount,
+}) => {
+  await compared(
+    page,
+    mount,
+    `${comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"'))}<main>${sphere('alt="C" theta="50"')}</main>`,
+  );
+  await page.evaluate(() => {
+    const compare = document.querySelector('phong-compare') as Element & {
+      moveBefore(node: Node | null, child: null): void;
+    };
+    compare.moveBefore(document.querySelector('main > phong-viewer'), null);
+  });
+  await allReady(page);
+  await expect(dividers(page.locator('phong-compare'))).toHaveCount(2);
+  await expect.poll(async () => (await cameraOf(page.locator('phong-viewer').nth(2))).theta).toBe(10);
+});
+
 test('panel and picture of a split viewer keep their places: an open panel is beside neither picture alone', async ({
   page,
   mount,

@@ -153,13 +153,19 @@ test.describe('`probe-at`', () => {
   /** The sphere's point nearest to the eye. */
   const FRONT = [0, 0, 0.5] as const;
 
-  test('pins the fragment at the point’s pixel, and moves with the attribute', async ({ page, mount }) => {
+  test('pins the fragment at the point’s pixel where the mouse is not on the shape, and moves with the attribute', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
     await expect(box(viewer)).toHaveClass(/pinned/);
     await page.mouse.move(350, 150);
-    await nextFrame(page);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 350, 150));
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+    await page.mouse.move(5, 5);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expect(box(viewer).getByRole('button', { name: 'Unpin' })).toBeHidden();
     await viewer.evaluate((element) => element.setAttribute('probe-at', '0 0.25 0.4330127'));
     await expect(codes(viewer)).not.toHaveText(await expected(viewer, 300, 200));
     const { x, width, y, height } = (await cursor(viewer).boundingBox())!;
@@ -193,8 +199,13 @@ test.describe('`probe-at`', () => {
     expect(await viewer.getAttribute('probe-at')).toBe('0 0 0.5');
     await escape(page);
     await expect(codes(viewer)).toHaveText(declared);
-    await escape(page);
-    await expect(box(viewer)).toBeHidden();
+    await page.mouse.click(330, 150);
+    const unpin = box(viewer).getByRole('button', { name: 'Unpin' });
+    await expect(unpin).toBeVisible();
+    await assign(viewer, { probeAt: [0, 0.25, 0.4330127] });
+    await expect(unpin, 'what is assigned takes the place of what was clicked').toBeHidden();
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await expect(codes(viewer)).not.toHaveText(declared);
   });
 
   test('is kept by toHTML, which also writes a point that the user has pinned', async ({ page, mount }) => {
@@ -394,24 +405,24 @@ test('`probe-change` says which fragment is shown, whether it is pinned, and whe
 }) => {
   const viewer = await mount(scene());
   const events = await viewer.evaluateHandle((element: PhongViewer) => {
-    const list: [number | null, boolean][] = [];
-    element.addEventListener('probe-change', ({ detail: { fragment, pinned } }) =>
-      list.push([fragment === null ? null : fragment.color[0], pinned]),
+    const list: (number | boolean | null)[][] = [];
+    element.addEventListener('probe-change', ({ detail: { fragment, x, y, pinned } }) =>
+      list.push([fragment === null ? null : fragment.color[0], x, y, pinned]),
     );
     return list;
   });
-  const last = (): Promise<[number | null, boolean] | undefined> => events.evaluate((list) => list.at(-1));
+  const last = (): Promise<unknown> => events.evaluate((list) => list.at(-1));
   const red = (x: number, y: number): Promise<number> =>
     viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at))!.color[0], [
       x,
       y,
     ] as const);
   await page.mouse.move(280, 130);
-  await expect.poll(last).toEqual([await red(280, 130), false]);
+  await expect.poll(last).toEqual([await red(280, 130), 280, 130, false]);
   await page.mouse.click(280, 130);
-  await expect.poll(last).toEqual([await red(280, 130), true]);
+  await expect.poll(last).toEqual([await red(280, 130), 280, 130, true]);
   await escape(page);
-  await expect.poll(last).toEqual([null, false]);
+  await expect.poll(last).toEqual([null, null, null, false]);
   const count = await events.evaluate((list) => list.length);
   await assign(viewer, { kd: [9, 9, 9] });
   await nextFrame(page);

@@ -122,6 +122,29 @@ for (const usage of ['standalone', 'modules'] as const) {
   });
 }
 
+test('views that could not be fetched leave the shaded picture, and are fetched with the next view', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/error: Failed to load resource/);
+  consoleGuard.allow(/warning: <phong-viewer>: The code of views could not be fetched/);
+  await open(page, site.page(scene, usages.standalone));
+  const viewer = page.locator('phong-viewer');
+  const show = (view: PhongViewer['view']): Promise<number> =>
+    viewer.evaluate(async (element: PhongViewer, name) => {
+      element.view = name;
+      await element.ready;
+      return (await element.toBlob({ width: 8, height: 8 })).size;
+    }, view);
+  await page.route(/\/legend/, (route) => route.abort());
+  expect(await show('normals')).toBeGreaterThan(0);
+  await expect(viewer.locator('.legend')).toHaveCount(0);
+  await page.unroute(/\/legend/);
+  await show('decay');
+  await expect(viewer.locator('.legend')).toContainText('Decay');
+});
+
 test('a later attempt of the standalone file uses another address, which every browser requests', async ({
   page,
   site,

@@ -7,6 +7,7 @@ import { settleInPage } from '../../src/playwright/settle-in-page.js';
 import { codesOff } from '../../src/playwright/subpixel.js';
 import type { PhongViewer } from '../element/support.js';
 import { decodePng } from '../support/picture.js';
+import { wasmPolicy } from '../support/site.js';
 import { randomScene, sceneMarkup } from '../visual/random-scene.js';
 import type { Tab } from './tabs.js';
 
@@ -15,6 +16,8 @@ export interface Check {
   readonly markup: string;
   /** Size of every viewer in CSS pixels, default 600 × 400. */
   readonly size?: { readonly width: number; readonly height: number };
+  /** The page's policy, default the strict one. */
+  readonly csp?: string;
   /** The viewer is ready. */
   readonly holds: (tab: Tab) => Promise<void>;
   /** What the page may print. Default: nothing. */
@@ -297,6 +300,15 @@ export const CHECKS: readonly Check[] = [
         }
         await showsTheEquation(tab, file, share);
       }
+    },
+  },
+  {
+    title: 'models: a KTX2 texture is shown as the equation says',
+    markup: `<phong-viewer src="/fixtures/models/ktx2.glb">${LIGHTS}</phong-viewer>`,
+    size: SMALL,
+    csp: wasmPolicy,
+    async holds(tab) {
+      await showsTheEquation(tab, 'ktx2.glb', 0.3);
     },
   },
   {

@@ -1,7 +1,7 @@
 // Do element, camera, panel, models and pictures hold in other browsers than Chromium? The checks of browser-checks.ts, each on a page
 // of its own under the strict policy, in Firefox and in WebKitGTK with software GL.
 import { expect, test } from '@playwright/test';
-import { startSite, testMounts, type Site } from '../support/site.js';
+import { startSite, strictPolicy, testMounts, type Site } from '../support/site.js';
 import { allReady, CHECKS } from './browser-checks.js';
 import { STARTS, type Tab } from './tabs.js';
 
@@ -24,11 +24,19 @@ for (const [name, start] of Object.entries(STARTS)) {
       await site?.close();
     });
 
-    for (const { title, markup, size = { width: 600, height: 400 }, holds, said = /^$/ } of CHECKS) {
+    for (const {
+      title,
+      markup,
+      size = { width: 600, height: 400 },
+      csp = strictPolicy,
+      holds,
+      said = /^$/,
+    } of CHECKS) {
       test(title, async () => {
         if (site === undefined || tab === undefined) throw new Error(`${name} did not start`);
         await tab.open(
           site.page(markup, {
+            csp,
             head: '<script src="/fixtures/said.js"></script><script type="module" src="/dist/phong-viewer.standalone.js"></script>',
             css: `body { margin: 0; background: white } div { height: 5000px }
               phong-viewer { display: block; width: ${size.width}px; height: ${size.height}px }`,

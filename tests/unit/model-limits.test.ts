@@ -1,5 +1,6 @@
 // What does a file that claims too much, or claims nonsense, come to? Everything here is refused from its JSON or headers: the files are small,
 // and nothing that they claim is allocated.
+import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import {
@@ -206,6 +207,14 @@ describe('images', () => {
       [5792, 5792],
       [undefined, undefined],
     ]);
+  });
+
+  it('of KTX2 count what their transcoder takes, too', async () => {
+    const file = readFileSync(new URL('../fixtures/models/ktx2.glb', import.meta.url));
+    const image = Buffer.from(file.subarray(file.indexOf('\xabKTX 20', 0, 'latin1')));
+    image.writeUInt32LE(8192, 20);
+    image.writeUInt32LE(8192, 24);
+    expect(await outcome(texturedGlb([image], [{ source: 0 }]))).toMatch(/^too-large: .*bytes in memory/);
   });
 
   it('that are none are an error with their number', async () => {

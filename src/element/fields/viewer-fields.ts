@@ -96,7 +96,7 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   viewLight: string;
   /** The user can point at the picture to see N, L, R and V there, and the sum light by light. Default false. */
   probe: boolean;
-  /** Point in world space whose nearest fragment the probe explains until the user points elsewhere. Null, the default: none. */
+  /** World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default: none. */
   probeAt: Vec3 | null;
   /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
   cameraGroup: string;

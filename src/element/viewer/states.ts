@@ -7,7 +7,11 @@ export class ViewerStates {
   constructor(element: HTMLElement) {
     // Missing in older browsers, whatever the types say.
     const { attachInternals } = element as Partial<HTMLElement>;
-    this.#states = (attachInternals?.call(element) as Partial<ElementInternals> | undefined)?.states;
+    try {
+      this.#states = (attachInternals?.call(element) as Partial<ElementInternals> | undefined)?.states;
+    } catch {
+      // refused where the tag has an attribute `is`
+    }
   }
 
   set(state: 'loading' | 'error' | 'empty', on: boolean): void {

@@ -25,13 +25,14 @@ export function compareMarkup(compare: PhongCompare): string {
 /** The viewer with its meshes and lights in document order, in their wrappers. The camera and a pinned point are those shown now. */
 export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
   const { theta, phi, radius, target } = viewer.camera;
+  const pin = viewerPins.get(viewer);
   const framing = viewerCameras.get(viewer)?.placement.framing;
   const shown = {
     theta,
     phi,
     radius: framing?.radius === 'auto' ? 'auto' : radius,
     target: framing?.target === 'auto' ? 'auto' : target,
-    ...(viewerPins.has(viewer) ? { probeAt: viewerPins.get(viewer) } : {}),
+    ...(pin === undefined ? {} : { probeAt: pin }),
   };
   const tree = treeOf(viewer);
   const write = (element: Element, indent: string): string => {

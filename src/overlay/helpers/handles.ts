@@ -38,7 +38,6 @@ export class Handles {
   #lastId = 0;
   /** The one that Tab reaches. */
   #current: Shown | null = null;
-  #isRtl = false;
 
   constructor(host: ExtraHost, place: HTMLElement) {
     this.#host = host;
@@ -193,8 +192,8 @@ export class Handles {
     }
     if (key === 'Home' || key === 'End') return this.#focus(key === 'Home' ? -Infinity : Infinity);
     if (arrow === undefined || shiftKey) return false;
-    this.#isRtl = getComputedStyle(this.#list).direction === 'rtl';
-    return this.#focus(arrow[0] * (this.#isRtl ? -1 : 1) + arrow[1]);
+    const isRtl = getComputedStyle(this.#list).direction === 'rtl';
+    return this.#focus(arrow[0] * (isRtl ? -1 : 1) + arrow[1]);
   }
 
   /** Moves the focus by so many handles; past the ends to the last or first one in that direction. */

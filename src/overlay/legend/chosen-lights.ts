@@ -1,6 +1,6 @@
 // Which lights is a view limited to, and how is that said? `view-light` by name; otherwise the first active light where a view is of one
 // light, or all. Knows no programs.
-import type { LightValues } from '../../light/light-state.js';
+import type { LightState, LightValues } from '../../light/light-state.js';
 import type { View } from '../../material/views.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
@@ -13,11 +13,12 @@ const OF_ONE_LIGHT: ReadonlySet<View> = new Set(['n-dot-l', 'r-dot-v', 'attenuat
 const OF_NO_LIGHT: ReadonlySet<View> = new Set(['normals', 'triangles']);
 
 /** Indices of the viewer's lights. A name that no light has counts as none given. */
-export function chosenIndices({ values, viewport, children }: ExtraHost): number[] {
+export function chosenIndices({ values, viewport, children, viewer }: ExtraHost): number[] {
   const { lights } = viewport.lighting.lights;
   const { view, viewLight } = values;
-  const isNamed = (_: unknown, i: number): boolean =>
-    lightName(children.lightOf(lights[i]!), lights[i]!, i) === viewLight;
+  // Lights without a name go by their English one, and by the one that the page's words give them.
+  const isNamed = (state: LightState, i: number): boolean =>
+    [null, viewer.texts].some((texts) => lightName(children.lightOf(state), state, i, texts) === viewLight);
   const named = viewLight === '' ? -1 : lights.findIndex(isNamed);
   if (named >= 0) return [named];
   if (!OF_ONE_LIGHT.has(view)) return lights.map((_, i) => i);

@@ -99,9 +99,10 @@ export class ProbeBox {
     write(this.#steps, row === null ? '' : stepsText(texts, row, fragment, halfway));
   }
 
-  set pinned(pinned: boolean) {
+  /** A pinned point's box takes the pointer. */
+  setPinned(pinned: boolean, releasable: boolean): void {
     this.element.classList.toggle('pinned', pinned);
-    this.#release.hidden = !pinned;
+    this.#release.hidden = !releasable;
   }
 
   /**

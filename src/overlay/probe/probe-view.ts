@@ -22,6 +22,8 @@ export interface Shown {
   /** Null: nothing can be explained there, and `message` says why. */
   readonly fragment: FragmentExplanation | null;
   readonly message: string;
+  /** A point of the scene, rather than what is under the mouse or the cross-hair. */
+  readonly pinned: boolean;
 }
 
 const KEYS =
@@ -74,10 +76,11 @@ export class ProbeView {
     return new Projection({ pose: orbit.pose, fov, ...this.size, ...aspect });
   }
 
-  show(shown: Shown | null, pinned: boolean): void {
+  /** `releasable`: the user has pinned the point. */
+  show(shown: Shown | null, releasable: boolean): void {
     this.#shown = shown;
     const focused = this.#box.element.contains(this.#focus);
-    this.#box.pinned = pinned;
+    this.#box.setPinned(shown?.pinned === true, releasable);
     this.#show();
     // What had the focus may be gone: a row with its light, a button, or the box.
     const gone = shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();

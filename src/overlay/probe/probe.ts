@@ -4,7 +4,6 @@ import type { ProbeDetail } from '../../element/events.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
-import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
@@ -24,9 +23,9 @@ class Probe implements Extra, ProbeInputHost {
   readonly #host: ExtraHost;
   readonly #view: ProbeView;
   readonly #listening = new AbortController();
-  /** What `probe-at` was when it was pinned last. */
+  /** `probe-at` at the last update. */
   #declared: Vec3 | null;
-  /** Where the mouse or the cross-hair is, if nothing is pinned. */
+  /** Where the mouse or the cross-hair is, if the user has pinned nothing. */
   #free: Point | null = null;
   /** The fragment here gets pinned with its explanation. */
   #toPin: Point | null = null;
@@ -40,7 +39,7 @@ class Probe implements Extra, ProbeInputHost {
 
   constructor(host: ExtraHost) {
     this.#host = host;
-    this.#pin = this.#declared = host.values.probeAt;
+    this.#declared = host.values.probeAt;
     this.#view = new ProbeView(host, () => this.release());
     const { cursor, root } = this.#view;
     listen({ surface: host.tree.surface, cursor, root }, this, this.#listening.signal);
@@ -49,7 +48,11 @@ class Probe implements Extra, ProbeInputHost {
 
   update(): void {
     const { probeAt } = this.#host.values;
-    if (!sameValue(probeAt, this.#declared)) this.#pin = this.#declared = probeAt;
+    if (!sameValue(probeAt, this.#declared)) {
+      // As with the camera: what is assigned takes the place of what the user did.
+      this.#declared = probeAt;
+      this.#pin = this.#free = null;
+    }
     this.#view.nameCursor();
     this.#explainOncePerFrame();
   }
@@ -75,21 +78,19 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   pinHere(): void {
-    if (this.#free !== null && this.#pin === null) this.pin(this.#free);
+    if (this.#free !== null) this.pin(this.#free);
   }
 
   release(): boolean {
     if (this.#pin === null) return false;
-    // A user's pin gives way to the declared one, and that one to none.
-    const declared = this.#host.values.probeAt;
-    this.#pin = sameValue(this.#pin, declared) ? null : declared;
-    this.#free = this.#view.hasFocus ? (this.#view.shown?.at ?? null) : null;
+    this.#pin = null;
+    this.#free = this.#view.hasFocus && this.#declared === null ? (this.#view.shown?.at ?? null) : null;
     this.#follow();
     return true;
   }
 
   step(across: number, down: number): void {
-    const { x, y } = (this.#pin === null ? this.#free : this.#view.shown?.at) ?? this.#view.middle;
+    const { x, y } = this.#free ?? this.#view.shown?.at ?? this.#view.middle;
     this.#pin = null;
     // Half a pixel inside: there is nothing to explain on the far edges.
     this.#free = inside({ x: x + across, y: y + down }, this.#view.size, 0.5);
@@ -97,7 +98,7 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   focused(): void {
-    if (this.#pin !== null) return;
+    if (this.#pin !== null || this.#declared !== null) return;
     this.#free ??= this.#view.middle;
     this.#follow();
   }
@@ -106,13 +107,19 @@ class Probe implements Extra, ProbeInputHost {
     this.look(null);
   }
 
-  /** The pinned point, in world space. */
+  /** The point that the user has pinned, in world space. */
   get #pin(): Vec3 | null {
     return viewerPins.get(this.#host.viewer) ?? null;
   }
 
   set #pin(p: Vec3 | null) {
-    viewerPins.set(this.#host.viewer, p);
+    if (p === null) viewerPins.delete(this.#host.viewer);
+    else viewerPins.set(this.#host.viewer, p);
+  }
+
+  /** Of pointer events, and so of shadeAt, to pixels of the layer. Not all browsers have this property. */
+  get #zoom(): number {
+    return (this.#host.tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   }
 
   /** The user chose another point. */
@@ -153,42 +160,58 @@ class Probe implements Extra, ProbeInputHost {
     });
   }
 
+  /** The place that was pressed, else the user's pin, else the place of mouse or cross-hair, else the declared point. */
   async #explained(): Promise<Shown | null> {
-    const { viewer, tree } = this.#host;
-    const [toPin, pin] = [this.#toPin, this.#pin];
-    const { projection } = this.#view;
-    const at = toPin ?? (pin === null ? this.#free : projection.point(pin));
-    const message = (text: keyof ViewerTexts): string => phrase(viewer.texts, text);
-    if (at === null || !isInside(at, projection))
-      return pin === null ? null : { at: null, fragment: null, message: message(OUTSIDE) };
-    const zoom = (tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
-    let fragment: FragmentExplanation | null;
-    try {
-      fragment = await viewer.shadeAt(at.x * zoom, at.y * zoom);
-    } catch (error) {
-      return { at, fragment: null, message: (error as Error).message };
+    const toPin = this.#toPin;
+    if (toPin !== null) {
+      const shown = await this.#at(toPin);
+      if (this.#toPin === toPin) this.#toPin = null;
+      this.#pin = shown.fragment?.p ?? null;
+      // A press beside the shape takes the pin away.
+      this.#free = this.#pin === null && this.#view.hasFocus ? toPin : null;
+      if (this.#pin !== null) return { ...shown, pinned: true };
     }
-    if (toPin !== null && toPin === this.#toPin) this.#pinned(toPin, fragment);
-    if (fragment === null) {
-      const silent = this.#pin === null ? !this.#view.hasFocus : !viewer.loaded;
-      return silent ? null : { at, fragment, message: message(NOTHING) };
+    if (this.#pin === null && this.#free !== null) {
+      const shown = await this.#at(this.#free);
+      if (shown.fragment !== null || shown.message !== '') return shown;
+      if (this.#view.hasFocus) return { ...shown, message: phrase(this.#host.viewer.texts, NOTHING) };
     }
-    const isHidden =
-      pin !== null &&
-      toPin === null &&
-      projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(pin);
-    return isHidden ? { at, fragment: null, message: message(HIDDEN) } : { at, fragment, message: '' };
+    const point = this.#pin ?? this.#declared;
+    return point === null ? null : this.#ofPoint(point);
   }
 
-  /** What the user has pressed is explained. A press beside the shape takes the pin away. */
-  #pinned(at: Point, fragment: FragmentExplanation | null): void {
-    this.#toPin = null;
-    this.#pin = fragment?.p ?? null;
-    this.#free = this.#view.hasFocus ? at : null;
+  /** The fragment at this place; the message is that of an error. */
+  async #at(at: Point): Promise<Shown> {
+    const shown = { at, fragment: null, message: '', pinned: false };
+    try {
+      return { ...shown, fragment: await this.#host.viewer.shadeAt(at.x * this.#zoom, at.y * this.#zoom) };
+    } catch (error) {
+      return { ...shown, message: (error as Error).message };
+    }
+  }
+
+  /** The fragment at the pixel of a point of the scene; null while the scene is not there yet. */
+  async #ofPoint(point: Vec3): Promise<Shown | null> {
+    const { viewer } = this.#host;
+    const { projection } = this.#view;
+    const at = projection.point(point);
+    const without = (text: keyof ViewerTexts): Shown => ({
+      ...{ at, fragment: null, pinned: true },
+      message: phrase(viewer.texts, text),
+    });
+    if (at === null || !isInside(at, projection)) return { ...without(OUTSIDE), at: null };
+    const shown = { ...(await this.#at(at)), pinned: true };
+    const { fragment, message } = shown;
+    if (fragment === null && message === '') return viewer.loaded ? without(NOTHING) : null;
+    const isHidden =
+      fragment !== null && projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point);
+    return isHidden ? without(HIDDEN) : shown;
   }
 
   #notify(shown: Shown | null): void {
-    const detail: ProbeDetail = { fragment: shown?.fragment ?? null, pinned: this.#pin !== null };
+    const { fragment = null, at = null } = shown ?? {};
+    const [x, y] = at === null ? [null, null] : [at.x * this.#zoom, at.y * this.#zoom];
+    const detail: ProbeDetail = { fragment, x, y, pinned: shown?.pinned === true };
     this.#host.viewer.dispatchEvent(new CustomEvent('probe-change', { detail }));
   }
 }

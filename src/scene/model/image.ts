@@ -4,6 +4,7 @@ import { imageSize, type ImageSize } from './image-size.js';
 import { decodeKtx2 } from './ktx2/decode-ktx2.js';
 import { isKtx2 } from './ktx2/ktx2-header.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
+import type { ModelBudget } from './model-budget.js';
 
 /** Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its result. */
 const PIXELS_AT_ONCE = 2 ** 24;
@@ -14,15 +15,17 @@ export interface ImageFile {
   readonly type: string;
 }
 
-/** The size of an image that is to be decoded. @throws Error for a file that is no image. */
-export function claimedSize({ bytes }: ImageFile): ImageSize {
+/** Adds an image that is to be decoded to the budget. @throws Error for a file that is no image, ModelError past a limit. */
+export function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize {
   const size = imageSize(bytes);
-  if (size) return size;
-  throw new Error('is no PNG, JPEG, WebP, AVIF or KTX2 image');
+  if (!size) throw new Error('is no PNG, JPEG, WebP, AVIF or KTX2 image');
+  const pixels = size.width * size.height;
+  budget.add({ pixels, transcoded: isKtx2(bytes) ? pixels : 0 });
+  return size;
 }
 
 /**
- * Decodes an image, scaled down if it is larger than the limits of one image. Count its pixels first ({@link claimedSize}).
+ * Decodes an image, scaled down if it is larger than the limits of one image. Count its pixels first ({@link countImage}).
  * @throws if it cannot be decoded.
  */
 export async function decodeImage(

@@ -1,5 +1,5 @@
 // How does an address become a model? Download, detect the format, read. Every failure is a ModelError with a code and a sentence.
-// Works under a strict CSP: fetches no blob: or data: URL, uses no worker and no eval. Must not know elements or the renderer.
+// Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval. Must not know elements or the renderer.
 import { isOutOfMemory } from '../out-of-memory.js';
 import { measureModel } from './bounds.js';
 import { byteFetcher } from './fetch-bytes.js';

@@ -20,6 +20,8 @@ export interface ModelClaims {
   readonly nodes?: number;
   readonly json?: number;
   readonly pixels?: number;
+  /** Those of `pixels` that are transcoded (KTX2). Images are transcoded one after the other: the largest counts. */
+  readonly transcoded?: number;
 }
 
 /** Adds up what a model claims. One instance per model. */
@@ -30,9 +32,19 @@ export class ModelBudget {
   #nodes = 0;
   #json = 0;
   #pixels = 0;
+  #transcoded = 0;
 
   /** @throws ModelError `too-large` past a limit. Call before allocating. */
-  add({ corners = 0, values = 0, parts = 0, nodes = 0, json = 0, pixels = 0 }: ModelClaims): void {
+  add({
+    corners = 0,
+    values = 0,
+    parts = 0,
+    nodes = 0,
+    json = 0,
+    pixels = 0,
+    transcoded = 0,
+  }: ModelClaims): void {
+    this.#transcoded = Math.max(this.#transcoded, transcoded);
     requireAtMost((this.#json += json), JSON_LIMIT, 'values in its JSON');
     requireAtMost((this.#nodes += nodes), NODE_LIMIT, 'nodes');
     requireAtMost((this.#parts += parts), PART_LIMIT, 'draws');
@@ -44,12 +56,18 @@ export class ModelBudget {
 
   /**
    * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes 4 bytes in the
-   * page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12 kB, a node 2 kB.
+   * page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more, one that
+   * is transcoded before 10. A draw takes 12 kB, a node 2 kB.
    */
   get #memory(): number {
-    const uploading = Math.min(this.#pixels, IMAGE_PIXEL_LIMIT);
+    const uploading = 8 * Math.min(this.#pixels, IMAGE_PIXEL_LIMIT);
+    const transcoding = 10 * this.#transcoded;
     return Math.ceil(
-      8 * this.#values + 9.4 * this.#pixels + 8 * uploading + 12_000 * this.#parts + 2_000 * this.#nodes,
+      8 * this.#values +
+        9.4 * this.#pixels +
+        Math.max(uploading, transcoding) +
+        12_000 * this.#parts +
+        2_000 * this.#nodes,
     );
   }
 }

@@ -4,8 +4,8 @@
 import type { CreateDecoder, WorkerAnswer } from './decoder.js';
 
 /**
- * How long a worker waits for another job, in milliseconds. The models of a page come one after another; starting a worker takes about
- * 50 ms. Its heap never shrinks and is freed when it ends.
+ * How long a worker waits for another job, in milliseconds. The models of a page come one after another, and each start
+ * fetches and compiles the decoder again. Its heap never shrinks and is freed when it ends.
  */
 const IDLE_MS = 5000;
 

@@ -9,7 +9,7 @@ import type { DracoJob, DracoMesh } from './draco.js';
 
 const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
 
-/** Always in the worker where it starts: the code alone takes the main thread up to 30 ms, before the first triangle. */
+/** For meshes of any size: the bunny blocks the main thread for 42 ms of processor time, a million triangles for 870 ms. */
 const thread = /* @__PURE__ */ new DecoderThread<DracoJob, DracoMesh>(
   () => new Worker(new URL('./draco-worker.ts', import.meta.url), { type: 'module' }),
   async () => {

@@ -15,7 +15,7 @@ import {
   type MinificationTextureFilter,
   type Wrapping,
 } from 'three';
-import { claimedSize, decodeImage } from '../image.js';
+import { countImage, decodeImage } from '../image.js';
 import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { GltfBytes } from './bytes.js';
@@ -64,9 +64,8 @@ export function gltfTextures(
   const decode = async (index: number): Promise<{ pixels: number; bitmap: ImageBitmap }> => {
     const file = await bytes.image(index);
     try {
-      const size = claimedSize(file);
+      const size = countImage(file, budget);
       const pixels = size.width * size.height;
-      budget.add({ pixels });
       return { pixels, bitmap: await decodeImage(file, size, signal) };
     } catch (cause) {
       signal.throwIfAborted();

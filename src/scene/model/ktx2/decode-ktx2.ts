@@ -37,7 +37,7 @@ function notFetched(cause: unknown): never {
 }
 
 function notStarted(cause: unknown): never {
-  if (!(cause instanceof WebAssembly.CompileError)) notFetched(cause);
+  if (!(cause instanceof WebAssembly.CompileError || cause instanceof EvalError)) notFetched(cause);
   throw new ModelError(
     'csp',
     'The model has KTX2 textures, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks them. ' +

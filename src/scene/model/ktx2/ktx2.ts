@@ -15,23 +15,14 @@ const RGBA32 = 13;
 
 /**
  * @param address of the transcoder's WebAssembly.
- * @throws WebAssembly.CompileError if a policy does not allow it.
+ * @throws WebAssembly.CompileError, or EvalError in WebKit, if a policy does not allow it.
  */
 export async function createDecoder(
   address: string,
 ): Promise<(job: Ktx2Job) => Promise<Decoded<ImageBitmap>>> {
   const response = await fetch(address);
   if (!response.ok) throw new Error(`the server answered ${String(response.status)} for ${address}`);
-  const module = await WebAssembly.compile(await response.arrayBuffer());
-  const silent = (): void => undefined;
-  const basis = await createBasis({
-    print: silent,
-    printErr: silent,
-    instantiateWasm: (imports, done) => {
-      void WebAssembly.instantiate(module, imports).then(done);
-      return {};
-    },
-  });
+  const basis = await start(await response.arrayBuffer());
   basis.initializeBasis();
   return async ({ bytes, scale }) => {
     const result = await createImageBitmap(pixelsOf(basis, bytes), {
@@ -42,6 +33,22 @@ export async function createDecoder(
     return { result, transfer: [result] };
   };
 }
+
+const start = (wasm: ArrayBuffer): Promise<Basis> =>
+  new Promise((resolve, reject) => {
+    const silent = (): void => undefined;
+    createBasis({
+      print: silent,
+      printErr: silent,
+      // By itself the transcoder would wait for ever where this fails.
+      instantiateWasm: (imports, done) => {
+        WebAssembly.instantiate(wasm, imports).then(({ instance }) => {
+          done(instance);
+        }, reject);
+        return {};
+      },
+    }).then(resolve, reject);
+  });
 
 function pixelsOf(basis: Basis, bytes: Uint8Array): ImageData {
   const file = new basis.KTX2File(bytes);

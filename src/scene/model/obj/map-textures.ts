@@ -8,7 +8,7 @@ import {
   Texture,
 } from 'three';
 import type { ModelSource } from '../format.js';
-import { claimedSize, decodeImage, type ImageFile } from '../image.js';
+import { countImage, decodeImage, type ImageFile } from '../image.js';
 import type { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import type { MtlMap } from './mtl.js';
@@ -58,9 +58,8 @@ export class MapTextures {
 
   async #decoded(imageFile: ImageFile, name: string): Promise<MapImage> {
     try {
-      const size = claimedSize(imageFile);
+      const size = countImage(imageFile, this.#budget);
       const pixels = size.width * size.height;
-      this.#budget.add({ pixels });
       return { pixels, bitmap: await decodeImage(imageFile, size, this.#source.signal), sources: new Map() };
     } catch (cause) {
       if (cause instanceof ModelError) throw cause;
