@@ -152,7 +152,7 @@ test('the lights page draws its lights on request, and drags of them are in its 
   const position = (): Promise<string> =>
     page
       .locator('#garden')
-      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[3]!.position.join(' '));
+      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
   const before = await position();
   await page.getByRole('option', { name: /^light 3: spot/ }).focus();
   await page.keyboard.press('Enter');
