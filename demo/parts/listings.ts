@@ -3,8 +3,6 @@
 // last. Figures get a collapsed listing of their own. A comparison is listed whole.
 import { markupOf } from './markup.js';
 
-type Viewer = HTMLElementTagNameMap['phong-viewer'];
-
 export function showListings(root: ParentNode): void {
   for (const figure of root.querySelectorAll('.aside, .wide')) {
     const shown = figure.querySelectorAll('phong-compare, :not(phong-compare) > phong-viewer');
@@ -70,22 +68,32 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
       shown = viewer;
       write();
     });
-    viewer.addEventListener('light-change', () => {
-      relit.add(viewer);
-      write();
-    });
+    viewer.addEventListener('light-change', write);
   }
   write();
 }
 
-/** Viewers whose lights the user has moved. Their attributes do not say so. */
-const relit = new WeakSet<Element>();
+const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position axis aperture cutoff attenuation'.split(
+  ' ',
+);
 
-/** The element, or what `toHTML` makes of it once the user has moved a light. */
+/** The element with its lights as the user has left them. Handles and panel set properties, which attributes do not show. */
 function current(element: Element): Element {
-  if (!relit.has(element)) return element;
-  const parsed = new DOMParser().parseFromString((element as Viewer).toHTML(), 'text/html');
-  return parsed.body.firstElementChild ?? element;
+  const copy = document.implementation.createHTMLDocument('').importNode(element, true);
+  const copies = copy.querySelectorAll('phong-light');
+  element.querySelectorAll('phong-light').forEach((light, i) => {
+    const declared = light.cloneNode();
+    for (const name of LIGHT_ATTRIBUTES) {
+      const text = written(light, name);
+      if (text !== written(declared, name)) copies[i]?.setAttribute(name, text);
+    }
+  });
+  return copy;
+}
+
+function written(light: Node, name: string): string {
+  const value: unknown = Reflect.get(light, name);
+  return Array.isArray(value) ? value.join(' ') : String(value);
 }
 
 /** Opens the playground with this viewer's markup. */

@@ -54,6 +54,8 @@ test('dragging the rim of the cone opens it, and the markup under the figure fol
     .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[0]!.aperture);
   expect(aperture).toBeGreaterThan(20);
   await expect(cone.locator('pre')).toContainText(`aperture="${aperture}"`);
+  // What the reader has not touched stays as its author wrote it.
+  await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
 });
 
 test('a slider under a divider changes the light on both sides', async ({ page }) => {
