@@ -23,6 +23,7 @@ export const guide: readonly Entry[] = [
   { path: 'guide/camera/', label: 'Camera' },
   { path: 'guide/materials/', label: 'Materials' },
   { path: 'guide/models/', label: 'Models' },
+  { path: 'guide/see/', label: 'See light' },
   { path: 'guide/accuracy/', label: 'Accuracy' },
   { path: 'guide/speed/', label: 'Speed' },
   { path: 'guide/frameworks/', label: 'Frameworks' },

@@ -31,6 +31,10 @@ export function connectBoard(viewer: HTMLElementTagNameMap['phong-viewer']): voi
     toggle();
     show();
   });
+  onPress('show', () => {
+    const shown = viewer.toggleAttribute('helpers');
+    document.getElementById('show')?.setAttribute('aria-pressed', String(shown));
+  });
   count.addEventListener('input', () => setCount(count.valueAsNumber));
   new MutationObserver(show).observe(viewer, { childList: true });
   setCount(count.valueAsNumber);

@@ -1,12 +1,12 @@
 // Which markup do the listings show? That of viewers on this page, read from the live elements, so it always matches the picture.
 // `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the one that the user touched
-// last. Figures get a collapsed listing of their own.
+// last. Figures get a collapsed listing of their own. A comparison is listed whole.
 import { markupOf } from './markup.js';
 
 export function showListings(root: ParentNode): void {
   for (const figure of root.querySelectorAll('.aside, .wide')) {
-    const viewers = figure.querySelectorAll('phong-viewer');
-    if (viewers.length > 0) figure.append(folded([...viewers]));
+    const shown = figure.querySelectorAll('phong-compare, :not(phong-compare) > phong-viewer');
+    if (shown.length > 0) figure.append(folded([...shown]));
   }
   for (const place of root.querySelectorAll<HTMLElement>('.listing[data-of]')) {
     const viewers = [...root.querySelectorAll(place.dataset['of'] ?? '')];
@@ -45,18 +45,21 @@ function folded(viewers: readonly Element[]): HTMLElement {
   return details;
 }
 
-/** Keeps `text` equal to the markup of one of the viewers. */
+/** Keeps `text` equal to the markup of one of the viewers or comparisons. */
 function follow(viewers: readonly Element[], text: HTMLElement): void {
   let [shown] = viewers;
   const caption = text.previousElementSibling;
   const title = caption?.firstElementChild?.textContent ?? '';
-  caption?.append(
-    pressable('Edit', `Edit in the playground: ${title}`, () => {
-      if (shown !== undefined) void edit(shown);
-    }),
-  );
+  // The playground shows one viewer.
+  if (shown?.localName === 'phong-viewer') {
+    caption?.append(
+      pressable('Edit', `Edit in the playground: ${title}`, () => {
+        if (shown !== undefined) void edit(current(shown));
+      }),
+    );
+  }
   const write = (): void => {
-    if (shown !== undefined) text.replaceChildren(...markupOf(shown, lineLength()).map(span));
+    if (shown !== undefined) text.replaceChildren(...markupOf(current(shown), lineLength()).map(span));
   };
   const observer = new MutationObserver(write);
   for (const viewer of viewers) {
@@ -65,8 +68,32 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
       shown = viewer;
       write();
     });
+    viewer.addEventListener('light-change', write);
   }
   write();
+}
+
+const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position axis aperture cutoff attenuation'.split(
+  ' ',
+);
+
+/** The element with its lights as the user has left them. Handles and panel set properties, which attributes do not show. */
+function current(element: Element): Element {
+  const copy = document.implementation.createHTMLDocument('').importNode(element, true);
+  const copies = copy.querySelectorAll('phong-light');
+  element.querySelectorAll('phong-light').forEach((light, i) => {
+    const declared = light.cloneNode();
+    for (const name of LIGHT_ATTRIBUTES) {
+      const text = written(light, name);
+      if (text !== written(declared, name)) copies[i]?.setAttribute(name, text);
+    }
+  });
+  return copy;
+}
+
+function written(light: Node, name: string): string {
+  const value: unknown = Reflect.get(light, name);
+  return Array.isArray(value) ? value.join(' ') : String(value);
 }
 
 /** Opens the playground with this viewer's markup. */

@@ -8,13 +8,17 @@ export interface Piece {
 
 /** @param lineLength characters per line; longer tags are folded. */
 export function markupOf(element: Element, lineLength: number): readonly Piece[] {
+  return indented(element, '', lineLength);
+}
+
+function indented(element: Element, indent: string, lineLength: number): Piece[] {
+  const start = startTag(element, indent, lineLength);
+  if (element.children.length === 0) return [...start, ...endTag(element)];
   const children = [...element.children].flatMap((child) => [
     plain('\n'),
-    ...startTag(child, '  ', lineLength),
-    ...endTag(child),
+    ...indented(child, `${indent}  `, lineLength),
   ]);
-  const end = children.length === 0 ? endTag(element) : [plain('\n'), ...endTag(element)];
-  return [...startTag(element, '', lineLength), ...children, ...end];
+  return [...start, ...children, plain(`\n${indent}`), ...endTag(element)];
 }
 
 function startTag(element: Element, indent: string, lineLength: number): Piece[] {

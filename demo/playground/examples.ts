@@ -2,10 +2,13 @@
 import bunny from '../scenes/bunny.html?raw';
 import candle from '../scenes/candle.html?raw';
 import colours from '../scenes/colours.html?raw';
+import count from '../scenes/count.html?raw';
 import dance from '../scenes/dance.html?raw';
 import exponents from '../scenes/exponents.html?raw';
 import facets from '../scenes/facets.html?raw';
+import handles from '../scenes/handles.html?raw';
 import moon from '../scenes/moon.html?raw';
+import point from '../scenes/point.html?raw';
 import room from '../scenes/room.html?raw';
 import torch from '../scenes/torch.html?raw';
 
@@ -25,4 +28,7 @@ export const EXAMPLES: readonly Example[] = [
   { name: 'moon', title: 'One sun', text: moon },
   { name: 'torch', title: 'A light in the hand', text: torch },
   { name: 'facets', title: 'One colour a face', text: facets },
+  { name: 'handles', title: 'Lights to drag', text: handles },
+  { name: 'point', title: 'A point explained', text: point },
+  { name: 'count', title: 'Lights counted', text: count },
 ];

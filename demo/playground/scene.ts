@@ -26,6 +26,7 @@ const LONGEST_NAME = 40;
 
 const HTML = 'http://www.w3.org/1999/xhtml';
 const VIEWER = 'phong-viewer';
+const COMPARISON = 'phong-compare';
 const documented: ReadonlyMap<string, ReadonlySet<string>> = new Map(
   Object.entries(attributes).map(([tag, names]) => [tag, new Set(names)]),
 );
@@ -66,6 +67,8 @@ class SceneReader {
     for (const element of parsed.querySelectorAll('head > *, body > *')) {
       if (!element.contains(viewer)) this.#leave(`<${clipped(element.localName)}>`);
     }
+    // One viewer is shown: the first of a comparison.
+    if (viewer.closest(COMPARISON) !== null) this.#leave(`<${COMPARISON}>`);
   }
 
   readViewer(viewer: Element): void {
@@ -86,11 +89,12 @@ class SceneReader {
   }
 
   #filter(element: Element): number {
-    const known = isHtml(element) && documented.has(element.localName);
-    if (known && element.localName !== VIEWER) return NodeFilter.FILTER_ACCEPT;
-    this.#leave(`<${clipped(element.localName)}>`);
+    const { localName } = element;
+    const known = isHtml(element) && documented.has(localName);
+    if (known && localName !== VIEWER && localName !== COMPARISON) return NodeFilter.FILTER_ACCEPT;
+    this.#leave(`<${clipped(localName)}>`);
     // Lights may stand in wrappers. Those of another viewer belong to it.
-    return element.localName === VIEWER ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_SKIP;
+    return localName === VIEWER ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_SKIP;
   }
 
   #keep(element: Element): void {

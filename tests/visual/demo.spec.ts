@@ -15,6 +15,7 @@ const PAGES = [
   'guide/camera/',
   'guide/materials/',
   'guide/models/',
+  'guide/see/',
   'guide/accuracy/',
   'guide/speed/',
 ];
