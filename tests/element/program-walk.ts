@@ -147,6 +147,8 @@ function take(viewer: Locator, what: string, value: string, step: number): Promi
       for (const term of element.terms) {
         if (term !== 'specular' || element.ks.some((k) => k > 0)) facts.push(`${term} term`);
       }
+      // The power function is shorter for exponents up to 64.
+      if (element.shininess > 64) facts.push('steep');
       // Flat shading differs in its triangles alone.
       const shading = element.shading === 'gouraud' ? 'gouraud' : 'fragment';
       return {

@@ -13,10 +13,10 @@ const model = fileURLToPath(new URL('../fixtures/models/textured.glb', import.me
 const page = `<!doctype html>
 <title>Handout</title>
 <script src="phong-viewer.classic.js"></script>
-<phong-viewer geometry="teapot" ka="255" gui>
+<phong-viewer alt="A teapot" geometry="teapot" ka="255" gui>
   <phong-light ambient="200 100 50" diffuse="0" specular="0"></phong-light>
 </phong-viewer>
-<phong-viewer src="textured.glb"></phong-viewer>
+<phong-viewer alt="A file" src="textured.glb"></phong-viewer>
 `;
 
 test('@release a page opened from disk shows picture and panel in Firefox', async () => {

@@ -40,7 +40,7 @@ test.describe('a copy of dist/ @release', () => {
     const { data } = await pixels(viewer, { width: 60, height: 40 });
     const lit = data.filter((code, i) => i % 4 === 3 && code === 255 && data[i - 1]! > 60).length;
     expect(lit).toBeGreaterThan(200);
-    await expect(viewer.getByText('sun').first()).toBeVisible();
+    await expect(viewer.locator('[part=panel]').getByText('sun').first()).toBeVisible();
     expect(asked.filter((url) => !url.startsWith(site.origin))).toEqual([]);
     await site.close();
   });
