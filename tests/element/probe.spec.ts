@@ -331,6 +331,41 @@ test.describe('the box', () => {
     }
   });
 
+  test('shows the whole table in viewers of 240 pixels and wider, with three digits in every colour', async ({
+    page,
+    mount,
+  }) => {
+    const light = (name: string): string =>
+      `<phong-light name="${name}" position="1 1 0 0" ambient="120" diffuse="190" specular="150"></phong-light>`;
+    const viewer = await mount(
+      `<phong-viewer probe probe-at="0 0 0" geometry="plane" theta="-90" phi="26.565" radius="20" fov="4.2" target="0 0 0" ka="255" kd="255" ks="255" shininess="1">
+         ${light('light')}${light('a light with a long name')}
+         <phong-light name="back" position="-1 -1 0 0" ambient="111"></phong-light></phong-viewer>`,
+      { width: 240, height: 400 },
+    );
+    for (const width of [240, 269, 270, 294, 344, 345, 355, 389, 390, 420, 479, 480, 599, 600, 690]) {
+      await viewer.evaluate((element: PhongViewer, px) => {
+        element.style.width = `${px}px`;
+      }, width);
+      await nextFrame(page);
+      await expect(box(viewer).getByRole('table')).toBeVisible();
+      const { hidden, right, edge, name } = await box(viewer).evaluate((element) => {
+        const scroll = element.querySelector('.scroll')!;
+        const last = [...scroll.querySelectorAll('tr > :last-child')];
+        return {
+          hidden: scroll.scrollWidth - scroll.clientWidth,
+          right: last.map((cell) => Math.round(cell.getBoundingClientRect().right)),
+          edge: Math.round(scroll.getBoundingClientRect().right),
+          name: scroll.querySelectorAll('button')[1]!.getBoundingClientRect().width,
+        };
+      });
+      expect(hidden, `${width}`).toBe(0);
+      expect(new Set(right).size, `${width}: the sums share a column`).toBe(1);
+      expect(right[0], `${width}`).toBeLessThanOrEqual(edge);
+      expect(name, `${width}: the name`).toBeGreaterThan(20);
+    }
+  });
+
   test('has only the colour in a viewer of 120 × 90', async ({ page, mount }) => {
     const viewer = await mount(scene(), { width: 120, height: 90 });
     await page.mouse.click(60, 30);
@@ -447,4 +482,41 @@ test('without `probe` nothing of it is fetched; with it, one file, once', async 
   await page.mouse.move(282, 130);
   await expect(box(viewer)).toBeVisible();
   expect(fetched.filter((path) => path.includes('probe'))).toHaveLength(1);
+});
+
+test('the arrows are in a picture file where helpers are requested, at its size, as the scene is then', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+  await expect(box(viewer)).toBeVisible();
+  const [without, inside] = await viewer.evaluate(async (element: PhongViewer) => {
+    const size = { width: 300, height: 200 };
+    const pixels = async (helpers: boolean): Promise<Uint8ClampedArray> => {
+      const context = new OffscreenCanvas(300, 200).getContext('2d')!;
+      context.drawImage(await createImageBitmap(await element.toBlob({ ...size, helpers })), 0, 0);
+      return context.getImageData(0, 0, 300, 200).data;
+    };
+    /** Pixels that the probe draws: all, and those around this place. */
+    const drawn = async (x: number, y: number): Promise<readonly [number, number]> => {
+      const [plain, over] = [await pixels(false), await pixels(true)];
+      const places = Array.from({ length: 60000 }, (_, i) => i).filter((i) =>
+        [0, 1, 2].some((c) => plain[4 * i + c] !== over[4 * i + c]),
+      );
+      return [
+        places.length,
+        places.filter((i) => Math.hypot((i % 300) - x, Math.floor(i / 300) - y) < 5).length,
+      ];
+    };
+    element.probeAt = null;
+    const without = await drawn(150, 100);
+    element.probeAt = [0.25, 0, 0.4330127];
+    // In the same task as the assignment: half way between the middle and the outline.
+    return [
+      without,
+      await drawn(150 + (100 * 0.25) / (Math.tan((element.fov * Math.PI) / 360) * (1.6 - 0.433)), 100),
+    ] as const;
+  });
+  expect(without).toEqual([0, 0]);
+  expect(inside[0]).toBeGreaterThan(200);
+  expect(inside[1]).toBeGreaterThan(30);
 });

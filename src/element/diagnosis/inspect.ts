@@ -38,6 +38,9 @@ export function strayAttributes(element: Element): string[] {
 export const wrappedViewer = (compare: Element): Element | null =>
   compare.querySelector(':scope > :not(phong-viewer) phong-viewer');
 
+/** A viewer whose `probe-at` has no effect. */
+export const lacksProbe = ({ probe, probeAt }: PhongViewer): boolean => probeAt !== null && !probe;
+
 const FOREIGN = /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(on|_)|[^\p{L}\d]/u;
 
 function inspectSoon(): void {
@@ -58,6 +61,7 @@ function isSuspect(element: Element): boolean {
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
     !isNamed(element as PhongViewer) ||
+    lacksProbe(element as PhongViewer) ||
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
     Array.from(element.childNodes).some(
       (node) => node.nodeType === Node.TEXT_NODE && node.nodeValue?.trim() !== '',

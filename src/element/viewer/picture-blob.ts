@@ -8,7 +8,7 @@ export interface PictureOptions {
   readonly type?: string;
   /** 0–1, for lossy types. Default: the browser's. */
   readonly quality?: number;
-  /** Draws what `helpers` shows over the picture, while the viewer is on a page. Default false. */
+  /** Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a page. Default false. */
   readonly helpers?: boolean;
 }
 

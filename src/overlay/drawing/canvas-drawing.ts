@@ -3,6 +3,18 @@
 import { HALO } from './contrast.js';
 import { DASHES, type Disc, FONT, outlineOf, type Primitive, type Stroke } from './display-list.js';
 
+/**
+ * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the picture's in the
+ * layer's pixels, `scale` how many of the picture's pixels are one of them.
+ */
+export function fileSize(
+  picture: HTMLCanvasElement,
+  layerHeight: number,
+): { readonly width: number; readonly height: number; readonly scale: number } {
+  const scale = layerHeight > 0 ? picture.height / layerHeight : 1;
+  return { width: picture.width / scale, height: picture.height / scale, scale };
+}
+
 /** Draws the list; `scale` is how many of the canvas's pixels are one of the list's. */
 export function drawList(context: CanvasRenderingContext2D, list: readonly Primitive[], scale: number): void {
   context.save();

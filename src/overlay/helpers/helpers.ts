@@ -4,7 +4,7 @@ import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { create } from '../../element/viewer/template.js';
-import { drawList } from '../drawing/canvas-drawing.js';
+import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { Projection } from '../drawing/projection.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import styles from './helpers.css?inline';
@@ -64,9 +64,7 @@ class Helpers implements Extra {
   drawOver(picture: HTMLCanvasElement, options: PictureOptions): void {
     const context = picture.getContext('2d');
     if (options.helpers !== true || context === null) return;
-    const { height } = this.#host.size();
-    const scale = height > 0 ? picture.height / height : 1;
-    const size = { width: picture.width / scale, height: picture.height / scale };
+    const { scale, ...size } = fileSize(picture, this.#host.size().height);
     const view = this.#projection(size);
     const scene = ballOf(this.#host);
     const { helpers } = this.#host.values;

@@ -4,14 +4,17 @@ import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { create, set } from '../../element/viewer/template.js';
-import { type Point, Projection } from '../drawing/projection.js';
+import { drawList, fileSize } from '../drawing/canvas-drawing.js';
+import type { Primitive } from '../drawing/display-list.js';
+import type { Box } from '../drawing/label-layout.js';
+import { type Point, Projection, type Sight } from '../drawing/projection.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import { Announcer } from './announcer.js';
 import { drawingOf, markOf } from './drawing.js';
 import { figureOf } from './figure.js';
 import { ProbeBox } from './probe-box.js';
 import { adoptProbeStyles } from './probe-styles.js';
-import { byShare, type Sum, sumOf } from './sum.js';
+import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
 import { trianglePlaces } from './triangle.js';
 import { fragmentText } from './words.js';
 
@@ -25,6 +28,9 @@ export interface Shown {
   /** A point of the scene, rather than what is under the mouse or the cross-hair. */
   readonly pinned: boolean;
 }
+
+/** A file has no box. */
+const NOTHING_COVERED: Box = { left: 0, right: 0, top: 0, bottom: 0 };
 
 const KEYS =
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
@@ -70,10 +76,22 @@ export class ProbeView {
   }
 
   get projection(): Projection {
-    const { width, height, orbit, fov } = this.#host.viewport;
+    const { width, height } = this.#host.viewport;
     // None before the first layout.
     const aspect = width > 0 && height > 0 ? { aspect: width / height } : {};
-    return new Projection({ pose: orbit.pose, fov, ...this.size, ...aspect });
+    return this.#projectionTo({ ...this.size, ...aspect });
+  }
+
+  /** Draws the arrows of a fragment into the file of a picture that was captured in this task. */
+  drawerOf(picture: HTMLCanvasElement): (fragment: FragmentExplanation) => void {
+    const { scale, ...size } = fileSize(picture, this.#host.size().height);
+    const projection = this.#projectionTo(size);
+    return (fragment) => {
+      const at = projection.point(fragment.p);
+      const context = picture.getContext('2d');
+      if (at === null || context === null) return;
+      drawList(context, this.#drawingOf(fragment, at, projection, NOTHING_COVERED), scale);
+    };
   }
 
   /** `releasable`: the user has pinned the point. */
@@ -116,6 +134,11 @@ export class ProbeView {
     return this.#host.viewer.shadowRoot?.activeElement ?? null;
   }
 
+  #projectionTo(size: Pick<Sight, 'width' | 'height' | 'aspect'>): Projection {
+    const { orbit, fov } = this.#host.viewport;
+    return new Projection({ pose: orbit.pose, fov, ...size });
+  }
+
   #sumOf(fragment: FragmentExplanation): Sum {
     return sumOf(fragment, this.#host.values.colorInterpolation === 'linear');
   }
@@ -127,7 +150,7 @@ export class ProbeView {
   }
 
   #showPoint({ at, fragment, message }: Shown): void {
-    const { viewer, values } = this.#host;
+    const { values } = this.#host;
     const { x, y } = at ?? this.middle;
     this.cursor.style.translate = `${x.toFixed(1)}px ${y.toFixed(1)}px`;
     // The legend of a view is at the lower edge.
@@ -138,13 +161,33 @@ export class ProbeView {
       return;
     }
     const sum = this.#sumOf(fragment);
-    const halfway = (fragment.mesh.reflection ?? viewer.reflection) === 'blinn-phong';
-    const gouraud = (fragment.mesh.shading ?? viewer.shading) === 'gouraud';
+    const row = this.#rowOf(sum);
+    this.#drawing.show(this.#drawingOf(fragment, at, this.projection, covered));
+    const halfway = this.#isHalfway(fragment);
+    const gouraud = this.#isGouraud(fragment);
+    this.#box.show({ fragment, sum, row, halfway, gouraud }, this.#texts, this.size.width);
+  }
+
+  /** The arrows at `at`, beside what is covered. */
+  #drawingOf(fragment: FragmentExplanation, at: Point, projection: Projection, covered: Box): Primitive[] {
+    const sum = this.#sumOf(fragment);
+    const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
+    const figure = figureOf(fragment, sum, this.#rowOf(sum), look);
+    const outline = this.#isGouraud(fragment) ? trianglePlaces(fragment) : [];
+    return drawingOf(projection, fragment.p, at, figure, { outline, covered });
+  }
+
+  /** The row that the figure is about. */
+  #rowOf({ rows }: Sum): SumRow | null {
     const { chosen } = this.#box;
-    const row = chosen === undefined ? byShare(sum.rows)[0] : sum.rows.find(({ light }) => light === chosen);
-    const figure = figureOf(fragment, sum, row ?? null, { alone: chosen !== undefined, halfway });
-    const outline = gouraud ? trianglePlaces(fragment) : [];
-    this.#drawing.show(drawingOf(this.projection, fragment.p, at, figure, { outline, covered }));
-    this.#box.show({ fragment, sum, row: row ?? null, halfway, gouraud }, this.#texts, this.size.width);
+    return (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null;
+  }
+
+  #isHalfway({ mesh }: FragmentExplanation): boolean {
+    return (mesh.reflection ?? this.#host.viewer.reflection) === 'blinn-phong';
+  }
+
+  #isGouraud({ mesh }: FragmentExplanation): boolean {
+    return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
   }
 }

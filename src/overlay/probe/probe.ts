@@ -4,6 +4,7 @@ import type { ProbeDetail } from '../../element/events.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
@@ -55,6 +56,14 @@ class Probe implements Extra, ProbeInputHost {
     }
     this.#view.nameCursor();
     this.#explainOncePerFrame();
+  }
+
+  /** Explained anew: the picture may be newer than what is shown. */
+  async drawOver(picture: HTMLCanvasElement, { helpers }: PictureOptions): Promise<void> {
+    if (helpers !== true) return;
+    const draw = this.#view.drawerOf(picture);
+    const fragment = (await this.#chosen())?.fragment ?? null;
+    if (fragment !== null) draw(fragment);
   }
 
   dispose(): void {
@@ -160,7 +169,7 @@ class Probe implements Extra, ProbeInputHost {
     });
   }
 
-  /** The place that was pressed, else the user's pin, else the place of mouse or cross-hair, else the declared point. */
+  /** The place that was pressed, else {@link #chosen}. */
   async #explained(): Promise<Shown | null> {
     const toPin = this.#toPin;
     if (toPin !== null) {
@@ -171,6 +180,11 @@ class Probe implements Extra, ProbeInputHost {
       this.#free = this.#pin === null && this.#view.hasFocus ? toPin : null;
       if (this.#pin !== null) return { ...shown, pinned: true };
     }
+    return this.#chosen();
+  }
+
+  /** The user's pin, else the place of mouse or cross-hair, else the declared point. */
+  async #chosen(): Promise<Shown | null> {
     if (this.#pin === null && this.#free !== null) {
       const shown = await this.#at(this.#free);
       if (shown.fragment !== null || shown.message !== '') return shown;
