@@ -124,7 +124,7 @@ test.describe('the packed tarball in a fresh React project @release', () => {
     project.write('app.tsx', app);
     project.write('refusals.tsx', refusals);
     project.write('components.tsx', components);
-    project.write('readme.jsx', readmeSample('With React.*'));
+    project.write('readme.jsx', readmeSample('React, Next'));
     const compilerOptions = { ...strictOptions, jsx: 'react-jsx', allowJs: true, checkJs: true };
     project.write(
       'tsconfig.json',
