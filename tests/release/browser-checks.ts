@@ -1,5 +1,6 @@
-// What must hold in every browser: element, camera, panel, models, and pictures against the equation. One list of pages and checks,
-// for whatever drives the browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check says otherwise.
+// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons, models, and pictures against the equation.
+// One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check
+// says otherwise.
 import { expect } from '@playwright/test';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
 import { judgeInPage } from '../../src/playwright/judge-in-page.js';
@@ -7,7 +8,7 @@ import { settleInPage } from '../../src/playwright/settle-in-page.js';
 import { codesOff } from '../../src/playwright/subpixel.js';
 import type { PhongViewer } from '../element/support.js';
 import { decodePng } from '../support/picture.js';
-import { wasmPolicy } from '../support/site.js';
+import { named, wasmPolicy } from '../support/site.js';
 import { randomScene, sceneMarkup } from '../visual/random-scene.js';
 import type { Tab } from './tabs.js';
 
@@ -29,6 +30,8 @@ const SMALL = { width: 180, height: 120 };
 const LIGHTS = `<phong-light name="sun" position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
   <phong-light name="lamp" position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>`;
+
+const AMBIENT = '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
 
 const box = '<phong-viewer geometry="box" theta="30" phi="70" radius="5"></phong-viewer>';
 
@@ -69,7 +72,7 @@ const show = (tab: Tab, markup: string): Promise<null> =>
     document.querySelector('phong-viewer')!.outerHTML = text;
     await document.querySelector<PhongViewer>('phong-viewer')!.ready;
     return null;
-  }, markup);
+  }, named(markup));
 
 /** Opens the panel's folder and types into one of its rows. */
 const typeIntoPanel = (tab: Tab, folder: string, name: string, text: string): Promise<null> =>
@@ -275,6 +278,102 @@ export const CHECKS: readonly Check[] = [
             ?.querySelector<HTMLInputElement>('input:not([type=range])')?.value,
       );
       expect(shown).toBe('39');
+    },
+  },
+  {
+    title: 'helpers: a light follows a drag in the plane of the view, and the camera stays',
+    markup: `<phong-viewer helpers geometry="box" theta="0" phi="90" radius="4" target="0 0 0" fov="90">
+      <phong-light name="lamp" position="0.5 0.4 0 1"></phong-light></phong-viewer>`,
+    async holds(tab) {
+      await tab.run(async () => {
+        const root = document.querySelector('phong-viewer')!.shadowRoot!;
+        while (root.querySelector('[role=option]') === null) await new Promise(requestAnimationFrame);
+      });
+      // 50 pixels are a unit at the target: the light stands at 325, 180.
+      await tab.drag([325, 180], [-60, 30]);
+      const found = await tab.run(() => {
+        const viewer = document.querySelector<PhongViewer>('phong-viewer')!;
+        return { position: viewer.lights[0]!.position, theta: viewer.camera.theta };
+      });
+      expect(found.theta).toBe(0);
+      [-0.7, -0.2, 0, 1].forEach((x, i) => expect(found.position[i], `position ${i}`).toBeCloseTo(x, 2));
+    },
+  },
+  {
+    title:
+      'view: a pixel has the colour of the quantity, and the legend names it; the error is within a step',
+    markup: `<phong-viewer view="n-dot-l" geometry="box" theta="0" phi="90">
+      <phong-light name="sun" position="0 1 1 0" specular="0"></phong-light></phong-viewer>`,
+    async holds(tab) {
+      const { width, data } = decodePng(Buffer.from(await tab.screenshot()));
+      // The box's front faces the eye, and N·L is √½ there.
+      const at = 4 * (200 * width + 300);
+      for (const code of data.slice(at, at + 3))
+        expect(Math.abs(code - 255 * Math.SQRT1_2)).toBeLessThan(1.01);
+      const legend = () => tab.onViewer((viewer) => viewer.shadowRoot!.querySelector('.legend')?.textContent);
+      expect(await legend()).toContain('N · L');
+      await tab.onViewer((viewer) => void (viewer.view = 'error'));
+      await expect.poll(legend, { timeout: 60_000 }).toMatch(/largest away from edges: (0\.\d+|1\.0)\b/);
+    },
+  },
+  {
+    title: 'probe: a click pins a point, whose table has the colour that shadeAt gives',
+    markup: `<phong-viewer probe geometry="sphere" theta="0" phi="90" radius="1.6" target="0 0 0">${LIGHTS}</phong-viewer>`,
+    async holds(tab) {
+      const shown = () =>
+        tab.onViewer((viewer) => {
+          const box = viewer.shadowRoot!.querySelector<HTMLElement>('[part=probe]');
+          if (box === null || box.offsetWidth === 0) return null;
+          return {
+            pinned: box.classList.contains('pinned'),
+            codes: box.querySelector('.codes')!.textContent,
+            rows: Array.from(box.querySelectorAll('tbody th'), ({ textContent }) => textContent),
+          };
+        });
+      const expected = await tab.onViewer(async (viewer) => {
+        const fragment = await viewer.shadeAt(280, 130);
+        return fragment!.color.map((c) => (255 * c).toFixed(1)).join(' ');
+      });
+      await tab.drag([280, 130], [0, 0]);
+      await expect.poll(shown).toMatchObject({
+        pinned: true,
+        codes: expected,
+        rows: [/^sun/, /^lamp/, /^spot/].map((name) => expect.stringMatching(name) as unknown),
+      });
+      await tab.drag([5, 395], [0, 0]);
+      await expect.poll(shown).toBeNull();
+    },
+  },
+  {
+    title: 'comparison: shows a viewer on each side of the divider, which follows a drag and then the keys',
+    markup: `<phong-compare><phong-viewer geometry="sphere" ka="255 0 0" kd="0" ks="0">${AMBIENT}</phong-viewer>
+      <phong-viewer geometry="sphere" ka="0 0 255" kd="0" ks="0">${AMBIENT}</phong-viewer></phong-compare>`,
+    async holds(tab) {
+      const place = () =>
+        tab.run(() => {
+          const root = document.querySelector('phong-compare')!.shadowRoot;
+          return root?.querySelector('[role=separator]')?.getAttribute('aria-valuenow');
+        });
+      await expect.poll(place).toBe('50');
+      // The comparison is 300 × 150 pixels, and the sphere in its middle.
+      const colors = async (...xs: readonly number[]) => {
+        await allReady(tab);
+        const { width, data } = decodePng(Buffer.from(await tab.screenshot()));
+        return xs.map((x) => [...data.slice(4 * (75 * width + x), 4 * (75 * width + x) + 3)]);
+      };
+      const [red, blue] = [
+        [255, 0, 0],
+        [0, 0, 255],
+      ];
+      expect(await colors(125, 175)).toEqual([red, blue]);
+      await tab.drag([150, 20], [60, 0]);
+      expect(await place()).toBe('70');
+      expect(await colors(125, 175)).toEqual([red, red]);
+      await tab.press('ArrowRight');
+      expect(await place()).toBe('71');
+      await tab.press('Home');
+      expect(await place()).toBe('0');
+      expect(await colors(125, 175)).toEqual([blue, blue]);
     },
   },
   {

@@ -71,9 +71,9 @@ export const strictOptions = {
   types: [],
 };
 
-/** The first block of code under a heading of the README, or of the page about core and the reference. */
+/** The first block of code under a heading of the README, or of the pages about frameworks and core. */
 export function readmeSample(heading: string): string {
-  for (const page of ['README.md', 'src/CORE.md']) {
+  for (const page of ['README.md', 'src/FRAMEWORKS.md', 'src/CORE.md']) {
     const text = readFileSync(join(repository, page), 'utf8');
     const [, section = ''] = text.split(new RegExp(`\n##+ ${heading}\n`));
     const sample = /```(?:js|jsx)\n([^]*?)```/.exec(section)?.[1];

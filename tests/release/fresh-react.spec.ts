@@ -64,12 +64,16 @@ export const unknown = [
   <phong-viewer onLoad={() => undefined} />,
   // @ts-expect-error there is no such attribute
   <phong-light strength={2} />,
+  // @ts-expect-error there is no such view
+  <phong-viewer view="depth" />,
   // @ts-expect-error the event is another one
   <phong-viewer oncamera-change={(event: MouseEvent) => event} />,
 ];
 export const known = [
   <phong-mesh scale={2} rotation="0 10 0" ka={128} onload={(event) => event.detail.url} aria-hidden />,
   <phong-viewer radius="auto" target={[0, 1, 2]} terms={['ambient']} crossOrigin={null} color-interpolation="linear" />,
+  <phong-viewer helpers={['lights', 'grid']} view="n-dot-l" view-light="sun" probe probe-at="0 0 1" onprobe-change={(event) => event.detail.pinned} />,
+  <phong-compare at={40} labels="Gouraud, Phong" ondivider-change={(event) => event.detail.at} />,
   <phong-light position={[1, 2, 3]} active="false" space="camera" aperture={undefined} />,
 ];
 `;
@@ -77,7 +81,7 @@ export const known = [
 const components = `
 import { createRef } from 'react';
 import type { PhongViewer as Element } from 'phong-viewer';
-import { PhongLight, PhongMesh, PhongViewer, type PhongViewerElement, type PhongViewerProps } from 'phong-viewer/react';
+import { PhongCompare, PhongLight, PhongMesh, PhongViewer, type PhongViewerElement, type PhongViewerProps } from 'phong-viewer/react';
 
 const viewer = createRef<PhongViewerElement>();
 const same: Element | null = viewer.current;
@@ -95,6 +99,9 @@ export const known = [
   >
     text <PhongLight position={[1, 2, 3]} active={false} diffuse={new Uint8Array(3)} space="camera" aperture={undefined} />
   </PhongViewer>,
+  <PhongCompare at={[25, 50]} layout="side" onDividerChange={({ detail }) => detail.at}>
+    <PhongViewer helpers="lights" view="error" probe probeAt={[0, 0, 1]} onProbeChange={({ detail }) => detail.pinned} />
+  </PhongCompare>,
   <PhongMesh scale={2} rotation="0 10 0" ka={128} onLoad={(event) => event.detail.url} auto-focus />,
 ];
 export const unknown = [
@@ -106,6 +113,8 @@ export const unknown = [
   <PhongLight strength={2} />,
   // @ts-expect-error the event is another one
   <PhongViewer onCameraChange={(event: MouseEvent) => event} />,
+  // @ts-expect-error there is no such layout
+  <PhongCompare layout="grid" />,
   // @ts-expect-error a mesh has no camera
   <PhongMesh onCameraChange={() => undefined} />,
   // @ts-expect-error the ref is another element
@@ -124,7 +133,7 @@ test.describe('the packed tarball in a fresh React project @release', () => {
     project.write('app.tsx', app);
     project.write('refusals.tsx', refusals);
     project.write('components.tsx', components);
-    project.write('readme.jsx', readmeSample('With React.*'));
+    project.write('readme.jsx', readmeSample('React, Next'));
     const compilerOptions = { ...strictOptions, jsx: 'react-jsx', allowJs: true, checkJs: true };
     project.write(
       'tsconfig.json',
