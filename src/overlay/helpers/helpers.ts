@@ -61,12 +61,12 @@ class Helpers implements Extra {
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
-  drawOver(picture: HTMLCanvasElement, options: PictureOptions): void {
-    const context = picture.getContext('2d');
+  drawOver(canvas: HTMLCanvasElement, options: PictureOptions): void {
+    const context = canvas.getContext('2d');
     if (options.helpers !== true || context === null) return;
     const { height } = this.#host.size();
-    const scale = height > 0 ? picture.height / height : 1;
-    const size = { width: picture.width / scale, height: picture.height / scale };
+    const scale = height > 0 ? canvas.height / height : 1;
+    const size = { width: canvas.width / scale, height: canvas.height / scale };
     const view = this.#projection(size);
     const scene = ballOf(this.#host);
     const { helpers } = this.#host.values;
