@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { assign, drag, nextFrame, type PhongViewer } from './support.js';
+import { assign, drag, nextFrame, type PhongViewer, settled } from './support.js';
 
 const LIGHTS = `
   <phong-light name="sun" position="-1 1.4 1.2 0" ambient="26 28 36" diffuse="110 112 118" specular="150"></phong-light>
@@ -123,6 +123,29 @@ test.describe('a click', () => {
     await expect(box(viewer)).toBeHidden();
     await page.mouse.move(321, 220);
     await expect(codes(viewer)).toHaveText(await expected(viewer, 321, 220));
+  });
+
+  test('pins the point, which stays where the viewer moves on its page, and goes with `probe`', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene());
+    await page.mouse.click(280, 130);
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    const pinned = await codes(viewer).textContent();
+    await viewer.evaluate((element) => {
+      const section = document.createElement('section');
+      element.before(section);
+      section.append(element);
+    });
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await expect(codes(viewer)).toHaveText(pinned!);
+    await assign(viewer, { probe: false });
+    await expect(box(viewer)).toHaveCount(0);
+    await assign(viewer, { probe: true });
+    await expect(box(viewer)).toBeAttached();
+    await settled(viewer);
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
   test('elsewhere moves the pin, beside the shape takes it away, and so does its button', async ({

@@ -328,6 +328,15 @@ test.describe('the error', () => {
     expect(pixelAt({ width, height, data }, 0, 0)[3]).toBe(0);
   });
 
+  test('lies below the helpers in a picture file', async ({ mount }) => {
+    const lamp = '<phong-light name="lamp" position="0 0 2 1" diffuse="255 40 40"></phong-light>';
+    const attributes = 'geometry="box" helpers view="error" theta="0" phi="90" target="0 0 0"';
+    const viewer = await mount(`<phong-viewer ${attributes}>${lamp}</phong-viewer>`, small);
+    const [width, height] = [300, 200];
+    const picture = await pixels(viewer, { width, height, helpers: true });
+    expect(pixelAt(picture, width / 2, height / 2)).toEqual([255, 40, 40, 255]);
+  });
+
   test('ends with the view and with the element', async ({ mount }) => {
     const viewer = await mount(scene('view="error"'), { width: 600, height: 400 });
     await expect(legendOf(viewer).getByRole('progressbar')).toBeVisible({ timeout: 30_000 });

@@ -32,8 +32,10 @@ export interface Extra {
   update(): void;
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
-  /** Draws over a picture that was captured in this task, for `toBlob`. */
-  drawOver?(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
+  /** Replaces the pixels of a picture that was captured in this task, for `toBlob`. */
+  repaint?(picture: HTMLCanvasElement): Promise<void>;
+  /** Draws what lies over the picture as it is in this task, on a canvas of its size. */
+  drawOver?(canvas: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
   dispose(): void;
 }
 
@@ -119,10 +121,14 @@ export class ViewerExtras implements ReactiveController {
 
   /** What the extras show belongs to this picture, which was captured in this task. */
   async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
-    const extras = [...this.#extras.values()];
-    await Promise.all(
-      extras.map(async (extra) => (extra === 'loading' ? undefined : extra.drawOver?.(picture, options))),
-    );
+    const extras = [...this.#extras.values()].filter((extra) => extra !== 'loading');
+    if (extras.length === 0) return;
+    const { width, height } = picture;
+    // Apart from the picture: repainting reads its pixels, and the scene can change meanwhile.
+    const over = Object.assign(document.createElement('canvas'), { width, height });
+    const drawn = extras.map(async (extra) => extra.drawOver?.(over, options));
+    await Promise.all([...drawn, ...extras.map(async (extra) => extra.repaint?.(picture))]);
+    picture.getContext('2d')?.drawImage(over, 0, 0);
   }
 
   #wait(fetched: Promise<void>): void {

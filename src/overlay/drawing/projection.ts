@@ -107,22 +107,16 @@ export class Projection {
 
   /** The part of a segment that is in front of the eye and not far outside the layer; null for none. */
   segment(from: Vec3, to: Vec3): readonly [Point, Point] | null {
-    let [a, b] = [this.toCamera(from), this.toCamera(to)];
-    const [da, db] = [-a[2] - this.#near, -b[2] - this.#near];
-    if (da < 0 && db < 0) return null;
-    // Its depth is set: the difference of large coordinates would round to any.
-    const [x, y] = add(a, scale(subtract(b, a), da / (da - db)));
-    const cut: Vec3 = [x, y, -this.#near];
-    if (da < 0) a = cut;
-    else if (db < 0) b = cut;
-    return this.#clipped(this.#onLayer(a[0], a[1], -a[2]), this.#onLayer(b[0], b[1], -b[2]));
+    return this.#segment(this.toCamera(from), this.toCamera(to));
   }
 
   /** A line through these places, in as many pieces as {@link segment} leaves. */
   line(places: readonly Vec3[]): (readonly Point[])[] {
     const pieces: Point[][] = [];
-    for (let i = 1; i < places.length; i++) {
-      const part = this.segment(places[i - 1]!, places[i]!);
+    // Each place is turned to camera space once: that halves the time of the circles around lights.
+    const turned = places.map((place) => this.toCamera(place));
+    for (let i = 1; i < turned.length; i++) {
+      const part = this.#segment(turned[i - 1]!, turned[i]!);
       if (part === null) continue;
       const [from, to] = part;
       const last = pieces.at(-1)?.at(-1);
@@ -132,6 +126,21 @@ export class Projection {
     return pieces;
   }
 
+  /** In camera space. */
+  #segment(a: Vec3, b: Vec3): readonly [Point, Point] | null {
+    const [da, db] = [-a[2] - this.#near, -b[2] - this.#near];
+    if (da < 0 && db < 0) return null;
+    const from = da < 0 ? this.#cut(a, b, da / (da - db)) : a;
+    const to = db < 0 ? this.#cut(a, b, da / (da - db)) : b;
+    return this.#clipped(this.#onLayer(from[0], from[1], -from[2]), this.#onLayer(to[0], to[1], -to[2]));
+  }
+
+  /** Where a segment comes nearest. Its depth is set: the difference of large coordinates would round to any. */
+  #cut(a: Vec3, b: Vec3, share: number): Vec3 {
+    const [x, y] = add(a, scale(subtract(b, a), share));
+    return [x, y, -this.#near];
+  }
+
   #onLayer(x: number, y: number, depth: number): Point {
     return {
       x: this.width / 2 + (this.#scaleX * x) / depth,
@@ -139,8 +148,20 @@ export class Projection {
     };
   }
 
+  /** Not so far outside the layer that lines are cut. */
+  #isNear({ x, y }: Point): boolean {
+    const { width, height } = this;
+    return (
+      x >= -OUTSIDE * width &&
+      x <= (1 + OUTSIDE) * width &&
+      y >= -OUTSIDE * height &&
+      y <= (1 + OUTSIDE) * height
+    );
+  }
+
   /** Liang and Barsky's clipping. */
   #clipped(a: Point, b: Point): readonly [Point, Point] | null {
+    if (this.#isNear(a) && this.#isNear(b)) return [a, b];
     const [dx, dy] = [b.x - a.x, b.y - a.y];
     let [from, to] = [0, 1];
     const sides = [

@@ -61,10 +61,10 @@ class Helpers implements Extra {
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
-  drawOver(picture: HTMLCanvasElement, options: PictureOptions): void {
-    const context = picture.getContext('2d');
+  drawOver(canvas: HTMLCanvasElement, options: PictureOptions): void {
+    const context = canvas.getContext('2d');
     if (options.helpers !== true || context === null) return;
-    const { scale, ...size } = fileSize(picture, this.#host.size().height);
+    const { scale, ...size } = fileSize(canvas, this.#host.size().height);
     const view = this.#projection(size);
     const scene = ballOf(this.#host);
     const { helpers } = this.#host.values;

@@ -51,9 +51,9 @@ export class LightHelpers {
       const { values } = fieldsOf(light).store;
       const hidden = this.#occlusion.isHidden(light);
       const known = this.#known.get(light);
-      if (known?.view === view && known.hidden === hidden && sameValues(known.values, values)) continue;
-      // Otherwise only what hides it has changed, which is known.
-      if (known === undefined || known.hidden === hidden) changed.push(light);
+      const isSame = known?.view === view && sameValues(known.values, values);
+      if (isSame && known.hidden === hidden) continue;
+      if (!isSame) changed.push(light);
       const marks = lightMarks(values, view, scene, hidden);
       this.#known.set(light, { values: { ...values }, view, hidden, marks });
     }

@@ -48,7 +48,7 @@ class ViewExtra implements Extra {
     this.#updateLegend();
   }
 
-  async drawOver(picture: HTMLCanvasElement): Promise<void> {
+  async repaint(picture: HTMLCanvasElement): Promise<void> {
     const host = this.#host;
     if (host.values.view !== 'error') return;
     const snapshot = snapshotOf(host.viewport, picture, chosenLights(host));

@@ -69,7 +69,8 @@ class Probe implements Extra, ProbeInputHost {
   dispose(): void {
     this.#listening.abort();
     this.#cancel();
-    viewerPins.delete(this.#host.viewer);
+    // Like the camera, the pin stays with a viewer that leaves the page.
+    if (!this.#host.values.probe) viewerPins.delete(this.#host.viewer);
     this.#view.dispose();
   }
 
