@@ -7,6 +7,7 @@ import { expect, strictPolicy, test } from '../support/test.js';
 import { dracoGlb } from '../fuzz/models.js';
 import { type PhongViewer, settled } from './support.js';
 
+const engine = '/assets/models/real/engine/2CylinderEngine.gltf';
 const bunny = '/assets/models/bunny.glb';
 const scene = `<phong-viewer src="${bunny}"></phong-viewer>`;
 const size = { width: 90, height: 60 };
@@ -85,6 +86,16 @@ test('twenty models at once use one worker', async ({ page, mount }) => {
   const viewer = await mount(`<phong-viewer>${many}</phong-viewer>`, size);
   expect(await loaded(viewer)).toBe(true);
   expect(started).toHaveLength(1);
+});
+
+test('the worker starts while the bytes of the meshes are on their way', async ({ page, mount }) => {
+  const starting = page.waitForEvent('worker');
+  await page.route('**/*.bin', async (route) => {
+    await starting;
+    await route.continue();
+  });
+  const viewer = await mount(`<phong-viewer src="${engine}"></phong-viewer>`, size);
+  expect(await loaded(viewer)).toBe(true);
 });
 
 test('removing the viewer ends the worker at its work, and the next model gets a new one', async ({

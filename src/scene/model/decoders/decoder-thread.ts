@@ -37,6 +37,14 @@ export class DecoderThread<Job, Result> {
     this.#setup = setup;
   }
 
+  /** Starts the decoder ahead of the first job, so that it is there when the job's bytes have arrived. */
+  start(): void {
+    if (this.#session) return;
+    this.#session = this.#open();
+    this.#session.catch(() => undefined); // the first job gets the error
+    this.#rest();
+  }
+
   /**
    * @param job is copied for the worker.
    * @throws what the decoder throws, by message and name, or the signal's reason after an abort.
@@ -54,9 +62,7 @@ export class DecoderThread<Job, Result> {
       const session = await (this.#session ??= this.#open());
       signal.throwIfAborted();
       const result = await session.decode(job, signal);
-      this.#idle = setTimeout(() => {
-        this.#close();
-      }, IDLE_MS);
+      this.#rest();
       return result;
     } catch (error) {
       // It may still be at work, or broken by what it was given.
@@ -89,6 +95,14 @@ export class DecoderThread<Job, Result> {
       worker?.terminate();
       return null;
     }
+  }
+
+  /** Ends the session after a while, unless it is used again. */
+  #rest(): void {
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => {
+      this.#close();
+    }, IDLE_MS);
   }
 
   #close(): void {
