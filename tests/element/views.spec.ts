@@ -315,6 +315,16 @@ test.describe('the error', () => {
     expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
   });
 
+  test('leaves out the borders of triangles under Gouraud shading, where a pixel averages two slopes', async ({
+    mount,
+  }) => {
+    const attributes = 'segments="12" shading="gouraud" view="error"';
+    const viewer = await mount(scene(attributes), { width: 440, height: 290 });
+    await errorDone(viewer);
+    const text = await legendOf(viewer).getByRole('status').textContent();
+    expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
+  });
+
   test('is in the picture that toBlob gives, at any size', async ({ mount }) => {
     const viewer = await mount(scene('view="error"'), small);
     const { width, height, data } = await pixels(viewer, { width: 60, height: 40 });

@@ -46,7 +46,7 @@ export class ErrorMeasure implements Measured {
   readonly #scene: SceneSnapshot;
   readonly #lights: readonly Readonly<LightValues>[];
   readonly #code: PixelCode;
-  /** By pixel: which surface is seen in which cones, as a hash; 0 for none. Under flat shading each triangle is a surface. */
+  /** By pixel: which surface is seen in which cones, as a hash; 0 for none. Each triangle is a surface unless shading is `phong`. */
   readonly #surfaces: Int32Array;
   readonly #normals: Float32Array;
   #done = 0;
@@ -126,7 +126,8 @@ export class ErrorMeasure implements Measured {
 
   #surfaceOf({ drawn, triangle }: Hit, shares: readonly (LightShare | null)[]): number {
     let key = this.#scene.objects.indexOf(drawn) + 1;
-    if (drawn.phong.style.shading === 'flat') key = hashed(key, triangle);
+    // Beyond the border of a triangle the colour is another one (flat), or changes at another rate (Gouraud).
+    if (drawn.phong.style.shading !== 'phong') key = hashed(key, triangle);
     shares.forEach((share, i) => {
       if (share?.insideCone === false) key = hashed(key, i);
     });
