@@ -68,7 +68,8 @@ describe('formatting', () => {
       fc.property(valuesOf(field), (value) => {
         const text = formatValue(value, field);
         // No attribute: the default, which for these is nothing.
-        if (text === null) expect(value === null || value === false || sameValue(value, field.fallback)).toBe(true);
+        if (text === null)
+          expect(value === null || value === false || sameValue(value, field.fallback)).toBe(true);
         else expect(field.check(parseText(text, field))).toStrictEqual(value);
       }),
     );
