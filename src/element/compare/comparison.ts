@@ -8,7 +8,7 @@ import { PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare } from '../phong-compare.js';
 import type { PhongViewer } from '../phong-viewer.js';
-import { create, set } from '../viewer/template.js';
+import { create, set, write } from '../viewer/template.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './places.js';
@@ -94,7 +94,7 @@ export class Comparison implements DividerHost {
       this.#leaveRoom(box, from, to, text);
       // A viewer that is clipped away draws nothing.
       box.style.visibility = from === to ? 'hidden' : '';
-      if (label.textContent !== text) label.textContent = text;
+      write(label, text);
       label.hidden = text === '';
       // A viewer says its own name.
       set(box, 'role', text === '' || isName ? null : 'group');

@@ -10,7 +10,7 @@ import type { PhongViewer } from '../phong-viewer.js';
 import type { CameraSource } from './camera.js';
 import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
 import { keysText, nameSurface } from './naming.js';
-import { create, set, type ViewerTree } from './template.js';
+import { create, set, write, type ViewerTree } from './template.js';
 
 /**
  * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart. Also
@@ -160,9 +160,4 @@ export class ViewerAnnouncements implements ReactiveController {
   get #texts(): ViewerTexts | null {
     return this.#viewer.texts;
   }
-}
-
-/** Screen readers may read again what is written, even if it is the same. */
-function write(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }

@@ -97,7 +97,8 @@ export function create<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-function write(element: Element, text: string): void {
+/** Writes only what changes, for the same reason as {@link set}. Screen readers may also read again what is written. */
+export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
 

@@ -1,5 +1,5 @@
 // Shows a legend: title, lights, scale. Writes only what changes. Knows no views.
-import { create } from '../../element/viewer/template.js';
+import { create, write } from '../../element/viewer/template.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Bar } from './view-scale.js';
 
@@ -30,9 +30,9 @@ export class LegendBox {
 
   write({ label, title, lights, note }: LegendText): void {
     if (this.#box.getAttribute('aria-label') !== label) this.#box.setAttribute('aria-label', label);
-    setText(this.#title, title);
-    setText(this.#lights, lights);
-    setText(this.#note, note);
+    write(this.#title, title);
+    write(this.#lights, lights);
+    write(this.#note, note);
   }
 
   /** Shows a share from 0 to 1, or nothing for null. */
@@ -51,10 +51,6 @@ export class LegendBox {
     this.#bars = bars;
     this.#scale.replaceChildren(...bars.flatMap(barElements));
   }
-}
-
-function setText(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }
 
 function barElements({ label, colors, fields, marks }: Bar): Element[] {

@@ -4,7 +4,7 @@ import { SvgLayer } from '../drawing/svg-layer.js';
 import type { Box } from '../drawing/label-layout.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
-import { create, set } from '../../element/viewer/template.js';
+import { create, set, write } from '../../element/viewer/template.js';
 import { planeOf } from './plane.js';
 import { type Sum, type SumRow, tripleText } from './sum.js';
 import { type Chosen, STEPS, SumTable } from './sum-table.js';
@@ -133,8 +133,4 @@ export class ProbeBox {
     set(this.element, 'aria-label', phrase(texts, 'Probe'));
     set(this.#release, 'aria-label', phrase(texts, 'Unpin'));
   }
-}
-
-function write(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }

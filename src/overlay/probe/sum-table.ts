@@ -3,7 +3,7 @@
 // press. Knows neither the scene nor where the table is.
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/phong-light.js';
-import { create, set } from '../../element/viewer/template.js';
+import { create, set, write } from '../../element/viewer/template.js';
 import type { Vec3 } from '../../math/vector.js';
 import { numberText, type Sum, type SumRow, tripleText } from './sum.js';
 
@@ -156,8 +156,4 @@ const termText = (color: Vec3, digits: number): string =>
 function resize<Row extends { readonly element: Element }>(rows: Row[], count: number, add: () => Row): void {
   for (const { element } of rows.splice(count)) element.remove();
   while (rows.length < count) rows.push(add());
-}
-
-function write(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
 }
