@@ -7,6 +7,7 @@ import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from '@playwright/test';
+import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
 import { outputFolder } from '../output-folder.mjs';
 
@@ -35,6 +36,9 @@ const imports = { three: '/three/build/three.module.js', 'three/addons/': '/thre
 const page = `<!doctype html><meta charset="utf-8"><title>three.js</title><link rel="icon" href="data:,">
 <script type="importmap">${JSON.stringify({ imports })}</script>
 <script type="module">import * as picture from '/script/three-picture.js'; self.picture = picture;</script>`;
+
+readCommandLine("npm run site:models: draws by three.js what the site's page of models shows", {});
+needBuilt(join(outputFolder('site'), 'models/index.html'), 'npm run build:site');
 
 const server = createServer((request, response) => {
   const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);

@@ -7,6 +7,7 @@ import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from '@playwright/test';
+import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
 import { outputFolder } from '../output-folder.mjs';
 
@@ -19,7 +20,9 @@ h1 { position: absolute; left: 48px; top: 32px; margin: 0; color: #e3e4e6; font:
 <script type="module" src="/phong-viewer.standalone.js"></script>
 <body>${scene}<h1>&lt;phong-viewer&gt;</h1></body>`;
 
+readCommandLine("npm run site:picture: draws the start page's scene as the picture of link previews", {});
 const dist = outputFolder('dist');
+needBuilt(join(dist, 'phong-viewer.standalone.js'), 'npm run build');
 const server = createServer((request, response) => {
   const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
   if (path === '/') response.setHeader('content-type', 'text/html').end(html);

@@ -2,10 +2,17 @@
 // `npm run mutation`: do the tests notice wrong code? Makes wrong versions of the sources, runs the tests on each, and
 // compares the share that some test kills with the recorded one in scores.json. Fails where a folder's score has fallen.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
-import { numberOption, Progress, readCommandLine, refuse, timeText } from '../support/command-line.mjs';
+import {
+  numberOption,
+  Progress,
+  readCommandLine,
+  readJson,
+  refuse,
+  timeText,
+} from '../support/command-line.mjs';
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
 import { runTypeScript } from './typescript.mjs';
 
@@ -84,7 +91,7 @@ process.exit(fell && !options.record ? 1 : 0);
 
 /** As they are now: another folder's run may have written since this one began. @returns {Record<string, Score>} */
 function recordedScores() {
-  return JSON.parse(readFileSync(file, 'utf8'));
+  return readJson(file);
 }
 
 async function typeScriptResults() {

@@ -140,7 +140,8 @@ test('npm run bench:report writes the report and its charts into the folder of t
   try {
     mkdirSync(join(folder, 'results'));
     writeFileSync(join(folder, 'results/software.json'), JSON.stringify(resultOf('software')));
-    execFileSync(process.execPath, [fileURLToPath(new URL('../bench/report.mjs', import.meta.url)), folder]);
+    const program = fileURLToPath(new URL('../bench/report.mjs', import.meta.url));
+    execFileSync(process.execPath, [program, '--folder', folder]);
     const alone = reportOf([resultOf('software')]);
     expect(readFileSync(join(folder, 'REPORT.md'), 'utf8')).toBe(alone.report);
     expect(readdirSync(join(folder, 'charts')).sort()).toEqual([...alone.charts.keys()].sort());
