@@ -65,7 +65,9 @@ describe('the workflows', () => {
 
   it.each(runs)('$name: `$line` names a script, and options that it has', ({ script, args }) => {
     expect(scripts).toHaveProperty([script]);
-    if (args.length === 0) return;
+    for (const arg of args)
+      if (arg.startsWith('tests/')) expect(existsSync(join(repository, arg)), arg).toBe(true);
+    if (args.length === 0 || !/^node /.test(scripts[script]!)) return;
     const words = helpOf(script).split(/[\s,[\]]+/);
     const known = args.filter((arg) => arg.startsWith('--') || script === 'test');
     for (const arg of known) expect(words).toContain(arg);
