@@ -6,7 +6,6 @@ import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from '@playwright/test';
 import { needBuilt, readCommandLine } from '../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from './browser.mjs';
 import { outputFolder } from './output-folder.mjs';
@@ -50,6 +49,7 @@ async function draw() {
   await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
   const address = server.address();
   if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  const { chromium } = await import('@playwright/test');
   const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
   try {
     const page = await browser.newPage({

@@ -6,7 +6,6 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium } from '@playwright/test';
 import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
 import { outputFolder } from '../output-folder.mjs';
@@ -53,6 +52,7 @@ const server = createServer((request, response) => {
 await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
 const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
 const origin = `http://localhost:${String(port)}`;
+const { chromium } = await import('@playwright/test');
 const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
 try {
   const site = await browser.newPage();

@@ -14,7 +14,6 @@ import {
   timeText,
 } from '../support/command-line.mjs';
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
-import { runTypeScript } from './typescript.mjs';
 
 /** @typedef {import('./typescript.mjs').Result} Result */
 /** @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score: percent killed of those that compile */
@@ -97,6 +96,8 @@ function recordedScores() {
 async function typeScriptResults() {
   const files = options.folder.flatMap((folder) => FOLDERS[folder] ?? []);
   if (files.length === 0) return [];
+  // Loading StrykerJS takes seconds, which --help need not wait for.
+  const { runTypeScript } = await import('./typescript.mjs');
   return runTypeScript({ files, share: share(), seed, jobs });
 }
 

@@ -5,7 +5,6 @@
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
 import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -302,6 +301,7 @@ const browserName = (agent) => /(Firefox|Chrome)\/(\d+)/.exec(agent)?.slice(1, 3
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
   const stacks = readStacks(values.folder);
+  const { runnerImport } = await import('vite');
   /** @type {{ module: typeof import('../glsl/loop-mark.js') }} */
   const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));
   const report = reportText(stacks, readTessellation(), module.LOOP_MARK);
