@@ -72,6 +72,13 @@ describe('a projection', () => {
     );
   });
 
+  it('keeps an end near the layer, however far away the other end is', () => {
+    for (const { x } of new Projection(sight).segment([1e15, 0, 3.999], [-50, 0, 0])!) {
+      expect(x).toBeGreaterThanOrEqual(-400);
+      expect(x).toBeLessThanOrEqual(800);
+    }
+  });
+
   it('joins the pieces of a line that are seen, and parts them where it is not', () => {
     const projection = new Projection(sight);
     expect(
