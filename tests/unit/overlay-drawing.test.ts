@@ -72,6 +72,11 @@ describe('a projection', () => {
     );
   });
 
+  it('cuts an end outside the view, however far away the other end is', () => {
+    const [from, to] = new Projection(sight).segment([1e15, 0, 3.999], [-50, 0, 0])!;
+    expect([from.x, to.x]).toEqual([800, -400]);
+  });
+
   it('joins the pieces of a line that are seen, and parts them where it is not', () => {
     const projection = new Projection(sight);
     expect(
