@@ -37,6 +37,8 @@ export class FakeRenderer {
   readonly #device: FakeDevice;
   /** The unpack settings, which an upload must set for itself. */
   readonly unpack = new Map<number, number | boolean>();
+  /** How textures are sampled. */
+  readonly sampling = new Map<string, string>();
   /** By the object that represents a texture in WebGL. */
   readonly #held = new Map<object, Texels>();
   #bound: object = {};
@@ -71,7 +73,8 @@ export class FakeRenderer {
         return texture;
       },
       deleteTexture: (texture: object | null) => texture !== null && this.#held.delete(texture),
-      texParameteri: () => undefined,
+      ...{ TEXTURE_WRAP_S: 'wrap s', TEXTURE_WRAP_T: 'wrap t', CLAMP_TO_EDGE: 'clamp' },
+      texParameteri: (...[, name, value]: [number, string, string]) => this.sampling.set(name, value),
       texStorage2D: (...[, , , width, height]: [number, number, number, number, number]) => {
         Object.assign(this.#texels(), { width, height, data: new Float32Array(width * height * 4) });
       },

@@ -136,6 +136,12 @@ describe('the texture', () => {
     expect(gpu.patches).toStrictEqual([1, 2].map(() => ({ x: 0, y: 0, width: 10, height: 1 })));
   });
 
+  it('does not repeat: a GPU takes twice as long to read a texture of floats that does', () => {
+    settled(10);
+    expect(gpu.sampling.get('wrap s')).toBe('clamp');
+    expect(gpu.sampling.get('wrap t')).toBe('clamp');
+  });
+
   it('is not sent again while nothing changes', () => {
     const rows = settled(10);
     for (let frame = 0; frame < 3; frame++) {
