@@ -1,4 +1,4 @@
-// `npm run bench` itself on its smallest subjects: it measures, and writes what it promises. Asserts no time.
+// Does `npm run bench` measure its smallest subjects and write complete results? Asserts no times.
 import { execFile } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
@@ -22,7 +22,7 @@ test('lists its subjects, and refuses unknown options and subjects in one line',
   }
 });
 
-test('@release measures frames, script, bytes and a front, each side as often as the others', async ({}, info) => {
+test('@release measures frames, script, bytes and a front, each side equally often', async ({}, info) => {
   test.setTimeout(300_000);
   const file = info.outputPath('result.json');
   const only = 'sphere, 1 light;script, 1 moving light;bytes;front, 8 lights';

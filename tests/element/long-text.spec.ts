@@ -1,4 +1,4 @@
-// What a message repeats of a long text in a file or an address: a part, so that the page can lay it out.
+// How much of a long text in a file or an address does a message repeat? A part, so that the page can lay it out.
 
 import { expect, test } from '../support/test.js';
 import { type PhongViewer, record } from './support.js';

@@ -61,18 +61,18 @@ describe('an aim', () => {
       resultOf(stack),
     );
 
-  test('is a most, on a GPU another than in software', () => {
+  test('is an upper bound, which may differ between GPUs and software', () => {
     expect(verdict('sphere, 8 lights, settled', 'software')).toMatchObject({ most: 0.3, met: false });
     expect(verdict('sphere, 8 lights, settled', 'h200-opengl')).toMatchObject({ most: 0.8, met: true });
   });
 
-  test('is a least for frame rates', () => {
+  test('is a lower bound for frame rates', () => {
     expect(verdict('20 turning viewers, frame rate to one viewer’s', 'software')).toMatchObject({
       met: true,
     });
   });
 
-  test('is about the side, or the time above the usual frame, that it names', () => {
+  test('applies to the side, or to the time above the usual frame, that it names', () => {
     expect(verdict('start, bundled', 'software')).toMatchObject({ measured: { median: 1.3 }, met: false });
     expect(verdict('sphere, 8 lights, longest frame over usual', 'h200-vulkan')).toMatchObject({
       measured: { median: 55 },
@@ -80,7 +80,7 @@ describe('an aim', () => {
     });
   });
 
-  test('is about the better of two other viewers, over all models', () => {
+  test('may compare with the better of two other viewers, over all models', () => {
     const label = 'first picture of a model to the better of two viewers’';
     expect(verdict(`${label}, local`, 'software')).toMatchObject({
       measured: { median: 0.5, count: 10 },
@@ -92,7 +92,7 @@ describe('an aim', () => {
     });
   });
 
-  test('is about subjects and a measure that exist', () => {
+  test('names subjects and a measure that exist', () => {
     for (const { label, subject, subjects = [] } of AIMS)
       for (const name of [subject, ...subjects]) expect(Object.keys(SUBJECTS), label).toContain(name);
   });
@@ -119,7 +119,7 @@ describe('the report', () => {
     expect(report).toContain('- software, bunny: no \\| model');
   });
 
-  test('has as many cells in every row of a table as in its head', () => {
+  test('has as many cells in each row of a table as in its head', () => {
     let cells = 0;
     for (const line of report.split('\n')) {
       const count = line.startsWith('|') ? line.replaceAll('\\|', '').split('|').length : 0;

@@ -1,4 +1,4 @@
-// What a message repeats of a text from outside.
+// Which part of a text from outside does a message repeat?
 
 import { describe, expect, it } from 'vitest';
 import { clip, clipMessage } from '../../src/fields/clip.js';
@@ -13,7 +13,7 @@ describe('a clipped text', () => {
     expect(clip('x'.repeat(1e6))).toHaveLength(101);
   });
 
-  it('ends before a character of two units that would be cut in half', () => {
+  it('never ends in the middle of a surrogate pair', () => {
     expect(clip(`${'x'.repeat(99)}😀`)).toBe(`${'x'.repeat(99)}…`);
     expect(clip(`${'x'.repeat(98)}😀!`)).toBe(`${'x'.repeat(98)}😀…`);
   });

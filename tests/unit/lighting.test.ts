@@ -1,4 +1,4 @@
-// A picture's lights are packed anew where something changed, and then as a new picture packs them.
+// Are a picture's lights packed again whenever something changed, and then as a new picture packs them?
 
 import fc from 'fast-check';
 import { PerspectiveCamera } from 'three';
@@ -69,7 +69,7 @@ const change: fc.Arbitrary<(picture: Picture) => void> = fc.oneof(
   }),
 );
 
-it(`packs what a new picture packs, whatever changes from frame to frame (seed ${SEED})`, () => {
+it(`a picture packs what a new picture packs, whatever changes between frames (seed ${SEED})`, () => {
   const frames = fc.array(fc.array(change, { minLength: 1, maxLength: 2 }), { minLength: 2, maxLength: 8 });
   fc.assert(
     fc.property(fc.array(anyLight, { maxLength: 4 }), frames, (lights, changes) => {
@@ -89,7 +89,7 @@ it(`packs what a new picture packs, whatever changes from frame to frame (seed $
 });
 
 describe('a three.js camera', () => {
-  it('sees what a frame of the same eye, axes and origin sees', () => {
+  it('gives the same as a frame with the same eye, axes and origin', () => {
     const lights = new LightSet();
     lights.add(new LightState({ space: 'camera', position: [1, 2, 3, 1] }));
     lights.add(new LightState({ position: [4, 5, 6, 1] }));
@@ -110,7 +110,7 @@ describe('a three.js camera', () => {
 });
 
 describe('the features of the picture', () => {
-  it('change version only where a light or the colour space needs other code', () => {
+  it('change their version only when a light or the colour space needs other code', () => {
     const light = new LightState();
     const lights = new LightSet();
     lights.add(light);

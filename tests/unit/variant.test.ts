@@ -1,5 +1,5 @@
-// Which states share a program? Nothing that was not declared costs one, and a specialised program depends on no number of a light
-// unless the light is inlined.
+// Which states share a program? Undeclared features cost none, and a specialised program depends on the values of lights only if they are
+// inlined.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -48,7 +48,7 @@ const EVERYTHING = [
 ];
 
 describe('the general program', () => {
-  it('is one for any number of lights of declared kinds, wherever and however bright they are', () => {
+  it('is the same for any number of lights of declared kinds, at any place and brightness', () => {
     const keys = [1, 2, 50].map((n) =>
       generalKey(
         Array.from({ length: n }, (_, i) => light({ position: [i, 0, 0, 1], diffuse: [i + 1, 1, 1] })),
@@ -86,7 +86,7 @@ describe('the general program', () => {
     expect(count([generalKey(EVERYTHING), generalKey(EVERYTHING, material)])).toBe(programs);
   });
 
-  it('averages highlights only where there is specular light, at fragments', () => {
+  it('averages highlights only with specular light and per-fragment shading', () => {
     const pairs: [readonly LightValues[], Partial<MaterialFeatures>][] = [
       [EVERYTHING, { shading: 'gouraud' }],
       [EVERYTHING, { terms: ['ambient', 'diffuse'] }],
