@@ -51,6 +51,10 @@ describe.each(names)('npm run %s', (name) => {
   });
 });
 
+it('npm run bench lists its subjects', async () => {
+  expect((await run('bench', ['--list'])).out).toContain('sphere, 8 lights\n');
+});
+
 describe('a command', () => {
   let folder = '';
   beforeAll(() => {

@@ -9,19 +9,6 @@ import { expect, test } from '../support/test.js';
 const BENCH = fileURLToPath(new URL('../bench/bench.mjs', import.meta.url));
 const bench = (...options: string[]) => promisify(execFile)(process.execPath, [BENCH, ...options]);
 
-test('lists its subjects, and refuses unknown options and subjects in one line', async () => {
-  expect((await bench('--list')).stdout).toContain('sphere, 8 lights\n');
-  expect((await bench('--help')).stdout).toContain('--quick');
-  for (const options of [['--fast'], ['--only', 'a teapot'], ['--launches', '0'], ['--size', 'large']]) {
-    const failure = (await bench(...options).catch((error: unknown) => error)) as {
-      code: number;
-      stderr: string;
-    };
-    expect(failure.code, options.join(' ')).toBe(2);
-    expect(failure.stderr.trim(), options.join(' ')).toMatch(/^.*Try --(help|list)\.$/);
-  }
-});
-
 test('@release measures frames, script, bytes and a front, each side equally often', async ({}, info) => {
   test.setTimeout(300_000);
   const file = info.outputPath('result.json');
