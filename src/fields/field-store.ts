@@ -7,14 +7,19 @@ export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
 export class FieldStore<V extends object> {
   readonly fields: Fields<V>;
   readonly #values: V;
-  readonly #given = new Set<keyof V>();
+  readonly #given: Record<keyof V, boolean>;
   #listener: ((key: keyof V) => void) | null = null;
 
   constructor(fields: Fields<V>) {
     this.fields = fields;
     const defaults: Partial<V> = {};
-    for (const key in fields) defaults[key] = fields[key].fallback;
+    const given: Partial<Record<keyof V, boolean>> = {};
+    for (const key in fields) {
+      defaults[key] = fields[key].fallback;
+      given[key] = false;
+    }
     this.#values = defaults as V;
+    this.#given = given as Record<keyof V, boolean>;
   }
 
   /** All values as they are now, defaults included. Live: do not write to it, nor to its lists. */
@@ -24,7 +29,7 @@ export class FieldStore<V extends object> {
 
   /** Whether a value was set, rather than being the default. */
   given(key: keyof V): boolean {
-    return this.#given.has(key);
+    return this.#given[key];
   }
 
   /**
@@ -34,10 +39,8 @@ export class FieldStore<V extends object> {
   set<K extends keyof V>(key: K, value: unknown): void {
     const given = value !== undefined && value !== null;
     const checked = given ? this.fields[key].check(value) : this.fields[key].fallback;
-    const before = this.#given.has(key);
-    if (given && !before) this.#given.add(key);
-    else if (!given) this.#given.delete(key);
-    if (given === before && sameValue(checked, this.#values[key])) return;
+    if (given === this.#given[key] && sameValue(checked, this.#values[key])) return;
+    this.#given[key] = given;
     this.#values[key] = checked;
     this.#listener?.(key);
   }

@@ -185,12 +185,13 @@ export class Viewport implements StageClient, Framed {
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
     this.#dirty = true;
-    if (this.drawable) this.#loop?.request(this);
+    this.animate();
   }
 
   /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
   animate(): void {
-    if (this.drawable) this.#loop?.request(this);
+    // Moving lights come by one by one: the first question is the cheapest.
+    if (this.#loop?.latest !== this && this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
