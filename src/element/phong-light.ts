@@ -1,7 +1,7 @@
 // <phong-light>: a light as markup. It renders nothing; its attributes and properties write into one LightState, which
 // the viewer around it shades with. Knows no lighting.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state.js';
-import { ChildElement } from './child-element.js';
+import { childBinding, ChildElement } from './child-element.js';
 import { registryAround } from './child-registry.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { LightProperties } from './fields/properties.js';
@@ -50,4 +50,4 @@ export class PhongLight extends ChildElement<LightValues> {
 export const numberedName = (index: number, texts: ViewerTexts | null = null): string =>
   phrase(texts, 'light {number}', { number: String(index + 1) });
 
-defineProperties(PhongLight.prototype, LIGHT_FIELDS);
+defineProperties(PhongLight.prototype, LIGHT_FIELDS, childBinding);

@@ -1,6 +1,6 @@
 // One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
 // nor attributes nor where input comes from.
-import type { Object3D, Scene } from 'three';
+import type { Object3D, Scene, WebGLRenderer } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
@@ -283,10 +283,12 @@ export class Viewport implements StageClient, Framed {
   /** False where there is no context. */
   readonly #paint = (): boolean => {
     this.#bringInStep();
-    return stage.draw(this, (renderer) => {
-      this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
-      this.#painter.paint(renderer, this.#view);
-    });
+    return stage.draw(this, this.#render);
+  };
+
+  readonly #render = (renderer: WebGLRenderer): void => {
+    this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
+    this.#painter.paint(renderer, this.#view);
   };
 
   contextMissing(error: NoWebGL2Error): void {

@@ -9,6 +9,9 @@ interface WaitingEvent {
   detail: unknown;
 }
 
+/** Its detail is made when it is dispatched. */
+const LIGHT_CHANGE: WaitingEvent = { type: 'light-change', detail: null };
+
 /** Counts the `light-change` events of all viewers: a light may go from one viewer to another. */
 let batches = 0;
 
@@ -33,21 +36,26 @@ export class EventQueue {
       event.detail = detail;
       return;
     }
-    this.append(type, detail);
+    this.#append({ type, detail });
   }
 
   /** Dispatches a `CustomEvent` at the end of the task, after those of its type that wait already. */
   append<K extends keyof PhongViewerEventMap>(type: K, detail: PhongViewerEventMap[K]['detail']): void {
-    if (this.#waiting.length === 0) void Promise.resolve().then(this.#dispatch); // queueMicrotask takes ten times as long
-    this.#waiting.push({ type, detail });
+    this.#append({ type, detail });
   }
 
   /** A light was written to, or (null) lights came, went or changed places. Hundreds may do so per frame. */
   enqueueLight(light: LightState | null): void {
-    if (light === null || this.#lights.length === 0) this.enqueue('light-change', { lights: [] });
+    if ((light === null || this.#lights.length === 0) && !this.#waiting.includes(LIGHT_CHANGE))
+      this.#append(LIGHT_CHANGE);
     if (!(light instanceof ElementLight) || light.element === null || light.batch === this.#batch) return;
     light.batch = this.#batch;
     this.#lights.push(light.element);
+  }
+
+  #append(event: WaitingEvent): void {
+    if (this.#waiting.length === 0) void Promise.resolve().then(this.#dispatch); // queueMicrotask takes ten times as long
+    this.#waiting.push(event);
   }
 
   readonly #dispatch = (): void => {
@@ -56,14 +64,10 @@ export class EventQueue {
     this.#waiting = [];
     this.#lights = [];
     this.#batch = batches += 1;
-    for (const { type, detail } of waiting) {
-      if (type === 'light-change') this.#dispatchLights(lights);
-      else this.#element.dispatchEvent(new CustomEvent(type, { detail }));
+    for (const event of waiting) {
+      if (event === LIGHT_CHANGE) this.#lightsChanged(lights);
+      const detail = event === LIGHT_CHANGE ? { lights } : event.detail;
+      this.#element.dispatchEvent(new CustomEvent(event.type, { detail }));
     }
   };
-
-  #dispatchLights(lights: readonly PhongLight[]): void {
-    this.#lightsChanged(lights);
-    this.#element.dispatchEvent(new CustomEvent('light-change', { detail: { lights } }));
-  }
 }
