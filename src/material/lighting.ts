@@ -58,11 +58,12 @@ export class PhongLighting {
   #featureVersion = 0;
   #lightVersion = -1;
   #kindVersion = -1;
-  /** More than places has changed since the lights were packed. */
+  #codeVersion = -1;
+  /** Pack all rows again, whatever the versions say. */
   #repack = true;
   /** This frame changed the packed lights. */
   #changed = false;
-  /** A light turns with the eye. */
+  /** A light turns with the eye, active or not. */
   #followsCamera = false;
   #capacity = 0;
   #device: Device | null = null;
@@ -151,7 +152,7 @@ export class PhongLighting {
     if (moved) this.#origin = [origin[0], origin[1], origin[2]];
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
-    if (this.#kindVersion !== this.lights.kindVersion) this.#declare();
+    this.#declare();
     this.#changed = false;
     if (this.#repack || moved || this.#followsCamera || this.#lightVersion !== this.lights.version)
       this.#pack(frame);
@@ -241,27 +242,29 @@ export class PhongLighting {
     const { origin, right, up, back, eye } = frame;
     const { all } = this.#meshLights;
     const { packed, version } = all;
-    const { values } = this.lights;
+    const { values, kindVersion } = this.lights;
     const space = this.#space;
     writeColumns(space.worldToShading, X, Y, Z, -origin[0], -origin[1], -origin[2]);
     writeColumns(space.cameraToShading, right, up, back, eye[0], eye[1], eye[2]);
     if (this.#view !== null) packLights(this.#view.lights(values, space), space, packed);
-    else if (this.#repack || !moveLights(space, packed)) packLights(values, space, packed);
+    else if (this.#repack || this.#kindVersion !== kindVersion || !moveLights(space, packed))
+      packLights(values, space, packed);
     this.#repack = false;
+    this.#kindVersion = kindVersion;
     this.#lightVersion = this.lights.version;
     this.#meshLights.changed();
     this.#changed = all.version !== version;
   }
 
   #declare(): void {
-    const { kindVersion, values } = this.lights;
-    this.#kindVersion = kindVersion;
-    this.#repack = true;
+    const { codeVersion, values } = this.lights;
+    if (this.#codeVersion === codeVersion) return;
+    this.#codeVersion = codeVersion;
     this.#followsCamera = false;
     let added = false;
     for (const light of values) {
       if (declareFeatures(light, this.declared)) added = true;
-      if (light.active && light.space === 'camera') this.#followsCamera = true;
+      if (light.space === 'camera') this.#followsCamera = true;
     }
     if (added) this.#featureVersion += 1;
   }
