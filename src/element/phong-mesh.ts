@@ -2,7 +2,7 @@
 // viewer around it shows. Knows nothing of geometry or materials.
 import { FieldStore } from '../fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
-import { ChildElement } from './child-element.js';
+import { childBinding, ChildElement } from './child-element.js';
 import type { Listen, PhongMeshEventMap } from './events.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { MeshProperties } from './fields/properties.js';
@@ -28,4 +28,4 @@ export class PhongMesh extends ChildElement<MeshValues> {
   }
 }
 
-defineProperties(PhongMesh.prototype, MESH_FIELDS);
+defineProperties(PhongMesh.prototype, MESH_FIELDS, childBinding);
