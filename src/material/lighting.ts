@@ -57,10 +57,10 @@ export class PhongLighting {
   /** Goes up when general programs may have to change. */
   #featureVersion = 0;
   #lightVersion = -1;
-  #kindVersion = -1;
+  #codeVersion = -1;
   /** This frame changed the packed lights. */
   #changed = false;
-  /** A light turns with the eye. */
+  /** A light turns with the eye, active or not. */
   #followsCamera = false;
   #capacity = 0;
   #device: Device | null = null;
@@ -256,14 +256,14 @@ export class PhongLighting {
   }
 
   #declare(): void {
-    const { kindVersion, values } = this.lights;
-    if (this.#kindVersion === kindVersion) return;
-    this.#kindVersion = kindVersion;
+    const { codeVersion, values } = this.lights;
+    if (this.#codeVersion === codeVersion) return;
+    this.#codeVersion = codeVersion;
     this.#followsCamera = false;
     let added = false;
     for (const light of values) {
       if (declareFeatures(light, this.declared)) added = true;
-      if (light.active && light.space === 'camera') this.#followsCamera = true;
+      if (light.space === 'camera') this.#followsCamera = true;
     }
     if (added) this.#featureVersion += 1;
   }
