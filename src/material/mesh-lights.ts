@@ -123,13 +123,15 @@ export class MeshLights {
   }
 }
 
+const NO_MASK = new Uint8Array(0);
+
 /** What was found for one mesh. */
 class Choice {
   readonly #mesh: Mesh;
   buffer: LightBuffer;
   /** Null: all lights. */
   subset: Subset | null = null;
-  mask = new Uint8Array(0);
+  mask = NO_MASK;
   /** The version of the lights that this was found for. */
   version = -1;
   /** Goes up with each culling. */
@@ -214,9 +216,7 @@ function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
   if (geometry.boundingBox === null) geometry.computeBoundingBox();
   if (geometry.boundingBox === null) return null;
   const { min, max } = bounds.copy(geometry.boundingBox).applyMatrix4(matrixWorld);
-  const box: Box = [
-    ...[min.x - origin[0], min.y - origin[1], min.z - origin[2]],
-    ...[max.x - origin[0], max.y - origin[1], max.z - origin[2]],
-  ] as unknown as Box;
+  const [x, y, z] = origin;
+  const box: Box = [min.x - x, min.y - y, min.z - z, max.x - x, max.y - y, max.z - z];
   return box.every((x, i) => Number.isFinite(x) && (i < 3 || x >= box[i - 3]!)) ? box : null;
 }
