@@ -7,13 +7,15 @@ import { PhongLighting } from '../../src/material/lighting.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+import { Animations } from '../../src/scene/animations.js';
 import { SceneTree } from '../../src/scene/scene-tree.js';
 
 const quiet = (): void => undefined;
 
 function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: FieldStore<MeshValues>[] } {
   const host: MeshHost = {
-    ...{ materials: new SharedMaterials(new PhongLighting()), crossOrigin: null, mayLoad: true },
+    ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations() },
+    ...{ crossOrigin: null, mayLoad: true },
     ...{
       changed: quiet,
       reshaped: quiet,
