@@ -297,6 +297,7 @@ export class Viewport implements StageClient, Framed {
   #bringInStep(): void {
     this.settle();
     this.#tree.update();
+    this.lighting.places = this.#tree.moves;
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
