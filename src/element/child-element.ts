@@ -25,7 +25,7 @@ export abstract class ChildElement<V extends object> extends Base {
   readonly #binding: FieldBinding<V>;
   #registry: ChildRegistry | null = null;
 
-  constructor(store: FieldStore<V>, assigned?: (key: keyof V) => void) {
+  constructor(store: FieldStore<V>, assigned?: (key: keyof V, store: FieldStore<V>) => void) {
     super();
     this.#binding = new FieldBinding(this, store, assigned);
   }

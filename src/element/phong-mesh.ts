@@ -21,11 +21,13 @@ export class PhongMesh extends ChildElement<MeshValues> {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
 
   constructor() {
-    const store = new FieldStore<MeshValues>(MESH_FIELDS);
-    super(store, (key) => {
-      if (key === 'src' || key === 'geometry') store.notify(key); // the same value again retries what failed
-    });
+    super(new FieldStore<MeshValues>(MESH_FIELDS), assigned);
   }
+}
+
+/** The same value again retries what failed. */
+function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
+  if (key === 'src' || key === 'geometry') store.notify(key);
 }
 
 defineProperties(PhongMesh.prototype, MESH_FIELDS, childBinding);

@@ -25,7 +25,7 @@ export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
   readonly orbit = new Orbit();
   readonly materials: SharedMaterials;
-  readonly animations: Animations;
+  readonly animations = new Animations();
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly fit: AutoFit;
@@ -49,7 +49,6 @@ export class Viewport implements StageClient, Framed {
     const meshes = new Set<SceneMesh>();
     this.#painter = new Painter(lights, meshes);
     this.materials = new SharedMaterials(this.#painter.lighting);
-    this.animations = new Animations(meshes);
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#events = events;
@@ -301,6 +300,7 @@ export class Viewport implements StageClient, Framed {
   #bringInStep(): void {
     this.settle();
     this.#tree.update();
+    this.lighting.places = this.#tree.moves;
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
