@@ -22,12 +22,14 @@ export function registryOf(viewer: Element): ChildRegistry {
 
 /** The registry of the nearest viewer around `element`; null outside any viewer and in the content of its slots. */
 export function registryAround(element: Element): ChildRegistry | null {
-  for (let inner: Element | undefined = element; inner !== undefined; inner = shadowTreeOf(inner)?.host) {
-    const viewer = inner.closest('phong-viewer');
-    if (viewer === null) continue;
-    return inner.closest('phong-viewer > [slot]:not([slot=""])')?.parentElement === viewer
-      ? null
-      : registryOf(viewer);
+  // By steps, not by selectors: most children are a viewer's own.
+  let inner: Element | null = null;
+  for (let outer: Element | null = element; outer !== null;) {
+    if (outer.localName === 'phong-viewer')
+      return (inner?.getAttribute('slot') ?? '') === '' ? registryOf(outer) : null;
+    const { parentElement } = outer as Element;
+    inner = parentElement === null ? null : outer;
+    outer = parentElement ?? shadowTreeOf(outer)?.host ?? null;
   }
   return null;
 }
@@ -68,6 +70,11 @@ export class ChildRegistry {
     if (!this.#children.delete(child)) return;
     this.#inOrder = null;
     this.#listener?.removed(child);
+  }
+
+  /** In the order in which they came. */
+  get all(): Iterable<HTMLElement> {
+    return this.#children;
   }
 
   /** In document order. Sorted when it is asked for, in one pass over the viewer's tree; a new array after a change. */

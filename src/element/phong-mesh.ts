@@ -2,7 +2,7 @@
 // viewer around it shows. Knows nothing of geometry or materials.
 import { FieldStore } from '../fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
-import { ChildElement } from './child-element.js';
+import { childBinding, ChildElement } from './child-element.js';
 import type { Listen, PhongMeshEventMap } from './events.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { MeshProperties } from './fields/properties.js';
@@ -21,11 +21,13 @@ export class PhongMesh extends ChildElement<MeshValues> {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
 
   constructor() {
-    const store = new FieldStore<MeshValues>(MESH_FIELDS);
-    super(store, (key) => {
-      if (key === 'src' || key === 'geometry') store.notify(key); // the same value again retries what failed
-    });
+    super(new FieldStore<MeshValues>(MESH_FIELDS), assigned);
   }
 }
 
-defineProperties(PhongMesh.prototype, MESH_FIELDS);
+/** The same value again retries what failed. */
+function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
+  if (key === 'src' || key === 'geometry') store.notify(key);
+}
+
+defineProperties(PhongMesh.prototype, MESH_FIELDS, childBinding);

@@ -10,6 +10,7 @@ export class LightSet {
   readonly #changed: (light: LightState | null) => void;
   #version = 0;
   #kindVersion = 0;
+  #codeVersion = 0;
 
   /** `changed` is called after each change: with the light written to, or null when lights came, went or moved. */
   constructor(changed: (light: LightState | null) => void = () => undefined) {
@@ -24,6 +25,11 @@ export class LightSet {
   /** Increments with every change but of positions: a move does not change the code that lights need. */
   get kindVersion(): number {
     return this.#kindVersion;
+  }
+
+  /** Increments with every change that can change which code lights need: not by moving, toggling or naming one. */
+  get codeVersion(): number {
+    return this.#codeVersion;
   }
 
   get lights(): readonly LightState[] {
@@ -44,8 +50,7 @@ export class LightSet {
     this.#lights.splice(0, Infinity, ...lights);
     this.#values.splice(0, Infinity, ...lights.map(({ values }) => values));
     for (const light of lights) this.#listen(light);
-    this.#kindVersion += 1;
-    this.#bump(null);
+    this.#changeAll();
   }
 
   /** Adds a light at the end, in constant time. */
@@ -53,8 +58,7 @@ export class LightSet {
     this.#lights.push(light);
     this.#values.push(light.values);
     this.#listen(light);
-    this.#kindVersion += 1;
-    this.#bump(null);
+    this.#changeAll();
   }
 
   remove(light: LightState): void {
@@ -66,20 +70,28 @@ export class LightSet {
       this.#lights.splice(index, 1);
       this.#values.splice(index, 1);
     }
-    this.#kindVersion += 1;
-    this.#bump(null);
+    this.#changeAll();
   }
 
   #listen(light: LightState): void {
     const { values } = light;
     let w = values.position[3];
     const listener = (key: keyof LightValues): void => {
-      if (key !== 'position' || values.position[3] !== w) this.#kindVersion += 1;
+      if (key !== 'position' || values.position[3] !== w) {
+        this.#kindVersion += 1;
+        if (key !== 'active' && key !== 'name') this.#codeVersion += 1;
+      }
       w = values.position[3];
       this.#bump(light);
     };
     light.listen(listener);
     this.#listeners.set(light, listener);
+  }
+
+  #changeAll(): void {
+    this.#kindVersion += 1;
+    this.#codeVersion += 1;
+    this.#bump(null);
   }
 
   #bump(light: LightState | null): void {

@@ -26,6 +26,8 @@ export class MeshLights {
   readonly #choices = new WeakMap<Mesh, Choice>();
   #version = 0;
   #frame = 0;
+  /** Another number whenever a mesh may have moved. NaN: not known, so each draw compares the mesh's matrix. */
+  places = NaN;
   /** Another array when it has moved. */
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
@@ -86,7 +88,7 @@ export class MeshLights {
   #choiceOf(mesh: Mesh): Choice {
     let choice = this.#choices.get(mesh);
     if (choice === undefined) this.#choices.set(mesh, (choice = new Choice(mesh, this.all)));
-    const moved = choice.moved(this.#origin);
+    const moved = choice.moved(this.#origin, this.places);
     const kept = choice.subset === null || this.#subsets.get(choice.subset.key) === choice.subset;
     if (moved || !kept || choice.version !== this.#version) this.#cull(choice);
     return choice;
@@ -123,13 +125,15 @@ export class MeshLights {
   }
 }
 
+const NO_MASK = new Uint8Array(0);
+
 /** What was found for one mesh. */
 class Choice {
   readonly #mesh: Mesh;
   buffer: LightBuffer;
   /** Null: all lights. */
   subset: Subset | null = null;
-  mask = new Uint8Array(0);
+  mask = NO_MASK;
   /** The version of the lights that this was found for. */
   version = -1;
   /** Goes up with each culling. */
@@ -139,7 +143,9 @@ class Choice {
   /** The geometry's bounds: another object when its vertices have changed. */
   #bounds: Box3 | null = null;
   #origin: Vec3 = [0, 0, 0];
+  /** Where {@link #places} is the same, the matrix is: reading it again for 2,000 meshes takes a tenth of their frame. */
   readonly #matrix = new Matrix4();
+  #places = NaN;
   #box: Box | null = null;
 
   constructor(mesh: Mesh, all: LightBuffer) {
@@ -152,14 +158,15 @@ class Choice {
     return this.#box;
   }
 
-  /** Whether bounds changed since the last call. */
-  moved(origin: Vec3): boolean {
+  /** Whether bounds changed since the last call. `places` as in {@link MeshLights.places}. */
+  moved(origin: Vec3, places: number): boolean {
     const { geometry, matrixWorld } = this.#mesh;
     const stays =
       this.#geometry === geometry &&
       this.#bounds === geometry.boundingBox &&
       this.#origin === origin &&
-      this.#matrix.equals(matrixWorld);
+      (this.#places === places || this.#matrix.equals(matrixWorld));
+    this.#places = places;
     if (stays) return false;
     this.#geometry = geometry;
     this.#origin = origin;
@@ -214,9 +221,7 @@ function boundsOf({ geometry, matrixWorld }: Mesh, origin: Vec3): Box | null {
   if (geometry.boundingBox === null) geometry.computeBoundingBox();
   if (geometry.boundingBox === null) return null;
   const { min, max } = bounds.copy(geometry.boundingBox).applyMatrix4(matrixWorld);
-  const box: Box = [
-    ...[min.x - origin[0], min.y - origin[1], min.z - origin[2]],
-    ...[max.x - origin[0], max.y - origin[1], max.z - origin[2]],
-  ] as unknown as Box;
+  const [x, y, z] = origin;
+  const box: Box = [min.x - x, min.y - y, min.z - z, max.x - x, max.y - y, max.z - z];
   return box.every((x, i) => Number.isFinite(x) && (i < 3 || x >= box[i - 3]!)) ? box : null;
 }

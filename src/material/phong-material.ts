@@ -85,7 +85,7 @@ const BLACK: Vec3 = [0, 0, 0];
  * The rows that each program's uniform array holds, by the keys of variant and content. Sending 1,000 rows with every mesh is
  * what many meshes would spend their frame on. Forgotten with every disposed material: a program made again starts empty.
  */
-let programRows = new WeakMap<object, Map<string, string>>();
+let programRows = new WeakMap<object, Map<string, number>>();
 
 /** Parameters of three.js's hook before each draw. */
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
@@ -224,7 +224,7 @@ export class PhongMaterial extends RawShaderMaterial {
   #holdsRows({ properties }: BeforeRender[0], { contentKey }: LightBuffer): boolean {
     // three.js replaces a renderer's properties when a lost context is restored.
     let held = programRows.get(properties);
-    if (held === undefined) programRows.set(properties, (held = new Map<string, string>()));
+    if (held === undefined) programRows.set(properties, (held = new Map<string, number>()));
     const program = this.#variant?.key ?? '';
     if (held.get(program) === contentKey) return true;
     held.set(program, contentKey);

@@ -1,6 +1,6 @@
 // One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
 // nor attributes nor where input comes from.
-import type { Object3D, Scene } from 'three';
+import type { Object3D, Scene, WebGLRenderer } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
@@ -25,7 +25,7 @@ export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
   readonly orbit = new Orbit();
   readonly materials: SharedMaterials;
-  readonly animations: Animations;
+  readonly animations = new Animations();
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly fit: AutoFit;
@@ -49,7 +49,6 @@ export class Viewport implements StageClient, Framed {
     const meshes = new Set<SceneMesh>();
     this.#painter = new Painter(lights, meshes);
     this.materials = new SharedMaterials(this.#painter.lighting);
-    this.animations = new Animations(meshes);
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#events = events;
@@ -185,12 +184,13 @@ export class Viewport implements StageClient, Framed {
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
     this.#dirty = true;
-    if (this.drawable) this.#loop?.request(this);
+    this.animate();
   }
 
   /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
   animate(): void {
-    if (this.drawable) this.#loop?.request(this);
+    // Moving lights come by one by one: the first question is the cheapest.
+    if (this.#loop?.latest !== this && this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
@@ -282,10 +282,12 @@ export class Viewport implements StageClient, Framed {
   /** False where there is no context. */
   readonly #paint = (): boolean => {
     this.#bringInStep();
-    return stage.draw(this, (renderer) => {
-      this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
-      this.#painter.paint(renderer, this.#view);
-    });
+    return stage.draw(this, this.#render);
+  };
+
+  readonly #render = (renderer: WebGLRenderer): void => {
+    this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
+    this.#painter.paint(renderer, this.#view);
   };
 
   contextMissing(error: NoWebGL2Error): void {
@@ -298,6 +300,7 @@ export class Viewport implements StageClient, Framed {
   #bringInStep(): void {
     this.settle();
     this.#tree.update();
+    this.lighting.places = this.#tree.moves;
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

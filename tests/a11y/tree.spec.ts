@@ -82,6 +82,20 @@ test('lights and meshes are items of a list beside the picture, by name', async 
   ]);
 });
 
+test('the list names a hundred lights and a hundred meshes, and says how many more there are', async ({
+  page,
+  mount,
+}) => {
+  const many = (tag: string, count: number): string => `<${tag}></${tag}>`.repeat(count);
+  await mount(viewer('alt="A box"', many('phong-light', 102) + many('phong-mesh', 101)));
+  const items = page.getByRole('listitem');
+  await expect(items).toHaveCount(202);
+  expect((await items.allTextContents()).filter((text) => !/^(light|mesh) \d+: /.test(text))).toEqual([
+    'More lights: 2',
+    'More meshes: 1',
+  ]);
+});
+
 test('description and list follow what scripts change', async ({ page, mount }) => {
   const element = await mount(
     viewer('alt="A box" radius="4"', `${sun}<phong-mesh name="floor"></phong-mesh>`),

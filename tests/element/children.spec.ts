@@ -19,7 +19,7 @@ const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0)
 const names = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element: PhongViewer) => [...element.lights, ...element.meshes].map(({ name }) => name));
 
-test.describe('belong to the nearest viewer', () => {
+test.describe('children belong to the nearest viewer', () => {
   test('inside wrappers, and inside one another, as self-closed tags are parsed', async ({ page, mount }) => {
     const wrapped = `<div><p>${red}</p><span>${box}</span></div>${green}`;
     const viewer = await mount(scene(wrapped), size);
@@ -64,7 +64,7 @@ test.describe('belong to the nearest viewer', () => {
   });
 });
 
-test.describe('do not belong to a viewer', () => {
+test.describe('children do not belong to a viewer', () => {
   test('in the content of its slots, unless that contains a viewer itself', async ({
     page,
     mount,
@@ -110,7 +110,7 @@ test.describe('do not belong to a viewer', () => {
   });
 });
 
-test.describe('are found', () => {
+test.describe('children are found', () => {
   test('by a viewer that is defined later than they are', async ({ page, site, mount }) => {
     const wanted = await pixels(await mount(scene(`<div>${red}</div>`, green, box), size));
     await page.goto(site.page(scene(`<div>${red}</div>`, green, box), { css: 'phong-viewer { display: block; width: 60px; height: 40px }' })); // prettier-ignore
@@ -185,7 +185,7 @@ test.describe('are found', () => {
   });
 });
 
-test.describe('moves', () => {
+test.describe('moves of children', () => {
   test('within a viewer keep what a mesh shows and load nothing', async ({ page, mount }) => {
     const model = '<phong-mesh name="model" src="/fixtures/models/textured.glb"></phong-mesh>';
     const viewer = await mount(scene(red, model, box), size);

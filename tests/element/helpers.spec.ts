@@ -167,7 +167,7 @@ test.describe('a light in the picture', () => {
   });
 });
 
-test.describe('by keys', () => {
+test.describe('helpers by keyboard', () => {
   test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({
     page,
     mount,
@@ -228,7 +228,7 @@ test.describe('by keys', () => {
   });
 });
 
-test.describe('nothing is thrown and nothing sticks', () => {
+test.describe('helpers throw nothing and stay usable', () => {
   for (const [what, act] of [
     [
       'its light is removed',

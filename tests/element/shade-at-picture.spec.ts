@@ -48,7 +48,7 @@ const show = (viewer: Locator, markup: string): Promise<void> =>
     return document.querySelector<PhongViewer>('phong-viewer')!.ready;
   }, markup);
 
-test.describe('agrees with the picture', () => {
+test.describe('shadeAt explains the picture', () => {
   test('within one code on random scenes of every shape and shading, at the origin and far from it', async ({
     mount,
   }) => {

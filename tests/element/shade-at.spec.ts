@@ -49,7 +49,7 @@ const explained = (viewer: Locator, x: number, y: number) =>
     [x, y] as const,
   );
 
-test.describe('says', () => {
+test.describe('shadeAt returns', () => {
   test('every quantity of the equation, worked out by hand', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS()), FLOOR);
     const fragment = (await explained(viewer, MIDDLE, MIDDLE))!;
@@ -231,7 +231,7 @@ test.describe('says', () => {
 const close = (x: number): unknown => expect.closeTo(x, 12);
 const decoded = (x: number): number => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
-test.describe('is null', () => {
+test.describe('shadeAt is null', () => {
   test('beside the shape and beside the picture', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS()), FLOOR);
     for (const [x, y] of [
@@ -389,7 +389,7 @@ test('has the equation in a separate file in the ES modules too', () => {
   expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/reference\.js["'`]\)/);
 });
 
-test.describe('takes the place of a pointer event', () => {
+test.describe('shadeAt accepts the position of a pointer event', () => {
   test.use({ deviceScaleFactor: 2 });
 
   for (const [what, css] of [

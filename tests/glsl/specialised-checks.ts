@@ -249,7 +249,7 @@ const manyLights = (): LightValues[] => {
   );
 };
 
-/** So near to the edge of its cone that float32 may take it for either side. */
+/** So near to the cone's edge that float32 may decide either way. */
 export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {
   if (aperture === 180 || position[3] === 0) return false;
   const c = dot(normalize(subtract(p, [position[0], position[1], position[2]])), normalize(axis));

@@ -67,7 +67,10 @@ test("the React components add little to the elements' own code", () => {
   expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
 
-test('core and reference are one file each, and the latter needs no three.js', async ({ page, site }) => {
+test('core and reference are one file each, and reference does not import three.js', async ({
+  page,
+  site,
+}) => {
   const requests = new Requests(page);
   const { csp = '', head = '' } = usages.modules;
   const importMap = head.replace(/<script type="module".*/, '');

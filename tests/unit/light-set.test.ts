@@ -71,6 +71,26 @@ describe('a set of lights', () => {
     expect(told).not.toHaveBeenCalled();
   });
 
+  it('says whether a change can concern the code that lights need', () => {
+    const [a, b] = three();
+    const set = new LightSet();
+    set.assign([a]);
+    const changes = (change: () => void): boolean => {
+      const { codeVersion } = set;
+      change();
+      return set.codeVersion !== codeVersion;
+    };
+    expect(changes(() => a.set('active', false))).toBe(false);
+    expect(changes(() => a.set('name', 'sun'))).toBe(false);
+    expect(changes(() => a.set('position', [3, 2, 1, 0]))).toBe(false);
+    expect(changes(() => a.set('position', [3, 2, 1, 1]))).toBe(true);
+    expect(changes(() => a.set('aperture', 30))).toBe(true);
+    expect(changes(() => a.set('space', 'camera'))).toBe(true);
+    expect(changes(() => set.add(b))).toBe(true);
+    expect(changes(() => set.remove(b))).toBe(true);
+    expect(changes(() => set.assign([]))).toBe(true);
+  });
+
   it('ignores a light that was removed', () => {
     const [a, b] = three();
     const set = new LightSet();

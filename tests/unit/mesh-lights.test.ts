@@ -1,6 +1,6 @@
 // Is each mesh drawn with the lights that can reach it, and is culling repeated only where the result may have changed?
 
-import { BoxGeometry, BufferGeometry, Mesh, Object3D, PlaneGeometry } from 'three';
+import { BoxGeometry, BufferGeometry, Matrix4, Mesh, Object3D, PlaneGeometry } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import * as culling from '../../src/light/cull-lights.js';
 import { HEADER } from '../../src/light/light-layout.js';
@@ -143,6 +143,21 @@ describe('culling', () => {
     lights.of(mesh);
     lights.of(mesh);
     expect(culled).toHaveBeenCalledTimes(1);
+  });
+
+  it('compares no matrix while the scene says that no mesh has moved', () => {
+    const lights = lit(spotOver(0), spotOver(5));
+    const mesh = meshAt(5);
+    const equals = vi.spyOn(Matrix4.prototype, 'equals');
+    for (const places of [1, 1, 1, 2]) {
+      lights.places = places;
+      lights.begin([0, 0, 0]);
+      expect(spotsOf(lights.of(mesh))).toStrictEqual([5]);
+    }
+    expect(equals).toHaveBeenCalledTimes(1);
+    moveTo(mesh, 0);
+    lights.places = 3;
+    expect(spotsOf(lights.of(mesh))).toStrictEqual([0]);
   });
 
   it('keeps the buffer when a spot moves, and updates its numbers and features', () => {

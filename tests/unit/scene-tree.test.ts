@@ -1,19 +1,21 @@
 // In which order are a scene's objects drawn, and which world matrices are computed again?
 
-import { Mesh, Scene } from 'three';
+import { Group, Mesh, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+import { Animations } from '../../src/scene/animations.js';
 import { SceneTree } from '../../src/scene/scene-tree.js';
 
 const quiet = (): void => undefined;
 
 function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: FieldStore<MeshValues>[] } {
   const host: MeshHost = {
-    ...{ materials: new SharedMaterials(new PhongLighting()), crossOrigin: null, mayLoad: true },
+    ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations() },
+    ...{ crossOrigin: null, mayLoad: true },
     ...{
       changed: quiet,
       reshaped: quiet,
@@ -96,5 +98,24 @@ describe('the scene', () => {
     expect(written.map(({ mock }) => mock.calls.length)).toEqual([0, 1, 0]);
     expect(meshes[1]!.root!.matrixWorld.elements[12]).toBe(5);
     expect(own.matrixWorld.elements[13]).toBe(2);
+  });
+
+  it('says whether a mesh has moved, also within one of the page', () => {
+    const { tree, stores, meshes } = setUp(2);
+    const moves = (change: () => void): boolean => {
+      const before = tree.moves;
+      change();
+      tree.update();
+      return tree.moves !== before;
+    };
+    const group = new Group();
+    expect(moves(() => undefined)).toBe(false);
+    expect(moves(() => tree.scene.add(group))).toBe(false);
+    stores[1]!.set('position', [5, 0, 0]);
+    expect(moves(() => meshes[1]!.update())).toBe(true);
+    expect(moves(() => undefined)).toBe(false);
+    expect(moves(() => (meshes[1]!.root!.matrixWorldNeedsUpdate = true))).toBe(true); // as an animation does
+    group.add(meshes[0]!.root!);
+    expect(moves(() => group.position.setX(1))).toBe(true);
   });
 });

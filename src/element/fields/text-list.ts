@@ -19,6 +19,8 @@ export const VIEWER_TEXTS = [
   '{light}, in camera space',
   '{name} (off)',
   '{name}: mesh',
+  'More lights: {number}',
+  'More meshes: {number}',
   // Names of lights and meshes that have none
   'head-light',
   'light {number}',

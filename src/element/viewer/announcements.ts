@@ -3,6 +3,7 @@
 // an application or an image, and the children are in a slot that is not rendered. Follows drawn frames, at most once a
 // second; announces only what the user changed. Knows nothing of drawing.
 import type { ReactiveController } from '@lit/reactive-element';
+import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
 import { numberedName, type PhongLight } from '../phong-light.js';
@@ -20,6 +21,9 @@ const PAUSE = 1000;
 
 /** Lights in one announcement. */
 const ANNOUNCED = 3;
+
+/** Most items of the list for the lights, and for the meshes. 2,000 of them take 60 ms of the main thread and 5 MB. */
+const MOST_LISTED = 100;
 
 /** Events in which the panel, and what lies over the picture, write to lights. */
 const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
@@ -45,7 +49,6 @@ export class ViewerAnnouncements implements ReactiveController {
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
-    viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
   /** Takes its place beside the picture. */
@@ -71,7 +74,7 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#scene !== null && this.#language !== this.#texts) this.describeSoon();
   }
 
-  /** Describes the scene soon. Not by the event: a listener takes three times as long as the event itself. */
+  /** Describes the scene soon. */
   describeSoon(): void {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
@@ -83,7 +86,8 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#userActed();
   }
 
-  #onLights(lights: readonly PhongLight[]): void {
+  /** Lights were written to; none: they came, went or changed places. Call when `light-change` is dispatched. */
+  lightsChanged(lights: readonly PhongLight[]): void {
     // These write while an event of the user is dispatched to them. All other writes are a script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
     if (lights.length === 0) this.#counted = true;
@@ -127,12 +131,13 @@ export class ViewerAnnouncements implements ReactiveController {
   #describe(): void {
     const texts = (this.#language = this.#texts);
     const { camera, lights, meshes } = this.#viewer;
-    const names = lights.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
+    const first = lights.slice(0, MOST_LISTED);
+    const names = first.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
     this.#writeDescription();
     const items = [
-      ...lights.map((light, i) => this.#lightText(light, i)),
-      ...meshes.map((mesh, i) => meshText(texts, mesh, i)),
+      ...this.#listed(lights, 'More lights: {number}', (light, i) => this.#lightText(light, i)),
+      ...this.#listed(meshes, 'More meshes: {number}', (mesh, i) => meshText(texts, mesh, i)),
     ];
     const list = this.#list;
     while (list.childElementCount > items.length) list.lastChild?.remove();
@@ -141,6 +146,13 @@ export class ViewerAnnouncements implements ReactiveController {
     // A list without items is a mistake to checkers.
     if (items.length === 0) list.remove();
     else if (list.parentNode === null) this.#reader.prepend(list);
+  }
+
+  /** Texts of the first ones, and how many more there are. */
+  #listed<T>(all: readonly T[], more: ViewerText, textOf: (one: T, index: number) => string): string[] {
+    const texts = all.slice(0, MOST_LISTED).map(textOf);
+    const rest = all.length - texts.length;
+    return rest > 0 ? [...texts, phrase(this.#texts, more, { number: String(rest) })] : texts;
   }
 
   #writeDescription(): void {

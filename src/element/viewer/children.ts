@@ -18,10 +18,20 @@ export interface ChildrenHost {
   meshesChanged(): void;
 }
 
-interface ShownMesh {
-  readonly mesh: SceneMesh;
+/** The mesh that an element shows. */
+class ElementMesh extends SceneMesh {
+  readonly element: PhongMesh;
   /** Listens to the element's values. */
   readonly written: (key?: string) => void;
+
+  constructor(element: PhongMesh, host: MeshHost, update: (mesh: ElementMesh) => void) {
+    super(fieldsOf(element).store, host);
+    this.element = element;
+    this.written = (key) => {
+      if (key === 'src' || key === 'geometry') this.retry();
+      update(this);
+    };
+  }
 }
 
 /** Lights a viewer that declares no light. */
@@ -33,9 +43,8 @@ export class ViewerChildren implements ChildListener {
   readonly #registry: ChildRegistry;
   readonly #headLight = headLight();
   readonly #lightElements = new Map<LightState, PhongLight>();
-  readonly #meshElements = new Map<SceneMesh, PhongMesh>();
-  readonly #shown = new Map<PhongMesh, ShownMesh>();
-  readonly #written = new Set<SceneMesh>();
+  readonly #shown = new Map<PhongMesh, ElementMesh>();
+  readonly #written = new Set<ElementMesh>();
   readonly #removed = new Set<PhongMesh>();
   #inOrder: readonly HTMLElement[] = [];
   #lights: readonly PhongLight[] = Object.freeze([]);
@@ -61,7 +70,7 @@ export class ViewerChildren implements ChildListener {
   }
 
   get sceneMeshes(): Iterable<SceneMesh> {
-    return this.#meshElements.keys();
+    return this.#shown.values();
   }
 
   /** The element of a light; null for the head-light. */
@@ -70,7 +79,7 @@ export class ViewerChildren implements ChildListener {
   }
 
   elementOf(mesh: SceneMesh): PhongMesh | undefined {
-    return this.#meshElements.get(mesh);
+    return mesh instanceof ElementMesh ? mesh.element : undefined;
   }
 
   added(child: HTMLElement): void {
@@ -89,7 +98,8 @@ export class ViewerChildren implements ChildListener {
 
   /** For the viewer's `connectedCallback`, after its shadow tree was made. */
   connected(): void {
-    this.refresh();
+    // Those that left while the viewer was outside the document; the others register when they are connected, after it.
+    for (const child of this.#registry.all) register(child);
     inspect(this.#viewer);
     this.#viewer.shadowRoot?.addEventListener('slotchange', this.#slotted);
   }
@@ -120,7 +130,7 @@ export class ViewerChildren implements ChildListener {
     this.#written.clear();
     this.#removed.clear();
     for (const element of removed) this.#dropMesh(element);
-    for (const mesh of written) if (this.#meshElements.has(mesh)) mesh.update();
+    for (const mesh of written) if (this.#shown.get(mesh.element) === mesh) mesh.update();
     this.#host.meshesChanged();
   };
 
@@ -148,23 +158,16 @@ export class ViewerChildren implements ChildListener {
   }
 
   #addMesh(element: PhongMesh): void {
-    const { store } = fieldsOf(element);
     // Removed and inserted again in one task: it keeps its model.
     this.#removed.delete(element);
-    let shown = this.#shown.get(element);
-    if (shown === undefined) {
-      const mesh = new SceneMesh(store, this.#host.meshHost);
-      const written = (key?: string): void => {
-        if (key === 'src' || key === 'geometry') mesh.retry();
-        this.#update(mesh);
-      };
-      shown = { mesh, written };
-      this.#shown.set(element, shown);
-      this.#meshElements.set(mesh, element);
+    let mesh = this.#shown.get(element);
+    if (mesh === undefined) {
+      mesh = new ElementMesh(element, this.#host.meshHost, this.#update);
+      this.#shown.set(element, mesh);
       this.#host.viewport.add(mesh);
     }
-    store.listen(shown.written);
-    shown.written();
+    fieldsOf(element).store.listen(mesh.written);
+    mesh.written();
   }
 
   #removeMesh(element: PhongMesh): void {
@@ -173,27 +176,26 @@ export class ViewerChildren implements ChildListener {
   }
 
   #dropMesh(element: PhongMesh): void {
-    const shown = this.#shown.get(element);
-    if (shown === undefined) return;
+    const mesh = this.#shown.get(element);
+    if (mesh === undefined) return;
     // Another viewer may have taken it over already and listens now.
-    fieldsOf(element).store.unlisten(shown.written);
+    fieldsOf(element).store.unlisten(mesh.written);
     this.#shown.delete(element);
-    this.#meshElements.delete(shown.mesh);
-    this.#host.viewport.remove(shown.mesh);
+    this.#host.viewport.remove(mesh);
   }
 
   #sortMeshes(meshes: readonly PhongMesh[]): void {
     if (sameList(meshes, this.#meshes)) return;
     this.#meshes = Object.freeze(meshes);
-    this.#host.viewport.arrange(meshes.flatMap((element) => this.#shown.get(element)?.mesh ?? []));
+    this.#host.viewport.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
     this.#host.meshesChanged();
   }
 
   /** Several values written in one task make one update. */
-  #update(mesh: SceneMesh): void {
+  readonly #update = (mesh: ElementMesh): void => {
     this.#flushLater();
     this.#written.add(mesh);
-  }
+  };
 
   #flushLater(): void {
     if (this.#written.size === 0 && this.#removed.size === 0) queueMicrotask(this.flush);

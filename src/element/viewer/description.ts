@@ -8,7 +8,7 @@ import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
 import type { CameraState } from './camera.js';
 
-/** Lights that the description names. It is read in one go, so it must be short; the list names all of them. */
+/** Lights that the description names. It is read in one go, so it must be short; the list names more. */
 const NAMED = 8;
 
 const LIGHTS = 'Lights: {lights}.';

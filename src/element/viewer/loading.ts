@@ -3,6 +3,7 @@
 import type { ReactiveController } from '@lit/reactive-element';
 import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
+import type { Animations } from '../../scene/animations.js';
 import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
@@ -85,6 +86,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return this.#host.viewport.materials;
   }
 
+  get animations(): Animations {
+    return this.#host.viewport.animations;
+  }
+
   get crossOrigin(): CrossOrigin {
     return this.#host.store.values.crossOrigin;
   }
@@ -164,7 +169,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       const detail = { url: url.href };
       this.#enqueueProgress();
       child?.dispatchEvent(new CustomEvent('load', { detail }));
-      this.#host.events.enqueue('load', detail, detail);
+      this.#host.events.append('load', detail);
     }
     this.#host.ended();
   }

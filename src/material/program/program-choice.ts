@@ -48,7 +48,7 @@ export class ProgramChoice {
   /** What a specialised program depends on besides its lights. */
   #materialKey = '';
   /** The last key, so that draws build no text. */
-  #last = { materialKey: '', form: '', lights: '', key: '' };
+  #last = { materialKey: '', form: '', lights: '' as string | number, key: '' };
 
   constructor(lighting: PhongLighting, look: ProgramLook) {
     this.#lighting = lighting;

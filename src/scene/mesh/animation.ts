@@ -1,57 +1,46 @@
 // Which pose does a mesh's content show? That of an animation at a time, or its own. Knows neither clocks nor elements.
 import type { Motion } from './content.js';
 import type { ShapeValues } from './mesh-fields.js';
-import { followPose, type Shown } from './parts.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 
 export class MeshAnimation {
-  readonly #shown: () => Shown;
+  readonly #motion: Motion;
   /** Empty for the first one; null for none. */
-  #name: string | null = null;
+  #name: string | null;
   /** Since it began. */
   #seconds = 0;
 
-  /** `shown` is the mesh's content. */
-  constructor(shown: () => Shown) {
-    this.#shown = shown;
-  }
-
-  /** Begins with a content to be shown, as the values say, before anything measures it: `auto` frames the first pose. */
-  begin(values: Values, motion: Motion | null): void {
+  /** Begins as the values say, before anything measures the content: `auto` frames the first pose. */
+  constructor(motion: Motion, values: Values) {
+    this.#motion = motion;
     this.#name = nameOf(values);
-    this.#seconds = 0;
-    if (this.#name !== null) motion?.pose(this.#name, 0);
+    if (this.#name !== null) this.pose();
   }
 
-  /** Starts another animation, or ends the present one, if the values say so. */
-  update(values: Values): void {
-    if (nameOf(values) === this.#name) return;
+  /** Starts another animation, or ends the present one, if the values say so. True if the pose has changed. */
+  update(values: Values): boolean {
+    if (nameOf(values) === this.#name) return false;
     this.#name = nameOf(values);
     this.#seconds = 0;
     this.pose();
+    return true;
   }
 
   /** It would play if motion were allowed. */
   get plays(): boolean {
-    const { motion } = this.#shown().content;
-    return motion !== null && this.#name !== null && motion.durationOf(this.#name) > 0;
+    return this.#name !== null && this.#motion.durationOf(this.#name) > 0;
   }
 
-  /** Plays on. False if nothing plays. */
-  advance(seconds: number): boolean {
-    if (!this.plays) return false;
+  /** Plays on. */
+  advance(seconds: number): void {
     this.#seconds += seconds;
     if (seconds > 0) this.pose();
-    return true;
   }
 
-  /** Brings what is shown into the present pose. */
+  /** Writes the present pose into the content. */
   pose(): void {
-    const { content, parts } = this.#shown();
-    if (content.motion === null) return;
-    content.motion.pose(this.#name, this.#seconds);
-    followPose(parts);
+    this.#motion.pose(this.#name, this.#seconds);
   }
 }
 

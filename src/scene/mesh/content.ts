@@ -37,7 +37,7 @@ export interface Content {
   readonly parts: readonly ContentPart[];
   /** Null if nothing in it moves. */
   readonly motion: Motion | null;
-  /** Frees it. Call once. */
+  /** Frees it. Call once for each mesh that shows it. */
   dispose(): void;
 }
 
@@ -47,16 +47,26 @@ export const NOTHING: Content = { parts: [], motion: null, dispose: () => undefi
 export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
   const wanted = segments ?? undefined;
   const geometry = acquireGeometry(name, wanted);
-  const sides = CLOSED.has(name) ? 'closed' : 'double';
-  const content = (ready: BufferGeometry): Content => ({
-    parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
-    motion: null,
-    dispose: () => {
-      releaseGeometry(name, wanted);
-    },
-  });
+  const content = (ready: BufferGeometry): Content => {
+    let known = shapeContents.get(ready);
+    if (known === undefined) {
+      const sides = CLOSED.has(name) ? 'closed' : 'double';
+      known = {
+        parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
+        motion: null,
+        dispose: () => {
+          releaseGeometry(name, wanted);
+        },
+      };
+      shapeContents.set(ready, known);
+    }
+    return known;
+  };
   return geometry instanceof Promise ? geometry.then(content) : content(geometry);
 }
+
+/** Equal shapes are one content. */
+const shapeContents = new WeakMap<BufferGeometry, Content>();
 
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
 

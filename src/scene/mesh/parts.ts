@@ -10,6 +10,7 @@ import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../extreme-points.js';
 import { VALUE_LIMIT } from '../model/limits.js';
 import { ModelError } from '../model/model.js';
+import type { MeshAnimation } from './animation.js';
 import { type Content, type ContentPart, NOTHING } from './content.js';
 import type { ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
@@ -30,9 +31,11 @@ export interface Shown {
   readonly root: Object3D | null;
   /** Where a model came from; null for a shape. */
   readonly url: URL | null;
+  /** Null where nothing in it moves. */
+  readonly animation: MeshAnimation | null;
 }
 
-export const EMPTY: Shown = { content: NOTHING, parts: [], root: null, url: null };
+export const EMPTY: Shown = { content: NOTHING, parts: [], root: null, url: null, animation: null };
 
 /**
  * The geometries that show these parts, smooth or flat, and measured: all memory that showing them takes, but for the GPU's.
@@ -113,15 +116,12 @@ export function followPose(parts: readonly Part[]): void {
 
 const IDENTITY = /* @__PURE__ */ new Matrix4();
 
-const SURFACE_KEYS = ['ka', 'kd', 'ks', 'shininess'] as const satisfies readonly (keyof SurfaceValues)[];
-
 /** Attributes win, then the file's values, then the defaults. */
-export function surfaceOf(state: FieldStore<ShapeValues>, source: ContentPart): SurfaceValues {
-  const surface: Partial<Record<keyof SurfaceValues, unknown>> = {};
-  for (const key of SURFACE_KEYS) {
-    surface[key] = state.given(key) ? state.values[key] : (source.surface[key] ?? state.values[key]);
-  }
-  return surface as SurfaceValues;
+export function surfaceOf(state: FieldStore<ShapeValues>, { surface }: ContentPart): SurfaceValues {
+  const { values } = state;
+  const valueOf = <K extends keyof SurfaceValues>(key: K): SurfaceValues[K] =>
+    (state.given(key) ? undefined : surface[key]) ?? values[key];
+  return { ka: valueOf('ka'), kd: valueOf('kd'), ks: valueOf('ks'), shininess: valueOf('shininess') };
 }
 
 /** The file's look. An exponent that the author gives replaces the file's roughness. */

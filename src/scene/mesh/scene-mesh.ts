@@ -1,6 +1,7 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until the next
 // one is there and can be shown. Knows neither elements nor frames.
 import type { BufferGeometry, Object3D } from 'three';
+import type { Animated, Animations } from '../animations.js';
 import type { ShadingStyle } from '../../material/phong-material.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
@@ -8,11 +9,12 @@ import type { CrossOrigin } from '../model/load-model.js';
 import { ModelError } from '../model/model.js';
 import { isOutOfMemory } from '../out-of-memory.js';
 import { MeshAnimation } from './animation.js';
-import { ContentLoad } from './content-load.js';
+import { ContentLoad, type ContentOwner } from './content-load.js';
 import type { Content, ContentPart } from './content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   EMPTY,
+  followPose,
   geometriesOf,
   lookOf,
   partsOf,
@@ -28,6 +30,7 @@ import type { Appearance, SharedMaterials } from './shared-materials.js';
 /** The picture that shows a mesh. */
 export interface MeshHost {
   readonly materials: SharedMaterials;
+  readonly animations: Animations;
   readonly crossOrigin: CrossOrigin;
   /** False while a lazy viewer has not come near the view, and after a viewer was removed. */
   readonly mayLoad: boolean;
@@ -55,7 +58,7 @@ type Shading = ShadingStyle['shading'];
 
 type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
 
-export class SceneMesh {
+export class SceneMesh implements Animated, ContentOwner {
   readonly #state: FieldStore<ShapeValues> | FieldStore<MeshValues>;
   readonly #host: MeshHost;
   readonly #load: ContentLoad;
@@ -65,43 +68,50 @@ export class SceneMesh {
   #before: Shown | null = null;
   /** There was no memory for flat normals. Until another shading is wanted, the mesh keeps the one it has. */
   #notFlat = false;
-  /** Position, rotation and scale as last written to the scene; values are replaced when they change. */
-  #placed: readonly Vec3[] = [];
+  /** As last written to the scene; null for not yet. Values are replaced when they change. */
+  #position: Vec3 | null = null;
+  #rotation: Vec3 | null = null;
+  #scale: Vec3 | null = null;
   #shading: Shading | null = null;
   /** What the geometries were made for; null for not known. */
   #effective: Shading | null = null;
-  readonly animation = new MeshAnimation(() => this.#shown);
   #reflection: ShadingStyle['reflection'] | null = null;
 
   constructor(state: FieldStore<ShapeValues> | FieldStore<MeshValues>, host: MeshHost) {
     this.#state = state;
     this.#host = host;
-    this.#load = new ContentLoad({
-      get crossOrigin() {
-        return host.crossOrigin;
-      },
-      get mayLoad() {
-        return host.mayLoad;
-      },
-      began: () => {
-        host.began(this);
-      },
-      progress: (loaded, total) => {
-        host.progress(this, loaded, total);
-      },
-      arrived: (content, url, late) => {
-        if (!this.#show(content, url) || !late) return;
-        this.#place();
-        this.restyle();
-        host.ended(this, url, null);
-      },
-      failed: (url, error) => {
-        host.ended(this, url, error);
-      },
-      dropped: () => {
-        host.dropped(this);
-      },
-    });
+    this.#load = new ContentLoad(this);
+  }
+
+  get crossOrigin(): CrossOrigin {
+    return this.#host.crossOrigin;
+  }
+
+  get mayLoad(): boolean {
+    return this.#host.mayLoad;
+  }
+
+  began(): void {
+    this.#host.began(this);
+  }
+
+  progress(loaded: number, total: number): void {
+    this.#host.progress(this, loaded, total);
+  }
+
+  arrived(content: Content, url: URL | null, late: boolean): void {
+    if (!this.#show(content, url) || !late) return;
+    this.#place();
+    this.restyle();
+    this.#host.ended(this, url, null);
+  }
+
+  failed(url: URL | null, error: unknown): void {
+    this.#host.ended(this, url, error);
+  }
+
+  dropped(): void {
+    this.#host.dropped(this);
   }
 
   /** The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while nothing is shown. */
@@ -138,9 +148,19 @@ export class SceneMesh {
   /** Brings the scene in step with the values. Cheap where nothing changed. */
   update(): void {
     this.#load.request(this.#values);
-    this.animation.update(this.#values);
+    const { animation, parts } = this.#shown;
+    if (animation?.update(this.#values) === true) followPose(parts);
     this.#place();
     this.restyle();
+  }
+
+  get plays(): boolean {
+    return this.#shown.animation?.plays ?? false;
+  }
+
+  advance(seconds: number): void {
+    this.#shown.animation?.advance(seconds);
+    if (seconds > 0) followPose(this.parts);
   }
 
   /** After a failure, the next {@link update} requests the same again. */
@@ -164,7 +184,7 @@ export class SceneMesh {
   revert(error: unknown): void {
     const failed = this.#shown;
     this.#replace(this.#before ?? EMPTY);
-    this.animation.pose();
+    this.#pose();
     this.#before = null;
     this.#free(failed);
     this.#effective = null;
@@ -206,7 +226,7 @@ export class SceneMesh {
           mesh.geometry = geometries[i]!;
         });
         this.#effective = wanted;
-        this.animation.pose(); // a flat copy may be of an earlier pose
+        this.#pose(); // a flat copy may be of an earlier pose
       } catch (error) {
         this.#notFlat = true;
         this.#host.ended(this, this.#shown.url, error);
@@ -215,6 +235,13 @@ export class SceneMesh {
     }
     this.#forgetNotFlat();
     return shading;
+  }
+
+  /** Brings what is shown into its present pose. */
+  #pose(): void {
+    const { animation, parts } = this.#shown;
+    animation?.pose();
+    if (animation !== null) followPose(parts);
   }
 
   #forgetNotFlat(): void {
@@ -250,9 +277,10 @@ export class SceneMesh {
     const [part] = this.parts;
     const { root } = this;
     if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
-    const place = [position, rotation, scale];
-    if (place.every((vector, i) => vector === this.#placed[i])) return;
-    this.#placed = place;
+    if (position === this.#position && rotation === this.#rotation && scale === this.#scale) return;
+    this.#position = position;
+    this.#rotation = rotation;
+    this.#scale = scale;
     if (root !== null) placeRoot(root, position, rotation, scale);
     this.#host.reshaped();
   }
@@ -262,7 +290,8 @@ export class SceneMesh {
    * {@link restyle} next.
    */
   #show(content: Content, url: URL | null): boolean {
-    this.animation.begin(this.#values, content.motion);
+    const { motion } = content;
+    const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
     let geometries: readonly BufferGeometry[];
     try {
       geometries = geometriesOf(content.parts, this.#wantedShading === 'flat');
@@ -276,7 +305,7 @@ export class SceneMesh {
     this.#shading = shading;
     this.#reflection = reflection;
     const parts = partsOf(content, geometries, this.#host.materials, (source) => this.#appearanceOf(source));
-    const next = { content, parts, root: rootOf(parts, content.motion !== null), url };
+    const next = { content, parts, root: rootOf(parts, motion !== null), url, animation };
     const before = this.#shown;
     this.#replace(next);
     this.#forgetNotFlat();
@@ -294,7 +323,9 @@ export class SceneMesh {
     this.root?.removeFromParent();
     this.#shown = next;
     if (next.root !== null) this.#parent?.add(next.root);
-    this.#placed = []; // the new root has no place yet
+    this.#position = null; // the new root has no place yet
+    if (next.animation === null) this.#host.animations.delete(this);
+    else this.#host.animations.add(this);
   }
 
   /** After the next ones are acquired: equal looks keep their material, and so their program. */
