@@ -94,7 +94,8 @@ function wrapContexts(): void {
     if (faults.opening === 'null') return null;
     if (faults.opening === 'throws') throw new Error('getContext is not allowed here');
     const context = Reflect.apply(getContext, this, given) as WebGL2RenderingContext | null;
-    if (context === null) return null;
+    // A canvas gives the same context each time.
+    if (context === null || contexts.some((known) => known.context === context)) return context;
     const loss = Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null;
     contexts.push({ context, loss });
     this.addEventListener('webglcontextlost', (event) => {

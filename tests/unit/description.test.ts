@@ -61,7 +61,7 @@ describe('all lights', () => {
     expect(lightsText(null, ['a', 'b'])).toBe('Lights: a, b.');
     const names = Array.from({ length: 9 }, (_, i) => `l${i}`);
     expect(lightsText(null, names.slice(0, 8))).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7.');
-    expect(lightsText(null, names)).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7, ….');
+    expect(lightsText(null, names)).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7, ....');
   });
 
   test('are counted', () => expect(lightCountText(null, 12)).toBe('Lights: 12.'));

@@ -304,7 +304,7 @@ describe('the error repeats what was given', () => {
   });
 
   it('and marks where a list was cut', () => {
-    expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, …]');
+    expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, ...]');
     expect(messageOf(kinds.vector, [1, [2], 3])).toContain('got [1, an object, 3]');
   });
 });

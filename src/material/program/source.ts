@@ -73,7 +73,7 @@ const loopWith = (surface: string, ...chunks: readonly string[]): string =>
  * with everything in the space that the lights were packed for. With FILTER_HIGHLIGHTS, call either only in a fragment
  * shader's uniform control flow, before any `discard`: they use dFdx and dFdy.
  */
-export const LIGHT_LOOP_GLSL = loopWith(surfaceColor, AVERAGES, lightGrid);
+export const LIGHT_LOOP_GLSL = /* @__PURE__ */ loopWith(surfaceColor, AVERAGES, lightGrid);
 
 /** The sRGB curve and the rounding to 8 bits: the last steps of a fragment. Needs the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
