@@ -69,6 +69,18 @@ describe('the general program', () => {
     expect(count(keys)).toBe(4); // a directional light's cone needs no code
   });
 
+  it.each<[string, Partial<LightValues>, number]>([
+    ['a cone of another width', { aperture: 60 }, 1],
+    ['another decay', { cutoff: 7.5 }, 1],
+    ['a narrow cone, which a cosine does not find,', { aperture: 5 }, 2],
+    ['a decay above 64', { cutoff: 100 }, 2],
+    ['ambient light', { ambient: [9, 9, 9] }, 2],
+  ])('with %s in a second spot makes %3$i in all', (_, values, programs) => {
+    const first = [light({ ambient: [9, 9, 9] }), light({ ...spot, cutoff: 2 })];
+    const second = light({ ...spot, cutoff: 2, ...values });
+    expect(count([generalKey(first), generalKey([...first, second])])).toBe(programs);
+  });
+
   it.each<[string, Partial<MaterialFeatures>, number]>([
     ['flat shading, by its geometry alone,', { shading: 'flat' }, 1],
     ['other orders of terms', { terms: ['specular', 'ambient', 'diffuse'] }, 1],

@@ -73,7 +73,7 @@ export function generalVariant(
   capacity: RowCapacity,
 ): Variant {
   const { shading, reflection, terms, antialias, alphaMode, unlit } = material;
-  const needed = unlit ? noFeatures() : { ...declared };
+  const { steepSpot, spotAmbient, ...needed } = unlit ? noFeatures() : declared;
   for (const term of TERMS) needed[term] &&= terms.includes(term);
   const flags: Record<string, boolean> = {
     // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
@@ -90,6 +90,8 @@ export function generalVariant(
     HAS_VERTEX_COLOR: material.vertexColors,
     HAS_ALPHA_MASK: alphaMode === 'mask',
     IS_BLENDED: alphaMode === 'blend',
+    SPOTS_ARE_GENTLE: needed.spot && !steepSpot,
+    SPOTS_LACK_AMBIENT: needed.spot && needed.ambient && !spotAmbient,
   };
   for (const [name, on] of Object.entries(needed)) flags[`HAS_${name.toUpperCase()}`] = on;
   const defines: Record<string, string> = storageDefines(capacity);
