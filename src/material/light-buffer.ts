@@ -2,9 +2,9 @@
 // beyond. Sends only what changed. Knows neither meshes nor programs.
 import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
+import { kindFeatures } from '../light/kind-features.js';
 import { KINDS } from '../light/light-features.js';
 import { emptyPack, type PackedLights } from '../light/pack-lights.js';
-import { unions } from './program/variant.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
 
@@ -124,7 +124,7 @@ export class LightBuffer {
   /** Finds the feature key anew where counts or features changed. */
   #describe(): void {
     const { packed } = this;
-    const masks = unions(packed, ~0);
+    const masks = kindFeatures(packed);
     const features = KINDS.flatMap((kind) => [packed.counts[kind], masks[kind]]);
     if (features.every((n, i) => n === this.#features[i])) return;
     this.#features = features;

@@ -8,7 +8,7 @@ import { dot, type Vec3 } from '../math/vector.js';
 import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
-import type { Form, RowCapacity } from './program/variant.js';
+import type { Form } from './program/variant.js';
 import type { PictureView } from './views.js';
 
 /**
@@ -207,8 +207,11 @@ export class PhongLighting {
     return count;
   }
 
-  /** Before drawing with `renderer`: how general programs read rows there. Another renderer is sent everything again. */
-  capacityFor(renderer: WebGLRenderer): RowCapacity {
+  /**
+   * Before drawing with `renderer`: rows of the uniform array in general programs there, or 0 for a texture. Another renderer is
+   * sent everything again.
+   */
+  capacityFor(renderer: WebGLRenderer): number {
     if (this.#device?.renderer !== renderer) {
       this.dispose();
       this.#device = deviceOf(renderer);

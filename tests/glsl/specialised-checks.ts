@@ -3,14 +3,9 @@
 import { declareFeatures, noFeatures } from '../../src/light/light-features.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
-import {
-  type Form,
-  generalVariant,
-  type Reflection,
-  specialisedVariant,
-  type Term,
-  TERMS,
-} from '../../src/material/program/variant.js';
+import { PLAIN_LOOK } from '../../src/material/phong-material.js';
+import { type Form, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
+import { DEFAULT_STYLE, type Reflection, type Term, TERMS } from '../../src/material/shading-style.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';
@@ -193,11 +188,9 @@ export function programOf(
   for (const one of lights) declareFeatures(one, declared);
   const general = generalVariant(
     {
-      ...{ shading: 'phong', reflection, antialias: 'edges', alphaMode: 'opaque' },
-      ...{ linear: false, vertexColors: false },
-      ...{ unlit: false, emissive: false, metalness: false, roughness: false, maps: {} },
-      terms: form === 'general' ? terms : TERMS,
-      shininessTo64: true,
+      look: PLAIN_LOOK,
+      style: { ...DEFAULT_STYLE, reflection, terms: form === 'general' ? terms : TERMS },
+      ...{ linear: false, shininessTo64: true },
     },
     declared,
     0,
@@ -237,18 +230,6 @@ function sumsOf(form: Form | 'general', lights: readonly LightValues[], options:
   };
 }
 
-/** More of a kind than one counted loop takes. */
-const manyLights = (): LightValues[] => {
-  const random = new Random(3);
-  return Array.from({ length: 70 }, () =>
-    light({
-      position: [...scale(random.unit(), random.from(2, 4)), 1],
-      diffuse: random.color(6),
-      specular: random.color(6),
-    }),
-  );
-};
-
 /** So near to the edge of its cone that float32 may take it for either side. */
 export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): boolean {
   if (aperture === 180 || position[3] === 0) return false;
@@ -282,7 +263,6 @@ export function specialisedChecks(every = 1): readonly Check[] {
     sumsOf('general', darkSpots(lights.filter(isGentle)), { reflection: 'blinn-phong' }),
     sumsOf('counted', lights),
     sumsOf('counted', lights, { terms: ['diffuse', 'specular'], integerShininess: false }),
-    sumsOf('counted', manyLights()),
     sumsOf('inlined', lights),
     sumsOf('inlined', lights, { terms: ['specular'] }),
     sumsOf('inlined', lights.filter(isSpot), { reflection: 'blinn-phong', integerShininess: false }),
