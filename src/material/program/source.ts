@@ -75,36 +75,33 @@ const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
 #define FULL_LOBE ${float(FULL_LOBE)}
 ${fileSurface}`;
 
+const UNLIT = `${CONSTANTS}\n${guard}`;
+
 export interface Shaders {
   readonly vertexShader: string;
   readonly fragmentShader: string;
 }
 
-const shaders = new Map<string, Shaders>();
+const texts = new Map<string, Shaders>();
 
 /**
- * The two stages of all programs: defines choose the code. Gouraud shading sums the lights at the vertices, everything else at
- * the fragments. `surface` is a text in place of surface_color.
+ * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights: the other one leaves out the
+ * loop's text, which compilers would parse in vain. `surface` is a text in place of surface_color.
  */
-export function shadersOf(surface = surfaceColor): Shaders {
-  let both = shaders.get(surface);
-  if (both === undefined) {
-    const precision = 'precision highp float;\nprecision highp int;';
-    const inStage = (isVertex: boolean): string =>
-      [
-        precision,
-        ...[`#if !defined(IS_UNLIT) && ${isVertex ? '' : '!'}defined(SHADING_GOURAUD)`, loopWith(surface)],
-        ...['#else', CONSTANTS, guard, '#endif'],
-      ].join('\n');
-    both = {
-      vertexShader: [inStage(true), phongVertex].join('\n'),
-      fragmentShader: [
-        ...[inStage(false), ENCODING_GLSL],
-        where('defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)', FILE_SURFACE),
-        phongFragment,
-      ].join('\n'),
+export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceColor): Shaders {
+  const key = `${String(lit)} ${surface}`;
+  let shaders = texts.get(key);
+  if (shaders === undefined) {
+    const head = (stage: 'vertex' | 'fragment'): string =>
+      ['precision highp float;\nprecision highp int;', stage === lit ? loopWith(surface) : UNLIT].join('\n');
+    const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
+    shaders = {
+      vertexShader: [head('vertex'), phongVertex].join('\n'),
+      fragmentShader: [head('fragment'), ENCODING_GLSL, where(isTextured, FILE_SURFACE), phongFragment].join(
+        '\n',
+      ),
     };
-    shaders.set(surface, both);
+    texts.set(key, shaders);
   }
-  return both;
+  return shaders;
 }
