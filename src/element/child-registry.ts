@@ -27,9 +27,9 @@ export function registryAround(element: Element): ChildRegistry | null {
   for (let outer: Element | null = element; outer !== null;) {
     if (outer.localName === 'phong-viewer')
       return (inner?.getAttribute('slot') ?? '') === '' ? registryOf(outer) : null;
-    const { parentElement } = outer as Element;
-    inner = parentElement === null ? null : outer;
-    outer = parentElement ?? shadowTreeOf(outer)?.host ?? null;
+    const parent: Element | null = outer.parentElement;
+    inner = parent === null ? null : outer;
+    outer = parent ?? shadowTreeOf(outer)?.host ?? null;
   }
   return null;
 }

@@ -2,9 +2,9 @@
 // beyond. Sends only what changed. Knows neither meshes nor programs.
 import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
+import { kindFeatures } from '../light/kind-features.js';
 import { KINDS } from '../light/light-features.js';
 import { emptyPack, type PackedLights } from '../light/pack-lights.js';
-import { unions } from './program/variant.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
 
@@ -124,7 +124,7 @@ export class LightBuffer {
   /** Finds the feature key anew where counts or features changed. */
   #describe(): void {
     const { counts } = this.packed;
-    const masks = unions(this.packed, ~0);
+    const masks = kindFeatures(this.packed);
     const before = this.#described;
     if (before !== null && sameCounts(counts, before.counts) && sameCounts(masks, before.masks)) return;
     this.#described = { counts: { ...counts }, masks };

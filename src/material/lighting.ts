@@ -9,7 +9,7 @@ import { dot, type Vec3 } from '../math/vector.js';
 import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
-import type { Form, RowCapacity } from './program/variant.js';
+import type { Form } from './program/variant.js';
 import type { PictureView } from './views.js';
 
 /**
@@ -32,8 +32,8 @@ export interface ShadingFrame {
 const MOST_INLINED = 16;
 
 /**
- * Most lights of a counted program: those whose first draw lengthens no frame by more than 50 ms. On an H200 the longest frame
- * is 26 to 41 ms with 8 lights, 44 with 16, 91 with 32, whether linking runs in the background (OpenGL) or not (Vulkan).
+ * Most lights of a counted program: those whose first draw lengthens no frame by more than 50 ms. On an H200 these are 18 to 25 ms
+ * with 16 lights through Vulkan and 24 to 32 through OpenGL, which links in the background; with 32 lights 20 and 65.
  */
 const MOST_COUNTED = 16;
 
@@ -195,8 +195,11 @@ export class PhongLighting {
     return count;
   }
 
-  /** Before drawing with `renderer`: how general programs read rows there. Another renderer is sent everything again. */
-  capacityFor(renderer: WebGLRenderer): RowCapacity {
+  /**
+   * Before drawing with `renderer`: rows of the uniform array in general programs there, or 0 for a texture. Another renderer is
+   * sent everything again.
+   */
+  capacityFor(renderer: WebGLRenderer): number {
     if (this.#device?.renderer !== renderer) {
       this.dispose();
       this.#device = deviceOf(renderer);

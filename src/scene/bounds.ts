@@ -32,8 +32,7 @@ export function measure(root: Object3D): Extent {
   if (meshes.length === 0) return NO_EXTENT;
   const low: [number, number, number] = [Infinity, Infinity, Infinity];
   const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
-  const include = ({ extremes, matrix }: Placed, count: number): void => {
-    const places = placesOf(extremes.points, count, matrix);
+  const extend = (places: Float64Array, count: number): void => {
     for (let i = 0; i < count; i++) {
       const place = places[i]!;
       const axis = (i % 3) as 0 | 1 | 2;
@@ -46,9 +45,20 @@ export function measure(root: Object3D): Extent {
     for (const i of [0, 1, 2] as const) if (center[i] - r < low[i] || center[i] + r > high[i]) return false;
     return true;
   };
-  // One point of each first: then most meshes are found to lie inside by their spheres.
-  for (const mesh of meshes) include(mesh, 3);
-  for (const mesh of meshes) if (!inside(mesh)) include(mesh, mesh.extremes.points.length);
+  // Boxes, and one point of each turned mesh, first: then most of these are found to lie inside by their spheres.
+  const turned: Placed[] = [];
+  for (const mesh of meshes) {
+    const { extremes, matrix } = mesh;
+    if (!isTurned(matrix)) extend(placesOf(extremes.box, 6, matrix), 6);
+    else {
+      turned.push(mesh);
+      extend(placesOf(extremes.points, 3, matrix), 3);
+    }
+  }
+  for (const mesh of turned) {
+    const { points } = mesh.extremes;
+    if (!inside(mesh)) extend(placesOf(points, points.length, mesh.matrix), points.length);
+  }
   const middle = (i: 0 | 1 | 2): number => low[i] + (high[i] - low[i]) / 2;
   return {
     empty: false,
@@ -137,8 +147,13 @@ const extremesOf = (geometry: BufferGeometry): ExtremePoints | null =>
 function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
   let farthest = 0;
   for (const { extremes, matrix, center, radius } of meshes) {
-    const reach = distance(point, ...center) + radius;
+    const away = distance(point, ...center);
+    const reach = away + radius;
     if (reach <= farthest * (1 + SAME)) continue;
+    if (away <= SAME * radius && isEvenlyScaled(matrix)) {
+      farthest = reach;
+      continue;
+    }
     const { length } = extremes.points;
     const places = placesOf(extremes.points, length, matrix);
     for (let i = 0; i < length; i += 3)
@@ -150,7 +165,7 @@ function farthestFrom(point: Vec3, meshes: readonly Placed[]): number {
 let scratch = new Float64Array(0);
 
 /** The first `count` coordinates of points, in world space; overwritten by the next call. */
-function placesOf(points: Float64Array, count: number, m: readonly number[]): Float64Array {
+function placesOf(points: ArrayLike<number>, count: number, m: readonly number[]): Float64Array {
   if (scratch.length < count) scratch = new Float64Array(count);
   for (let i = 0; i < count; i += 3) {
     const [x, y, z] = [points[i]!, points[i + 1]!, points[i + 2]!];
@@ -166,6 +181,14 @@ const transformed = (m: readonly number[], x: number, y: number, z: number): [nu
   m[1]! * x + m[5]! * y + m[9]! * z + m[13]!,
   m[2]! * x + m[6]! * y + m[10]! * z + m[14]!,
 ];
+
+/** The mesh's axes are not the world's. */
+const isTurned = (m: readonly number[]): boolean =>
+  m[1] !== 0 || m[2] !== 0 || m[4] !== 0 || m[6] !== 0 || m[8] !== 0 || m[9] !== 0;
+
+/** Neither turned nor stretched: distances from the mesh's own centre keep their order. */
+const isEvenlyScaled = (m: readonly number[]): boolean =>
+  !isTurned(m) && Math.abs(m[0]!) === Math.abs(m[5]!) && Math.abs(m[5]!) === Math.abs(m[10]!);
 
 /** Coordinates are below 1e30, so that their squares are finite. */
 const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =>

@@ -1,15 +1,51 @@
 // Which vertices of a geometry decide how large it is, wherever it is placed? Reads all vertices once and keeps those that
 // lie farthest along some hundred directions, in the geometry's own space. Knows neither matrices nor scenes.
-import { BufferAttribute, type BufferGeometry, type InterleavedBufferAttribute } from 'three';
+import {
+  Box3,
+  BufferAttribute,
+  type BufferGeometry,
+  type InterleavedBufferAttribute,
+  Sphere,
+  Vector3,
+} from 'three';
 import type { Vec3 } from '../math/vector.js';
 
-export interface ExtremePoints {
-  /** x, y, z of each point, one after the other. */
-  readonly points: Float64Array;
-  /** Centre of the box of all vertices. */
+/** The size of a geometry. Its points are found when they are first needed: most meshes are not turned, and need none. */
+export class ExtremePoints {
+  /** Of all vertices. */
+  readonly box: Readonly<Box>;
+  /** Centre of the box. */
   readonly center: Vec3;
   /** Reaches the vertex farthest from `center`. */
   readonly radius: number;
+  /** Null once the points are found. */
+  #vertices: Vertices | null;
+  #points: Float64Array = new Float64Array(0);
+
+  constructor(vertices: Vertices, box: Readonly<Box>, center: Vec3, radius: number) {
+    this.#vertices = vertices;
+    this.box = box;
+    this.center = center;
+    this.radius = radius;
+  }
+
+  /** x, y, z of each point, one after the other. */
+  get points(): Float64Array {
+    const search = this.search();
+    while (search.next().done !== true);
+    return this.#points;
+  }
+
+  /** Finds the points, unless they are known. */
+  *search(): Search<undefined> {
+    const vertices = this.#vertices;
+    if (vertices === null) return;
+    const count = vertices.length / 3;
+    const chosen =
+      count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : yield* supports(vertices, this.box);
+    this.#points = distinct(vertices, chosen);
+    this.#vertices = null;
+  }
 }
 
 /** Geometries with fewer vertices keep all of them. */
@@ -23,31 +59,23 @@ const STRIDE = 61;
 
 const known = new WeakMap<BufferGeometry, ExtremePoints | null>();
 
-/** Null where the geometry has no vertex. Found with the first call, and kept until {@link forgetExtremePoints}. */
+/** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetExtremePoints}. */
 export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null {
   let found = known.get(geometry);
-  if (found === undefined) {
-    const search = searchOf(geometry);
-    let step = search.next();
-    while (step.done !== true) step = search.next();
-    known.set(geometry, (found = step.value));
-  }
+  if (found === undefined) known.set(geometry, (found = measured(geometry)));
   return found;
 }
 
-/** As {@link extremePointsOf}, in steps of about a millisecond for 300,000 vertices. What `pause` returns is awaited between them. */
+/** Finds the points too, in steps of about a millisecond for 300,000 vertices. What `pause` returns is awaited between them. */
 export async function findExtremePoints(
   geometry: BufferGeometry,
   pause: () => Promise<void> | null,
 ): Promise<void> {
-  if (known.has(geometry)) return;
-  const search = searchOf(geometry);
-  let step = search.next();
-  for (; step.done !== true; step = search.next()) {
+  const search = extremePointsOf(geometry)?.search();
+  while (search?.next().done === false) {
     const pausing = pause();
     if (pausing !== null) await pausing;
   }
-  known.set(geometry, step.value);
 }
 
 /** `copy` has the vertices of `geometry`: it is not read for itself. */
@@ -63,16 +91,23 @@ export function forgetExtremePoints(geometry: BufferGeometry): void {
 /** A computation in steps. */
 type Search<T> = Generator<undefined, T, undefined>;
 
-function* searchOf(geometry: BufferGeometry): Search<ExtremePoints | null> {
+function measured(geometry: BufferGeometry): ExtremePoints | null {
   const position = geometry.getAttribute('position');
   const plain =
     position instanceof BufferAttribute && position.itemSize === 3 && position.array instanceof Float32Array;
   // Most geometries have only finite numbers, and are read without a copy.
-  const found = plain ? yield* extremesOf(position.array as Float32Array) : null;
-  return found && Number.isFinite(found.radius) ? found : yield* extremesOf(finiteVertices(position));
+  const found = plain ? extremesOf(position.array as Float32Array) : null;
+  if (found === null || !Number.isFinite(found.radius)) return extremesOf(finiteVertices(position));
+  // three.js would find the same numbers for its own culling, in a pass over all vertices for each.
+  if (geometry.morphAttributes['position'] === undefined) {
+    const [minX, minY, minZ, maxX, maxY, maxZ] = found.box;
+    geometry.boundingBox ??= new Box3(new Vector3(minX, minY, minZ), new Vector3(maxX, maxY, maxZ));
+    geometry.boundingSphere ??= new Sphere(new Vector3(...found.center), found.radius);
+  }
+  return found;
 }
 
-function* extremesOf(vertices: Vertices): Search<ExtremePoints | null> {
+function extremesOf(vertices: Vertices): ExtremePoints | null {
   const box = emptyBox();
   extend(box, vertices, 0, vertices.length);
   const [minX, minY, minZ, maxX, maxY, maxZ] = box;
@@ -85,11 +120,7 @@ function* extremesOf(vertices: Vertices): Search<ExtremePoints | null> {
     const dz = vertices[i + 2]! - center[2];
     farthest = Math.max(farthest, dx * dx + dy * dy + dz * dz);
   }
-  const radius = Math.sqrt(farthest);
-  const count = vertices.length / 3;
-  const chosen =
-    count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : yield* supports(vertices, box);
-  return { points: distinct(vertices, chosen), center, radius };
+  return new ExtremePoints(vertices, box, center, Math.sqrt(farthest));
 }
 
 /** x, y, z of each vertex, one after the other. */

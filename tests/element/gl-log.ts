@@ -65,7 +65,7 @@ export const drawnWith = (page: Page): Promise<GlProgram[]> => page.evaluate(() 
 
 /** A specialised program. */
 export const isSpecialised = ({ fragment, vertex }: GlProgram): boolean =>
-  /#define LIGHT_STATEMENTS/.test(fragment + vertex);
+  /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(fragment + vertex);
 
 /** A program that runs the light loop; not one of the page's own objects. */
 export const isLit = ({ fragment, vertex }: GlProgram): boolean => /LightSums/.test(fragment + vertex);
@@ -173,7 +173,7 @@ function wrapGl(limits: Limits): void {
   });
 
   function isSpecialisedText(text = ''): boolean {
-    return text.includes('#define LIGHT_STATEMENTS');
+    return /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text);
   }
 
   function draw(self: WebGL2RenderingContext): void {

@@ -64,7 +64,7 @@ export function installWatch(): void {
   const numbered = (text: string): string => {
     let sum = 0;
     for (let i = 0; i < text.length; i++) sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
-    return `${text.includes('#define LIGHT_STATEMENTS') ? 'specialised' : 'general'}${sum >>> 0}`;
+    return `${/#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text) ? 'specialised' : 'general'}${sum >>> 0}`;
   };
   const names = new WeakMap<object, string>();
   const nameOf = (program: object): string => {

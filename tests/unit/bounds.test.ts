@@ -122,6 +122,21 @@ describe('the measure of a scene', () => {
     expect(measure(sceneOf(new Mesh(broken)))).toMatchObject({ empty: false, center: [0, 0, 0] });
   });
 
+  it.each(GEOMETRIES)(
+    'gives a %s the bounds that three.js would compute for its own culling',
+    async (name) => {
+      const geometry = await createGeometry(name, undefined);
+      measure(sceneOf(new Mesh(geometry)));
+      const { boundingBox, boundingSphere } = geometry;
+      geometry.boundingBox = geometry.boundingSphere = null;
+      geometry.computeBoundingBox();
+      geometry.computeBoundingSphere();
+      expect(boundingBox).toEqual(geometry.boundingBox);
+      expect(boundingSphere!.radius).toBeCloseTo(geometry.boundingSphere!.radius, 12);
+      expect(boundingSphere!.center.distanceTo(geometry.boundingSphere!.center)).toBeLessThan(1e-12);
+    },
+  );
+
   it('reads the vertices of a geometry once, wherever its meshes go, and again when it is forgotten', async () => {
     const geometry = await createGeometry('sphere', 512);
     const reads = vi.spyOn(geometry, 'getAttribute');

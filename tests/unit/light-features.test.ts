@@ -118,8 +118,25 @@ describe('declared features', () => {
 
   it.each<[string, Partial<LightValues>, string[]]>([
     ['no light at all', black, ['directional']],
-    ['a cone', { ...black, ...spot, ambient: [0, 0, 0] }, ['spot', 'cone']],
-    ['a decay', { ...black, position: lamp.position, cutoff: 1e-6 }, ['spot', 'decay']],
+    ['a cone', { ...spot, ...black }, ['spot', 'cone']],
+    ['a decay', { ...black, position: lamp.position, cutoff: 2 }, ['spot', 'decay']],
+    [
+      'a decay that is steep behind',
+      { ...spot, ...black, cutoff: 0.5 },
+      ['spot', 'cone', 'decay', 'steepSpot'],
+    ],
+    [
+      'a decay that is steep in front',
+      { ...spot, ...black, cutoff: 65 },
+      ['spot', 'cone', 'decay', 'steepSpot'],
+    ],
+    ['a narrow cone', { ...spot, ...black, aperture: 14 }, ['spot', 'cone', 'steepSpot']],
+    ['a nearly open cone', { ...spot, ...black, aperture: 166 }, ['spot', 'cone', 'steepSpot']],
+    [
+      'a spot with ambient light',
+      { ...spot, ...black, ambient: [0, 1, 0] },
+      ['spot', 'cone', 'ambient', 'spotAmbient'],
+    ],
     ['a cone about no axis', { ...black, position: lamp.position, aperture: 20, axis: [0, 0, 0] }, ['point']],
     [
       'attenuation',

@@ -8,7 +8,7 @@ import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_KINDS } from '../../src/gui/kind-choice.js';
-import { TERMS } from '../../src/material/program/variant.js';
+import { TERMS } from '../../src/material/shading-style.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.ts') && !path.endsWith('text-list.ts'))

@@ -8,29 +8,40 @@ import type { ShapeValues } from './mesh-fields.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
+/** What shows the content. */
 export interface ContentOwner {
-  readonly crossOrigin: CrossOrigin;
-  /** Whether models may be fetched now. */
-  readonly mayLoad: boolean;
-  /** A load that takes a while has begun: {@link arrived}, {@link failed} or {@link dropped} follows. */
-  began(): void;
-  progress(loaded: number, total: number): void;
   /** `late` unless it was there at once. `url` is null for a shape. */
   arrived(content: Content, url: URL | null, late: boolean): void;
-  failed(url: URL | null, error: unknown): void;
-  /** A load in progress was cancelled, or one that failed is no longer wanted. */
-  dropped(): void;
 }
 
-export class ContentLoad {
-  readonly #owner: ContentOwner;
+/** Follows the loads of all owners. */
+export interface LoadHost<Owner> {
+  readonly crossOrigin: CrossOrigin;
+  /** Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was removed. */
+  readonly mayLoad: boolean;
+  /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
+  began(owner: Owner): void;
+  progress(owner: Owner, loaded: number, total: number): void;
+  /**
+   * A load has ended, or what it brought cannot be shown; `error` is null on success. Not called for loads that a newer one
+   * replaced.
+   */
+  ended(owner: Owner, url: URL | null, error: unknown): void;
+  /** A load in progress was cancelled, or what failed is no longer wanted. */
+  dropped(owner: Owner): void;
+}
+
+export class ContentLoad<Owner extends ContentOwner> {
+  readonly #owner: Owner;
+  readonly #host: LoadHost<Owner>;
   #loading: AbortController | null = null;
   #failed = false;
   /** What was requested last; null for nothing. */
   #request: readonly unknown[] | null = null;
 
-  constructor(owner: ContentOwner) {
+  constructor(owner: Owner, host: LoadHost<Owner>) {
     this.#owner = owner;
+    this.#host = host;
   }
 
   get pending(): boolean {
@@ -44,10 +55,9 @@ export class ContentLoad {
 
   /** Requests what the values name, unless it was requested last. */
   request(name: ContentName): void {
-    const owner = this.#owner;
     const { src, type, geometry, segments } = name;
     const key = this.#keyOf(name);
-    if (sameValue(key, this.#request) || (src !== '' && !owner.mayLoad)) return;
+    if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
     this.drop();
     this.#request = key;
     if (src !== '') {
@@ -63,13 +73,13 @@ export class ContentLoad {
       return;
     }
     if (content instanceof Promise) this.#await(null, () => content);
-    else owner.arrived(content, null, false);
+    else this.#owner.arrived(content, null, false);
   }
 
   /** What has arrived cannot be used. */
   fail(url: URL | null, error: unknown): void {
     this.#failed = true;
-    this.#owner.failed(url, error);
+    this.#host.ended(this.#owner, url, error);
   }
 
   /** After a failure, the next {@link request} may be for the same. */
@@ -88,11 +98,11 @@ export class ContentLoad {
     this.#loading = null;
     this.#failed = false;
     this.#request = null;
-    if (dropped) this.#owner.dropped();
+    if (dropped) this.#host.dropped(this.#owner);
   }
 
   #keyOf({ src, type, geometry, segments }: ContentName): readonly unknown[] {
-    return src === '' ? [geometry, segments] : [src, type, this.#owner.crossOrigin];
+    return src === '' ? [geometry, segments] : [src, type, this.#host.crossOrigin];
   }
 
   async #loadModel(
@@ -101,9 +111,9 @@ export class ContentLoad {
     signal: AbortSignal,
   ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
-    const { crossOrigin } = this.#owner;
+    const { crossOrigin } = this.#host;
     const onProgress = (loaded: number, total: number): void => {
-      this.#owner.progress(loaded, total);
+      this.#host.progress(this.#owner, loaded, total);
     };
     return modelContent(
       url,
@@ -115,7 +125,7 @@ export class ContentLoad {
   #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
     const loading = new AbortController();
     this.#loading = loading;
-    this.#owner.began();
+    this.#host.began(this.#owner);
     load(loading.signal).then(
       (content) => {
         if (this.#loading !== loading) {

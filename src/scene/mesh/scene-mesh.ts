@@ -5,11 +5,10 @@ import type { Animated, Animations } from '../animations.js';
 import type { ShadingStyle } from '../../material/phong-material.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
-import type { CrossOrigin } from '../model/load-model.js';
 import { ModelError } from '../model/model.js';
 import { isOutOfMemory } from '../out-of-memory.js';
 import { MeshAnimation } from './animation.js';
-import { ContentLoad, type ContentOwner } from './content-load.js';
+import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
 import type { Content, ContentPart } from './content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
@@ -28,30 +27,17 @@ import {
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 
 /** The picture that shows a mesh. */
-export interface MeshHost {
+export interface MeshHost extends LoadHost<SceneMesh> {
   readonly materials: SharedMaterials;
   readonly animations: Animations;
-  readonly crossOrigin: CrossOrigin;
-  /** False while a lazy viewer has not come near the view, and after a viewer was removed. */
-  readonly mayLoad: boolean;
   /** The mesh looks different: draw again. */
   changed(): void;
   /** The mesh's geometry or place is different: measure again. */
   reshaped(): void;
-  /** A load has begun. Either {@link ended} or {@link dropped} follows. */
-  began(mesh: SceneMesh): void;
-  progress(mesh: SceneMesh, loaded: number, total: number): void;
   /** The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content before is kept. */
   shown(mesh: SceneMesh): boolean;
   /** The mesh was removed from the scene. */
   removed(mesh: SceneMesh): void;
-  /**
-   * A load has ended, or what it brought cannot be shown; `error` is null on success. Not called for loads that a newer one
-   * replaced.
-   */
-  ended(mesh: SceneMesh, url: URL | null, error: unknown): void;
-  /** A load in progress was cancelled, or what failed is no longer wanted. */
-  dropped(mesh: SceneMesh): void;
 }
 
 type Shading = ShadingStyle['shading'];
@@ -61,7 +47,7 @@ type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>
 export class SceneMesh implements Animated, ContentOwner {
   readonly #state: FieldStore<ShapeValues> | FieldStore<MeshValues>;
   readonly #host: MeshHost;
-  readonly #load: ContentLoad;
+  readonly #load: ContentLoad<SceneMesh>;
   #parent: Object3D | null = null;
   #shown = EMPTY;
   /** Shown before the present content, which has not been drawn yet. */
@@ -80,23 +66,7 @@ export class SceneMesh implements Animated, ContentOwner {
   constructor(state: FieldStore<ShapeValues> | FieldStore<MeshValues>, host: MeshHost) {
     this.#state = state;
     this.#host = host;
-    this.#load = new ContentLoad(this);
-  }
-
-  get crossOrigin(): CrossOrigin {
-    return this.#host.crossOrigin;
-  }
-
-  get mayLoad(): boolean {
-    return this.#host.mayLoad;
-  }
-
-  began(): void {
-    this.#host.began(this);
-  }
-
-  progress(loaded: number, total: number): void {
-    this.#host.progress(this, loaded, total);
+    this.#load = new ContentLoad<SceneMesh>(this, host);
   }
 
   arrived(content: Content, url: URL | null, late: boolean): void {
@@ -104,14 +74,6 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#place();
     this.restyle();
     this.#host.ended(this, url, null);
-  }
-
-  failed(url: URL | null, error: unknown): void {
-    this.#host.ended(this, url, error);
-  }
-
-  dropped(): void {
-    this.#host.dropped(this);
   }
 
   /** The mesh in the scene: a three.js mesh, or a group where there are several parts. Null while nothing is shown. */
