@@ -137,7 +137,7 @@ function packageFacts(): Facts {
   const address = source.url.replace(/^git\+/, '').replace(/\.git$/, '');
   const [, owner = '', name = ''] = /\/([^/]+)\/([^/]+)$/.exec(address) ?? [];
   // GitHub Pages' address, unless the build is told another one.
-  const site = process.env['SITE_URL'] ?? `https://${owner}.github.io/${name}`;
+  const site = process.env['SITE_URL'] || `https://${owner}.github.io/${name}`;
   return { version, repository: address, site: site.replace(/\/*$/, '/') };
 }
 

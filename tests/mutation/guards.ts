@@ -145,9 +145,14 @@ export const GUARDS: readonly Guard[] = [
       parseText: (text, of) => parseText(text, of) ?? (Number.parseFloat(text) || undefined),
     }),
   ),
-  guard<typeof fieldStore>('a value is compared by what it holds', 'fields/field-store', 'declared', () => ({
-    sameValue: (a: unknown, b: unknown) => a === b,
-  })),
+  guard<typeof fieldStore>(
+    'a value is compared by what it holds',
+    'fields/field-store',
+    'field-store',
+    () => ({
+      sameValue: (a: unknown, b: unknown) => a === b,
+    }),
+  ),
   guard<typeof linkedUrls>(
     'a model’s files come from its own folder',
     'scene/model/linked-url',
