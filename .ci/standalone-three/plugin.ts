@@ -2,6 +2,7 @@
 // whole by those in absent.js. The sources are taken one by one instead of three's built file: three declares them free of
 // side effects, so a bundler skips the index that stamps `window.__THREE__` and warns about a second copy.
 
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
@@ -35,7 +36,11 @@ export function standaloneThree(): Plugin {
     enforce: 'pre',
     config: () => ({ resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] } }),
     async resolveId(specifier, importer, options) {
-      if (importer?.endsWith(gltfLoader) && specifier === 'three/src/Three.js') return threeForGltf;
+      if (importer?.endsWith(gltfLoader) && specifier === 'three/src/Three.js') {
+        const used = readFileSync(importer, 'utf8').match(/(?<=\bMathUtils\.)\w+/g) ?? [];
+        if (used.join() !== 'radToDeg') this.error(`three-for-gltf.js lacks MathUtils.${used.join()}.`);
+        return threeForGltf;
+      }
       if (importer === undefined || !importer.includes(sources)) return null;
       const resolved = await this.resolve(specifier, importer, { ...options, skipSelf: true });
       const path = resolved?.id.split(sources)[1];
