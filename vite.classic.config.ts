@@ -36,6 +36,8 @@ export default defineConfig({
       fileName: (_format, name) => `${name}.js`,
     },
     rolldownOptions: {
+      // A constant's value is shorter than its name, and repeated values compress well.
+      optimization: { inlineConst: { mode: 'all' } },
       output: {
         codeSplitting: false,
         minify: true,

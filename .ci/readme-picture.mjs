@@ -6,7 +6,7 @@ import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath, pathToFileURL } from 'node:url';
-import { chromium } from '@playwright/test';
+import { needBuilt, readCommandLine } from '../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from './browser.mjs';
 import { outputFolder } from './output-folder.mjs';
 
@@ -31,9 +31,12 @@ export function readmeSnippet() {
 }
 
 async function draw() {
+  readCommandLine(
+    "npm run readme:picture: draws the README's first snippet with the built package as its picture",
+    {},
+  );
   const dist = outputFolder('dist');
-  if (!existsSync(join(dist, 'phong-viewer.standalone.js')))
-    throw new Error('dist/ is missing: run `npm run build` first');
+  needBuilt(join(dist, 'phong-viewer.standalone.js'), 'npm run build');
   const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>README</title><body>${readmeSnippet()}</body>`;
   const server = createServer((request, response) => {
     const path = normalize(join(dist, decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname)));
@@ -46,6 +49,7 @@ async function draw() {
   await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
   const address = server.address();
   if (address === null || typeof address === 'string') throw new Error('the server has no port');
+  const { chromium } = await import('@playwright/test');
   const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
   try {
     const page = await browser.newPage({

@@ -6,7 +6,7 @@ import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium } from '@playwright/test';
+import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
 import { outputFolder } from '../output-folder.mjs';
 
@@ -36,6 +36,9 @@ const page = `<!doctype html><meta charset="utf-8"><title>three.js</title><link 
 <script type="importmap">${JSON.stringify({ imports })}</script>
 <script type="module">import * as picture from '/script/three-picture.js'; self.picture = picture;</script>`;
 
+readCommandLine("npm run site:models: draws by three.js what the site's page of models shows", {});
+needBuilt(join(outputFolder('site'), 'models/index.html'), 'npm run build:site');
+
 const server = createServer((request, response) => {
   const path = decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname);
   if (path === '/three') return void response.setHeader('content-type', 'text/html').end(page);
@@ -49,6 +52,7 @@ const server = createServer((request, response) => {
 await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
 const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
 const origin = `http://localhost:${String(port)}`;
+const { chromium } = await import('@playwright/test');
 const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
 try {
   const site = await browser.newPage();

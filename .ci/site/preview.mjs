@@ -6,7 +6,7 @@ import { readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { chromium } from '@playwright/test';
+import { needBuilt, readCommandLine } from '../../tests/support/command-line.mjs';
 import { ensureBrowser, softwareGl } from '../browser.mjs';
 import { outputFolder } from '../output-folder.mjs';
 
@@ -19,7 +19,9 @@ h1 { position: absolute; left: 48px; top: 32px; margin: 0; color: #e3e4e6; font:
 <script type="module" src="/phong-viewer.standalone.js"></script>
 <body>${scene}<h1>&lt;phong-viewer&gt;</h1></body>`;
 
+readCommandLine("npm run site:picture: draws the start page's scene as the picture of link previews", {});
 const dist = outputFolder('dist');
+needBuilt(join(dist, 'phong-viewer.standalone.js'), 'npm run build');
 const server = createServer((request, response) => {
   const path = normalize(new URL(request.url ?? '/', 'http://localhost').pathname);
   if (path === '/') response.setHeader('content-type', 'text/html').end(html);
@@ -29,6 +31,7 @@ const server = createServer((request, response) => {
 });
 await new Promise((resolve) => server.listen(0, 'localhost', () => resolve(undefined)));
 const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
+const { chromium } = await import('@playwright/test');
 const browser = await chromium.launch({ executablePath: await ensureBrowser(), args: softwareGl });
 try {
   const page = await browser.newPage({ viewport: { width: 1200, height: 630 } });

@@ -24,7 +24,9 @@ const replaced: ReadonlySet<string> = new Set([
 ]);
 
 const absent = fileURLToPath(new URL('absent.js', import.meta.url));
+const threeForGltf = fileURLToPath(new URL('three-for-gltf.js', import.meta.url));
 const sources = '/node_modules/three/src/';
+const gltfLoader = '/node_modules/three/examples/jsm/loaders/GLTFLoader.js';
 
 export function standaloneThree(): Plugin {
   const missing = new Set(replaced);
@@ -33,6 +35,7 @@ export function standaloneThree(): Plugin {
     enforce: 'pre',
     config: () => ({ resolve: { alias: [{ find: /^three$/, replacement: 'three/src/Three.js' }] } }),
     async resolveId(specifier, importer, options) {
+      if (importer?.endsWith(gltfLoader) && specifier === 'three/src/Three.js') return threeForGltf;
       if (importer === undefined || !importer.includes(sources)) return null;
       const resolved = await this.resolve(specifier, importer, { ...options, skipSelf: true });
       const path = resolved?.id.split(sources)[1];

@@ -11,14 +11,18 @@ const Base = typeof HTMLElement === 'undefined' ? (class {} as typeof HTMLElemen
 /** Registers a light or mesh with the nearest viewer around it, if any. Does nothing for other elements. */
 export let register: (element: Element) => void;
 
+/** The binding of a light or mesh, found faster than by {@link bindingOf}. */
+export let childBinding: (element: HTMLElement) => FieldBinding<Record<string, unknown>>;
+
 export abstract class ChildElement<V extends object> extends Base {
   static {
     register = (element) => {
       if (#registry in element) element.#register();
     };
+    childBinding = (element) => (element as ChildElement<Record<string, unknown>>).#binding;
   }
 
-  readonly #binding: Pick<FieldBinding<object>, 'attributeChanged' | 'upgrade'>;
+  readonly #binding: FieldBinding<V>;
   #registry: ChildRegistry | null = null;
 
   constructor(store: FieldStore<V>, assigned?: (key: keyof V, store: FieldStore<V>) => void) {

@@ -1,7 +1,7 @@
 // <phong-light>: a light as markup. It renders nothing; its attributes and properties write into one LightState, which
 // the viewer around it shades with. Knows no lighting.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state.js';
-import { ChildElement } from './child-element.js';
+import { childBinding, ChildElement } from './child-element.js';
 import { registryAround } from './child-registry.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { LightProperties } from './fields/properties.js';
@@ -12,6 +12,14 @@ export interface PhongLight extends LightProperties {
   readonly localName: 'phong-light';
 }
 
+/** The values of a light that an element declares. */
+export class ElementLight extends LightState {
+  /** Null only while the element is constructed. */
+  element: PhongLight | null = null;
+  /** The last `light-change` that reports it: see EventQueue. */
+  batch = 0;
+}
+
 /**
  * A light of the `<phong-viewer>` around it. Its properties have the attributes' names. A bad attribute value warns and
  * gives the default; a bad property value throws.
@@ -20,7 +28,9 @@ export class PhongLight extends ChildElement<LightValues> {
   static readonly observedAttributes: readonly string[] = attributesOf(LIGHT_FIELDS);
 
   constructor() {
-    super(new LightState());
+    const state = new ElementLight();
+    super(state);
+    state.element = this;
   }
 
   /** Text shown in the panel and in explanations. Default: `light N`, N counting the viewer's lights from 1. */
@@ -40,4 +50,4 @@ export class PhongLight extends ChildElement<LightValues> {
 export const numberedName = (index: number, texts: ViewerTexts | null = null): string =>
   phrase(texts, 'light {number}', { number: String(index + 1) });
 
-defineProperties(PhongLight.prototype, LIGHT_FIELDS);
+defineProperties(PhongLight.prototype, LIGHT_FIELDS, childBinding);

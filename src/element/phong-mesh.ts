@@ -2,7 +2,7 @@
 // viewer around it shows. Knows nothing of geometry or materials.
 import { FieldStore } from '../fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
-import { ChildElement } from './child-element.js';
+import { childBinding, ChildElement } from './child-element.js';
 import type { Listen, PhongMeshEventMap } from './events.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { MeshProperties } from './fields/properties.js';
@@ -30,4 +30,4 @@ function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
   if (key === 'src' || key === 'geometry') store.notify(key);
 }
 
-defineProperties(PhongMesh.prototype, MESH_FIELDS);
+defineProperties(PhongMesh.prototype, MESH_FIELDS, childBinding);

@@ -70,15 +70,14 @@ export class PhongViewer extends ReactiveElement {
   });
 
   readonly #holder: HTMLElement = Object.assign(document.createElement('div'), { className: 'holder' });
-  readonly #events = new EventQueue(this);
+  readonly #events = new EventQueue(this, (lights) => this.#display.lightsChanged(lights));
   readonly #panel = new ViewerPanel(this);
   readonly #failure = new ViewerFailure(this, this.#events);
   readonly #readiness = new Readiness(() => this.#settled);
   readonly #lightSet = new LightSet((light) => {
     this.#viewport.invalidate();
-    const element = light === null ? null : this.#children.lightOf(light);
-    this.#events.enqueueLight(element);
-    this.#panel.changed(element === null ? 'lights' : 'light');
+    this.#events.enqueueLight(light);
+    this.#panel.changed(light === null ? 'lights' : 'light');
   });
   readonly #viewport = new Viewport(this.#holder, this.#lightSet, {
     needsLayout: () => this.#visibility.look(),

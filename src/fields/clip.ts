@@ -9,7 +9,7 @@ const LONGEST_MESSAGE = 500;
 
 /** The first `longest` characters of `text` (default 100) and an ellipsis; shorter text as it is. Cuts no surrogate pair. */
 export function clip(text: string, longest = LONGEST): string {
-  return text.length > longest ? text.slice(0, longest).replace(/[\ud800-\udbff]$/, '') + '…' : text;
+  return text.length > longest ? text.slice(0, longest).replace(/[\ud800-\udbff]$/, '') + '...' : text;
 }
 
 /** A whole message. Texts inside that were not clipped are recognised as words that are too long. */

@@ -50,7 +50,7 @@ const ITEMS_SHOWN = 5;
 /** A value in a message, clipped. Lists in lists, which may contain themselves, are objects. */
 export function show(value: unknown): string {
   if (!Array.isArray(value)) return showItem(value);
-  const rest = value.length > ITEMS_SHOWN ? ', …' : '';
+  const rest = value.length > ITEMS_SHOWN ? ', ...' : '';
   return `[${value.slice(0, ITEMS_SHOWN).map(showItem).join(', ')}${rest}]`;
 }
 

@@ -7,7 +7,7 @@ import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { meshTitle } from '../element/viewer/description.js';
 import type { SurfaceValues } from '../material/material-values.js';
-import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/program/variant.js';
+import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../material/shading-style.js';
 import { historyOf, valuesOf } from '../element/viewer/history.js';
 import type { ChildEditor } from './child-editor.js';
 import type { ChildFolder } from './child-folders.js';

@@ -1,7 +1,7 @@
 // Which rows set what applies to the whole picture? Shading, reflection, terms, colour space, antialiasing. Knows no light or mesh.
 import type { GUI } from 'lil-gui';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/program/variant.js';
+import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/shading-style.js';
 import { Folder } from './folder.js';
 import { addChoice, addFlag, type Edit, named } from './rows.js';
 

@@ -31,9 +31,13 @@ const isAttenuated = ({ position, attenuation }: Values): boolean =>
 const DECLARED = [
   ...['directional', 'point', 'spot', 'attenuation', 'cone', 'decay'],
   ...['ambient', 'diffuse', 'specular'],
+  ...['steepSpot', 'spotAmbient'],
 ] as const;
 
-/** What any light declared so far needs: HAS_SPOT and so on in the GLSL. */
+/**
+ * What any light declared so far needs: HAS_SPOT and so on in the GLSL. `steepSpot`: a cosine does not do for a cone or decay.
+ * `spotAmbient`: a spot has ambient light.
+ */
 export type DeclaredFeatures = Record<(typeof DECLARED)[number], boolean>;
 
 export const noFeatures = (): DeclaredFeatures =>
@@ -54,6 +58,8 @@ export function declareFeatures(light: Values, declared: DeclaredFeatures): bool
   declare(kind, true);
   declare('cone', kind === 'spot' && light.aperture < 180);
   declare('decay', kind === 'spot' && light.cutoff >= LEAST_EXPONENT);
+  declare('steepSpot', kind === 'spot' && isSteep(light));
+  declare('spotAmbient', kind === 'spot' && !isBlack(light.ambient));
   declare('attenuation', isAttenuated(light));
   declare('ambient', !isBlack(light.ambient));
   declare('diffuse', !isBlack(light.diffuse));
@@ -101,13 +107,16 @@ const LEAST_BY_COSINE = 15;
 const isBlunt = (aperture: number): boolean =>
   aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
-function coneFeatures({ aperture, cutoff }: Values): number {
-  const open = aperture >= 180;
-  // A power below 1 is steep behind the light, one above LARGEST_COSINE_POWER at the axis.
+/** A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_COSINE_POWER at the axis. */
+function isSteep({ aperture, cutoff }: Values): boolean {
   const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_COSINE_POWER);
-  const chords = gentle && (open || isBlunt(aperture)) ? 0 : LIGHT_FEATURES.chords;
+  return !gentle || !(aperture >= 180 || isBlunt(aperture));
+}
+
+function coneFeatures(light: Values): number {
+  const { aperture, cutoff } = light;
   const side = isOnFarSide(aperture) ? LIGHT_FEATURES.wide : LIGHT_FEATURES.narrow;
-  const cone = (open ? 0 : side) + chords;
+  const cone = (aperture >= 180 ? 0 : side) + (isSteep(light) ? LIGHT_FEATURES.chords : 0);
   if (cutoff < LEAST_EXPONENT) return cone;
   if (isIntegerPower(cutoff)) return cone + (cutoff << LIGHT_FEATURES.powerShift);
   return cone + LIGHT_FEATURES.decay + (isPowerTo64(cutoff) ? LIGHT_FEATURES.decayTo64 : 0);

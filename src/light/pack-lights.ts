@@ -41,6 +41,8 @@ export interface PackedLights {
   readonly counts: Record<LightKind, number>;
   /** The feature mask of each sent light; those from `sent` on are stale. */
   features: Uint32Array;
+  /** The sent lights in the order of their rows, where {@link moveLights} can follow them; else empty. */
+  readonly sources: Values[];
 }
 
 export const emptyPack = (): PackedLights => ({
@@ -50,6 +52,7 @@ export const emptyPack = (): PackedLights => ({
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
   features: new Uint32Array(8),
+  sources: [],
 });
 
 /** Packs the active lights of `lights` for one shading space, into `into`. */
@@ -58,12 +61,16 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
   into.rows = HEADER.rows;
   into.sent = 0;
   into.active = 0;
+  into.sources.length = 0;
+  let follows = true;
   for (const light of lights) if (light.active) byKind[kindOf(light)].push(light);
   for (const kind of KINDS) {
     const before = into.sent;
     for (const light of byKind[kind]) {
       into.active += 1;
-      const factor = kind === 'directional' && isSpot(light) ? directionalDecay(light) : 1;
+      const hasConstantCone = kind === 'directional' && isSpot(light);
+      if (hasConstantCone || hasNoDirection(light, kind)) follows = false;
+      const factor = hasConstantCone ? directionalDecay(light) : 1;
       if (factor === 0) continue;
       if (kind !== 'spot') addAmbient(ambient, light.ambient, factor, space.linear);
       if (shines(light, kind)) packLight(light, kind, factor, space, into);
@@ -71,21 +78,45 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
     into.counts[kind] = into.sent - before;
     byKind[kind].length = 0; // holds on to no light that was removed
   }
+  if (!follows) into.sources.length = 0;
   const { directional, point, spot } = into.counts;
   write(into.data, HEADER.counts * 4, directional, point, spot, 0);
   write(into.data, HEADER.ambient * 4, ambient[0], ambient[1], ambient[2], 0);
+}
+
+/**
+ * Writes the places and axes of the lights that `into` was packed with again, where nothing else about them has changed but the
+ * space's matrices. False where they need other rows: then call {@link packLights}.
+ */
+export function moveLights(space: PackSpace, into: PackedLights): boolean {
+  const { data, sources, sent, counts } = into;
+  if (sent === 0 || sources.length !== sent) return false;
+  let row: number = HEADER.rows;
+  let light = 0;
+  for (const kind of KINDS) {
+    const { rows } = ROWS[kind];
+    for (const end = light + counts[kind]; light < end; light++, row += rows) {
+      const source = sources[light]!;
+      if (hasNoDirection(source, kind)) return false;
+      writePlace(source, kind, space, data, row * 4);
+    }
+  }
+  return true;
 }
 
 /** Reused from call to call; empty between them. */
 const byKind: Readonly<Record<LightKind, Values[]>> = { directional: [], point: [], spot: [] };
 
 /** Whether the loop has anything to do for this light that the sum of ambient light has not done. */
-function shines({ position, diffuse, specular, ambient }: Values, kind: LightKind): boolean {
+function shines(light: Values, kind: LightKind): boolean {
+  const { diffuse, specular, ambient } = light;
   const lit = !(isBlack(diffuse) && isBlack(specular));
   if (kind === 'spot') return lit || !isBlack(ambient);
-  if (kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0) return false;
-  return lit;
+  return lit && !hasNoDirection(light, kind);
 }
+
+const hasNoDirection = ({ position }: Values, kind: LightKind): boolean =>
+  kind === 'directional' && position[0] === 0 && position[1] === 0 && position[2] === 0;
 
 function packLight(
   light: Values,
@@ -99,34 +130,31 @@ function packLight(
   reserve(into, into.rows + rows, into.sent + 1);
   const { data } = into;
   const at = into.rows * 4;
-  const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
-  const { position, attenuation } = light;
-  if (kind === 'directional') {
-    writeDirection(matrix, data, at + ROWS.directional.direction * 4, position, 0);
-    writeColor(data, at + ROWS.directional.diffuse * 4, light.diffuse, factor, linear, 0);
-    writeColor(data, at + ROWS.directional.specular * 4, light.specular, factor, linear, 0);
-  } else {
-    // A spot begins as a point light does.
-    writeThrough(
-      matrix,
-      data,
-      at + ROWS.point.position * 4,
-      position[0],
-      position[1],
-      position[2],
-      1,
-      attenuation[0],
-    );
-    writeColor(data, at + ROWS.point.diffuse * 4, light.diffuse, 1, linear, attenuation[1]);
-    writeColor(data, at + ROWS.point.specular * 4, light.specular, 1, linear, attenuation[2]);
-  }
-  if (kind === 'spot') {
-    writeDirection(matrix, data, at + ROWS.spot.axis * 4, light.axis, light.cutoff);
+  writePlace(light, kind, space, data, at);
+  // A spot begins as a point light does.
+  const { attenuation } = light;
+  const [linearly, squared] = kind === 'directional' ? [0, 0] : [attenuation[1], attenuation[2]];
+  writeColor(data, at + ROWS[kind].diffuse * 4, light.diffuse, factor, linear, linearly);
+  writeColor(data, at + ROWS[kind].specular * 4, light.specular, factor, linear, squared);
+  if (kind === 'spot')
     writeColor(data, at + ROWS.spot.ambient * 4, light.ambient, 1, linear, packedLimit(light.aperture));
-  }
   into.features[into.sent] = featuresOf(light, kind);
+  into.sources.push(light);
   into.rows += rows;
   into.sent += 1;
+}
+
+/** Where a light is or points to, in the rows that begin at `at`. */
+function writePlace(light: Values, kind: LightKind, space: PackSpace, data: Float32Array, at: number): void {
+  const { position, attenuation, axis, cutoff } = light;
+  const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
+  if (kind === 'directional') {
+    writeDirection(matrix, data, at + ROWS.directional.direction * 4, position, 0);
+    return;
+  }
+  const [x, y, z] = position;
+  writeThrough(matrix, data, at + ROWS.point.position * 4, x, y, z, 1, attenuation[0]);
+  if (kind === 'spot') writeDirection(matrix, data, at + ROWS.spot.axis * 4, axis, cutoff);
 }
 
 /** A channel of a light's colour as the shader takes it: 255 is 1, decoded for linear shading. */

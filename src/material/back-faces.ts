@@ -23,7 +23,7 @@ export function cullsBackFaces(
 }
 
 function isFlattened({ elements: e }: Matrix4): boolean {
-  const [a, b, c, d, f, g, h, i, j] = [e[0], e[1], e[2], e[4], e[5], e[6], e[8], e[9], e[10]];
+  const a = e[0], b = e[1], c = e[2], d = e[4], f = e[5], g = e[6], h = e[8], i = e[9], j = e[10]; // prettier-ignore
   const determinant = a * (f * j - g * i) - d * (b * j - c * i) + h * (b * g - c * f);
   const lengths = (a * a + b * b + c * c) * (d * d + f * f + g * g) * (h * h + i * i + j * j);
   return !(determinant * determinant > FLATTENED * FLATTENED * lengths);

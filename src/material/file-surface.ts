@@ -1,7 +1,9 @@
 // What may a model's file say about a surface besides its base colour, and how does that enter the equation? Roughness becomes
 // an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes the same per fragment.
 import type { Texture } from 'three';
+import { isBlack } from '../light/light-features.js';
 import type { Vec3 } from '../math/vector.js';
+import type { ShadingStyle } from './shading-style.js';
 
 export interface FileSurface {
   /** The colour is the base colour: no light is summed, and nothing is emitted besides. */
@@ -63,3 +65,13 @@ export function exponentOfRoughness(roughness: number): number {
  * Metals keep all of Ks, which is the only light that they reflect.
  */
 export const lobeScale = (n: number): number => Math.min((n + 2) / FULL_LOBE, 1);
+
+export const emits = ({ unlit, emissive }: FileSurface): boolean => !unlit && !isBlack(emissive);
+
+export const hasMetalness = ({ unlit, metalness }: FileSurface): boolean => !unlit && metalness > 0;
+
+/** A vertex has no texture: Gouraud shading takes the roughness without its map. */
+export const usesRoughnessMap = (
+  { unlit, roughness, metalRoughMap }: FileSurface,
+  { shading }: ShadingStyle,
+): boolean => !unlit && roughness !== null && metalRoughMap !== null && shading !== 'gouraud';

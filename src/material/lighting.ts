@@ -1,14 +1,15 @@
 // The lights of one picture on their way to its materials: packs them when lights, origin or colour space changed, collects
 // the features that programs need, and holds what all materials of the picture share. Knows neither meshes' shapes nor frames.
 import { type Camera, Matrix4, type Mesh, Vector3, type WebGLRenderer } from 'three';
+import { sameValue } from '../fields/field-store.js';
 import { type DeclaredFeatures, declareFeatures, noFeatures } from '../light/light-features.js';
 import { LightSet } from '../light/light-set.js';
-import { packLights, type PackedLights } from '../light/pack-lights.js';
+import { moveLights, packLights, type PackedLights } from '../light/pack-lights.js';
 import { dot, type Vec3 } from '../math/vector.js';
 import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
-import type { Form, RowCapacity } from './program/variant.js';
+import type { Form } from './program/variant.js';
 import type { PictureView } from './views.js';
 
 /**
@@ -31,8 +32,8 @@ export interface ShadingFrame {
 const MOST_INLINED = 16;
 
 /**
- * Most lights of a counted program: those whose first draw lengthens no frame by more than 50 ms. On an H200 the longest frame
- * is 26 to 41 ms with 8 lights, 44 with 16, 91 with 32, whether linking runs in the background (OpenGL) or not (Vulkan).
+ * Most lights of a counted program: those whose first draw lengthens no frame by more than 50 ms. On an H200 these are 18 to 25 ms
+ * with 16 lights through Vulkan and 24 to 32 through OpenGL, which links in the background; with 32 lights 20 and 65.
  */
 const MOST_COUNTED = 16;
 
@@ -51,13 +52,15 @@ export class PhongLighting {
   /** Specialised programs of this picture. */
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();
-  #linear = false;
   #view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
   /** Goes up when general programs may have to change. */
   #featureVersion = 0;
   #lightVersion = -1;
+  #kindVersion = -1;
   #codeVersion = -1;
+  /** Pack all rows again, whatever the versions say. */
+  #repack = true;
   /** This frame changed the packed lights. */
   #changed = false;
   /** A light turns with the eye, active or not. */
@@ -71,8 +74,7 @@ export class PhongLighting {
   /** Goes up with {@link clip}. */
   #aims = 0;
   readonly #aimed = { view: new Matrix4(), projection: new Matrix4() };
-  readonly #worldToShading = identity();
-  readonly #cameraToShading = identity();
+  readonly #space = { worldToShading: identity(), cameraToShading: identity(), linear: false };
 
   constructor(lights = new LightSet()) {
     this.lights = lights;
@@ -80,13 +82,13 @@ export class PhongLighting {
 
   /** Shade in linear light: colours are decoded first, and the sum is encoded last. Default false. */
   get linear(): boolean {
-    return this.#linear;
+    return this.#space.linear;
   }
 
   set linear(linear: boolean) {
-    if (linear === this.#linear) return;
-    this.#linear = linear;
-    this.#lightVersion = -1;
+    if (linear === this.#space.linear) return;
+    this.#space.linear = linear;
+    this.#repack = true;
     this.#featureVersion += 1;
   }
 
@@ -97,7 +99,7 @@ export class PhongLighting {
 
   set view(view: PictureView | null) {
     this.#view = view;
-    this.#lightVersion = -1;
+    this.#repack = true;
   }
 
   /** World position that fragments are shaded relative to. */
@@ -147,37 +149,18 @@ export class PhongLighting {
    * is the one that stands there: vertices are then placed by the frame, not by its matrices.
    */
   updateFrame(frame: ShadingFrame, camera: Camera | null = null): void {
-    const { origin, eye, right, up, back } = frame;
+    const { origin, eye } = frame;
     this.#frameCamera = camera;
-    this.#frameView.set(
-      ...[right[0], right[1], right[2], -dot(right, eye)],
-      ...[up[0], up[1], up[2], -dot(up, eye)],
-      ...[back[0], back[1], back[2], -dot(back, eye)],
-      ...[0, 0, 0, 1],
-    );
-    const before = this.#origin;
-    const moved = origin[0] !== before[0] || origin[1] !== before[1] || origin[2] !== before[2];
-    this.#origin = [origin[0], origin[1], origin[2]];
+    writeView(this.#frameView, frame, eye);
     this.eye.value.set(eye[0], eye[1], eye[2]);
+    const moved = !sameValue(origin, this.#origin);
+    if (moved) this.#origin = [origin[0], origin[1], origin[2]];
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
     this.#declare();
     this.#changed = false;
-    if (this.#lightVersion === this.lights.version && !moved && !this.#followsCamera) return;
-    this.#lightVersion = this.lights.version;
-    setColumns(this.#worldToShading, X, Y, Z, [-origin[0], -origin[1], -origin[2]]);
-    setColumns(this.#cameraToShading, frame.right, frame.up, frame.back, eye);
-    const space = {
-      worldToShading: this.#worldToShading,
-      cameraToShading: this.#cameraToShading,
-      linear: this.#linear,
-    };
-    const { all } = this.#meshLights;
-    const { version } = all;
-    const { values } = this.lights;
-    packLights(this.#view?.lights(values, space) ?? values, space, all.packed);
-    this.#meshLights.changed();
-    this.#changed = all.version !== version;
+    if (this.#repack || moved || this.#followsCamera || this.#lightVersion !== this.lights.version)
+      this.#pack(frame);
   }
 
   /** Before each draw: brings {@link clip} in step with `camera`. The result differs from the last one's if it changed. */
@@ -212,8 +195,11 @@ export class PhongLighting {
     return count;
   }
 
-  /** Before drawing with `renderer`: how general programs read rows there. Another renderer is sent everything again. */
-  capacityFor(renderer: WebGLRenderer): RowCapacity {
+  /**
+   * Before drawing with `renderer`: rows of the uniform array in general programs there, or 0 for a texture. Another renderer is
+   * sent everything again.
+   */
+  capacityFor(renderer: WebGLRenderer): number {
     if (this.#device?.renderer !== renderer) {
       this.dispose();
       this.#device = deviceOf(renderer);
@@ -258,6 +244,24 @@ export class PhongLighting {
   #viewOf({ matrixWorldInverse }: Camera): Matrix4 {
     const [x, y, z] = this.#origin;
     return view.makeTranslation(x, y, z).premultiply(matrixWorldInverse);
+  }
+
+  #pack(frame: ShadingFrame): void {
+    const { origin, right, up, back, eye } = frame;
+    const { all } = this.#meshLights;
+    const { packed, version } = all;
+    const { values, kindVersion } = this.lights;
+    const space = this.#space;
+    writeColumns(space.worldToShading, X, Y, Z, -origin[0], -origin[1], -origin[2]);
+    writeColumns(space.cameraToShading, right, up, back, eye[0], eye[1], eye[2]);
+    if (this.#view !== null) packLights(this.#view.lights(values, space), space, packed);
+    else if (this.#repack || this.#kindVersion !== kindVersion || !moveLights(space, packed))
+      packLights(values, space, packed);
+    this.#repack = false;
+    this.#kindVersion = kindVersion;
+    this.#lightVersion = this.lights.version;
+    this.#meshLights.changed();
+    this.#changed = all.version !== version;
   }
 
   #declare(): void {
@@ -314,9 +318,33 @@ const Z: Vec3 = [0, 0, 1];
 
 const identity = (): Float64Array => new Float64Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 
-function setColumns(m: Float64Array, x: Vec3, y: Vec3, z: Vec3, position: Vec3): void {
-  m.set(x, 0);
-  m.set(y, 4);
-  m.set(z, 8);
-  m.set(position, 12);
+/** Columns of a rigid matrix; the fourth is x, y, z. */
+function writeColumns(m: Float64Array, a: Vec3, b: Vec3, c: Vec3, x: number, y: number, z: number): void {
+  m[0] = a[0];
+  m[1] = a[1];
+  m[2] = a[2];
+  m[4] = b[0];
+  m[5] = b[1];
+  m[6] = b[2];
+  m[8] = c[0];
+  m[9] = c[1];
+  m[10] = c[2];
+  m[12] = x;
+  m[13] = y;
+  m[14] = z;
+}
+
+/** Writes the matrix from the space of these axes' coordinates to the view of an eye there. */
+export function writeView(
+  into: Matrix4,
+  { right, up, back }: Omit<ShadingFrame, 'origin' | 'eye'>,
+  eye: Vec3,
+): void {
+  // prettier-ignore
+  into.set(
+    right[0], right[1], right[2], -dot(right, eye),
+    up[0], up[1], up[2], -dot(up, eye),
+    back[0], back[1], back[2], -dot(back, eye),
+    0, 0, 0, 1,
+  );
 }

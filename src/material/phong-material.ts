@@ -16,30 +16,25 @@ import {
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
-import { type FileSurface, lobeScale, NO_FILE_SURFACE } from './file-surface.js';
+import { type FileSurface, lobeScale, NO_FILE_SURFACE, usesRoughnessMap } from './file-surface.js';
 import { fileUniforms } from './file-uniforms.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
-import { ProgramChoice, usesRoughnessMap } from './program/program-choice.js';
-import {
-  type AlphaMode,
-  type Antialias,
-  type Reflection,
-  type Shading,
-  type Term,
-  TERMS,
-  type Variant,
-} from './program/variant.js';
+import { ProgramChoice } from './program/program-choice.js';
+import type { Variant } from './program/variant.js';
+import { DEFAULT_STYLE, type ShadingStyle, type Term } from './shading-style.js';
+
+export { DEFAULT_STYLE, type ShadingStyle } from './shading-style.js';
 
 /** What a file says about a surface. Its base colour multiplies Ka and Kd. */
 export interface BaseLook extends FileSurface {
   /** Encoded sRGB, 0–1. */
   readonly baseColor: Vec3;
   readonly opacity: number;
-  readonly alphaMode: AlphaMode;
+  readonly alphaMode: 'opaque' | 'mask' | 'blend';
   readonly alphaCutoff: number;
   readonly map: Texture | null;
   readonly vertexColors: boolean;
@@ -55,23 +50,6 @@ export const PLAIN_LOOK: BaseLook = {
   ...NO_FILE_SURFACE,
 };
 
-/** How a surface is shaded, besides its colours. `flat` needs a geometry that carries the triangles' own normals. */
-export interface ShadingStyle {
-  readonly shading: Shading;
-  readonly reflection: Reflection;
-  readonly terms: readonly Term[];
-  /**
-   * `edges` (default): one sample per pixel inside faces; the renderer smooths edges. `highlights`: the specular lobe is
-   * also averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`.
-   */
-  readonly antialias: Antialias;
-}
-
-export const DEFAULT_STYLE: ShadingStyle = {
-  ...{ shading: 'phong', reflection: 'phong', terms: TERMS },
-  antialias: 'edges',
-};
-
 const DEFAULT_SURFACE: SurfaceValues = {
   ka: SURFACE_FIELDS.ka.fallback,
   kd: SURFACE_FIELDS.kd.fallback,
@@ -85,7 +63,7 @@ const BLACK: Vec3 = [0, 0, 0];
  * The rows that each program's uniform array holds, by the keys of variant and content. Sending 1,000 rows with every mesh is
  * what many meshes would spend their frame on. Forgotten with every disposed material: a program made again starts empty.
  */
-let programRows = new WeakMap<object, Map<string, string>>();
+let programRows = new WeakMap<object, Map<string, number>>();
 
 /** Parameters of three.js's hook before each draw. */
 type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
@@ -224,7 +202,7 @@ export class PhongMaterial extends RawShaderMaterial {
   #holdsRows({ properties }: BeforeRender[0], { contentKey }: LightBuffer): boolean {
     // three.js replaces a renderer's properties when a lost context is restored.
     let held = programRows.get(properties);
-    if (held === undefined) programRows.set(properties, (held = new Map<string, string>()));
+    if (held === undefined) programRows.set(properties, (held = new Map<string, number>()));
     const program = this.#variant?.key ?? '';
     if (held.get(program) === contentKey) return true;
     held.set(program, contentKey);

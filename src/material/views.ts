@@ -5,7 +5,7 @@ import type { LightValues } from '../light/light-state.js';
 import type { PackSpace } from '../light/pack-lights.js';
 import type { PhongLighting } from './lighting.js';
 import type { ProgramChoice } from './program/program-choice.js';
-import type { Term } from './program/variant.js';
+import type { Term } from './shading-style.js';
 
 /**
  * `shaded`: the equation. `ambient`, `diffuse`, `specular`: one term's sum. `normals`: (N + 1)/2 per channel in world space. `n-dot-l`,

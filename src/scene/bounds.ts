@@ -201,12 +201,18 @@ const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =
 function stretch(m: readonly number[]): number {
   const along = (i: number, j: number): number =>
     Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);
-  const [xy, xz, yz] = [along(0, 4), along(0, 8), along(4, 8)];
+  const xy = along(0, 4);
+  const xz = along(0, 8);
+  const yz = along(4, 8);
   return Math.sqrt(Math.max(along(0, 0) + xy + xz, along(4, 4) + xy + yz, along(8, 8) + xz + yz));
 }
 
 function reachOf(m: readonly number[], x: number, y: number, z: number, radius: number, point: Vec3): number {
-  const reach = distance(point, ...transformed(m, x, y, z)) + radius * stretch(m);
+  // For every object in every frame: no list for the place.
+  const dx = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! - point[0];
+  const dy = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! - point[1];
+  const dz = m[2]! * x + m[6]! * y + m[10]! * z + m[14]! - point[2];
+  const reach = Math.sqrt(dx * dx + dy * dy + dz * dz) + radius * stretch(m);
   return Number.isFinite(reach) ? reach : 0;
 }
 

@@ -24,17 +24,20 @@ export class FrameLoop {
   /** The pictures of the running frame; empty between frames. */
   #running = new Set<Framed>();
   #pending = 0;
-  /** The latest request, still to be served. Moving lights request one by one, for the same picture. */
-  #last: Framed | null = null;
+  #latest: Framed | null = null;
 
   constructor(source: FrameSource) {
     this.#source = source;
   }
 
+  /** The picture of the latest request that is still to be served; requesting it again would change nothing. */
+  get latest(): Framed | null {
+    return this.#latest;
+  }
+
   /** Requests a frame for `picture`. Any number of requests in one task make one frame. */
   request(picture: Framed): void {
-    if (picture === this.#last) return;
-    this.#last = picture;
+    this.#latest = picture;
     this.#waiting.add(picture);
     if (this.#pending === 0) this.#pending = this.#source.requestAnimationFrame(this.#run);
   }
@@ -42,7 +45,7 @@ export class FrameLoop {
   /** Withdraws a request. Without any request left the animation frame is cancelled too. */
   cancel(picture: Framed): void {
     this.#waiting.delete(picture);
-    if (picture === this.#last) this.#last = null;
+    if (picture === this.#latest) this.#latest = null;
     if (this.#waiting.size > 0 || this.#pending === 0) return;
     this.#source.cancelAnimationFrame(this.#pending);
     this.#pending = 0;
@@ -50,7 +53,7 @@ export class FrameLoop {
 
   readonly #run = (now: number): void => {
     this.#pending = 0;
-    this.#last = null;
+    this.#latest = null;
     [this.#waiting, this.#running] = [this.#running, this.#waiting];
     this.#each((picture) => {
       picture.prepare();

@@ -3,9 +3,8 @@
 import { PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
-import type { ShadingFrame } from '../material/lighting.js';
+import { type ShadingFrame, writeView } from '../material/lighting.js';
 import { sameValue } from '../fields/field-store.js';
-import { dot } from '../math/vector.js';
 import type { Region } from './gpu/stage.js';
 
 export class ViewCamera {
@@ -42,18 +41,14 @@ export class ViewCamera {
     const { right, up, back } = this.#orbit.basis(this.#basis);
     const eye = this.#orbit.eye(this.#eye);
     this.#orbit.offset(this.#offset);
+    // prettier-ignore
     camera.matrixWorld.set(
-      ...[right[0], up[0], back[0], eye[0]],
-      ...[right[1], up[1], back[1], eye[1]],
-      ...[right[2], up[2], back[2], eye[2]],
-      ...[0, 0, 0, 1],
+      right[0], up[0], back[0], eye[0],
+      right[1], up[1], back[1], eye[1],
+      right[2], up[2], back[2], eye[2],
+      0, 0, 0, 1,
     );
-    camera.matrixWorldInverse.set(
-      ...[right[0], right[1], right[2], -dot(right, eye)],
-      ...[up[0], up[1], up[2], -dot(up, eye)],
-      ...[back[0], back[1], back[2], -dot(back, eye)],
-      ...[0, 0, 0, 1],
-    );
+    writeView(camera.matrixWorldInverse, this.#basis, eye);
     camera.matrix.copy(camera.matrixWorld);
     // Helpers of three.js, such as its raycaster, read these.
     camera.matrix.decompose(camera.position, camera.quaternion, camera.scale);

@@ -1,6 +1,6 @@
 // One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
 // nor attributes nor where input comes from.
-import type { Object3D, Scene } from 'three';
+import type { Object3D, Scene, WebGLRenderer } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
@@ -184,12 +184,13 @@ export class Viewport implements StageClient, Framed {
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
     this.#dirty = true;
-    if (this.drawable) this.#loop?.request(this);
+    this.animate();
   }
 
   /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
   animate(): void {
-    if (this.drawable) this.#loop?.request(this);
+    // Moving lights come by one by one: the first question is the cheapest.
+    if (this.#loop?.latest !== this && this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
@@ -281,10 +282,12 @@ export class Viewport implements StageClient, Framed {
   /** False where there is no context. */
   readonly #paint = (): boolean => {
     this.#bringInStep();
-    return stage.draw(this, (renderer) => {
-      this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
-      this.#painter.paint(renderer, this.#view);
-    });
+    return stage.draw(this, this.#render);
+  };
+
+  readonly #render = (renderer: WebGLRenderer): void => {
+    this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
+    this.#painter.paint(renderer, this.#view);
   };
 
   contextMissing(error: NoWebGL2Error): void {

@@ -1,4 +1,4 @@
-// Is an author told of a viewer without a name, once and with the cure, and of no other?
+// Does a viewer without a name give one warning that names the cure, and no other viewer any?
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -9,7 +9,7 @@ const WARNING =
 const size = { width: 60, height: 40, nameless: true };
 const viewer = (attributes = ''): string => `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
 
-/** What could be reported so far has been. */
+/** Waits until all warnings so far have been printed. */
 async function reported(page: Page): Promise<void> {
   for (let i = 0; i < 4; i++) await nextFrame(page);
 }
@@ -22,7 +22,11 @@ test('viewers without an alt are reported once a page', async ({ page, mount, co
   await reported(page);
 });
 
-test('viewers with a name, without need of one, or hidden are not', async ({ page, mount, consoleGuard }) => {
+test('viewers that have a name, need none or are hidden are not reported', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   consoleGuard.allow(/has no alt/, 0);
   const element = await mount(
     [

@@ -10,12 +10,12 @@ const scene = (attributes = ''): string =>
     <phong-light name="sun" position="1 2 3 0"></phong-light><phong-light name="lamp" position="1 2 3 1"></phong-light>
   </phong-viewer>`;
 
-/** Longer than the rest after which something would be announced. */
+/** Longer than the pause before an announcement. */
 const A_WHILE = 1500;
 
 const region = (viewer: Locator): Locator => viewer.locator('.reader > [aria-live]');
 
-/** The texts of the live region, in order, as they come. */
+/** Collects the texts of the live region in order. */
 async function announced(page: Page): Promise<() => Promise<string[]>> {
   const texts = await page
     .locator('phong-viewer')
@@ -32,7 +32,7 @@ async function announced(page: Page): Promise<() => Promise<string[]>> {
   return () => texts.evaluate((list) => [...list]);
 }
 
-test('a key, the wheel and a drag are announced politely, with the camera as it is then', async ({
+test('a key, the wheel and a drag are announced politely, with the resulting camera', async ({
   page,
   mount,
 }) => {
@@ -67,7 +67,7 @@ test('a motion of many steps is announced once, when it has ended', async ({ pag
     .toEqual(['Camera: azimuth 180°, polar angle 70°, distance 4.'.replace('180', '−180')]);
 });
 
-test('scripts and auto-rotate announce nothing, not even beside what the user does', async ({
+test('scripts and auto-rotate announce nothing, not even together with user input', async ({
   page,
   mount,
 }) => {
@@ -94,7 +94,7 @@ test('scripts and auto-rotate announce nothing, not even beside what the user do
   await expect(region(viewer)).toHaveText('Camera: azimuth 35°, polar angle 70°, distance 4.');
 });
 
-test('what the panel does to lights and camera is announced; what a script does meanwhile is not', async ({
+test('changes of lights and camera by the panel are announced; changes by a script meanwhile are not', async ({
   page,
   mount,
 }) => {
@@ -109,10 +109,7 @@ test('what the panel does to lights and camera is announced; what a script does 
   await expect(region(viewer)).toHaveText('Camera: azimuth 90°, polar angle 70°, distance 4.');
 });
 
-test('a viewer that is removed announces nothing later, and again when it is back', async ({
-  page,
-  mount,
-}) => {
+test('a removed viewer announces nothing; once it is back, it announces again', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await viewer.evaluate((element: PhongViewer) => {
     element

@@ -9,7 +9,7 @@ const css = 'phong-compare { display: block; width: 400px; height: 200px }';
 const viewer = (alt: string, attributes = ''): string =>
   `<phong-viewer geometry="box" alt="${alt}" ${attributes}></phong-viewer>`;
 
-test('a comparison is its viewers with a divider between them, in this order and each a stop of Tab', async ({
+test('a comparison has its viewers and a divider between them as Tab stops, in this order', async ({
   page,
   mount,
 }) => {
@@ -33,7 +33,7 @@ test('a comparison is its viewers with a divider between them, in this order and
   expect(stops).toEqual(['Gouraud', 'Divider between Gouraud and Phong', 'Phong']);
 });
 
-test('a divider says which panes it is between, and where it is', async ({ page, mount }) => {
+test('a divider has a name with its two panes, and a value', async ({ page, mount }) => {
   await mount(`<phong-compare at="30">${viewer('A')}${viewer('B')}</phong-compare>`, { css });
   const divider = page.getByRole('separator');
   for (const [name, value] of Object.entries({
@@ -54,7 +54,7 @@ test('a divider says which panes it is between, and where it is', async ({ page,
   ).toEqual([true, true]);
 });
 
-test('given labels name groups around the viewers, whose own names stay', async ({ page, mount }) => {
+test('`labels` name groups around the viewers, whose own names stay', async ({ page, mount }) => {
   await mount(
     `<phong-compare labels="before, after">${viewer('A box')}${viewer('Another box')}</phong-compare>`,
     { css },
@@ -65,7 +65,10 @@ test('given labels name groups around the viewers, whose own names stay', async 
   expect(named).toEqual(['before', 'A box', 'after', 'Another box']);
 });
 
-test('of linked viewers only the one that the user moves announces the camera', async ({ page, mount }) => {
+test('among linked viewers only the one that the user moves announces the camera', async ({
+  page,
+  mount,
+}) => {
   await mount(`${viewer('A', 'camera-group="x"')}${viewer('B', 'camera-group="x"')}`, {
     width: 300,
     height: 200,

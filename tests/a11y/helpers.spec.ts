@@ -1,4 +1,4 @@
-// Can the lights in the picture be found, chosen and moved without seeing them? Read from Chromium's accessibility tree; rules by axe.
+// Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from Chromium's accessibility tree; rules by axe.
 
 import AxeBuilder from '@axe-core/playwright';
 import { PNG } from 'pngjs';
@@ -10,7 +10,7 @@ const scene = `<main><h1>Lights</h1><phong-viewer alt="A box" geometry="box" hel
   <phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" active="false"></phong-light>
 </phong-viewer></main>`;
 
-test('lights are a list of options with names and places, of which one has been chosen', async ({
+test('lights are options of a list, with names and positions, and one is selected', async ({
   page,
   mount,
 }) => {
@@ -28,10 +28,7 @@ test('lights are a list of options with names and places, of which one has been 
   expect(options.map(({ properties }) => properties['selected'])).toEqual([true, false, false, false]);
 });
 
-test('what keys do is announced at the start of a move, and where the light is after it', async ({
-  page,
-  mount,
-}) => {
+test('the start of a move announces the keys, and its end the light’s position', async ({ page, mount }) => {
   const viewer = await mount(scene);
   await viewer.getByRole('option', { name: /^lamp/ }).press('Enter');
   await expect(viewer.locator('.helpers [aria-live=polite]')).toHaveText(
@@ -79,7 +76,7 @@ for (const background of ['#fff', '#000', '#777', '#00f', '#595959', '#fc8'])
       return [data[at]!, data[at + 1]!, data[at + 2]!];
     };
     const behind = luminance(colorAt(2, 2));
-    /** The best of a line of pixels across a shape. */
+    /** The best contrast along a line of pixels across a shape. */
     const across = (x: number, y: number, length: number): number =>
       Math.max(...Array.from({ length }, (_, i) => contrast(luminance(colorAt(x + i, y)), behind)));
     for (const option of await viewer.getByRole('option').all()) {

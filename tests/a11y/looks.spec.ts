@@ -1,5 +1,5 @@
-// Can the focus be seen on any picture, can everything be hit, and does nothing get lost when the page is enlarged, mirrored or
-// recoloured? Measured on the page as drawn.
+// Is the focus visible on any picture, are targets large enough, and is nothing cut off when the page is zoomed, mirrored or recoloured?
+// Measured on the drawn page.
 
 import type { Locator, Page } from '@playwright/test';
 import { PNG } from 'pngjs';
@@ -98,7 +98,7 @@ async function openAll(page: Page, viewer: Locator): Promise<void> {
   await nextFrame(page);
 }
 
-/** What can be pressed in a viewer and is smaller than a target, with its size. A label belongs to its field. */
+/** The controls in a viewer that are smaller than the least target size. A label counts with its field. */
 const smallTargets = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element, least) => {
     const controls = element.shadowRoot!.querySelectorAll(
@@ -115,11 +115,7 @@ const smallTargets = (viewer: Locator): Promise<string[]> =>
       .map(({ text }) => text);
   }, TARGET);
 
-test('everything in panel and message can be hit: targets of 24 pixels', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('all targets in panel and message have at least 24 pixels', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/404/);
   const viewer = await mount(scene, { width: 600, height: 650 });
   await openAll(page, viewer);
@@ -127,7 +123,7 @@ test('everything in panel and message can be hit: targets of 24 pixels', async (
 });
 
 for (const dir of ['ltr', 'rtl'] as const) {
-  test(`enlarged to 200 %, written ${dir}, nothing is cut off`, async ({ page, mount, consoleGuard }) => {
+  test(`at 200 % zoom, written ${dir}, nothing is cut off`, async ({ page, mount, consoleGuard }) => {
     consoleGuard.allow(/404/);
     // At 200 % a window of 640 pixels is 320 CSS pixels wide.
     await page.setViewportSize({ width: 320, height: 400 });

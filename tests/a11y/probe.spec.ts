@@ -1,4 +1,4 @@
-// Can everybody use the probe: by keyboard and screen reader, in forced colours, in a language written from the right?
+// Is the probe accessible by keyboard and screen reader, in forced colours, and in languages written from right to left?
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
@@ -30,7 +30,7 @@ async function announced(page: Page): Promise<() => Promise<[text: string, at: n
   return () => texts.evaluate((list) => [...list]);
 }
 
-test('the cross-hair has a name, a role and its keys in words, and what it shows is announced', async ({
+test('the cross-hair has a name, a role and a description of its keys, and its values are announced', async ({
   mount,
 }) => {
   const viewer = await mount(scene());
@@ -60,14 +60,11 @@ test('announcements are at least a second apart, and the last one is of the last
   await expect(region(viewer)).toContainText(last);
   const times = (await texts()).map(([, at]) => at);
   expect(times.length).toBeGreaterThan(1);
-  // A timer of a second; browsers round its start.
+  // A timer of one second; browsers round its start.
   for (let i = 1; i < times.length; i++) expect(times[i]! - times[i - 1]!).toBeGreaterThan(990);
 });
 
-test('nothing is announced of what the user did not do: a declared point, a light that a script writes', async ({
-  page,
-  mount,
-}) => {
+test('a declared point and a light changed by a script announce nothing', async ({ page, mount }) => {
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
   await expect(box(viewer)).toBeVisible();
   await assign(viewer.locator('phong-light').first(), { diffuse: [9, 99, 9] });
@@ -94,7 +91,7 @@ test('the table has a caption, headers for rows and columns, and one Tab stop', 
   await expect(button).toHaveAttribute('aria-pressed', 'true');
 });
 
-test('axe finds nothing to complain of, hovering, pinned and at 120 × 90', async ({ page, mount }) => {
+test('axe finds no problem, hovering, pinned and at 120 × 90', async ({ page, mount }) => {
   for (const size of [{}, { width: 120, height: 90 }]) {
     await mount(scene('probe probe-at="0 0 0.5"'), size);
     await expect(page.locator('[part=probe]')).toBeVisible();
@@ -103,7 +100,7 @@ test('axe finds nothing to complain of, hovering, pinned and at 120 × 90', asyn
   }
 });
 
-test('the focus goes to the cross-hair when the row or the button that had it is gone', async ({
+test('the focus moves to the cross-hair when the focused row or button disappears', async ({
   page,
   mount,
 }) => {
@@ -122,7 +119,7 @@ test('the focus goes to the cross-hair when the row or the button that had it is
   await expect(box(viewer)).not.toHaveClass(/pinned/);
 });
 
-test('can be in another language, which replaces all of its texts at once', async ({ page, mount }) => {
+test('another language replaces all texts of the probe at once', async ({ page, mount }) => {
   const viewer = await mount(scene('probe dir="rtl"'));
   await page.mouse.click(300, 150);
   await expect(box(viewer)).toBeVisible();

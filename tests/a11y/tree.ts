@@ -13,7 +13,7 @@ export interface AccessibleNode {
 /** Roles of text and of boxes without a meaning. */
 const PLAIN = /^(none|generic|StaticText|InlineTextBox|ListMarker|RootWebArea)$/;
 
-/** Everything on the page that has a role, in the order in which it is read. */
+/** All nodes of the page with a role, in reading order. */
 export async function accessibleNodes(page: Page): Promise<AccessibleNode[]> {
   const session = await page.context().newCDPSession(page);
   const { nodes } = await session.send('Accessibility.getFullAXTree');

@@ -48,7 +48,7 @@ test('an author’s tabindex of −1 takes the viewer out of the tab order', asy
   expect(await page.evaluate(() => document.activeElement?.localName)).toBe('a');
 });
 
-test('Tab reaches each viewer once, and the focus can be seen', async ({ page, mount }) => {
+test('Tab reaches each viewer once, and the focus is visible', async ({ page, mount }) => {
   const first = await mount(`${viewer()}${viewer()}<a href="#next">Next</a>`, { width: 300, height: 200 });
   const before = await first.screenshot();
   await page.keyboard.press('Tab');
@@ -63,7 +63,7 @@ test('Tab reaches each viewer once, and the focus can be seen', async ({ page, m
   await expect(first).toBeFocused();
 });
 
-test('the keyboard does all that the pointer does: turns, zooms and goes back', async ({ page, mount }) => {
+test('the keyboard can do everything that the pointer can: turn, zoom and reset', async ({ page, mount }) => {
   const element = await mount(viewer('theta="30" phi="70" radius="5"'));
   await page.keyboard.press('Tab');
   for (const key of ['ArrowLeft', 'ArrowUp', '+']) await page.keyboard.press(key);

@@ -2,17 +2,18 @@
 // `npm run bench`: measures real scenes with the element and with plain three.js, in turns, over fresh launches of a browser, and
 // writes one result for the stack. See options.mjs for its options and subjects.mjs for what it measures.
 
-import { mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { refuse } from '../support/command-line.mjs';
 import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
 import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
-import { HELP, parseOptions } from './options.mjs';
+import { readOptions } from './options.mjs';
 import { Progress } from './progress.mjs';
 import { addSamples, ratioOf, valueOf } from './results.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
@@ -26,10 +27,11 @@ const MOST_LIGHTS_AT_SIZE = 32;
 
 /** @param {import('./options.mjs').Options} options */
 async function main(options) {
-  if (options.help) return void process.stdout.write(HELP);
   const names = chosenSubjects(options.only);
-  if (names.length === 0) throw new Error(`No subject contains "${options.only.join('; ')}". Try --list.`);
+  if (names.length === 0) refuse(`No subject contains '${options.only.join('; ')}', --list prints them`);
   if (options.list) return void console.log(names.join('\n'));
+  if (options.built !== '' && !existsSync(join(options.built, 'built-from.json')))
+    refuse(`There are no built pages in ${options.built}`);
   const { buildPages } = await import('./build.mjs');
   if (options.build !== '') return buildPages(resolve(options.build));
   const begun = Date.now();
@@ -207,9 +209,4 @@ async function launchOptions({ browser, flags }) {
   };
 }
 
-try {
-  await main(parseOptions(process.argv.slice(2)));
-} catch (error) {
-  console.error(error instanceof Error ? error.message : error);
-  process.exit(2);
-}
+await main(readOptions());

@@ -7,7 +7,6 @@ import { readdirSync, readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
 import { extname, join, normalize } from 'node:path';
 import { cpus, release } from 'node:os';
-import { chromium } from 'playwright-core';
 import { builtFrom } from './build.mjs';
 
 /** @typedef {import('playwright-core').Browser} Browser @typedef {import('playwright-core').Page} Page */
@@ -64,6 +63,7 @@ export class Lab {
   async launch() {
     await this.#browser?.close();
     const args = [...(this.#options.args ?? []), ...FLAGS];
+    const { chromium } = await import('playwright-core');
     this.#browser = await chromium.launch({ ...this.#options, args });
     return this.#browser;
   }

@@ -113,7 +113,7 @@ function frontsChart({ fronts }) {
       grid: true,
       insetLeft: 12,
       insetRight: 70,
-      ticks: 4,
+      ticks: [1e-4, 1e-2, 1, 100],
       tickFormat: String,
     },
     y: { label: null, domain: variants },
@@ -141,70 +141,68 @@ const HALO = { stroke: 'white', strokeWidth: 4 };
 function lines(points, aims, { title, x, ticks, rule }) {
   if (points.length === 0) return undefined;
   const series = [...new Set(points.map((point) => point.series))];
-  return svgOf({
-    ...frame(title),
-    x: { type: 'point', label: x, domain: [...ticks], tickFormat: String, padding: 0.3 },
-    y: { type: 'log', label: null, grid: true, ticks: 6, tickFormat: short, inset: 12 },
-    color: { domain: series, range: COLORS },
-    marks: [
-      Plot.ruleY([rule], { stroke: '#555' }),
-      Plot.line([...aims], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeDasharray: '5 4' }),
-      Plot.line([...points], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeWidth: 2 }),
-      Plot.dot([...points], { x: 'x', y: 'y', fill: 'series', r: 4 }),
-      Plot.text([...points], {
-        x: 'x',
-        y: 'y',
-        text: (/** @type {Point} */ point) => short(point.y),
-        dy: -11,
-        fill: 'series',
-        ...HALO,
-      }),
-      Plot.text(
-        [...points],
-        Plot.selectLast({
-          x: 'x',
-          y: 'y',
-          z: 'series',
-          text: 'series',
-          fill: 'series',
-          textAnchor: 'start',
-          dx: 10,
-          fontWeight: 'bold',
-          ...HALO,
-        }),
-      ),
-    ],
-  });
+  /** Beside another point on the same place of the axis. @param {Point} point @param {(other: Point) => boolean} test */
+  const beside = (point, test) =>
+    points.some((other) => other !== point && other.x === point.x && test(other));
+  const isLower = (/** @type {Point} */ point) => beside(point, ({ y }) => y > point.y);
+  // Two equal figures are one label.
+  const isRepeated = (/** @type {Point} */ point) =>
+    point.series !== series[0] && beside(point, ({ y }) => short(y) === short(point.y));
+  const labelled = points.filter((point) => !isRepeated(point));
+  /** @param {readonly Point[]} some @param {number} dy */
+  const figures = (some, dy) =>
+    Plot.text([...some], {
+      ...{ x: 'x', y: 'y', dy, fill: 'series', ...HALO },
+      text: (/** @type {Point} */ point) => short(point.y),
+    });
+  return svgOf(
+    {
+      ...frame(title),
+      x: { type: 'point', label: x, domain: [...ticks], tickFormat: String, padding: 0.3 },
+      y: { type: 'log', label: null, grid: true, ticks: 6, tickFormat: short, inset: 26 },
+      color: { domain: series, range: COLORS },
+      marks: [
+        Plot.ruleY([rule], { stroke: '#555' }),
+        Plot.line([...aims], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeDasharray: '5 4' }),
+        Plot.line([...points], { x: 'x', y: 'y', z: 'series', stroke: 'series', strokeWidth: 2 }),
+        Plot.dot([...points], { x: 'x', y: 'y', fill: 'series', r: 4 }),
+        figures(
+          labelled.filter((point) => !isLower(point)),
+          -12,
+        ),
+        figures(labelled.filter(isLower), 14),
+      ],
+    },
+    series,
+  );
 }
 
 /** @param {string} title */
 const frame = (title) => ({
   width: WIDTH,
   height: HEIGHT,
-  marginTop: 40,
+  marginTop: 60,
   marginLeft: 60,
-  marginRight: 150,
+  marginRight: 30,
   marginBottom: 45,
   ariaLabel: title,
   style: { fontSize: '13px', fontFamily: 'sans-serif', color: '#222', background: 'white' },
 });
 
-/** @param {Plot.PlotOptions} options */
-function svgOf(options) {
+/** @param {Plot.PlotOptions} options @param {readonly string[]} [series] named below the title: lines that meet leave no room beside their ends */
+function svgOf(options, series = []) {
   const { document } = parseHTML('<!doctype html><html><body></body></html>');
   const svg = Plot.plot({ ...options, document });
-  const title = document.createElementNS('http://www.w3.org/2000/svg', 'text');
-  for (const [key, value] of Object.entries({
-    x: '10',
-    y: '20',
-    'font-size': '15',
-    'font-weight': 'bold',
-    fill: '#222',
-    'text-anchor': 'start',
-  }))
-    title.setAttribute(key, value);
-  title.textContent = options.ariaLabel ?? '';
-  svg.append(title);
+  /** @param {string} text @param {number} x @param {number} y @param {string} fill */
+  const write = (text, x, y, fill) => {
+    const element = document.createElementNS('http://www.w3.org/2000/svg', 'text');
+    const attributes = { x, y, fill, 'font-size': 15, 'font-weight': 'bold', 'text-anchor': 'start' };
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, String(value));
+    element.textContent = text;
+    svg.append(element);
+  };
+  write(options.ariaLabel ?? '', 10, 20, '#222');
+  series.forEach((name, i) => write(name, 10 + 170 * i, 42, COLORS[i] ?? '#222'));
   svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   return svg.outerHTML;
 }

@@ -1,9 +1,10 @@
 // @ts-check
-// The command line of `npm run bench`. An option that it does not know is refused in one line.
+// The command line of `npm run bench`: its options, their defaults and their help. Knows nothing about measuring.
 
-import { parseArgs } from 'node:util';
+import { numberOption, readCommandLine, refuse } from '../support/command-line.mjs';
 
-export const HELP = `npm run bench -- [options]
+const HELP = `
+npm run bench -- [options]
 
 Measures the built package in Chromium and writes tests/bench/results/STACK.json.
 
@@ -26,75 +27,53 @@ npm run bench:report writes tests/bench/REPORT.md and its charts from all result
 
 /**
  * @typedef {object} Options
- * @property {boolean} quick @property {boolean} list @property {boolean} help
+ * @property {boolean} quick @property {boolean} list
  * @property {string[]} only @property {number} launches @property {number} minutes
  * @property {string} browser @property {string[]} flags @property {string} stack
  * @property {readonly [number, number] | null} size
  * @property {string} out @property {string} build @property {string} built
  */
 
-/** Throws an error of one line where the arguments cannot be understood. @param {string[]} args @returns {Options} */
-export function parseOptions(args) {
-  /** @type {Record<string, string | boolean | undefined>} */
-  let values;
-  try {
-    ({ values } = parseArgs({
-      args: joined(args),
-      options: {
-        quick: { type: 'boolean', default: false },
-        list: { type: 'boolean', default: false },
-        help: { type: 'boolean', default: false },
-        only: { type: 'string', default: '' },
-        launches: { type: 'string' },
-        minutes: { type: 'string', default: '' },
-        browser: { type: 'string', default: '' },
-        flags: { type: 'string', default: '' },
-        stack: { type: 'string', default: 'software' },
-        size: { type: 'string', default: '' },
-        out: { type: 'string', default: '' },
-        build: { type: 'string', default: '' },
-        built: { type: 'string', default: '' },
-      },
-    }));
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    throw new Error(`${message.split(/\.\s|\n/)[0]}. Try --help.`);
-  }
-  const text = (/** @type {string} */ name) => String(values[name] ?? '');
-  const split = (/** @type {string} */ name, /** @type {string} */ separator) =>
-    text(name)
+/** Refuses what it cannot understand. @param {readonly string[]} args @returns {Options} */
+export function readOptions(args = process.argv.slice(2)) {
+  const { values } = readCommandLine(
+    HELP,
+    {
+      quick: { type: 'boolean', default: false },
+      list: { type: 'boolean', default: false },
+      only: { type: 'string', default: '' },
+      launches: { type: 'string', default: '' },
+      minutes: { type: 'string', default: 'Infinity' },
+      browser: { type: 'string', default: '' },
+      flags: { type: 'string', default: '' },
+      stack: { type: 'string', default: 'software' },
+      size: { type: 'string', default: '' },
+      out: { type: 'string', default: '' },
+      build: { type: 'string', default: '' },
+      built: { type: 'string', default: '' },
+    },
+    [],
+    joined(args),
+  );
+  const split = (/** @type {string} */ text, /** @type {string} */ separator) =>
+    text
       .split(separator)
       .map((part) => part.trim())
       .filter((part) => part !== '');
-  /** @param {string} name @param {number} otherwise */
-  const count = (name, otherwise) => {
-    if (text(name) === '') return otherwise;
-    const number = Number(text(name));
-    if (!(number > 0)) throw new Error(`--${name} takes a number above 0, not "${text(name)}". Try --help.`);
-    return number;
-  };
-  const size = /^(\d+)x(\d+)$/.exec(text('size'));
-  if (text('size') !== '' && size === null)
-    throw new Error(`--size takes pixels such as 480x360, not "${text('size')}". Try --help.`);
-  const quick = values['quick'] === true;
+  const size = /^(\d+)x(\d+)$/.exec(values.size);
+  if (values.size !== '' && size === null)
+    refuse(`--size takes pixels such as 480x360, not '${values.size}'`);
   return {
-    quick,
-    list: values['list'] === true,
-    help: values['help'] === true,
-    only: split('only', ';'),
-    launches: count('launches', quick ? 1 : 5),
-    minutes: count('minutes', Infinity),
-    browser: text('browser'),
-    flags: split('flags', ' '),
-    stack: text('stack'),
+    ...values,
+    only: split(values.only, ';'),
+    launches: numberOption('launches', values.launches || (values.quick ? '1' : '5'), 1),
+    minutes: values.minutes === 'Infinity' ? Infinity : numberOption('minutes', values.minutes, 1),
+    flags: split(values.flags, ' '),
     size: size === null ? null : [Number(size[1]), Number(size[2])],
-    out: text('out'),
-    build: text('build'),
-    built: text('built'),
   };
 }
 
-/** Flags begin with a dash, which parseArgs takes for an option unless an equals sign is before it. @param {string[]} args */
+/** Flags begin with a dash, which parseArgs takes for an option unless an equals sign is before it. @param {readonly string[]} args */
 function joined(args) {
   const at = args.indexOf('--flags');
   if (at < 0 || at === args.length - 1) return args;

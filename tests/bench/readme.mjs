@@ -1,16 +1,16 @@
 // @ts-check
-// Which figures of the bench does the README show? Frames of the sphere next to three.js, by number of lights and stack. Run as a
-// part of `npm run bench:report`, it writes them between the README's marks.
+// Which figures of the bench does the README show? Frames of the sphere next to three.js, by number of lights and stack.
+// `npm run bench:report` writes them between the README's marks.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { ratioOf, readResults } from './results.mjs';
+import { ratioOf } from './results.mjs';
 import { SPHERE_LIGHTS } from './subjects.mjs';
 
 const MARKS = /** @type {const} */ (['<!-- bench -->', '<!-- /bench -->']);
 
 /** The README's part, marks included. @param {readonly import('./results.mjs').BenchResult[]} results */
-export function readmeFigures(results) {
+function readmeFigures(results) {
   const rows = results.map((result) => {
     const cells = SPHERE_LIGHTS.map((count) => {
       const subject = `sphere, ${count === 1 ? '1 light' : `${count} lights`}`;
@@ -36,16 +36,12 @@ function ratioText(result, subject, measure) {
   return ratio === undefined ? '–' : ratio.median.toFixed(2);
 }
 
-/** @param {string} readme @param {string} part */
-export function withFigures(readme, part) {
+/** Writes them into the README. @param {readonly import('./results.mjs').BenchResult[]} results */
+export function writeFigures(results) {
+  const file = fileURLToPath(new URL('../../README.md', import.meta.url));
+  const readme = readFileSync(file, 'utf8');
   const [open, close] = MARKS.map((mark) => readme.indexOf(mark));
   if (open === undefined || close === undefined || open < 0 || close < open)
     throw new Error('README.md has lost its marks for the bench');
-  return readme.slice(0, open) + part + readme.slice(close + MARKS[1].length);
-}
-
-if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  const readme = fileURLToPath(new URL('../../README.md', import.meta.url));
-  const part = readmeFigures(readResults(fileURLToPath(new URL('results', import.meta.url))));
-  writeFileSync(readme, withFigures(readFileSync(readme, 'utf8'), part));
+  writeFileSync(file, readme.slice(0, open) + readmeFigures(results) + readme.slice(close + MARKS[1].length));
 }

@@ -1,12 +1,14 @@
 // @ts-check
-// `npm run bench:report`: writes REPORT.md and charts/ from all results. Nothing in the report is typed by hand.
+// `npm run bench:report`: writes REPORT.md, charts/ and the README's figures from all results. Nothing in them is typed by hand.
 
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { readCommandLine } from '../support/command-line.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
 import { chartsOf } from './charts.mjs';
 import { MODELS } from './models.mjs';
+import { writeFigures } from './readme.mjs';
 import { ratioOf, ratioOverSubjects, ratioToBest, readResults, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
 import { modelSubject, modelSubjects, NETWORKS, SUBJECTS } from './subjects.mjs';
@@ -14,6 +16,11 @@ import { modelSubject, modelSubjects, NETWORKS, SUBJECTS } from './subjects.mjs'
 /** @typedef {import('./results.mjs').BenchResult} BenchResult */
 
 const here = fileURLToPath(new URL('.', import.meta.url));
+
+const USAGE = `
+npm run bench:report -- [options]: writes REPORT.md, its charts and the README's figures from the results
+  --folder DIR   holds results/ and gets REPORT.md and charts/; default tests/bench. Another one leaves the README alone
+  --help`;
 
 /** @param {readonly BenchResult[]} results @returns {{ report: string, charts: Map<string, string> }} */
 export function reportOf(results) {
@@ -239,19 +246,15 @@ const table = (head, rows) =>
 /** @param {string} text */
 const escaped = (text) => text.replaceAll('|', '\\|').replaceAll('<', '&lt;');
 
-/** Of the results in a folder, into that folder. @param {string} folder */
-function writeReport(folder) {
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
+  const { folder } = values;
   const results = readResults(join(folder, 'results'));
-  if (results.length === 0) {
-    console.error('There are no results. Run npm run bench first.');
-    process.exit(2);
-  }
   const { report, charts } = reportOf(results);
   rmSync(join(folder, 'charts'), { recursive: true, force: true });
   mkdirSync(join(folder, 'charts'));
   for (const [file, svg] of charts) writeFileSync(join(folder, 'charts', file), `${svg}\n`);
   writeFileSync(join(folder, 'REPORT.md'), report);
   console.log(`REPORT.md and ${charts.size} charts from ${results.length} results`);
+  if (folder === here) writeFigures(results);
 }
-
-if (process.argv[1] === fileURLToPath(import.meta.url)) writeReport(process.argv[2] ?? here);

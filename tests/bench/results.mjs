@@ -2,8 +2,7 @@
 // A result of the bench: samples of every subject by measure and side, one file for each stack. Says its shape, adds to it,
 // reads it and makes ratios of it.
 
-import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readResultFiles } from '../support/command-line.mjs';
 import { median, pairedRatios, spread } from './statistics.mjs';
 
 /**
@@ -79,8 +78,4 @@ export function ratioOverSubjects({ measures }, subjects, measure) {
 }
 
 /** All results of a folder, by stack. @param {string} folder @returns {BenchResult[]} */
-export const readResults = (folder) =>
-  readdirSync(folder)
-    .filter((file) => file.endsWith('.json'))
-    .sort()
-    .map((file) => JSON.parse(readFileSync(join(folder, file), 'utf8')));
+export const readResults = (folder) => readResultFiles(folder, 'npm run bench').map(({ content }) => content);

@@ -16,7 +16,7 @@ const viewerOf = (attributes: string, children = LIGHT): string =>
 const framesOf = (viewer: Locator): Promise<number> =>
   viewer.evaluate((element: PhongViewer) => element.stats.frames);
 
-/** Waits until so many more frames have been drawn. */
+/** Waits until this many more frames have been drawn. */
 const played = (viewer: Locator, count = 3): Promise<void> =>
   viewer.evaluate(async (element: PhongViewer, more) => {
     const end = element.stats.frames + more;
@@ -56,7 +56,7 @@ test.describe('without autoplay', () => {
     expect(await spentIn(page, 300)).toEqual(NOTHING);
   });
 
-  test('after autoplay, the model stands as before, and nothing runs', async ({ page, mount }) => {
+  test('removing autoplay restores the rest pose, and nothing runs', async ({ page, mount }) => {
     const viewer = await mount(viewerOf(''), SIZE);
     const still = await pictureOf(viewer);
     await assign(viewer, { autoplay: true });
@@ -68,7 +68,7 @@ test.describe('without autoplay', () => {
     expect(await spentIn(page, 300)).toEqual(NOTHING);
   });
 
-  test('reduced motion shows the pose that was reached, and nothing runs', async ({ page, mount }) => {
+  test('reduced motion freezes the current pose, and nothing runs', async ({ page, mount }) => {
     const viewer = await mount(viewerOf('autoplay'), SIZE);
     await played(viewer);
     await page.emulateMedia({ reducedMotion: 'reduce' });
@@ -80,7 +80,7 @@ test.describe('without autoplay', () => {
     await played(viewer);
   });
 
-  test('out of view, nothing runs, and the time there does not count', async ({ page, mount }) => {
+  test('out of view, nothing runs, and that time does not count', async ({ page, mount }) => {
     const viewer = await mount(viewerOf('autoplay'), SIZE);
     await played(viewer);
     await viewer.evaluate(({ style }: PhongViewer) => (style.cssText += '; position: absolute; top: 9000px'));
@@ -103,7 +103,7 @@ test('autoplay keeps target and radius while the model moves', async ({ page, mo
   expect(await cameraOf(viewer)).toMatchObject({ target, radius });
 });
 
-test('animation-name chooses, and a name that the model does not have warns', async ({
+test('animation-name selects an animation, and an unknown name gives a warning', async ({
   page,
   mount,
   consoleGuard,
@@ -157,7 +157,7 @@ for (const [what, markup] of [
 }
 
 test('lights are culled by the pose of the last frame', async ({ page, mount }) => {
-  // The spot lights a place that only the animation reaches: `slide` moves the bar by 3 along x after a second.
+  // The spot lights a place that the bar reaches only during `slide`, which moves it by 3 along x within a second.
   const spot = '<phong-light position="3 1 5 1" axis="0 0 -1" aperture="4"></phong-light>';
   const viewer = await mount(viewerOf('autoplay animation-name="slide"', LIGHT + spot), SIZE);
   const reached = (count: number): Promise<void> =>

@@ -5,19 +5,19 @@
 export interface Row {
   readonly attribute: string;
   readonly property?: string;
-  /** The property where the attribute is absent, malformed or out of its domain. */
+  /** The property if the attribute is absent, malformed or out of its domain. */
   readonly fallback: unknown;
-  /** Attribute text and the property that it gives. */
+  /** Attribute texts and the resulting properties. */
   readonly valid: readonly (readonly [text: string, value: unknown])[];
-  /** Text that is malformed. */
+  /** Malformed texts. */
   readonly malformed: readonly string[];
-  /** Text that is well-formed but outside the domain. */
+  /** Well-formed texts outside the domain. */
   readonly outside: readonly string[];
-  /** Values that the property refuses, and how. */
+  /** Values that the property refuses, with the kind of error. */
   readonly refused: readonly (readonly [value: unknown, error: 'TypeError' | 'RangeError'])[];
 }
 
-/** No number, whatever the attribute. */
+/** Texts that are no number for any attribute. */
 const noNumbers = ['', 'abc', '1px', '0x10', '1e', '--1', 'NaN', 'Infinity', '1 2 3 4 5'];
 const notFinite = ['1e999', '-1e999'];
 

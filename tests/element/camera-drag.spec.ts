@@ -46,7 +46,7 @@ test.describe('a drag with the primary button', () => {
     expect(await cameraOf(viewer)).toEqual(direct);
   });
 
-  test('is exactly at the start when the pointer is back at the start', async ({ page, mount }) => {
+  test('returns exactly to the start with the pointer', async ({ page, mount }) => {
     const viewer = await mount(oddBox);
     const start = await cameraOf(viewer);
     const before = await pixels(viewer);
@@ -187,7 +187,7 @@ test.describe('what happens during a drag', () => {
     ],
     ['blur of the window', () => window.dispatchEvent(new Event('blur'))],
   ] as const) {
-    test(`${what} ends it`, async ({ page, mount }) => {
+    test(`${what} ends the drag`, async ({ page, mount }) => {
       const viewer = await mount(box);
       await viewer.evaluate((element: PhongViewer) => {
         const surface = element.shadowRoot?.querySelector<HTMLElement>('[part=surface]');
@@ -203,7 +203,7 @@ test.describe('what happens during a drag', () => {
     });
   }
 
-  test('taking the viewer out of the document ends it', async ({ page, mount }) => {
+  test('removing the viewer from the document ends the drag', async ({ page, mount }) => {
     const viewer = await mount(box);
     await drag(page, [300, 200], [60, 0], { release: false });
     await viewer.evaluate((element) => {
@@ -273,7 +273,7 @@ test.describe('in transformed parents, a drag follows the element’s own axes',
     expect(await cameraOf(viewer)).toMatchObject({ theta: upright.theta, phi: upright.phi });
   });
 
-  test('a parent that turns during a drag moves nothing by itself', async ({ page, mount }) => {
+  test('rotating the parent during a drag does not move the camera', async ({ page, mount }) => {
     const viewer = await mount(`<main>${box}</main>`, { css: 'main { width: 600px; height: 400px }' });
     await drag(page, [300, 200], [60, 0], { release: false });
     await viewer.evaluate((element) => (element.parentElement!.style.rotate = '90deg'));

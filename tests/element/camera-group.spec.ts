@@ -1,5 +1,4 @@
-// Do viewers with the same `camera-group` show their scenes from exactly the same place, whatever moves one of them? Poses are compared
-// bit by bit, events by their number.
+// Do viewers with the same `camera-group` always have exactly the same camera? Poses are compared bit by bit, and events counted.
 
 import type { Page } from '@playwright/test';
 import { allReady, expect, test } from '../support/test.js';
@@ -30,12 +29,15 @@ async function expectOnePose(page: Page): Promise<{ theta: number; phi: number; 
   return JSON.parse(all[0] ?? '') as { theta: number; phi: number; radius: number };
 }
 
-test('the first of a group keeps its camera, and the others take it', async ({ page, mount }) => {
+test('the first viewer of a group keeps its camera, and the others take it', async ({ page, mount }) => {
   await mount(pair('theta="10" radius="5"', 'theta="80" phi="20"'), size);
   expect(await expectOnePose(page)).toMatchObject({ theta: 10, phi: 70, radius: 5 });
 });
 
-test('a drag, a wheel turn, keys and a property move all, and each says so once', async ({ page, mount }) => {
+test('a drag, a wheel turn, keys and a property move all viewers, with one event each', async ({
+  page,
+  mount,
+}) => {
   const first = await mount(pair('', ''), size);
   const second = page.locator('phong-viewer').nth(1);
   const heard = [await record(first, 'camera-change'), await record(second, 'camera-change')] as const;
@@ -82,7 +84,7 @@ test('auto fits the largest scene of the group, and again when members come, go 
   await nextFrame(page);
   const narrow = (await expectOnePose(page)).radius;
   expect(narrow).toBeGreaterThan(2 * alone);
-  // A scene that shows nothing has no say.
+  // Empty scenes do not count.
   await page.evaluate(() => {
     const empty = document.createElement('phong-viewer');
     empty.cameraGroup = 'a';
@@ -115,7 +117,7 @@ test('a member that is not displayed counts, and has the right camera when it co
   expect((await cameraOf(first)).theta).not.toBe(30);
 });
 
-test('a viewer that leaves its group moves alone, and takes the camera of the one it joins', async ({
+test('a viewer that leaves its group moves alone, and takes the camera of the next group it joins', async ({
   page,
   mount,
 }) => {
@@ -133,7 +135,7 @@ test('a viewer that leaves its group moves alone, and takes the camera of the on
   expect((await expectOnePose(page)).theta).toBe(10);
 });
 
-test('a viewer that is moved on its page keeps the camera of its group, and says nothing', async ({
+test('a viewer that moves on its page keeps the camera of its group, without an event', async ({
   page,
   mount,
 }) => {
@@ -148,7 +150,10 @@ test('a viewer that is moved on its page keeps the camera of its group, and says
   expect([...(await heard.take()), ...(await others.take())]).toEqual([]);
 });
 
-test('one turntable turns a group, and waits while any viewer is dragged', async ({ page, mount }) => {
+test('one auto-rotate turns the whole group, and pauses while any viewer is dragged', async ({
+  page,
+  mount,
+}) => {
   const first = await mount(pair('auto-rotate="30"', 'auto-rotate="-700"'), size);
   const heard = await record(page.locator('phong-viewer').nth(1), 'camera-change');
   await nextFrame(page);
@@ -168,7 +173,7 @@ test('one turntable turns a group, and waits while any viewer is dragged', async
   await expect.poll(async () => (await cameraOf(first)).theta).not.toBe(held);
 });
 
-test('groups reach into shadow trees, and not into other documents', async ({ page, mount, site }) => {
+test('groups include viewers in shadow trees, but not in other documents', async ({ page, mount, site }) => {
   const address = site.page(pair('theta="1"', 'theta="2"'), {
     csp: '',
     head: '<script type="module" src="/dist/phong-viewer.standalone.js"></script>',
@@ -201,7 +206,7 @@ test('the camera of a group is that of toHTML, and auto stays auto', async ({ pa
   expect(html).toContain('camera-group="a"');
 });
 
-test('20 linked viewers take one event and one frame each for a move', async ({ page, mount }) => {
+test('a move costs each of 20 linked viewers one event and one frame', async ({ page, mount }) => {
   await mount('<phong-viewer geometry="box" camera-group="a"></phong-viewer>'.repeat(20), {
     width: 60,
     height: 40,
@@ -229,7 +234,7 @@ test('20 linked viewers take one event and one frame each for a move', async ({ 
   expect(counts.thetas).toEqual(Array<number>(20).fill(40));
 });
 
-test('two fingers on one viewer shift and zoom all', async ({ page, mount }) => {
+test('two fingers on one viewer shift and zoom all viewers', async ({ page, mount }) => {
   await mount(pair('', ''), size);
   const before = JSON.stringify(await expectOnePose(page));
   const fingers = await Fingers.on(page);
@@ -241,7 +246,10 @@ test('two fingers on one viewer shift and zoom all', async ({ page, mount }) => 
   await expectOnePose(page);
 });
 
-test('the panel moves all, as the source panel, and undoes it for all', async ({ page, mount }) => {
+test('the panel moves all viewers with the source "panel", and undo moves all back', async ({
+  page,
+  mount,
+}) => {
   const first = await mount(pair('gui', ''), { ...size, width: 500, height: 350 });
   const folder = await opened(first, 'Camera');
   const before = JSON.stringify(await expectOnePose(page));

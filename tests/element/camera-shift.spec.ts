@@ -29,7 +29,7 @@ test.describe('shifting the target', () => {
     });
   }
 
-  test('is exactly at the start when the pointer is back at the start', async ({ page, mount }) => {
+  test('returns exactly to the start with the pointer', async ({ page, mount }) => {
     const viewer = await mount(oddBox);
     const start = await cameraOf(viewer);
     await drag(page, [300, 200], [50, 20], { button: 'right', release: false });
@@ -99,7 +99,7 @@ test.describe('fingers', () => {
     expect(target[2]).toBeCloseTo(50 * perPixel, 12);
   });
 
-  test('the finger that stays continues to turn from where it is', async ({ page, mount }) => {
+  test('the remaining finger continues to turn from where it is', async ({ page, mount }) => {
     const viewer = await mount(near);
     const fingers = await Fingers.on(page);
     await fingers.down([250, 200], [350, 200]);

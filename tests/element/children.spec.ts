@@ -19,7 +19,7 @@ const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0)
 const names = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element: PhongViewer) => [...element.lights, ...element.meshes].map(({ name }) => name));
 
-test.describe('belong to the nearest viewer', () => {
+test.describe('children belong to the nearest viewer', () => {
   test('inside wrappers, and inside one another, as self-closed tags are parsed', async ({ page, mount }) => {
     const wrapped = `<div><p>${red}</p><span>${box}</span></div>${green}`;
     const viewer = await mount(scene(wrapped), size);
@@ -64,8 +64,8 @@ test.describe('belong to the nearest viewer', () => {
   });
 });
 
-test.describe('do not belong to a viewer', () => {
-  test('in the content of its slots, unless that holds a viewer of its own', async ({
+test.describe('children do not belong to a viewer', () => {
+  test('in the content of its slots, unless that contains a viewer itself', async ({
     page,
     mount,
     consoleGuard,
@@ -92,7 +92,7 @@ test.describe('do not belong to a viewer', () => {
       ]);
   });
 
-  test('out of the document and in an element that merely has a host', async ({ page, mount }) => {
+  test('outside the document, and in elements with a mere `host` property', async ({ page, mount }) => {
     await mount('<main></main>', size);
     const found = await page.evaluate(() => {
       const link = document.createElement('a');
@@ -110,7 +110,7 @@ test.describe('do not belong to a viewer', () => {
   });
 });
 
-test.describe('are found', () => {
+test.describe('children are found', () => {
   test('by a viewer that is defined later than they are', async ({ page, site, mount }) => {
     const wanted = await pixels(await mount(scene(`<div>${red}</div>`, green, box), size));
     await page.goto(site.page(scene(`<div>${red}</div>`, green, box), { css: 'phong-viewer { display: block; width: 60px; height: 40px }' })); // prettier-ignore
@@ -151,7 +151,7 @@ test.describe('are found', () => {
     same(await pixels(page.locator('phong-viewer')), wanted);
   });
 
-  test('in a viewer that was never in the document, and come and go there', async ({ page, mount }) => {
+  test('in a viewer outside the document, where they can be added and removed', async ({ page, mount }) => {
     await mount('<main></main>', size);
     const counts = await page.evaluate(() => {
       const viewer = document.createElement('phong-viewer');
@@ -166,7 +166,10 @@ test.describe('are found', () => {
     expect(counts).toEqual([3, 1, 3, 2]);
   });
 
-  test('gone when they were removed while the viewer was out of the document', async ({ page, mount }) => {
+  test('no longer when they were removed while the viewer was outside the document', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene(red, green, box), size);
     const facts = await viewer.evaluate(async (element: PhongViewer) => {
       const parent = element.parentElement;
@@ -182,7 +185,7 @@ test.describe('are found', () => {
   });
 });
 
-test.describe('moves', () => {
+test.describe('moves of children', () => {
   test('within a viewer keep what a mesh shows and load nothing', async ({ page, mount }) => {
     const model = '<phong-mesh name="model" src="/fixtures/models/textured.glb"></phong-mesh>';
     const viewer = await mount(scene(red, model, box), size);
@@ -200,7 +203,7 @@ test.describe('moves', () => {
     same(await pixels(viewer), await shown(page, scene(red, box, model)));
   });
 
-  test('with moveBefore keep everything and bring the new order', async ({ mount }) => {
+  test('with moveBefore keep everything and update the order', async ({ mount }) => {
     const viewer = await mount(`<main></main>${scene(red, green, box)}`, size);
     const before = await pixels(viewer);
     const events = await viewer.evaluate((element) => {
@@ -284,7 +287,7 @@ test('many lights connected one per microtask make one frame, in document order'
   expect(facts).toEqual([true, 300, 1]);
 });
 
-test('a light that comes and goes in one task leaves everything as it was', async ({ page, mount }) => {
+test('a light added and removed in one task changes nothing', async ({ page, mount }) => {
   const viewer = await mount(scene(red), size);
   const before = await pixels(viewer);
   await viewer.evaluate((element: PhongViewer) => {

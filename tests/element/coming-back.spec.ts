@@ -1,10 +1,10 @@
-// What is left of what was: viewers that went and came back, loads that were given up, failures that were mended.
+// Does everything work again after an interruption: viewers that return, loads that were aborted, failures that were fixed?
 import { compare, expect, pixelAt, pixels, test } from '../support/test.js';
 import { cameraOf, nextFrame, record, type PhongMesh, type PhongViewer } from './support.js';
 
 const SMALL = { width: 120, height: 90 };
 
-test('a viewer that stayed away comes back whole while another is on the page', async ({ mount, page }) => {
+test('a viewer returns complete while another one is on the page', async ({ mount, page }) => {
   const viewer = await mount(
     '<phong-viewer geometry="sphere"></phong-viewer><phong-viewer geometry="box"></phong-viewer>',
     SMALL,
@@ -22,10 +22,7 @@ test('a viewer that stayed away comes back whole while another is on the page', 
   expect(compare(await pixels(page.locator('phong-viewer').first()), before).max).toBe(0);
 });
 
-test('nothing waits for a load that was given up, in a viewer that cannot be seen', async ({
-  mount,
-  page,
-}) => {
+test('nothing waits for an aborted load in a viewer out of view', async ({ mount, page }) => {
   await page.route('**/never.glb', () => undefined); // no answer, ever
   const viewer = await mount('<phong-viewer hidden src="/never.glb"></phong-viewer>', {
     waitForReady: false,
@@ -50,7 +47,7 @@ test('nothing waits for a load that was given up, in a viewer that cannot be see
   expect(outcome).toEqual(['ready', 'ready', 'ready']);
 });
 
-test('a mesh moved to another viewer is heard there, looked at or not', async ({ mount, page }) => {
+test('a mesh that moved to another viewer reports to that one, in view or not', async ({ mount, page }) => {
   const viewer = await mount(
     '<phong-viewer><phong-mesh geometry="box" ks="0"></phong-mesh></phong-viewer><phong-viewer></phong-viewer>',
     SMALL,
@@ -70,7 +67,7 @@ test('a mesh moved to another viewer is heard there, looked at or not', async ({
   expect([g, b]).toEqual([0, 0]);
 });
 
-test('a viewer just appended knows its size when it is asked', async ({ mount, page }) => {
+test('a viewer knows its size right after it was appended', async ({ mount, page }) => {
   await mount('<phong-viewer></phong-viewer>', {
     ...SMALL,
     css: '.tall { width: 60px !important; height: 120px !important }',
@@ -89,7 +86,7 @@ test('a viewer just appended knows its size when it is asked', async ({ mount, p
   expect(first).toBe(then);
 });
 
-test('the message of a failure goes with what failed', async ({ mount, page, consoleGuard }) => {
+test('the message of a failure disappears with the failed element', async ({ mount, page, consoleGuard }) => {
   consoleGuard.allow(/404/);
   const viewer = await mount('<phong-viewer><phong-mesh src="/nowhere.glb"></phong-mesh></phong-viewer>');
   const notice = viewer.locator('[part=notice]');
@@ -101,7 +98,7 @@ test('the message of a failure goes with what failed', async ({ mount, page, con
   await expect(notice).toHaveCount(0);
 });
 
-test('the same address is tried again after it has failed, and every failure is told', async ({
+test('the same address is fetched again after a failure, and every failure is reported', async ({
   mount,
   consoleGuard,
 }) => {
@@ -118,7 +115,7 @@ test('the same address is tried again after it has failed, and every failure is 
   expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(false);
 });
 
-test('a drag turns by the width that is seen, inside a scaled page too', async ({ mount, page }) => {
+test('a drag uses the width on screen, also on a scaled page', async ({ mount, page }) => {
   const viewer = await mount('<phong-viewer geometry="box" theta="0"></phong-viewer>', {
     width: 300,
     height: 200,
@@ -138,7 +135,7 @@ test('changes and removals of several lights in one task make one event, which l
   const viewer = await mount(
     '<phong-viewer><phong-light name="a"></phong-light><phong-light name="b"></phong-light><phong-light name="c"></phong-light></phong-viewer>',
   );
-  const told = await viewer.evaluate(async (element: PhongViewer) => {
+  const changes = await viewer.evaluate(async (element: PhongViewer) => {
     const events: string[][] = [];
     element.addEventListener('light-change', ({ detail }) => {
       events.push([String(Object.isFrozen(detail.lights)), ...detail.lights.map(({ name }) => name)]);
@@ -155,14 +152,14 @@ test('changes and removals of several lights in one task make one event, which l
     await new Promise((resolve) => setTimeout(resolve));
     return events;
   });
-  expect(told).toEqual([
+  expect(changes).toEqual([
     ['true', 'b', 'a'],
     ['true', 'a', 'c'],
   ]);
   await nextFrame(page);
 });
 
-test('the picture has the pixels that it covers inside CSS zoom', async ({ mount }) => {
+test('the picture has the pixels that it covers under CSS zoom', async ({ mount }) => {
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', {
     ...SMALL,
     css: 'phong-viewer { zoom: 2 }',

@@ -1,5 +1,5 @@
-// Does <phong-compare> show its viewers over each other or side by side, and can the dividers be moved by mouse, finger and keys? A
-// comparison is 400 × 200 CSS pixels at the page's top left, unless a test says otherwise.
+// Does <phong-compare> show its viewers split or side by side, and can its dividers be moved by mouse, finger and keys? A comparison is
+// 400 × 200 CSS pixels at the page's top left, unless a test says otherwise.
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongCompare } from '../../src/index.js';
@@ -28,7 +28,7 @@ const comparison = (attributes = '', inner = two): string =>
 
 const css = 'phong-compare { display: block; width: 400px; height: 200px } main { display: block }';
 
-/** Mounts a page with a comparison; gives it once its viewers have drawn. */
+/** Mounts a page with a comparison. Resolves when its viewers have drawn. */
 async function compared(page: Page, mount: Mount, markup: string, more = ''): Promise<Locator> {
   await mount(markup, { css: css + more, waitForReady: false });
   const compare = page.locator('phong-compare').first();
@@ -68,7 +68,7 @@ test('two viewers fill the comparison, and a divider stands in the middle betwee
 });
 
 test.describe('a divider', () => {
-  test('follows the pointer from where it was pressed, and says where it is', async ({ page, mount }) => {
+  test('follows the pointer from where it was pressed, and updates its value', async ({ page, mount }) => {
     const compare = await compared(page, mount, comparison('at="40"'));
     const heard = await record(compare, 'divider-change');
     await drag(page, [165, 20], [-60, 30], { steps: 2 });
@@ -88,7 +88,7 @@ test.describe('a divider', () => {
     expect(x + width).toBe(400);
   });
 
-  test('goes back by Escape during a drag, and by a double click to where it was declared', async ({
+  test('returns by Escape during a drag, and by a double click to its declared position', async ({
     page,
     mount,
   }) => {
@@ -137,7 +137,7 @@ test.describe('a divider', () => {
     }
   });
 
-  test('moves against the arrows of a page written from right to left, and along the pointer', async ({
+  test('mirrors the arrow keys on a page written from right to left, but not the pointer', async ({
     page,
     mount,
   }) => {
@@ -206,7 +206,7 @@ test('both halves of a split show exactly what each viewer alone shows there', a
   expect(pixelAt(alone[0]!, 180, 90)).not.toEqual(pixelAt(alone[1]!, 180, 90));
 });
 
-test('a drag on either picture turns both, and a name of a camera group keeps a viewer out', async ({
+test('a drag on either picture turns both, unless a viewer has a camera group of its own', async ({
   page,
   mount,
 }) => {
@@ -244,7 +244,7 @@ test('two fingers on both sides of a divider are one pinch', async ({ page, moun
   expect((await cameraOf(viewers[0]!)).theta).toBeLessThan(before.theta);
 });
 
-test('a move draws each viewer once, and none that the divider hides', async ({ page, mount }) => {
+test('a move draws each viewer once, except those that the divider hides', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   const first = page.locator('phong-viewer').first();
   const moved = async (): Promise<number[]> => {
@@ -289,7 +289,7 @@ test('side by side, each viewer has a share of the width, and rows where that is
   await expect(dividers(compare)).toHaveCount(3);
 });
 
-test('labels are the given ones, or the names of the viewers', async ({ page, mount }) => {
+test('labels come from `labels`, or from the names of the viewers', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   const texts = () => compare.locator('.label:visible').allTextContents();
   expect(await texts()).toEqual(['Gouraud', 'Phong']);
@@ -308,7 +308,7 @@ test('labels are the given ones, or the names of the viewers', async ({ page, mo
   await expect(dividers(compare)).toHaveAccessibleName('Trenner');
 });
 
-test('viewers can be added, removed and absent, and the comparison can move', async ({ page, mount }) => {
+test('viewers can be added and removed, and the comparison can move on its page', async ({ page, mount }) => {
   const compare = await compared(page, mount, `<main></main>${comparison('at="30"', '')}`);
   await expect(dividers(compare)).toHaveCount(0);
   const add = (): Promise<void> =>
@@ -334,7 +334,7 @@ test('viewers can be added, removed and absent, and the comparison can move', as
   await nextFrame(page);
 });
 
-test('a divider taken away in mid-drag leaves nothing stuck', async ({ page, mount }) => {
+test('removing a divider during a drag ends the drag', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison());
   await drag(page, [200, 100], [40, 0], { release: false });
   await compare.evaluate((element) => element.lastElementChild?.remove());
@@ -383,7 +383,7 @@ test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   );
 });
 
-test('what a page says of viewers elsewhere changes nothing inside', async ({ page, mount }) => {
+test('page styles for viewers elsewhere do not affect those inside', async ({ page, mount }) => {
   await compared(
     page,
     mount,
@@ -393,7 +393,7 @@ test('what a page says of viewers elsewhere changes nothing inside', async ({ pa
   expect(await page.locator('phong-viewer').first().boundingBox()).toMatchObject({ width: 400, height: 200 });
 });
 
-test('without its code the viewers are there, one after the other, and a warning says why', async ({
+test('if its code cannot be fetched, the viewers are shown one after the other, with a warning', async ({
   page,
   mount,
   consoleGuard,
@@ -472,10 +472,7 @@ test('a viewer that is moved without being disconnected joins the comparison, to
   await expect.poll(async () => (await cameraOf(page.locator('phong-viewer').nth(2))).theta).toBe(10);
 });
 
-test('panel and picture of a split viewer keep their places: an open panel is beside neither picture alone', async ({
-  page,
-  mount,
-}) => {
+test('an open panel in a split comparison does not shift one of the pictures', async ({ page, mount }) => {
   const wide = 'phong-compare { width: 900px; height: 400px }';
   const compare = await compared(
     page,

@@ -10,7 +10,10 @@ const box = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phon
 test.beforeEach(({ page }) => installFaults(page));
 
 for (const count of [1, 2]) {
-  test(`draws once the browser gives a context, with ${count} on the page`, async ({ mount, page }) => {
+  test(`a refused context is requested again, and then drawn with, with ${count} on the page`, async ({
+    mount,
+    page,
+  }) => {
     const expected = await pixels(await mount(box.repeat(count), SIZE));
     await page.addInitScript(() => (window.faults.opening = 'throws'));
     const viewer = await mount(box.repeat(count), SIZE);
@@ -19,7 +22,7 @@ for (const count of [1, 2]) {
     await expect(notices).toHaveCount(count);
     expect(await page.evaluate(() => window.faults.asked)).toBe(1);
 
-    // Changes do not ask again: a script may make one in each frame.
+    // Changes request no context: a script may make one in each frame.
     await viewer.evaluate((element: PhongViewer) => (element.theta = 31));
     await viewer.evaluate((element: PhongViewer) => (element.theta = 30));
     await nextFrame(page);
@@ -42,7 +45,7 @@ for (const count of [1, 2]) {
   });
 }
 
-test('asks for a context again when a viewer connects', async ({ mount, page }) => {
+test('a context is requested again when a viewer connects', async ({ mount, page }) => {
   await page.addInitScript(() => (window.faults.opening = 'null'));
   const viewer = await mount(box, SIZE);
   await expect(viewer.locator('[part=notice]')).toHaveText('this browser gives no WebGL 2 context');
@@ -54,7 +57,7 @@ test('asks for a context again when a viewer connects', async ({ mount, page }) 
   await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBeGreaterThan(0);
 });
 
-test('a context lost at any call of its creation and first picture is reported as lost, once, and comes back', async ({
+test('a context lost at any call before the end of the first picture is reported once and restored', async ({
   mount,
   page,
 }) => {
@@ -132,7 +135,7 @@ test('a context lost as soon as it opens is reported as lost', async ({ mount, p
   await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(1);
 });
 
-test('a viewer that connects while the context is lost says so', async ({ mount, page }) => {
+test('a viewer that connects while the context is lost reports it', async ({ mount, page }) => {
   await mount(box, SIZE);
   await page.evaluate(() => window.faults.lose());
   await expect(page.locator('[part=notice]')).toHaveCount(1);
@@ -158,13 +161,13 @@ for (const [when, calls] of [
       }
       if (calls === 0) window.faults.lose();
       else window.faults.callsLeft = calls;
-      const told = (promise: Promise<unknown>): Promise<string> => promise.then(() => 'a picture', String);
-      const first = await told(element.toBlob(size));
+      const outcome = (promise: Promise<unknown>): Promise<string> => promise.then(() => 'a picture', String);
+      const first = await outcome(element.toBlob(size));
       await new Promise((resolve) => setTimeout(resolve, 50));
-      const second = await told(element.toBlob(size));
+      const second = await outcome(element.toBlob(size));
       window.faults.restore();
       await new Promise((resolve) => setTimeout(resolve, 50));
-      return [first, second, await told(element.toBlob(size))];
+      return [first, second, await outcome(element.toBlob(size))];
     }, calls);
     const message = 'Error: the graphics context is lost: there is no picture until the browser restores it';
     expect(outcomes).toEqual([message, message, 'a picture']);

@@ -1,24 +1,24 @@
-// What a page does, counted from outside: everything that can cost something while nothing happens is wrapped before any
+// Counts what a page does and holds: frames, timers, WebGL calls, listeners, GPU objects. Wraps the browser's functions before any
 // script runs. Playwright's own waiting happens outside the page.
 
 import type { Page } from '@playwright/test';
 
 export interface Counts {
-  /** Asked for so far. */
+  /** Requested so far. */
   readonly frames: number;
   readonly timers: number;
   readonly idleCallbacks: number;
   /** Calls of any WebGL 2 function. */
   readonly gl: number;
-  /** Of pictures into 2D canvases. */
+  /** `drawImage` calls on 2D canvases. */
   readonly copies: number;
-  /** Questions of the package that lay the page out, or would: what is skipped by the browser as well. */
+  /** Reads by the package that may force layout. */
   readonly layouts: number;
-  /** Contexts made so far. */
+  /** WebGL contexts created so far. */
   readonly contexts: number;
-  /** Logs of programs and shaders asked for: each answer is waited for. */
+  /** Reads of info logs of programs and shaders, which block. */
   readonly logs: number;
-  /** Now there: made and not deleted, of all contexts. */
+  /** Created and not deleted, over all contexts; also the next six. */
   readonly textures: number;
   readonly buffers: number;
   readonly programs: number;
@@ -26,17 +26,17 @@ export interface Counts {
   readonly framebuffers: number;
   readonly renderbuffers: number;
   readonly vertexArrays: number;
-  /** Of the package on the window, the document and media queries, now. */
+  /** Current listeners of the package on the window, the document and media queries. */
   readonly listeners: number;
-  /** That watch something now. */
+  /** Observers with at least one target. */
   readonly observers: number;
-  /** Of all canvases that have a context, now. */
+  /** Pixels of all canvases with a context. */
   readonly canvasPixels: number;
-  /** The most of one that had a WebGL context when it was last asked. */
+  /** Pixels of the largest WebGL canvas. */
   readonly sheetPixels: number;
 }
 
-/** Counts everything on pages of this context that are opened from now on. */
+/** Counts on all pages of this context that are opened later. */
 export async function countEverything(page: Page): Promise<void> {
   await page.addInitScript(wrapEverything);
 }
@@ -57,7 +57,7 @@ export const spentBetween = (before: Counts, after: Counts): Spent => ({
   layouts: after.layouts - before.layouts,
 });
 
-/** What the page does in this time, which is waited for outside of it. */
+/** What the page does within `ms` milliseconds. The wait happens outside the page. */
 export async function spentIn(page: Page, ms: number): Promise<Spent> {
   const before = await countsOf(page);
   await new Promise((resolve) => setTimeout(resolve, ms));
@@ -179,7 +179,7 @@ function wrapEverything(): void {
   };
   wrap(EventTarget.prototype, 'addEventListener', ([type, listener, options], self) => {
     const target = self ?? window;
-    // Playwright listens too, once it has looked for an element.
+    // Playwright adds listeners too, after its first look-up of an element.
     if (!isGlobal(target) || !isOurs()) return;
     listen(target, type, listener, true);
     const signal = (options as AddEventListenerOptions | undefined)?.signal;

@@ -1,10 +1,10 @@
-// Does everything work under a strict Content-Security-Policy, and does nothing leave the page's own server? The guard of
-// every test fails on any console line and any report of the policy; this page has all the parts that could make one.
+// Does everything work under a strict Content-Security-Policy, without requests to other servers? Any console line and any policy report
+// fails the test; this page has all parts that could cause one.
 
 import { expect, strictPolicy, test } from '../support/test.js';
 import { type PhongViewer } from './support.js';
 
-test('panel, Draco bunny, embedded textures, poster and messages need nothing that a strict policy refuses', async ({
+test('panel, Draco bunny, embedded textures, poster and messages work under a strict policy', async ({
   page,
   site,
   mount,
@@ -28,7 +28,7 @@ test('panel, Draco bunny, embedded textures, poster and messages need nothing th
     element.style.width = '500px';
     await element.ready;
     await element.toBlob({ type: 'image/jpeg' });
-    // Its markup would keep it, and the policy refuses style attributes in markup.
+    // toHTML would keep it, and the policy refuses style attributes in markup.
     element.removeAttribute('style');
     const copy = document.createElement('div');
     copy.innerHTML = element.toHTML();

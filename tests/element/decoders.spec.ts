@@ -1,5 +1,5 @@
-// Where are compressed models unpacked? In a worker that is a file of the package, on the main thread where it cannot start, alike to
-// the last bit; one worker for any number of models, none after an abort or a while of rest.
+// Where are compressed models unpacked? In one worker for any number of models, or on the main thread if it cannot start, with the same
+// bits. The worker ends after an abort or an idle time.
 
 import type { Locator, Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';
@@ -13,7 +13,7 @@ const scene = `<phong-viewer src="${bunny}"></phong-viewer>`;
 const size = { width: 90, height: 60 };
 const workerFile = /\/draco-worker[^/]*\.js$/;
 
-/** A number for each array of each geometry: equal only for equal bits. */
+/** A hash of each array of each geometry. */
 const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
   viewer.evaluate((element: PhongViewer) => {
     const found: string[] = [];
@@ -70,10 +70,7 @@ test('damaged data give the same error from both', async ({ page, site, mount })
   expect(await outcome()).toBe(threaded);
 });
 
-test('a policy that allows no worker does not keep the model from being shown', async ({
-  mount,
-  consoleGuard,
-}) => {
+test('a model is shown under a policy that allows no worker', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/worker-src/);
   const viewer = await mount(scene, { ...size, csp: `${strictPolicy}; worker-src 'none'` });
   expect(await loaded(viewer)).toBe(true);
@@ -88,7 +85,7 @@ test('twenty models at once use one worker', async ({ page, mount }) => {
   expect(started).toHaveLength(1);
 });
 
-test('the worker starts while the bytes of the meshes are on their way', async ({ page, mount }) => {
+test('the worker starts while the meshes are still being downloaded', async ({ page, mount }) => {
   const starting = page.waitForEvent('worker');
   await page.route('**/*.bin', async (route) => {
     await starting;
@@ -98,7 +95,7 @@ test('the worker starts while the bytes of the meshes are on their way', async (
   expect(await loaded(viewer)).toBe(true);
 });
 
-test('removing the viewer ends the worker at its work, and the next model gets a new one', async ({
+test('removing the viewer terminates a busy worker, and the next model gets a new one', async ({
   page,
   mount,
 }) => {
@@ -121,7 +118,7 @@ test('removing the viewer ends the worker at its work, and the next model gets a
   expect(started).toHaveLength(2);
 });
 
-test('a worker without work ends', async ({ page, mount }) => {
+test('an idle worker ends', async ({ page, mount }) => {
   await page.clock.install();
   const starting = page.waitForEvent('worker');
   const mounting = mount(scene, size);

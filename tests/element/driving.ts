@@ -1,14 +1,13 @@
-// Pictures that keep being drawn: frames one after another, as motion makes them, until a viewer draws by a specialised program.
-// Needs the page's log of WebGL (gl-log.ts).
+// Draws frame after frame, as motion does, until viewers use specialised programs. Needs the page's log of WebGL (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
 import { drawnWith, glSpent, type GlProgram, isSpecialised, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
-/** Frames after which it is too late: many, for busy machines. */
+/** Frames to wait for a specialised program: many, for busy machines. */
 const MOST_FRAMES = 400;
 
-/** Draws all the page's viewers in this many frames, one after another, unchanged. */
+/** Draws all viewers of the page, unchanged, for this many frames. */
 export async function drawFrames(page: Page, frames: number): Promise<void> {
   await page.evaluate(async (count) => {
     for (let i = 0; i < count; i++) {
@@ -19,9 +18,7 @@ export async function drawFrames(page: Page, frames: number): Promise<void> {
   }, frames);
 }
 
-/**
- * Draws this many frames, in each of which every light has moved. In software the general program draws them.
- */
+/** Moves every light in each of this many frames. In software the general program draws them. */
 export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
   viewer.evaluate(async (element: PhongViewer, count) => {
     for (let frame = 0; frame < count; frame++) {
@@ -34,7 +31,7 @@ export const moveFor = (viewer: Locator, frames: number): Promise<void> =>
     }
   }, frames);
 
-/** Whether everything on the page was drawn by such programs in its last frame. */
+/** Whether all lit draws of one more frame use such programs. */
 async function allAre(page: Page, wanted: (one: GlProgram) => boolean): Promise<boolean> {
   await glSpent(page);
   await drawFrames(page, 1);
@@ -42,7 +39,7 @@ async function allAre(page: Page, wanted: (one: GlProgram) => boolean): Promise<
   return lit.length > 0 && lit.every(wanted);
 }
 
-/** Keeps drawing until everything on the page is drawn by programs of its own, or by such ones; says how many frames that took. */
+/** Draws until all lit draws use specialised programs, or programs as `wanted`. Returns the number of frames. */
 export async function drawUntilSpecialised(
   page: Page,
   wanted: (one: GlProgram) => boolean = isSpecialised,

@@ -1,5 +1,5 @@
-// Does the demo's page of one fragment add to the viewer's probe what shadeAt tells and what the picture holds, wherever a mouse, a finger
-// or the keyboard points? Served as the demo is, under the strict policy. Places are CSS pixels in the picture.
+// Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse, finger or keyboard point? Served under
+// the strict policy. Places are CSS pixels in the picture.
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
@@ -8,7 +8,7 @@ import { nextFrame, type PhongViewer } from './support.js';
 
 type Color = readonly number[];
 
-/** What the page says. */
+/** The texts of the page. */
 interface Told {
   readonly p: Color;
   readonly N: Color;
@@ -23,7 +23,7 @@ const PLACES = [
   [0.5, 0.36],
 ] as const;
 
-/** The one place that is announced. */
+/** The page's only live region. */
 const result = (page: Page): Locator => page.locator('#result[role=status]');
 
 async function open(page: Page): Promise<void> {
@@ -70,7 +70,7 @@ const isAt = async (page: Page, { x, y }: Place): Promise<number> => {
   return Math.hypot(mark.x - x, mark.y - y);
 };
 
-/** Holds all that the page says against shadeAt and toBlob at this place of the picture. */
+/** Compares all values on the page with shadeAt and toBlob at this place of the picture. */
 async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
   const viewer = page.locator('phong-viewer');
   const fragment = await viewer.evaluate(
@@ -101,9 +101,7 @@ async function expectFragment(page: Page, { x, y }: Place): Promise<void> {
 }
 
 test.describe('the page of one fragment', () => {
-  test('shows what shadeAt and the picture say at the mark and wherever the mouse points', async ({
-    page,
-  }) => {
+  test('shows the values of shadeAt and of the picture at the mark and under the mouse', async ({ page }) => {
     await open(page);
     const start = await markAt(page);
     await expectFragment(page, start);
@@ -119,7 +117,9 @@ test.describe('the page of one fragment', () => {
       .toBeLessThan(1);
   });
 
-  test('keeps the mark where a click or Enter puts it, and says where no surface is', async ({ page }) => {
+  test('keeps the mark where a click or Enter puts it, and reports places without a surface', async ({
+    page,
+  }) => {
     await open(page);
     const [inPicture, onPage] = await place(page, PLACES[0]);
     await page.mouse.click(onPage.x, onPage.y);
@@ -163,7 +163,7 @@ test.describe('the page of one fragment', () => {
     await expect(result(page), 'the point is on the far side now').toContainText('No surface');
   });
 
-  test('reads the picture once a change, and rests while nothing happens', async ({ page }) => {
+  test('reads the picture once per change, and does nothing while nothing happens', async ({ page }) => {
     await open(page);
     const counts = await page.locator('phong-viewer').evaluateHandle((viewer: PhongViewer) => {
       const seen = { read: 0, shown: 0 };
@@ -180,7 +180,7 @@ test.describe('the page of one fragment', () => {
     await expect.poll(async () => (await counts.jsonValue()).shown).toBeGreaterThan(0);
     await page.getByRole('slider', { name: 'shininess' }).fill('80');
     await expect.poll(async () => (await counts.jsonValue()).read).toBe(1);
-    // Longer than the page waits before it reads and says the result.
+    // Longer than the page waits before it announces the result.
     await page.waitForTimeout(1000);
     const rested = await counts.jsonValue();
     await page.waitForTimeout(1000);
@@ -191,7 +191,7 @@ test.describe('the page of one fragment', () => {
   test.describe('under a finger', () => {
     test.use({ hasTouch: true, viewport: { width: 360, height: 720 } });
 
-    test('takes a tap, fits a phone, and gives axe nothing to complain of', async ({ page }) => {
+    test('responds to a tap, fits a phone and passes axe', async ({ page }) => {
       await open(page);
       await page.locator('phong-viewer').scrollIntoViewIfNeeded();
       const [inPicture, onPage] = await place(page, [0.45, 0.7]);

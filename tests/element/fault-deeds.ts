@@ -1,4 +1,4 @@
-// The steps of a history of faults, done in the page; and the end of all faults.
+// Performs the steps of a history of faults in the page, and ends all faults.
 
 import type { Step } from './history-deeds.js';
 import type { Opening } from './faults.js';
@@ -6,9 +6,9 @@ import type { PhongViewer } from './support.js';
 
 interface FaultDeeds {
   take(step: Step): void;
-  /** Ends every fault and waits until each viewer is ready. Gives what did not come to an end; empty if all did. */
+  /** Ends every fault and waits until each viewer is ready. Returns what did not settle, or ''. */
   heal(): Promise<string>;
-  /** What the page holds that it should not; empty if nothing. */
+  /** What the page holds although it should not, or ''. */
   leaks(): Promise<string>;
 }
 
@@ -31,7 +31,7 @@ export function installFaultDeeds(): void {
 
   const viewers = (): PhongViewer[] => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
   const wait = (ms: number): Promise<void> => new Promise((resolve) => setTimeout(resolve, ms));
-  /** Rejections are lawful here; that they settle is not checked by the page itself. */
+  /** Promises may reject here, but they must settle. */
   const keep = (promise: Promise<unknown>, what: string): void => {
     const settled = promise
       .catch(() => undefined)
@@ -106,13 +106,13 @@ export function installFaultDeeds(): void {
       if (viewer.src === '/nowhere.glb') viewer.src = '';
     }
     setVisibility('visible');
-    // A context may have been lost just now: its event has to come first.
+    // The event of a context that was lost just now has to arrive first.
     for (let time = 0; time < 3; time++) {
       await wait(60);
       faults.restore();
     }
     await wait(60);
-    // What could not be fetched is tried again by the next use.
+    // The next use fetches again what could not be fetched.
     for (const viewer of viewers()) {
       const { src, geometry } = viewer;
       for (const element of [viewer, ...viewer.meshes]) {

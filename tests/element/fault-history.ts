@@ -1,5 +1,5 @@
-// Plays histories of faults. When all faults have ended, every promise has settled, nothing was thrown, nothing is left over, and
-// the page shows what a new page with the same scenes shows. A history that fails is played again with parts left out.
+// Plays histories of faults. After the last fault every promise must settle, nothing may have thrown, nothing may leak, and the page must
+// show the same as a new page with the same scenes. A failing history is reduced.
 
 import type { Page, Route } from '@playwright/test';
 import { compare, type Mount } from '../support/test.js';
@@ -8,19 +8,19 @@ import { type ConsoleGuard, isRemark } from '../support/console-guard.js';
 import { installFaultDeeds } from './fault-deeds.js';
 import { randomFaults } from './fault-steps.js';
 import { installFaults } from './faults.js';
-import { shortest } from './history-shortest.js';
+import { failWithShortest } from './history-shortest.js';
 import type { Scenario } from './history-steps.js';
 import { nextFrame } from './support.js';
 
 const SIZE = { width: 120, height: 90, css: 'phong-viewer { float: left }' };
 
-/** What faults make the browser and the element say. */
+/** Console lines that faults cause. */
 const EXPECTED = /Failed to load resource|ERR_FAILED|could not be (fetched|loaded)/;
 
 class FaultPlayer {
   readonly #page: Page;
   readonly #mount: Mount;
-  /** What was thrown, rejected without a handler, or unexpected on the console. */
+  /** Errors, unhandled rejections and unexpected console lines. */
   readonly #heard: string[] = [];
   #requests = 'answered';
 
@@ -43,7 +43,7 @@ class FaultPlayer {
     );
   }
 
-  /** What was wrong; null if nothing was. */
+  /** The faults at the first look that found any; null if none did. */
   async play({ begins, tasks }: Scenario): Promise<string | null> {
     const page = this.#page;
     this.#requests = 'answered';
@@ -86,7 +86,7 @@ class FaultPlayer {
     await nextFrame(page);
     const fresh = await page.screenshot();
     const { max } = compare(decodePng(lived), decodePng(fresh));
-    // One code between programs for these lights and general ones.
+    // General and specialised programs may differ by one code.
     if (max > 1) faults.push(`the page differs from a new one by ${max} codes:\n${markup.join('\n')}`);
     return faults.filter((fault) => fault !== '').join('\n');
   }
@@ -110,12 +110,6 @@ export async function expectRecovery(
   for (const seed of seeds) {
     const history = randomFaults(seed, tasks, withLargest);
     const fault = await player.play(history);
-    if (fault === null) continue;
-    const { scenario, fault: again } = await shortest(history, (one) => player.play(one), SHORTENING_MS);
-    const told = [...scenario.begins, ...scenario.tasks.map((task) => JSON.stringify(task))].join('\n');
-    throw new Error(`seed ${seed}, ${fault}\n\nshortest:\n${told}\n${again || 'did not fail again'}`);
+    if (fault !== null) await failWithShortest(`seed ${seed}, ${fault}`, history, (one) => player.play(one));
   }
 }
-
-/** How long a failure is looked into. */
-const SHORTENING_MS = Number(process.env['PHONG_VIEWER_SHORTENING'] ?? 60_000);

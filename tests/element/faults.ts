@@ -1,24 +1,24 @@
-// Faults of the graphics context, from outside: `getContext` that fails, contexts that get lost at any call, and what a page
-// holds of contexts. Wrapped before any script runs. Knows no test.
+// Faults of the graphics context: a `getContext` that fails, contexts that are lost at any call. Also counts open contexts and programs.
+// Wraps the browser's functions before any script runs. Knows no test.
 
 import type { Page } from '@playwright/test';
 
-/** What `getContext('webgl2')` does from now on. `lost`: the context is lost as soon as it is there. */
+/** What `getContext('webgl2')` does. `lost`: it returns a context that is lost at once. */
 export type Opening = 'works' | 'null' | 'throws' | 'lost';
 
 interface Faults {
   opening: Opening;
   /** Calls of WebGL functions after which the context is lost; Infinity: never. Counts down. */
   callsLeft: number;
-  /** Contexts that are open now: opened, and not lost. */
+  /** Contexts that are open and not lost. */
   readonly open: number;
-  /** Calls of `getContext('webgl2')` so far, whatever they gave. */
+  /** Calls of `getContext('webgl2')` so far, with any outcome. */
   readonly asked: number;
-  /** Programs that exist now: created and neither deleted nor lost. */
+  /** Programs that were created and neither deleted nor lost. */
   readonly programs: number;
-  /** Loses the newest context that is open. */
+  /** Loses the newest open context. */
   lose(): void;
-  /** Restores the lost contexts whose `webglcontextlost` was dispatched and prevented. Browsers refuse others. */
+  /** Restores the lost contexts whose `webglcontextlost` was prevented. Browsers refuse others. */
   restore(): void;
 }
 
@@ -28,7 +28,7 @@ declare global {
   }
 }
 
-/** For pages of this context that are opened from now on. */
+/** For all pages of this context that are opened later. */
 export async function installFaults(page: Page): Promise<void> {
   await page.addInitScript(wrapContexts);
 }
@@ -39,9 +39,9 @@ function wrapContexts(): void {
   const gl = WebGL2RenderingContext.prototype;
   const isLost = gl.isContextLost;
   const getExtension = gl.getExtension;
-  /** All that were ever opened, by the package or to read a texture. */
+  /** All contexts ever opened, by the package or to read a texture. */
   const contexts: { context: WebGL2RenderingContext; loss: WEBGL_lose_context | null }[] = [];
-  /** Lost, and the page has asked to have them back. */
+  /** Lost contexts that may be restored, because the page prevented the event's default. */
   const restorable = new Set<WEBGL_lose_context>();
   const programs = new Map<WeakRef<object>, WeakRef<WebGL2RenderingContext>>();
   const isOpen = (weak: WeakRef<WebGL2RenderingContext> | undefined): boolean => {
@@ -94,7 +94,8 @@ function wrapContexts(): void {
     if (faults.opening === 'null') return null;
     if (faults.opening === 'throws') throw new Error('getContext is not allowed here');
     const context = Reflect.apply(getContext, this, given) as WebGL2RenderingContext | null;
-    if (context === null) return null;
+    // A canvas gives the same context each time.
+    if (context === null || contexts.some((known) => known.context === context)) return context;
     const loss = Reflect.apply(getExtension, context, ['WEBGL_lose_context']) as WEBGL_lose_context | null;
     contexts.push({ context, loss });
     this.addEventListener('webglcontextlost', (event) => {

@@ -1,5 +1,5 @@
-// Are models of every format shown as they are written, from addresses, from files and from drops, under a strict policy? And do files
-// of other formats, missing files and several models at once give an error that says what to do?
+// Are models of every format shown as written, from addresses, files and drops, under a strict policy? Do unknown formats, missing files and
+// several models at once give an error with the cure?
 
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';
@@ -50,7 +50,7 @@ const setFile = (element: Locator, blob = false): Promise<void> =>
     target.src = asBlob ? new Blob([file]) : file;
   }, blob);
 
-/** Drops the page's files on the viewer. What became of the event? */
+/** Drops the page's files on the viewer. Returns whether the event was used. */
 const dropFiles = (viewer: Locator): Promise<{ taken: boolean }> =>
   viewer.evaluate((element: PhongViewer) => {
     const dataTransfer = new DataTransfer();
@@ -73,7 +73,7 @@ interface Outcome {
   readonly detail: { readonly code?: string; readonly message?: string; readonly url?: string };
 }
 
-/** The next load or error of the viewer that `act` leads to. */
+/** The load or error event that `act` causes. */
 async function outcomeOf(viewer: Locator, act: () => Promise<unknown>): Promise<Outcome> {
   const events = await record(viewer, 'load', 'error');
   await act();
@@ -122,7 +122,7 @@ test('STL and PLY files show their colours', async ({ mount }) => {
   expectNear(await colorAt(ply, 0, 0), [127, 0, 127], 6);
 });
 
-test('`type` names the format where nothing else does', async ({ mount }) => {
+test('`type` names the format if nothing else does', async ({ mount }) => {
   const text = 'unknown words\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3';
   const src = `data:text/plain,${encodeURIComponent(text)}`;
   const viewer = await mount(viewerOf(`src="${src}"`), size);
@@ -131,10 +131,7 @@ test('`type` names the format where nothing else does', async ({ mount }) => {
   await expect(viewer.locator('[part=notice]')).toHaveCount(0);
 });
 
-test('a File or a Blob can be the src of a viewer and of a mesh, and is what the property returns', async ({
-  page,
-  mount,
-}) => {
+test('`src` of a viewer and of a mesh accepts a File or a Blob, and returns it', async ({ page, mount }) => {
   const viewer = await mount(viewerOf('terms="diffuse"', '<phong-mesh></phong-mesh>'), size);
   await filesIn(page, ['textured.glb']);
   const outcome = await outcomeOf(viewer, () => setFile(viewer));
@@ -165,7 +162,7 @@ test('toHTML writes a file’s name, and warns once that it must be hosted', asy
   expect(await html()).toBe(await html());
 });
 
-test('a file that cannot be shown leaves the picture, and the message names it', async ({ page, mount }) => {
+test('a file that cannot be shown is named in a message, and the picture stays', async ({ page, mount }) => {
   const viewer = await mount(viewerOf(`src="${model('textured.glb')}"`), size);
   const before = await pixels(viewer);
   await filesIn(page, ['truncated.glb']);
@@ -187,7 +184,7 @@ test('a lone OBJ file is shown without the files that it names, with a warning t
   expectNear(await colorAt(viewer, -0.5, 0), [0, 255, 0]);
 });
 
-test('a model compressed by meshopt needs WebAssembly, and an error says how to allow it', async ({
+test('a model compressed by meshopt without WebAssembly gives an error that says how to allow it', async ({
   mount,
   consoleGuard,
 }) => {
@@ -212,14 +209,14 @@ test.describe('a droppable viewer', () => {
     const viewer = await mount(viewerOf('droppable'), size);
     expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe('load');
     expect(compare(await pixels(viewer), wanted).max).toBe(0);
-    // All in one place: the names inside still name folders.
+    // All files in one place, although the names inside contain folders.
     await filesIn(page, ['beside/quad.bin', 'beside/quad.gltf', 'beside/textures/four colours.png'], ['QUAD.BIN', 'quad.gltf', 'four colours.png']); // prettier-ignore
     const outcome = await outcomeOf(viewer, () => dropFiles(viewer));
     expect(outcome).toMatchObject({ type: 'load', detail: { url: 'file:///quad.gltf' } });
     expect(compare(await pixels(viewer), wanted).max).toBe(0);
   });
 
-  test('lists the files that are missing, and keeps its picture', async ({ page, mount }) => {
+  test('lists missing files, and keeps its picture', async ({ page, mount }) => {
     const viewer = await mount(viewerOf(`droppable src="${model('textured.glb')}"`), size);
     const before = await pixels(viewer);
     await filesIn(page, ['beside/quad.gltf', 'quads.mtl'], ['quad.gltf', 'other.mtl']);

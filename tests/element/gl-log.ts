@@ -1,22 +1,22 @@
-// What a page sends to WebGL, counted from outside: draws, uploads and their bytes, programs and their text. Everything is
-// wrapped before any script runs; limits can be imposed that the machine at hand does not have.
+// Counts what a page sends to WebGL: draws, uploads and their bytes, programs and their text. Wraps all functions before any script
+// runs, and can impose limits that this machine does not have.
 
 import type { Page } from '@playwright/test';
 
-/** What was called since it was last asked. */
+/** Counts since the last reading. */
 export interface GlSpent {
   /** Calls of any WebGL 2 function. */
   readonly calls: number;
   readonly draws: number;
-  /** Of programs and shaders, without those of exact ones. */
+  /** Links and compilations of general programs. */
   readonly links: number;
   readonly compiles: number;
-  /** Of programs for exactly the lights at hand, which are made in the background. */
+  /** Links of specialised programs, which are compiled in the background. */
   readonly specialisedLinks: number;
-  /** Calls that send data into a texture or buffer that is there already, and their bytes. */
+  /** Calls that write into an existing texture or buffer, and their bytes. */
   readonly uploads: number;
   readonly bytes: number;
-  /** Calls that make a texture's or buffer's memory. */
+  /** Calls that allocate memory for a texture or buffer. */
   readonly allocations: number;
   readonly uniforms: number;
 }
@@ -26,15 +26,15 @@ export interface GlProgram {
   readonly fragment: string;
   /** Linked, and neither deleted nor lost. */
   readonly live: boolean;
-  /** How often something was drawn with it. */
+  /** Draw calls with it. */
   readonly draws: number;
-  /** vec4s that its active uniforms outside of blocks take together, both stages. */
+  /** vec4s of its active uniforms outside of blocks, both stages together. */
   readonly uniformVectors: number;
   /** Bytes of its largest uniform block; 0 without any. */
   readonly blockBytes: number;
 }
 
-/** What `getParameter` is to answer: the constant's name and its value. */
+/** Values that `getParameter` returns instead of the real ones, by the constant's name. */
 export type Limits = Readonly<Record<string, number>>;
 
 interface GlLog {
@@ -49,25 +49,25 @@ declare global {
   }
 }
 
-/** Writes down what pages of this context do from now on that are opened later. */
+/** Logs all pages of this context that are opened later. */
 export async function logGl(page: Page, limits: Limits = {}): Promise<void> {
   await page.addInitScript(wrapGl, limits);
 }
 
-/** What was called since the last time, or since the page was opened. */
+/** Counts since the last call, or since the page was opened. */
 export const glSpent = (page: Page): Promise<GlSpent> => page.evaluate(() => window.glLog.take());
 
-/** All programs that were ever linked, in that order. */
+/** All programs that were ever linked, in order. */
 export const glPrograms = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.programs());
 
-/** The programs of the draws since {@link glSpent} was last asked. */
+/** The programs used since the last call of {@link glSpent}. */
 export const drawnWith = (page: Page): Promise<GlProgram[]> => page.evaluate(() => window.glLog.drawnWith());
 
-/** A program for exactly the lights at hand. */
+/** A specialised program. */
 export const isSpecialised = ({ fragment, vertex }: GlProgram): boolean =>
-  /#define LIGHT_STATEMENTS/.test(fragment + vertex);
+  /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(fragment + vertex);
 
-/** A program that runs the light loop, and not the page's own. */
+/** A program that runs the light loop; not one of the page's own objects. */
 export const isLit = ({ fragment, vertex }: GlProgram): boolean => /LightSums/.test(fragment + vertex);
 
 /** Runs in the page. */
@@ -126,7 +126,7 @@ function wrapGl(limits: Limits): void {
   const CHANNELS: Readonly<Record<number, number>> = { [gl.RED]: 1, [gl.RG]: 2, [gl.RGB]: 3, [gl.RGBA]: 4 };
   wrap('texSubImage2D', ([, , , , width, height, format, type]) => {
     spent.uploads += 1;
-    if (typeof type !== 'number') return; // of a picture
+    if (typeof type !== 'number') return; // the form that uploads an image
     const size = type === gl.FLOAT ? 4 : 1;
     spent.bytes += Number(width) * Number(height) * (CHANNELS[Number(format)] ?? 4) * size;
   });
@@ -173,7 +173,7 @@ function wrapGl(limits: Limits): void {
   });
 
   function isSpecialisedText(text = ''): boolean {
-    return text.includes('#define LIGHT_STATEMENTS');
+    return /#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text);
   }
 
   function draw(self: WebGL2RenderingContext): void {
@@ -184,7 +184,7 @@ function wrapGl(limits: Limits): void {
     recent.add(one);
   }
 
-  /** How many vec4s a uniform's type takes, unpacked: the most that any packing can make of it. */
+  /** vec4s of a uniform's type without packing: an upper bound for any driver. */
   function vectors(type: number): number {
     if (type === gl.FLOAT_MAT4) return 4;
     if (type === gl.FLOAT_MAT3) return 3;
@@ -205,7 +205,7 @@ function wrapGl(limits: Limits): void {
       const bytes = self.getActiveUniformBlockParameter(program, i, gl.UNIFORM_BLOCK_DATA_SIZE) as number;
       blockBytes = Math.max(blockBytes, bytes);
     }
-    spent.calls = before; // these were ours
+    spent.calls = before; // without the calls made here
     return { uniformVectors, blockBytes };
   }
 

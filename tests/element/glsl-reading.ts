@@ -4,7 +4,7 @@
 /** Names that are defined at the end of the text, under its own conditions. */
 export const definesOf = (text: string): Set<string> => new Set(preprocess(text).defines.keys());
 
-/** Functions that `main` calls, directly or through others, `main` among them. */
+/** The functions that `main` reaches, including itself. */
 export function reachableOf(text: string): Set<string> {
   const bodies = functionsOf(preprocess(text).code);
   const reached = new Set<string>();
@@ -21,14 +21,14 @@ export function reachableOf(text: string): Set<string> {
 interface Decided {
   /** Object-like macros alone. */
   readonly defines: ReadonlyMap<string, string>;
-  /** Without directives, and with macros put in. */
+  /** The text without directives, with macros expanded. */
   readonly code: string;
 }
 
 function preprocess(text: string): Decided {
   const defines = new Map<string, string>();
   const lines: string[] = [];
-  /** Of each open #if: whether this branch counts, and whether one before it did. */
+  /** For each open #if: whether this branch is active, and whether an earlier one was. */
   const open: { live: boolean; done: boolean }[] = [];
   const alive = (): boolean => open.every(({ live }) => live);
   for (const line of text.replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, ' ').split('\n')) {

@@ -1,5 +1,5 @@
-// Are lights in the picture where they are in the scene, and do they follow the pointer and the keys? Handles are found as a screen
-// reader finds them, by role and name.
+// Are lights drawn where they are in the scene, and do they follow pointer and keys? Handles are located by role and name, as a screen
+// reader does.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -51,7 +51,7 @@ async function drag(page: Page, target: Locator, dx: number, dy: number): Promis
 const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
 
 test.describe('a light in the picture', () => {
-  test('stands where it is in the scene, with its name', async ({ mount }) => {
+  test('is drawn at its place in the scene, with its name', async ({ mount }) => {
     const viewer = await mount(scene(lamp, 'radius="4" target="0 0 0" fov="90"'));
     const { x, y } = await middleOf(handle(viewer, 'lamp'));
     // 200 pixels are half the height, which is 4 units at the target.
@@ -90,7 +90,7 @@ test.describe('a light in the picture', () => {
     expect((await light(viewer)).position).toEqual(position);
   });
 
-  test('stays under a pointer that rests while something else turns the camera', async ({ page, mount }) => {
+  test('stays under a resting pointer while something else turns the camera', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const { x, y } = await middleOf(handle(viewer, 'lamp'));
     await page.mouse.move(x, y);
@@ -117,7 +117,7 @@ test.describe('a light in the picture', () => {
     expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(1);
   });
 
-  test('turns and keeps its length where it is directional', async ({ page, mount }) => {
+  test('turns and keeps its length if it is directional', async ({ page, mount }) => {
     const viewer = await mount(scene(sun));
     await drag(page, handle(viewer, 'sun'), 70, 90);
     const { position } = await light(viewer);
@@ -126,7 +126,7 @@ test.describe('a light in the picture', () => {
     expect(lengthOf(position)).toBeCloseTo(Math.sqrt(5), 12);
   });
 
-  test('is dragged in camera space where it is a light of the camera', async ({ page, mount }) => {
+  test('is dragged in camera space if it belongs to the camera', async ({ page, mount }) => {
     const viewer = await mount(scene(torch, '', 'theta="120" phi="40"'));
     await drag(page, handle(viewer, 'torch'), -50, 20);
     const { position } = await light(viewer);
@@ -149,7 +149,7 @@ test.describe('a light in the picture', () => {
     expect((await light(viewer)).aperture).not.toBe(20);
   });
 
-  test('goes back where Escape ends its drag, and undo has nothing to take back', async ({ page, mount }) => {
+  test('returns when Escape ends its drag, without a step of undo', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const { x, y } = await middleOf(handle(viewer, 'lamp'));
     await page.mouse.move(x, y);
@@ -167,7 +167,7 @@ test.describe('a light in the picture', () => {
   });
 });
 
-test.describe('by keys', () => {
+test.describe('helpers by keyboard', () => {
   test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({
     page,
     mount,
@@ -197,7 +197,7 @@ test.describe('by keys', () => {
     await expect(page.getByText('Next')).toBeFocused();
   });
 
-  test('keys that are faster than frames all count', async ({ mount }) => {
+  test('key presses between two frames all count', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const positions = await handle(viewer, 'lamp').evaluate((element) => {
       const { lights } = (element.getRootNode() as ShadowRoot).host as PhongViewer;
@@ -214,7 +214,7 @@ test.describe('by keys', () => {
     expect(end).toBeGreaterThan(nearer!);
   });
 
-  test('Escape restores, and there and back is where it was', async ({ page, mount }) => {
+  test('Escape restores, and moving there and back changes nothing', async ({ page, mount }) => {
     const viewer = await mount(scene(sun));
     await handle(viewer, 'sun').press('Enter');
     for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowUp']) await page.keyboard.press(key);
@@ -228,7 +228,7 @@ test.describe('by keys', () => {
   });
 });
 
-test.describe('nothing is thrown and nothing sticks', () => {
+test.describe('helpers throw nothing and stay usable', () => {
   for (const [what, act] of [
     [
       'its light is removed',
@@ -337,7 +337,7 @@ test.describe('nothing is thrown and nothing sticks', () => {
   });
 });
 
-test('helpers are in a picture file where they are requested, and only there', async ({ mount }) => {
+test('helpers are in a picture file only on request', async ({ mount }) => {
   const viewer = await mount(scene(lamp));
   const differs = (helpers: boolean) =>
     viewer.evaluate(async (element: PhongViewer, asked) => {
@@ -358,7 +358,7 @@ test('helpers are in a picture file where they are requested, and only there', a
 });
 
 test.describe('a viewer with helpers', () => {
-  test('fetches nothing for them while they are off, and redraws nothing while they are on and nothing changes', async ({
+  test('fetches nothing while helpers are off, and redraws nothing while nothing changes', async ({
     page,
     mount,
   }) => {
@@ -381,12 +381,12 @@ test.describe('a viewer with helpers', () => {
         await new Promise((resolve) => setTimeout(resolve, 300));
         return [element.stats.frames - frames, changes.length];
       });
-    // The rays that find out what is hidden take a while.
+    // The rays that find hidden parts are spread over several frames.
     await expect.poll(work).toEqual([0, 0]);
     expect(await work()).toEqual([0, 0]);
   });
 
-  test('writes to no other light’s elements while one of 64 is dragged', async ({ page, mount }) => {
+  test('changes only the elements of the dragged light, of 64', async ({ page, mount }) => {
     const lights = Array.from(
       { length: 64 },
       (_, i) =>
@@ -410,7 +410,7 @@ test.describe('a viewer with helpers', () => {
     });
     await page.mouse.move(x - 12, y - 6);
     await nextFrame(page);
-    // Its disc with the outline, its handle and its name, and the names that give way to it: of more than 250 elements.
+    // Its disc with outline, its handle and name, and the names that make room for it, of more than 250 elements.
     expect(await written.evaluate(({ size }) => size)).toBeLessThan(16);
     await page.mouse.up();
   });
@@ -437,7 +437,7 @@ test.describe('a viewer with helpers', () => {
     expect((await cameraOf(viewer)).theta).toBe(theta);
   });
 
-  test('follows the pointer where CSS has turned and scaled it', async ({ page, mount }) => {
+  test('follows the pointer under CSS rotation and scale', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp), {
       css: 'phong-viewer { transform: translate(50px, 60px) rotate(90deg) scale(0.5) }',
     });
@@ -448,7 +448,7 @@ test.describe('a viewer with helpers', () => {
     expect(after.y).toBeCloseTo(before.y + 30, 0);
   });
 
-  test('shows a light behind a shape with dashes', async ({ mount }) => {
+  test('draws a light behind a shape dashed', async ({ mount }) => {
     const viewer = await mount(scene('<phong-light name="lamp" position="0 0 -2 1"></phong-light>'));
     const dashed = viewer.locator('circle:not([stroke-dasharray=none])');
     await expect(dashed).toHaveCount(2);
@@ -456,7 +456,7 @@ test.describe('a viewer with helpers', () => {
     await expect(dashed).toHaveCount(0);
   });
 
-  test('shows its texts in the page’s words, and a removed light’s focus goes to the next one', async ({
+  test('uses the page’s texts, and moves the focus of a removed light to the next one', async ({
     page,
     mount,
   }) => {
@@ -497,7 +497,7 @@ test.describe('a viewer with helpers', () => {
     await expect(viewer.locator('svg')).toHaveCount(0);
   });
 
-  test('has the framing, the fragments and the lights that it has without', async ({ mount }) => {
+  test('has the same framing, fragments and lights as without helpers', async ({ mount }) => {
     const viewer = await mount(scene(`${lamp}<phong-light position="40 0 0 1"></phong-light>`));
     const facts = () =>
       viewer.evaluate(async (element: PhongViewer) => {

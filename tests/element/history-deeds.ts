@@ -1,15 +1,15 @@
-// What can happen to a page, step by step, done in the page.
+// Performs the steps of a history in the page.
 
 import type * as Three from 'three';
 import type { PhongMesh, PhongViewer } from './support.js';
 
-/** One thing that happens to a page. Numbers go round: viewer 5 of three is the third. */
+/** One step. Indices wrap around: viewer 5 of three is the third. */
 export interface Step {
   readonly what: string;
   readonly viewer: number;
-  /** Of the children of its kind; -1: the one of any viewer that something has happened to last. */
+  /** Index among the children with this tag; -1: the last one used, in any viewer. */
   readonly child: number;
-  /** Whose attribute, property or child it is about. */
+  /** The element whose attribute or property changes, or the kind of child. */
   readonly tag: 'phong-viewer' | 'phong-light' | 'phong-mesh';
   readonly key: string;
   readonly value: string;
@@ -17,14 +17,14 @@ export interface Step {
 
 /** In the page. */
 interface Deeds {
-  /** All that can in one task. */
+  /** Performs the steps in one task where that is possible. */
   take(steps: readonly Step[]): Promise<void>;
-  /** What was asked for and not waited for. */
+  /** Promises of calls that the steps did not await. */
   readonly pending: Promise<unknown>[];
-  /** Where the objects of one's own are. */
+  /** Places of the page's own objects. */
   ownOf(viewer: PhongViewer): readonly string[];
   addOwn(viewer: PhongViewer, place: string): Promise<void>;
-  /** There is always something to look at. */
+  /** Makes sure that the page has a viewer. */
   bringBack(): void;
 }
 
@@ -40,7 +40,7 @@ export function installDeeds(): void {
   const { viewers, frame } = watch;
   const round = <T>(list: readonly T[], i: number): T | undefined => list[i % list.length];
 
-  // Objects of one's own: balls of one colour.
+  // The page's own objects: balls of one colour.
   let three: typeof Three | null = null;
   const owned = new WeakMap<object, Map<string, Three.Mesh>>();
   const ownOf = (viewer: PhongViewer): Map<string, Three.Mesh> => {
@@ -59,16 +59,16 @@ export function installDeeds(): void {
     const ball = new library.Mesh(new library.SphereGeometry(0.2, 8, 6), material);
     ball.position.set(x, y, z);
     viewer.scene.add(ball);
-    viewer.refit(); // a new page frames it too
+    viewer.refit(); // a new page fits it too
     ownOf(viewer).set(place, ball);
   }
 
-  // Steps. What waits is told apart by its promise.
+  // Steps. Only those that return a promise are awaited.
   const away: PhongViewer[] = [];
   const pending: Promise<unknown>[] = [];
   const MOST_VIEWERS = 3;
   const place = (i: number): Element => round([...document.querySelectorAll('section')], i)!;
-  /** Of each kind, the child that something happened to last. */
+  /** The last child used, by tag. */
   const latest = new Map<string, Element>();
   const touched = (element: Element | null | undefined): Element | undefined => {
     if (element) latest.set(element.localName, element);
@@ -90,10 +90,10 @@ export function installDeeds(): void {
     try {
       Reflect.set(target, key, value);
     } catch (error) {
-      if (!(error instanceof TypeError || error instanceof RangeError)) throw error; // of bad values
+      if (!(error instanceof TypeError || error instanceof RangeError)) throw error; // bad values throw these two
     }
   }
-  /** A coordinate that is allowed. */
+  /** The coordinate, limited to its domain. */
   const inside = (x: number): number => Math.min(Math.max(x, -1e15), 1e15);
   type Deed = (viewer: PhongViewer, step: Step) => void | Promise<void>;
   const DEEDS: Readonly<Record<string, Deed>> = {
@@ -142,7 +142,7 @@ export function installDeeds(): void {
     },
     picture: (viewer, { value }) => {
       const [width = 1, height = 1] = value.split(' ').map(Number);
-      // While the context is lost there is none.
+      // While the context is lost there is no picture.
       pending.push(
         viewer
           .toBlob({ width, height })

@@ -1,5 +1,5 @@
-// A page of a history at rest: waits until nothing is to come, and tells all that can be told of its viewers. The same in a page
-// within the page, where the same scenes begin anew.
+// Reads the state of all viewers once the page of a history is at rest. In an iframe it starts new viewers with the same scenes and reads
+// theirs.
 
 import type { Page } from '@playwright/test';
 import { installDeeds } from './history-deeds.js';
@@ -7,22 +7,22 @@ import { installTrees } from './history-trees.js';
 import { type Drawn, installWatch } from './history-watch.js';
 import type { PhongViewer } from './support.js';
 
-/** One viewer at rest. */
+/** The state of one viewer at rest. */
 export interface Rest {
-  /** Null where nothing of it can be seen. */
+  /** The picture on the page; null if it is not visible. */
   readonly seen: Drawn | null;
   readonly blob: Drawn;
-  /** As `toHTML` gives it, and with the camera as it is declared where no hand has moved it. */
+  /** The result of `toHTML`. `asDeclared` has the declared radius and target instead; null if the user moved the camera. */
   readonly html: string;
   readonly asDeclared: string | null;
   readonly css: readonly [width: number, height: number];
-  /** Device pixels that the picture is to have. */
+  /** Device pixels that the picture should have. */
   readonly pixels: readonly [width: number, height: number];
   readonly camera: readonly number[];
   readonly stats: Readonly<Record<string, unknown>>;
-  /** Lights that the page declares active. */
+  /** Number of lights declared active. */
   readonly active: number;
-  /** Objects of one's own in the scene. */
+  /** Places of the page's own objects in the scene. */
   readonly own: readonly string[];
 }
 
@@ -31,16 +31,16 @@ export type Began = Pick<Rest, 'blob' | 'camera' | 'stats'>;
 declare global {
   interface Window {
     walk: {
-      /** Waits until nothing is to come; tells what still came then. */
+      /** Waits until nothing happens any more. Returns what still happened, or ''. */
       settle(): Promise<string>;
       rest(): Promise<Rest[]>;
-      /** The same viewers, but new ones. */
+      /** Creates new viewers with these scenes in place of all others. */
       begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]): Promise<Began[]>;
     };
   }
 }
 
-/** For pages of this context that are opened from now on. */
+/** For all pages of this context that are opened later. */
 export async function walkOn(page: Page): Promise<void> {
   for (const install of [installWatch, installTrees, installDeeds, installWalk])
     await page.addInitScript(install);
@@ -51,10 +51,10 @@ function installWalk(): void {
   const { walkWatch: watch, walkDeeds: deeds } = window;
   const { viewers, frame, seenOf, blobOf, handled } = watch;
 
-  /** Milliseconds after which a promise counts as never kept. */
+  /** Milliseconds after which a promise counts as never settled. */
   const LATE = 15_000;
   const allReady = (): Promise<unknown> => Promise.all(viewers().map((viewer) => viewer.ready));
-  /** What observers tell comes after a frame, and may ask for another. */
+  /** Observers report after a frame, and may cause another one. */
   const FEW = 4;
   const fewFrames = async (count = FEW): Promise<void> => {
     for (let i = 0; i < count; i++) await frame();
@@ -66,7 +66,7 @@ function installWalk(): void {
       const before = loaded();
       await fewFrames();
       watch.happened = [];
-      await allReady(); // nothing that is asked for comes only then, but what is still fetched
+      await allReady(); // resolves at once unless something is still being fetched
       await fewFrames(2);
       if (watch.happened.length === 0) return '';
       const fetching = loaded() !== before || document.querySelector('[src]') !== null;
@@ -99,16 +99,16 @@ function installWalk(): void {
       .replace(/ target="[^"]*"/, ` target="${Array.isArray(target) ? target.join(' ') : String(target)}"`);
   };
   async function rest(): Promise<Rest[]> {
-    const all = viewers().map((viewer) => ({ viewer, seen: seenOf(viewer) })); // before any other picture is asked for
+    const all = viewers().map((viewer) => ({ viewer, seen: seenOf(viewer) })); // before `toBlob` draws
     const rests: Rest[] = [];
     for (const { viewer, seen } of all) {
       const pixels = pixelsOf(viewer);
       const shown = pixels[0] > 0 && pixels[1] > 0;
       const size = shown ? pixels : ([40, 30] as const);
       const blob = await blobOf(viewer, size);
-      // The new viewer gets its size from `begin`, and is displayed.
+      // `begin` sets the size of the new viewer, which is always displayed.
       const markup = viewer.toHTML().replace(/ (gui|style)(="[^"]*")?(?=[^>]*>)/g, '');
-      // `auto` would fit it to the new viewer's size: a hidden one has none.
+      // `auto` depends on the size, which a hidden viewer does not have.
       const { radius, target } = viewer.camera;
       const html = shown
         ? markup
@@ -131,7 +131,7 @@ function installWalk(): void {
 
   async function begin(rests: readonly Pick<Rest, 'html' | 'css' | 'pixels' | 'own'>[]): Promise<Began[]> {
     await customElements.whenDefined('phong-viewer');
-    // Those before go afterwards: the context and programs that are needed again stay.
+    // Old viewers are removed at the end, so that the context and its programs stay.
     const before = viewers();
     document.body.insertAdjacentHTML('afterbegin', rests.map(({ html }) => html).join(''));
     const all = viewers()

@@ -1,26 +1,33 @@
-// The shortest history that still fails: runs of tasks, then of steps, then viewers are left out, long runs first, and each time
-// the rest is played again.
+// Reduces a failing history: leaves out runs of tasks, then of steps, then viewers, long runs first, and plays the rest again each time.
 
 import type { Scenario, Task } from './history-steps.js';
 
 interface Found {
   scenario: Scenario;
-  /** What was wrong; empty where a history did not fail again. */
+  /** Empty if the history did not fail again. */
   fault: string;
 }
 
-/** Plays parts of `scenario` for about so many milliseconds. `play` gives what was wrong after which task, or null. */
-export async function shortest(
-  scenario: Scenario,
-  play: (scenario: Scenario) => Promise<string | null>,
-  ms: number,
-): Promise<Readonly<Found>> {
-  const end = Date.now() + ms;
+/** Returns the fault and the task that it follows, or null. */
+type Play = (scenario: Scenario) => Promise<string | null>;
+
+/** Milliseconds for reducing a failing history. */
+const SHORTENING_MS = Number(process.env['PHONG_VIEWER_SHORTENING'] ?? 60_000);
+
+/** Throws an error with this message and the shortest part of `history` that still fails. */
+export async function failWithShortest(message: string, history: Scenario, play: Play): Promise<never> {
+  const { scenario, fault } = await shortest(history, play);
+  const lines = [...scenario.begins, ...scenario.tasks.map((task) => JSON.stringify(task))].join('\n');
+  throw new Error(`${message}\n\nshortest:\n${lines}\n${fault || 'did not fail again'}`);
+}
+
+async function shortest(scenario: Scenario, play: Play): Promise<Readonly<Found>> {
+  const end = Date.now() + SHORTENING_MS;
   const found: Found = { scenario, fault: '' };
   const attempt = async (candidate: Scenario): Promise<void> => {
     const fault = await play(candidate);
     if (fault === null) return;
-    // What comes after the look that failed is not needed.
+    // Tasks after the failing look are not needed.
     const last = Number(/^after task (\d+)/.exec(fault)?.[1]);
     found.scenario = { ...candidate, tasks: candidate.tasks.slice(0, last + 1) };
     found.fault = fault;

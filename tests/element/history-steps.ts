@@ -1,25 +1,25 @@
-// Random histories of a page, as data: viewers to begin with, and what happens to them, task by task. A seed gives the same
-// history always; any part of one is a history too.
+// Random histories of a page, as data: the first viewers, and what happens to them, task by task. The same seed gives the same history.
+// Any part of a history is a history too.
 
 import { Dice } from '../visual/random-scene.js';
 import type { Step } from './history-deeds.js';
 import { treeStep } from './history-trees.js';
 
-/** What happens in one task, and how long the page then lives on. `look` holds it against a new page. */
+/** The steps of one task, and what follows. `look` compares the page with a new one. */
 export interface Task {
   readonly steps: readonly Step[];
   readonly then: 'at once' | 'a frame' | 'rest' | 'look';
 }
 
 export interface Scenario {
-  /** Viewers' markup. */
+  /** Markup of the first viewers. */
   readonly begins: readonly string[];
   readonly tasks: readonly Task[];
 }
 
 export type Mix = 'all' | 'lights' | 'many lights' | 'meshes' | 'page' | 'motion' | 'trees';
 
-/** Values of an attribute: some of each sort that has code of its own, and bad ones. */
+/** Random values of an attribute, covering every code path, and bad ones. */
 type Values = (dice: Dice) => string;
 const of =
   (...values: readonly string[]): Values =>
@@ -111,7 +111,7 @@ const light = (dice: Dice): string => element(dice, 'phong-light', 0.5);
 const lights = (dice: Dice, count: number, each: Values = light): string =>
   Array.from({ length: count }, () => each(dice)).join('');
 
-/** Small spots above a floor, so many that they are divided among its cells. */
+/** Small spots above a floor, for light grids. */
 const smallSpot: Values = (dice) =>
   `<phong-light position="${dice.from(-2, 2)} ${dice.from(0.2, 0.6)} ${dice.from(-2, 2)} 1" axis="${dice.from(-0.2, 0.2)} -1 0" aperture="${dice.from(15, 40)}" diffuse="${color(dice)}" specular="40"></phong-light>`; // prettier-ignore
 
@@ -119,7 +119,7 @@ const faint: Values = (dice) => light(dice).replace(/ (diffuse|specular)="[^"]*"
 
 const FLOOR = '<phong-mesh geometry="plane" scale="4"></phong-mesh>';
 
-/** All lights of which are on, so that they get programs of their own soon. */
+/** All lights are active, so that specialised programs come soon. */
 const MOVING: readonly Values[] = [1, 3, 6].map(
   (count) => (dice) =>
     `<phong-viewer geometry="sphere" segments="24">${lights(dice, count, (d) => light(d).replace(/ active="[^"]*"/, ''))}</phong-viewer>`,
@@ -139,14 +139,14 @@ const MANY: readonly Values[] = [
 ];
 
 interface Maker {
-  /** How often, beside the others. */
+  /** Relative frequency. */
   readonly weight: number;
-  /** Mixes in which it is this many times as frequent. */
+  /** Factors of the frequency in some mixes. */
   readonly more?: Partial<Record<Mix, number>>;
   make(dice: Dice): Partial<Step>;
 }
 
-/** What of a viewer has programs of its own. */
+/** Attributes that select other programs. */
 const STYLE = [
   'terms',
   'terms',
@@ -230,7 +230,7 @@ const made = (dice: Dice): Step => ({
   child: Math.floor(dice.from(0, 199)),
 });
 
-/** Attributes that may have any value: none that fetches or goes on moving. */
+/** Attributes that may have any value. Excludes those that fetch or keep moving. */
 const ANY_VALUE = Object.values(VALUES)
   .flatMap((values) => ['name', ...Object.keys(values)])
   .filter((key) => key !== 'src');
@@ -243,7 +243,7 @@ function step(dice: Dice, mix: Mix): Step {
   return { ...made(dice), ...maker.make(dice) };
 }
 
-/** By seed, unless a test names one. */
+/** Chosen by the seed, unless a test names one. */
 const MIXES: readonly Mix[] = ['all', 'lights', 'many lights', 'meshes', 'page', 'motion'];
 
 const several = (dice: Dice, mix: Mix, counts: readonly number[]): Step[] =>
@@ -257,7 +257,7 @@ function anything(dice: Dice, mix: Mix): Task[] {
   });
 }
 
-/** What changes, and goes on moving, once programs for exactly the lights at hand have taken over. */
+/** Motion until specialised programs have taken over, then changes, then perhaps more motion. */
 function afterMotion(dice: Dice, mix: Mix): Task[] {
   const { viewer } = made(dice);
   const moving = (value: string): Step => ({ ...made(dice), viewer, what: dice.pick(['draw on', 'move lights', 'move lights']), value }); // prettier-ignore
@@ -271,7 +271,7 @@ function afterMotion(dice: Dice, mix: Mix): Task[] {
   ];
 }
 
-/** A page of one to three viewers that is looked at `looks` times. */
+/** A history of one to three viewers with this many looks. */
 export function randomHistory(seed: number, looks: number, mix: Mix = MIXES[seed % MIXES.length]!): Scenario {
   const dice = new Dice(seed);
   const scenes = mix === 'many lights' ? MANY : mix === 'motion' ? MOVING : SCENES;

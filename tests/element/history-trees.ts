@@ -1,5 +1,5 @@
-// Trees as nobody would write them: wrappers, shadow trees, slots and viewers in one another, and values that are none. What can
-// happen to them, done in the page, and what holds of them whatever has happened.
+// Steps of histories with unusual trees: wrappers, shadow trees, slots, nested viewers, and malformed values. Also checks, in the page,
+// what must hold after any of these steps.
 
 import { type Dice } from '../visual/random-scene.js';
 import type { Step } from './history-deeds.js';
@@ -10,7 +10,7 @@ type Deed = (viewer: PhongViewer, step: Step) => void;
 /** In the page. */
 interface Trees {
   readonly deeds: Readonly<Record<string, Deed>>;
-  /** What is wrong now, in words. */
+  /** Descriptions of what is wrong now. */
   faults(): string[];
 }
 
@@ -93,7 +93,7 @@ export function installTrees(): void {
     nest: (viewer, step) => {
       const [how, at] = step.value.split(' ');
       const parent = target(step, at);
-      // Those in shadow trees are not among the page's viewers.
+      // Viewers inside shadow trees would not be found again.
       if (parent !== undefined && document.contains(parent)) insert(parent, viewer, how);
     },
     adopt: (viewer, step) => {
@@ -129,7 +129,7 @@ export function installTrees(): void {
       round([viewer, ...viewer.lights, ...viewer.meshes], child)!.setAttribute(key, value),
   };
 
-  /** The children of a viewer as the contract says: all inside but in its slots and in other viewers. */
+  /** The children that belong to a viewer by the contract: all inside, except in its slots and in other viewers. */
   function belonging(viewer: PhongViewer): Element[] {
     const found: Element[] = [];
     const visit = (parent: Parent): void => {
@@ -191,7 +191,7 @@ const KINDS = [
   'phong-light',
   'phong-mesh',
 ];
-/** What is no value, or just about one. */
+/** Malformed or barely valid values. */
 const JUNK = [
   'x'.repeat(2000),
   '😀'.repeat(300),
@@ -228,7 +228,7 @@ const JUNK = [
 const JUNK_JSON = ['[]', '{}', '[[]]', '[null]', '[1,2]', '[1,2,3,0]', '1e308', '-1e308', '7', 'true', '[1e15,0,-1e15]', '["1","2","3"]', '[1,2,3,4,5,6,7]', JSON.stringify('y'.repeat(5000)), JSON.stringify(Array(500).fill('z'))]; // prettier-ignore
 const STRAYS = ['difuse', 'shadng', 'color', 'constructor', '__proto__', 'autorotate', 'x'.repeat(300)];
 
-/** A step of a history of trees. `keys`: attributes that may have any value. */
+/** A random step. `keys`: attributes that may have any value. */
 export function treeStep(dice: Dice, keys: readonly string[]): Partial<Step> {
   const where = {
     key: dice.pick(['0', '0', '0', '1']),

@@ -1,5 +1,5 @@
-// What is seen of a page that lives, noted as it happens: the last picture of each viewer, by which programs it was drawn, who was
-// moved by hand, and whether anything happens at all.
+// Records what happens on the page of a history: each viewer's last picture, the programs that drew it, cameras moved by the user, and
+// whether anything happens at all.
 
 import type { PhongViewer } from './support.js';
 
@@ -8,28 +8,28 @@ export interface Drawn {
   readonly height: number;
   /** RGBA in base64. */
   readonly data: string;
-  /** Texts of the programs it was drawn by, as short numbers, sorted. */
+  /** The programs that drew it, as sorted hashes of their text. */
   readonly programs: string;
-  /** Where on the canvas that all are drawn on: numbers between vertices are rounded otherwise elsewhere. */
+  /** Its place on the shared canvas. Interpolation rounds differently at other places. */
   readonly place: string;
 }
 
 /** In the page. */
 interface Watch {
-  /** What has happened since this was emptied, as far as the first few things. */
+  /** The first few things that happened since this was emptied. */
   happened: string[];
-  /** Of animation frames that count as nothing. */
+  /** Waits for a frame without recording it. */
   frame(): Promise<number>;
   viewers(): PhongViewer[];
-  /** Loses the context that all viewers share, or gives it back. */
+  /** Loses or restores the context that all viewers share. */
   lose(): Promise<void>;
   restore(): Promise<void>;
   readonly lost: boolean;
-  /** What is seen; null where nothing can be. */
+  /** The picture on the page; null if it is not visible. */
   seenOf(viewer: PhongViewer): Drawn | null;
-  /** What `toBlob` draws. */
+  /** The picture by `toBlob`. */
   blobOf(viewer: PhongViewer, size: readonly [width: number, height: number]): Promise<Drawn>;
-  /** Viewers whose camera a hand has moved. */
+  /** Viewers whose camera the user has moved. */
   readonly handled: WeakSet<object>;
 }
 
@@ -46,7 +46,7 @@ export function installWatch(): void {
   const nextFrame = window.requestAnimationFrame.bind(window);
   const viewers = (): PhongViewer[] => [...document.querySelectorAll<PhongViewer>('phong-viewer')];
 
-  // What is drawn by which program, and whether anything happens.
+  // Which programs draw, and whether anything happens.
   const gl = WebGL2RenderingContext.prototype;
   const texts = new WeakMap<object, string>();
   const current = new WeakMap<object, string>();
@@ -60,11 +60,11 @@ export function installWatch(): void {
       return Reflect.apply(real, this, given);
     });
   };
-  /** Two texts of the same number are as good as never met. */
+  /** A hash of the text, by which programs are compared. */
   const numbered = (text: string): string => {
     let sum = 0;
     for (let i = 0; i < text.length; i++) sum = (Math.imul(sum, 31) + text.charCodeAt(i)) | 0;
-    return `${text.includes('#define LIGHT_STATEMENTS') ? 'exact' : 'general'}${sum >>> 0}`;
+    return `${/#define (?:LIGHT_STATEMENTS|HAS_LIGHT_GRID)/.test(text) ? 'specialised' : 'general'}${sum >>> 0}`;
   };
   const names = new WeakMap<object, string>();
   const nameOf = (program: object): string => {
@@ -97,7 +97,7 @@ export function installWatch(): void {
     return { programs, place };
   };
 
-  // The context that all share, to be lost.
+  // The shared context.
   let context: WebGL2RenderingContext | null = null;
   let lost: WEBGL_lose_context | null = null;
   const realContext = HTMLCanvasElement.prototype.getContext;
@@ -106,7 +106,7 @@ export function installWatch(): void {
     if (made instanceof WebGL2RenderingContext) context = made;
     return made;
   } as typeof realContext;
-  /** From a task to one much later: what the browser tells of a context comes by itself. */
+  /** Context events arrive in tasks of their own. */
   const soon = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 20));
   async function lose(): Promise<void> {
     if (lost !== null || context === null || context.isContextLost()) return;
@@ -120,10 +120,10 @@ export function installWatch(): void {
     await soon();
   }
 
-  // What was last seen of a viewer whose canvas is WebGL's own, which is empty once the page has shown it.
+  // Copies of pictures drawn directly on the WebGL canvas, which is empty once the browser has shown it.
   const copies = new WeakMap<object, OffscreenCanvas>();
   const seenBy = new WeakMap<object, DrawnBy>();
-  /** Moved by hand. */
+  /** Camera moved by the user. */
   const handled = new WeakSet();
   const canvasOf = (viewer: PhongViewer): HTMLCanvasElement | null =>
     viewer.shadowRoot?.querySelector('canvas') ?? null;
@@ -133,7 +133,7 @@ export function installWatch(): void {
     return canvas;
   }
   const listen = (type: string, heard: (viewer: PhongViewer, event: Event) => void): void => {
-    addEventListener(type, (event) => heard(event.target as PhongViewer, event), true); // on its way to the viewer
+    addEventListener(type, (event) => heard(event.target as PhongViewer, event), true); // capturing, because the events do not bubble
   };
   listen('render', (viewer) => {
     seenBy.set(viewer, takeDrawn());
@@ -169,7 +169,7 @@ export function installWatch(): void {
     takeDrawn();
     const coming = viewer.toBlob({ width, height });
     const taken = takeDrawn();
-    const by = taken.programs === '' ? (seenBy.get(viewer) ?? taken) : taken; // alone, it is drawn again as it is seen
+    const by = taken.programs === '' ? (seenBy.get(viewer) ?? taken) : taken; // a lone viewer may reuse what it shows
     const bitmap = await createImageBitmap(await coming);
     return { width, height, data: dataOf(copied(bitmap, width, height)), ...by };
   }

@@ -1,5 +1,4 @@
-// Does nothing happen while nothing changes? The page's frames, timers and WebGL calls are counted by wrapping them before
-// any script runs; Playwright's own waiting happens outside the page.
+// Does the page rest while nothing changes? Counts frames, timers and WebGL calls from outside (counting.ts).
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../support/test.js';
@@ -12,10 +11,10 @@ const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
 
 test.beforeEach(({ page }) => countEverything(page));
 
-/** Long enough for eighteen frames and for the timers that anybody would poll with. */
+/** Milliseconds: eighteen frames, and longer than usual polling intervals. */
 const A_WHILE = 300;
 
-test('nothing at all happens while nothing changes, and again once every motion has ended', async ({
+test('no frame, timer or WebGL call happens while nothing changes, nor after a motion has ended', async ({
   page,
   mount,
 }) => {
@@ -42,7 +41,7 @@ test('nothing at all happens while nothing changes, and again once every motion 
   }
 });
 
-/** Sets `auto-rotate` and, once it has turned for some frames, takes it away. */
+/** Sets `auto-rotate` and removes it after some frames. */
 const turnAWhile = (viewer: Locator): Promise<void> =>
   viewer.evaluate(async (element: PhongViewer) => {
     const end = element.stats.frames + 3;
@@ -56,7 +55,7 @@ async function turnUnmoved(viewer: Locator): Promise<void> {
   await assign(viewer, { autoRotate: 45 });
 }
 
-/** Ways to be on a page and not to be seen. Each is a function of the page. */
+/** Ways to be on a page but out of sight. Each runs in the page. */
 const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => void>> = {
   'off screen': ({ style }, hidden) => (style.cssText = hidden ? 'position: absolute; top: 9000px' : ''),
   'not displayed': ({ style }, hidden) => (style.display = hidden ? 'none' : ''),
@@ -83,7 +82,7 @@ const UNSEEN: Readonly<Record<string, (place: HTMLElement, hidden: boolean) => v
   },
 };
 
-test('nothing happens where it cannot be seen, and what has changed is drawn once when it can', async ({
+test('nothing happens out of sight, and changes are drawn once when the viewer becomes visible', async ({
   page,
   mount,
 }) => {
@@ -110,7 +109,7 @@ test('nothing happens where it cannot be seen, and what has changed is drawn onc
   }
 });
 
-test('a viewer that turns out of the document does nothing', async ({ page, mount }) => {
+test('a turning viewer outside the document does nothing', async ({ page, mount }) => {
   const viewer = await mount(box.replace('geometry', 'auto-rotate="45" geometry'), size);
   expect((await spentIn(page, A_WHILE)).frames).toBeGreaterThan(1);
   await viewer.evaluate((element) => element.remove());
@@ -155,7 +154,7 @@ test('a change that changes nothing draws nothing', async ({ page, mount }) => {
   expect(spentBetween(before, await countsOf(page)).gl).toBe(0);
 });
 
-test('a viewer alone on its page shows the WebGL canvas itself, and again when it is left alone', async ({
+test('a viewer alone on its page shows the WebGL canvas itself, also after others have gone', async ({
   page,
   mount,
 }) => {

@@ -1,5 +1,5 @@
-// Are KTX2 textures shown as the values that they hold? In the worker, on the main thread, under a policy that allows WebAssembly; a clear
-// error otherwise. textured.glb has the same texels in a PNG.
+// Do KTX2 textures have the right texels, from the worker and from the main thread, and is there a clear error without WebAssembly?
+// textured.glb has the same texels in a PNG.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
@@ -43,7 +43,7 @@ async function pictureFrom(page: Page, name: string): Promise<Picture> {
   return picture;
 }
 
-test('a texture has exactly the texels that its file holds, from the worker', async ({ page }) => {
+test('a texture from the worker has exactly the texels of its file', async ({ page }) => {
   const started: string[] = [];
   page.on('worker', (worker) => started.push(worker.url()));
   const requests: string[] = [];
@@ -57,7 +57,7 @@ test('a texture has exactly the texels that its file holds, from the worker', as
   expect(compare(await pictureFrom(page, 'ktx2-etc1s.glb'), png).max).toBeLessThan(12);
 });
 
-test('a texture is the same from the main thread, where the worker may not use WebAssembly', async ({
+test('a texture is the same from the main thread, if the worker may not use WebAssembly', async ({
   page,
   mount,
 }) => {
@@ -83,7 +83,7 @@ test('a damaged texture gives an error, and the next one is shown', async ({ mou
   expect(await failure(viewer, model('ktx2.glb'))).toBe('load');
 });
 
-test('a transcoder that could not be fetched is fetched with the next use', async ({
+test('a transcoder that could not be fetched is fetched again by the next use', async ({
   page,
   mount,
   consoleGuard,

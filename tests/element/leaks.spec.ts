@@ -1,4 +1,4 @@
-// Does a viewer that has gone leave anything behind: in the heap, on the GPU, among the page's listeners and observers?
+// Does a removed viewer leave anything behind: in the heap, on the GPU, among the page's listeners and observers?
 
 import { expect, test } from '../support/test.js';
 import { countEverything, countsOf } from './counting.js';
@@ -20,7 +20,7 @@ test('viewers that come and go leave nothing behind', async ({ page, mount }) =>
   test.slow();
   await mount(stays, size);
   const ledger = await Ledger.of(page);
-  // What the page fetches and keeps for good, such as the panel's code, comes with the first.
+  // The first viewers load what stays for good, such as the panel's code.
   await comeAndGo(page, kinds, kinds.length);
   const before = await ledger.read();
   await comeAndGo(page, kinds, 8 * kinds.length);
@@ -30,7 +30,7 @@ test('viewers that come and go leave nothing behind', async ({ page, mount }) =>
   expect(objects).toMatchObject({ viewers: 1, scenes: 1 });
 });
 
-test('the last viewer closes the context and takes every listener and observer along', async ({
+test('removing the last viewer closes the context and removes every listener and observer', async ({
   page,
   mount,
 }) => {
@@ -48,7 +48,10 @@ test('the last viewer closes the context and takes every listener and observer a
   expect(await countsOf(page)).toMatchObject({ contexts: 2 });
 });
 
-test('a viewer moved on its page loads, opens and sends nothing again', async ({ page, mount }) => {
+test('moving a viewer on its page loads nothing again, opens no context and uploads nothing', async ({
+  page,
+  mount,
+}) => {
   const asked: string[] = [];
   page.on('request', (request) => asked.push(request.url()));
   const viewer = await mount(`${kinds[0]}${stays}<section></section>`, size);

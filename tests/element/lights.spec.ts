@@ -1,5 +1,5 @@
-// Are lights what the markup says, however it comes about and changes? Pictures are compared with those of the same scene
-// written out from the start; they are small, seen straight down on a plane.
+// Do lights match the markup, however it was created and changed? Small pictures of a plane seen from above are compared with those of the
+// same scene in markup.
 
 import type { Locator, Page } from '@playwright/test';
 import { allReady, compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
@@ -23,7 +23,7 @@ const names = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element: PhongViewer) => element.lights.map((light) => light.name));
 
 test.describe('changes', () => {
-  test('give what the same lights in markup give: added, removed, reordered and changed', async ({
+  test('give the same picture as markup when lights are added, removed, reordered and changed', async ({
     page,
     mount,
   }) => {
@@ -64,7 +64,7 @@ test.describe('changes', () => {
     expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
   });
 
-  test('of active turn a light off and on, however it is written', async ({ page, mount }) => {
+  test('of active turn a light off and on, in every spelling', async ({ page, mount }) => {
     const viewer = await mount(
       scene(green, red.replace('<phong-light', '<phong-light active="false"')),
       size,
@@ -88,7 +88,7 @@ test.describe('changes', () => {
     }
   });
 
-  test('while the lights are all inactive leave the dark', async ({ mount }) => {
+  test('leave the scene dark while all lights are inactive', async ({ mount }) => {
     const viewer = await mount(scene(red, green), size);
     await viewer.evaluate((element: PhongViewer) => {
       for (const light of element.lights) light.active = false;
@@ -98,7 +98,7 @@ test.describe('changes', () => {
 });
 
 test.describe('the head-light', () => {
-  test('shines exactly where there is no phong-light, and is in neither lights nor toHTML', async ({
+  test('shines only in viewers without any phong-light, and is in neither lights nor toHTML', async ({
     page,
     mount,
   }) => {
@@ -115,7 +115,7 @@ test.describe('the head-light', () => {
     same(await pixels(viewer), wanted);
   });
 
-  test('never flashes lights that are appended at once', async ({ page, mount }) => {
+  test('never flashes when lights are appended at once', async ({ page, mount }) => {
     await mount('<main></main>');
     const frames = await page.evaluate(async () => {
       const element = document.createElement('phong-viewer');
@@ -171,7 +171,7 @@ test.describe('lights', () => {
     expect(facts).toEqual({ again: true, frozen: true, first: true, counts: [3, 4] });
   });
 
-  test('without a name are called by their number', async ({ mount }) => {
+  test('without a name are named by their number', async ({ mount }) => {
     const plain = '<phong-light></phong-light>';
     const viewer = await mount(scene(plain, red, '<phong-mesh></phong-mesh>', plain), size);
     expect(await names(viewer)).toEqual(['light 1', 'red', 'light 3']);
@@ -182,7 +182,7 @@ test.describe('lights', () => {
   });
 });
 
-test('light-change tells of the lights that were written to, or of none when lights come and go', async ({
+test('light-change lists the lights that were written to, and none when lights are added or removed', async ({
   mount,
 }) => {
   const viewer = await mount(scene(red, green), size);

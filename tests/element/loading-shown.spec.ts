@@ -1,5 +1,5 @@
-// What does a user see of loading, and what can CSS and a screen reader tell? Progress, states, posters and the retry button.
-// Models arrive, and the timer of the progress bar ends, when the test says so.
+// What do users, CSS and screen readers get to know about loading? Progress, states, posters and the retry button. The test controls when
+// models arrive and when the progress bar's timer ends.
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
@@ -99,7 +99,7 @@ test('shows a progress bar with a name and a value once loading has taken 300 ms
   await expect(surface).not.toHaveAttribute('aria-busy');
 });
 
-test('a load of unknown size moves, and stands still for those who want no motion; paper shows no bar', async ({
+test('the bar of a load of unknown size moves, except with reduced motion; paper shows no bar', async ({
   page,
   mount,
 }) => {
@@ -122,7 +122,7 @@ test('a load of unknown size moves, and stands still for those who want no motio
   await page.emulateMedia({ media: null, reducedMotion: null });
 });
 
-test('a load that ends earlier shows no progress bar, and shapes start no timer', async ({ page, mount }) => {
+test('a faster load shows no progress bar, and shapes start no timer', async ({ page, mount }) => {
   await slowDown(page);
   const viewer = await mount('<phong-viewer alt="A box" geometry="box"></phong-viewer>', size);
   const timers = (): Promise<number> => page.evaluate(() => window.loads.timers.size);
@@ -135,7 +135,7 @@ test('a load that ends earlier shows no progress bar, and shapes start no timer'
   expect(await timers()).toBe(0);
 });
 
-test('the share does not fall when one of several loads ends', async ({ page, mount }) => {
+test('progress does not decrease when one of several loads ends', async ({ page, mount }) => {
   await slowDown(page);
   const viewer = await mount(
     `<phong-viewer alt="Models" src="${slow}"><phong-mesh src="${slow}2"></phong-mesh></phong-viewer>`,
@@ -172,11 +172,7 @@ test('an author’s own element in the slot progress takes the bar’s place, fo
   await expect(viewer.locator('b')).toBeHidden();
 });
 
-test('CSS can select viewers that load, that have failed and that are empty', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('CSS can select viewers that are loading, failed or empty', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/404/);
   await slowDown(page);
   const viewer = await mount('<phong-viewer alt="A model"></phong-viewer>', size);
@@ -220,10 +216,7 @@ for (const [what, withdraw] of [
   });
 }
 
-test('a poster that cannot be shown leaves nothing behind, and another one gets its chance', async ({
-  page,
-  mount,
-}) => {
+test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({ page, mount }) => {
   await slowDown(page);
   const viewer = await mount(
     `<phong-viewer alt="A model" poster="data:image/png,none" src="${slow}"></phong-viewer>`,
@@ -243,7 +236,7 @@ test('a poster that cannot be shown leaves nothing behind, and another one gets 
   await expect(poster).toHaveCount(0);
 });
 
-test('the button of the message tries again what failed, and the focus stays in the viewer', async ({
+test('the button of the message repeats what failed, and the focus stays in the viewer', async ({
   page,
   mount,
   consoleGuard,
@@ -277,11 +270,7 @@ test('the button of the message tries again what failed, and the focus stays in 
   await page.emulateMedia({ media: null });
 });
 
-test('texts replaces the texts that are given, at once, and null restores all', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
+test('`texts` replaces texts at once, and null restores all', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/404/);
   await slowDown(page);
   const viewer = await mount('<phong-viewer alt="A model" src="/none.glb"></phong-viewer>', size);
@@ -299,7 +288,11 @@ test('texts replaces the texts that are given, at once, and null restores all', 
   await expect(viewer.getByRole('button', { name: 'Try again' })).toBeVisible();
 });
 
-test('texts that are none throw, and before the upgrade warn', async ({ page, mount, consoleGuard }) => {
+test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
   const viewer = await mount('<phong-viewer alt="Nothing"></phong-viewer>', size);
   await assign(viewer, { texts: { 'Try again': 'Nochmal' } });
   for (const texts of ['Nochmal', 1, true, [], ['a'], { Loading: 1 }, { Loading: null }]) {
@@ -350,7 +343,7 @@ test('under dir="rtl" the bar grows from the right and the panel is on the left'
   expect(await slider.evaluate((part) => getComputedStyle(part).backgroundPositionX)).toBe('100%');
 });
 
-test('in forced colours the share that has arrived differs from the rest', async ({ page, mount }) => {
+test('in forced colours the filled part of the bar differs from the rest', async ({ page, mount }) => {
   await page.emulateMedia({ forcedColors: 'active' });
   await slowDown(page);
   const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {

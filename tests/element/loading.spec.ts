@@ -1,4 +1,4 @@
-// What do loads say, and what stays shown when one fails? Real files through the page's own server.
+// Which events do loads dispatch, and what stays on screen when one fails? Real files from the page's own server.
 
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
 import { assign, type PhongViewer, record, settled } from './support.js';
@@ -85,7 +85,7 @@ for (const [what, src, code, allowed] of [
   });
 }
 
-test('a newer src wins, whichever comes first', async ({ mount }) => {
+test('a newer src wins, whichever arrives first', async ({ mount }) => {
   const viewer = await mount(`<phong-viewer src="${model('no-normals.glb')}"></phong-viewer>`, size);
   const wanted = await pixels(viewer);
   const events = await record(viewer, 'load', 'error');
@@ -110,7 +110,7 @@ test('an author’s own element in the slot error takes the place of the message
   await expect(viewer.locator('[part=notice]')).toBeHidden();
 });
 
-test('poster covers the wait and goes with the first picture', async ({ page, mount }) => {
+test('the poster is shown until the first picture', async ({ page, mount }) => {
   let release: () => void = () => undefined;
   const held = new Promise<void>((resolve) => (release = resolve));
   await page.route('**/bunny.glb', async (route) => {
@@ -128,7 +128,7 @@ test('poster covers the wait and goes with the first picture', async ({ page, mo
   await expect(poster).toHaveCount(0);
 });
 
-test('without a poster the first picture changes nothing around it', async ({ mount }) => {
+test('without a poster the first picture does not move the page', async ({ mount }) => {
   const other = await mount('<phong-viewer></phong-viewer>', size);
   const pending = await other.evaluate(async (element) => {
     const viewer = document.createElement('phong-viewer');

@@ -1,4 +1,4 @@
-// What a message repeats of a long text in a file or an address: a part, so that the page can lay it out.
+// How much of a long text in a file or an address does a message repeat? A part, so that the page can lay it out.
 
 import { expect, test } from '../support/test.js';
 import { type PhongViewer, record } from './support.js';
@@ -27,9 +27,9 @@ test('messages repeat a part of long texts in files and addresses', async ({ mou
     const [error, ...more] = await errors.take();
     expect(more, what).toEqual([]);
     const { message } = error!.detail as { message: string };
-    expect(message.length, what).toBeLessThan(501);
-    expect(Math.max(...message.split(/\s+/).map(({ length }) => length)), what).toBeLessThan(103);
-    expect(message, what).toContain('…');
+    expect(message.length, what).toBeLessThan(504);
+    expect(Math.max(...message.split(/\s+/).map(({ length }) => length)), what).toBeLessThan(105);
+    expect(message, what).toContain('...');
     expect(await viewer.locator('[part=notice]').textContent(), what).toBe(message);
   }
 });

@@ -1,5 +1,5 @@
-// Many viewers on one page: made, scrolled through, added and removed, at any number. The tests of every day and the long
-// ones before a release differ in the number alone.
+// Many viewers on one page: creates them, scrolls through them, adds and removes them. The short and the long tests differ only in the
+// number.
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import { allReady, expect, type Mount } from '../support/test.js';
@@ -8,7 +8,7 @@ import { nextFrame, type PhongViewer } from './support.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 
-/** Boxes, the first one black and each redder than the one before. */
+/** Boxes: the first one is black, each next one is redder. */
 export const reddening = (count: number): string =>
   Array.from(
     { length: count },
@@ -29,7 +29,7 @@ export const redsShown = (page: Page): Promise<number[]> =>
     });
   });
 
-/** Scrolls a column of `count` viewers to its end and back; all the while what their canvases hold stays bounded. */
+/** Scrolls a column of `count` viewers to its end and back. Their canvases' pixels must stay bounded throughout. */
 export async function scrollThrough(page: Page, mount: Mount, count: number): Promise<void> {
   const size = { width: 300, height: 200 };
   const view = { width: 1000, height: 700 };
@@ -39,7 +39,7 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
   const screenful = await page.evaluate(() => screen.width * screen.height * devicePixelRatio ** 2);
   const onScreen = (Math.ceil(view.height / size.height) + 1) * pixelsOfOne;
   const near = (Math.ceil((3 * view.height) / size.height) + 1) * pixelsOfOne;
-  // What is on screen or near it, two screens of what was, those that the observer has not yet told of, and the canvas all draw on.
+  // Viewers on screen or near it, two screens of earlier ones, those not yet reported by the observer, and the shared canvas.
   const bound = near + 2 * screenful + onScreen + screenful;
   expect(count * pixelsOfOne, 'more than may be kept').toBeGreaterThan(bound);
   const end = count * size.height - view.height;
@@ -56,7 +56,7 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
   await expect.poll(async () => Buffer.compare(await viewer.screenshot(), first)).toBe(0);
 }
 
-/** What must not grow, however many viewers come and go. */
+/** Counts that must not grow, however many viewers come and go. */
 const GIVEN_BACK = ['textures', 'buffers', 'programs', 'shaders', 'framebuffers', 'renderbuffers', 'vertexArrays', 'listeners', 'observers'] as const; // prettier-ignore
 
 export interface Holdings {
@@ -83,7 +83,7 @@ export class Ledger {
 
   async read(): Promise<Holdings> {
     await nextFrame(this.#page);
-    // Twice: what the first collection finalizes lets go of more.
+    // Twice: finalizers of the first collection free more objects.
     for (let time = 0; time < 2; time++) await this.#session.send('HeapProfiler.collectGarbage');
     const objects: Record<string, number> = {};
     for (const [name, prototype] of Object.entries(PROTOTYPES))
@@ -113,7 +113,7 @@ const first = `document.querySelector('phong-viewer')`;
 const drawn = `${first}.scene.getObjectByProperty('isMesh', true)`;
 const above = (object: string): string => `Object.getPrototypeOf(Object.getPrototypeOf(${object}))`;
 
-/** In the page: the prototype that all objects of a class have. */
+/** Expressions for the prototypes that all objects of a class have. */
 const PROTOTYPES = {
   viewers: `customElements.get('phong-viewer').prototype`,
   lights: `customElements.get('phong-light').prototype`,
@@ -159,7 +159,7 @@ export async function holdContext(page: Page): Promise<void> {
   });
 }
 
-/** Loses the context and restores it, waiting for all viewers to tell each; `meanwhile` happens between. */
+/** Loses and restores the context. Waits until all viewers show each change; `meanwhile` runs in between. */
 export async function loseAndRestore(
   page: Page,
   viewers: Locator,

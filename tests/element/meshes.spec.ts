@@ -1,5 +1,5 @@
-// Are meshes what the markup says, however it comes about and changes? Pictures are compared with those of the same scene
-// written out from the start; the camera is given, so that no refitting hides a difference.
+// Do meshes match the markup, however it was created and changed? Pictures are compared with those of the same scene in markup, with a
+// declared camera, so that no refit hides a difference.
 
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
@@ -20,7 +20,7 @@ const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, ma
 const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(5);
 
-test('changes give what the same meshes in markup give: added, removed, reordered and changed', async ({
+test('added, removed, reordered and changed meshes give the same picture as markup', async ({
   page,
   mount,
 }) => {
@@ -42,7 +42,7 @@ test('changes give what the same meshes in markup give: added, removed, reordere
   same(await pixels(viewer), both);
 });
 
-test('of meshes in one place the last one shows, whatever came when and by whichever program it is drawn', async ({
+test('of meshes at one place the last one in document order is visible, with any program', async ({
   page,
   mount,
 }) => {
@@ -66,7 +66,7 @@ test('of meshes in one place the last one shows, whatever came when and by which
   expectAlike(await pixels(viewer), wanted.red, 'one of them changed');
 });
 
-test('of blended meshes in one place the last one lies over the others, whatever came when', async ({
+test('of blended meshes at one place the last one in document order lies over the others', async ({
   page,
   mount,
 }) => {
@@ -107,10 +107,7 @@ function expectAlike(actual: Picture, wanted: Picture, name: string): void {
   expect(share, name).toBeLessThanOrEqual(2e-4);
 }
 
-test('each value acts by attribute and by property alike, and goes back to its default', async ({
-  page,
-  mount,
-}) => {
+test('each value acts by attribute and by property, and returns to its default', async ({ page, mount }) => {
   // A ball of few facets shows shading, reflection and shininess as well as place and colours.
   const start = asMesh.replace('box', 'sphere" segments="16');
   const viewer = await mount(scene(start), size);
@@ -125,7 +122,7 @@ test('each value acts by attribute and by property alike, and goes back to its d
     await set(property, value);
     await settled(viewer);
     const changed = await pixels(viewer);
-    // A picture that has been drawn often may have got a program of its own: other programs, one code at most.
+    // A picture that was drawn often may use a specialised program, which may differ by one code.
     expectAlike(changed, wanted, attribute);
     expect(compare(changed, before).max, attribute).toBeGreaterThan(0);
     await set(property, attribute === 'geometry' ? 'sphere' : null);
@@ -201,7 +198,7 @@ test('a model of a mesh brings its own materials, unless an attribute is given',
   same(await pixels(viewer), plain);
 });
 
-test('a mesh tells of its own load and failure; the viewer tells too', async ({
+test('a mesh dispatches its own load and error events, and so does the viewer', async ({
   page,
   mount,
   consoleGuard,

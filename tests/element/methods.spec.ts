@@ -34,7 +34,7 @@ const rejection = (viewer: Locator, options: object): Promise<string> =>
   );
 
 test.describe('toBlob', () => {
-  test('gives exactly the pixels asked for, whatever the screen; by default those of the canvas', async ({
+  test('gives exactly the requested pixels on any screen; by default those of the canvas', async ({
     mount,
   }) => {
     const viewer = await mount(box, { ...size, deviceScaleFactor: 2 });
@@ -47,7 +47,7 @@ test.describe('toBlob', () => {
     });
   });
 
-  test('keeps field of view, radius and angles, and takes the aspect of its own size', async ({
+  test('keeps field of view, radius and angles, and has the aspect of its own size', async ({
     page,
     mount,
   }) => {
@@ -92,7 +92,7 @@ test.describe('toBlob', () => {
     expect(corner).toEqual(['image/jpeg', 255, 255, 255, 255]);
   });
 
-  test('draws what is larger than the GPU can in tiles without seams', async ({ mount }) => {
+  test('draws pictures beyond the GPU’s limit in tiles without seams', async ({ mount }) => {
     test.slow();
     const viewer = await mount(box.replace('geometry', 'radius="2" geometry'), size);
     const wide = await pixels(viewer, { width: 9000, height: 500 });
@@ -113,7 +113,7 @@ test.describe('toBlob', () => {
     expect(compare(await pixels(viewer), before).max).toBe(0);
   });
 
-  test('taken while the viewer is shown leaves what is on the screen right', async ({ page, mount }) => {
+  test('leaves the picture on the screen intact', async ({ page, mount }) => {
     const viewer = await mount(`${box}<phong-viewer geometry="torus"></phong-viewer>`, size);
     for (const alone of [false, true]) {
       if (alone)
@@ -131,7 +131,7 @@ test.describe('toBlob', () => {
     }
   });
 
-  test('shows changes of the same task, and works off screen, hidden and out of the document', async ({
+  test('shows changes of the same task, and works off screen, hidden and outside the document', async ({
     page,
     mount,
   }) => {
@@ -180,7 +180,7 @@ test.describe('toBlob', () => {
   });
 });
 
-test('requestRender shows what was done to an own object in scene', async ({ mount }) => {
+test('requestRender shows changes of an own object in scene', async ({ mount }) => {
   const viewer = await mount(box, size);
   const before = await pixels(viewer);
   const renders = await record(viewer, 'render');
@@ -196,9 +196,7 @@ test('requestRender shows what was done to an own object in scene', async ({ mou
   expect(compare(await pixels(viewer), before).max).toBeGreaterThan(20);
 });
 
-test('requestRender keeps target and radius, refit fits them to what the scene has become', async ({
-  mount,
-}) => {
+test('requestRender keeps target and radius, and refit fits them to the changed scene', async ({ mount }) => {
   const viewer = await mount(box, size);
   const before = await cameraOf(viewer);
   const changes = await record(viewer, 'camera-change', 'render');
@@ -218,7 +216,7 @@ test('requestRender keeps target and radius, refit fits them to what the scene h
   expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
 });
 
-test('refit leaves a camera alone that was declared or moved by the user', async ({ mount }) => {
+test('refit leaves a declared or moved camera alone', async ({ mount }) => {
   const viewer = await mount(box, size);
   await assign(viewer, { radius: 5, target: [0, 1, 0] });
   const before = await cameraOf(viewer);
@@ -230,7 +228,7 @@ test('refit leaves a camera alone that was declared or moved by the user', async
   expect(await cameraOf(viewer)).toEqual(before);
 });
 
-test('stats counts what a scene costs, as a plain snapshot', async ({ mount }) => {
+test('stats is a plain snapshot of what a scene costs', async ({ mount }) => {
   const off = '<phong-light active="false"></phong-light>';
   const viewer = await mount(box.replace('</phong-viewer>', `${light}${off}</phong-viewer>`), size);
   const read = (): Promise<PhongViewer['stats']> => viewer.evaluate((element: PhongViewer) => element.stats);

@@ -1,4 +1,4 @@
-// Is an author told of a mistake in the markup, once and with its cure, and never of what is no mistake?
+// Does each mistake in the markup give one warning that names the cure, and correct markup none?
 
 import type { Page } from '@playwright/test';
 import type { ConsoleGuard } from '../support/console-guard.js';
@@ -46,7 +46,7 @@ test.describe('an attribute that does not exist', () => {
     ],
   ];
 
-  test('is named with the one to write', async ({ page, mount, consoleGuard }) => {
+  test('is named with the correct one', async ({ page, mount, consoleGuard }) => {
     const warnings = claim(consoleGuard, rows.length);
     for (const [markup, warning] of rows) {
       const before = warnings.length;
@@ -103,7 +103,7 @@ test('`probe-at` without `probe` is named, once; with `probe`, by attribute or p
   ]);
 });
 
-test('attributes of HTML, ARIA and frameworks are nobody’s mistake', async ({ page, mount }) => {
+test('attributes of HTML, ARIA and frameworks give no warning', async ({ page, mount }) => {
   const global =
     'accesskey autocapitalize autocorrect autofocus class contenteditable dir draggable enterkeyhint exportparts hidden id ' +
     'inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role slot spellcheck style ' +
@@ -163,7 +163,7 @@ test.describe('a light or mesh without a viewer', () => {
     ]);
   });
 
-  test('is no mistake while it has none for a part of a task only, or is in no document', async ({
+  test('gives no warning if it lacks a viewer only for part of a task, or is in no document', async ({
     page,
     mount,
   }) => {
@@ -184,7 +184,7 @@ test.describe('a viewer whose end tag is missing', () => {
   const CURE =
     'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
 
-  test('is named where it swallowed text', async ({ page, mount, consoleGuard }) => {
+  test('is named if it swallowed text', async ({ page, mount, consoleGuard }) => {
     const warnings = claim(consoleGuard, 1);
     await mount(`<article><phong-viewer geometry="box" /><p>Text   after <b>it</b>.</p></article>`, size);
     expect(await reported(page, warnings, 1)).toEqual([
@@ -192,7 +192,7 @@ test.describe('a viewer whose end tag is missing', () => {
     ]);
   });
 
-  test('is named where it swallowed an image, but not what is around it', async ({
+  test('is named if it swallowed an image, but not the elements around it', async ({
     page,
     mount,
     consoleGuard,
@@ -204,7 +204,7 @@ test.describe('a viewer whose end tag is missing', () => {
     ]);
   });
 
-  test('is named where it swallowed another, by a classic script that runs while the page is parsed', async ({
+  test('is named if it swallowed another one, also with a classic script that runs during parsing', async ({
     page,
     site,
     consoleGuard,
@@ -219,7 +219,7 @@ test.describe('a viewer whose end tag is missing', () => {
     ]);
   });
 
-  test('is no mistake of wrappers, slots, scripts, or content before a written end tag', async ({
+  test('is not assumed for wrappers, slots, scripts, or content before an end tag', async ({
     page,
     mount,
   }) => {
@@ -247,7 +247,7 @@ test.describe('the code that knows mistakes', () => {
   const mistake = scene(light('difuse="red"'));
   const chunkOf = (site: Site): RegExp => new RegExp(`${site.origin}/dist/chunks/diagnose.*\\.js`);
 
-  test('is not fetched for a page without one', async ({ page, site, mount }) => {
+  test('is not fetched for a page without mistakes', async ({ page, site, mount }) => {
     const fetched: string[] = [];
     page.on('request', (request) => fetched.push(request.url()));
     const inner = `${light('class="a" id="b" data-c aria-hidden="true" position="1 2 3" /')}<div slot="error"><p>Text</p></div>`;
@@ -258,7 +258,7 @@ test.describe('the code that knows mistakes', () => {
     expect(fetched.filter((url) => chunkOf(site).test(url))).toEqual([]);
   });
 
-  test('is not missed where it cannot be fetched', async ({ page, site, mount, consoleGuard }) => {
+  test('may fail to load without consequences', async ({ page, site, mount, consoleGuard }) => {
     consoleGuard.allow(/error: Failed to load resource/, 1);
     await page.route(chunkOf(site), (route) => route.abort());
     const failed = page.waitForEvent('requestfailed');
@@ -268,7 +268,7 @@ test.describe('the code that knows mistakes', () => {
     await settled(viewer);
   });
 
-  test('leaves a page at rest when it has run', async ({ page, mount, consoleGuard }) => {
+  test('leaves the page at rest after it has run', async ({ page, mount, consoleGuard }) => {
     const warnings = claim(consoleGuard, 1);
     await countEverything(page);
     await mount(`${mistake}${scene('<div><p>wrapped</p></div>')}<p>Text</p>`, size);
@@ -277,7 +277,7 @@ test.describe('the code that knows mistakes', () => {
   });
 });
 
-test('a viewer that is no child of its <phong-compare> is named with the cure', async ({
+test('a viewer that is not a child of its <phong-compare> is named with the cure', async ({
   page,
   mount,
   consoleGuard,

@@ -1,4 +1,4 @@
-// What does a viewer do that is not in view? `loading` says how much: the page's screen is 700 px high, as its window.
+// What does a viewer do while it is out of view, for each value of `loading`? Screen and window are 700 px high.
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../support/test.js';
@@ -57,7 +57,7 @@ test('eager draws off screen, and is ready when it is drawn', async ({ page, mou
   expect(await frames(eager)).toBe(2);
 });
 
-test('eager does not draw what no scrolling shows', async ({ page, mount }) => {
+test('eager does not draw what scrolling cannot show', async ({ page, mount }) => {
   for (const css of [
     'main { display: none }',
     'main { visibility: hidden }',
@@ -69,7 +69,7 @@ test('eager does not draw what no scrolling shows', async ({ page, mount }) => {
   }
 });
 
-test('outside the view a change is drawn once, and nothing moves', async ({ page, mount }) => {
+test('out of view a change is drawn once, and nothing moves', async ({ page, mount }) => {
   const turning = 'auto-rotate="90"';
   const first = await mount(`<main>${viewer(turning)}${viewer(`${turning} loading="eager"`)}</main>`, { ...size, css: above(1000) }); // prettier-ignore
   const both = [first, page.locator('phong-viewer').last()];
@@ -177,7 +177,7 @@ test('in an iframe that is far away nothing is fetched or drawn', async ({ page,
   await expect.poll(() => inside.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
 });
 
-test('in a closed accordion nothing is drawn, though it is near', async ({ page, mount }) => {
+test('in a closed accordion nearby nothing is drawn', async ({ page, mount }) => {
   const inside = await mount(`<main>${viewer()}</main>`, { ...size, css: 'main { height: 0; overflow: hidden }' }); // prettier-ignore
   await nextFrame(page);
   await assign(inside, { kd: [9, 9, 9] });
@@ -187,7 +187,7 @@ test('in a closed accordion nothing is drawn, though it is near', async ({ page,
   await expect.poll(() => frames(inside)).toBe(1);
 });
 
-test('while the page scrolls, no viewer in view is blank for more than a frame', async ({ page, mount }) => {
+test('during scrolling no viewer in view is blank for more than a frame', async ({ page, mount }) => {
   const count = 60;
   await mount(`<main>${viewer().repeat(count)}</main>`, { width: 300, height: 200 });
   const blank = await page.evaluate(async () => {
@@ -195,7 +195,7 @@ test('while the page scrolls, no viewer in view is blank for more than a frame',
     const since = new Map<Element, number>();
     let longest = 0;
     const end = document.documentElement.scrollHeight;
-    // Jumps of more than a screen and its margin, too: each is a frame.
+    // Includes jumps of more than a screen and its margin, each in one frame.
     for (let top = 0, frame = 0; top < end; frame += 1) {
       scrollTo(0, top);
       await new Promise(requestAnimationFrame);
@@ -212,7 +212,7 @@ test('while the page scrolls, no viewer in view is blank for more than a frame',
   expect(blank).toBeLessThanOrEqual(1);
 });
 
-test('eager viewers off screen keep their own pixels only; the canvas that all draw on stays within a screen', async ({
+test('eager viewers off screen keep only their own pixels; the shared canvas stays within a screen', async ({
   page,
   mount,
 }) => {

@@ -67,7 +67,7 @@ for (const others of [0, 1]) {
   });
 }
 
-test('lights and meshes come along, and new ones are taken up', async ({ page, mount }) => {
+test('lights and meshes move with the viewer, and new ones can be added', async ({ page, mount }) => {
   await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
   await intoFrame(page);
   const viewer = page.frameLocator('iframe').locator('phong-viewer');
@@ -118,7 +118,7 @@ test('drags, wheel, keys, sizes and the panel work in an iframe', async ({ page,
   const width = (): Promise<number> =>
     inside.evaluate(({ shadowRoot }: PhongViewer) => shadowRoot!.querySelector('canvas')!.width);
   await expect.poll(width).toBe(300);
-  // Made there, not brought along.
+  // Created there, not moved there.
   await inside.evaluate((element: PhongViewer) => {
     element.gui = true;
   });
@@ -146,7 +146,7 @@ test('a viewer that is first connected in an iframe with a strict policy of its 
   await expect(page.frameLocator('iframe').locator('[part=panel] .lil-root')).toBeVisible();
 });
 
-test('media queries are those of the document that shows the viewer', async ({ page, mount }) => {
+test('media queries belong to the document that shows the viewer', async ({ page, mount }) => {
   const viewer = await mount(`${scene}<iframe></iframe>`, { ...SIZE, css });
   await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 90));
   await intoFrame(page);
@@ -166,11 +166,7 @@ test('media queries are those of the document that shows the viewer', async ({ p
 });
 
 for (const how of ['removed', 'navigated'] as const) {
-  test(`an iframe that is ${how} while a frame is pending takes nothing with it`, async ({
-    page,
-    mount,
-    site,
-  }) => {
+  test(`an iframe that is ${how} while a frame is pending breaks nothing`, async ({ page, mount, site }) => {
     const viewer = await mount(`${scene}<iframe></iframe>${scene}`, framing);
     const before = await pixels(viewer);
     await intoFrame(page);
@@ -207,7 +203,7 @@ for (const how of ['removed', 'navigated'] as const) {
   });
 }
 
-test('a document that no window shows counts as out of the page', async ({ page, mount }) => {
+test('a document without a window counts as outside the page', async ({ page, mount }) => {
   const viewer = await mount(scene, SIZE);
   const before = await pixels(viewer);
   const frames = await viewer.evaluate(async (element: PhongViewer) => {
@@ -228,7 +224,7 @@ test('a document that no window shows counts as out of the page', async ({ page,
   expect(compare(await pixels(page.locator('phong-viewer').first(), SIZE), before).max).toBe(0);
 });
 
-test('a viewer in a popup draws, drags, prints and returns; frames come from the popup', async ({
+test('a viewer in a popup draws by the popup’s frames, drags, prints and returns', async ({
   page,
   mount,
 }) => {
@@ -287,7 +283,7 @@ test('a viewer in a popup draws, drags, prints and returns; frames come from the
   expect(compare(await pixels(viewer), before).max).toBe(0);
 });
 
-test('a viewer in a popup that is closed can come back', async ({ page, mount }) => {
+test('a viewer can return from a closed popup', async ({ page, mount }) => {
   const viewer = await mount(scene, SIZE);
   const before = await pixels(viewer);
   const opened = page.waitForEvent('popup');

@@ -1,4 +1,4 @@
-// What becomes of objects that a page's author adds to `scene`: when are they measured, and are they ever clipped?
+// When are objects that a page adds to `scene` measured, and are they ever clipped?
 
 import type { Mesh } from 'three';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,4 @@
-// Does the element live with what a page does to it: a lost graphics context, no WebGL 2, a second copy of the bundle?
+// Does the element survive a lost graphics context, a browser without WebGL 2, and a second copy of the bundle?
 
 import { compare, expect, pixelAt, pixels, test } from '../support/test.js';
 import { assign, nextFrame, type PhongViewer, record, settled } from './support.js';
@@ -7,7 +7,7 @@ const size = { width: 90, height: 60 };
 const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
 const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>`;
 
-test('a lost context is told of, and comes back with everything in it', async ({ mount }) => {
+test('a lost context is reported, and its restoration brings everything back', async ({ mount }) => {
   const viewer = await mount(box.replace('</phong-viewer>', '<phong-mesh src="/fixtures/models/textured.glb" position="1 0 0"></phong-mesh></phong-viewer>'), size); // prettier-ignore
   const before = await pixels(viewer);
   const onScreen = await viewer.screenshot();
@@ -23,7 +23,7 @@ test('a lost context is told of, and comes back with everything in it', async ({
   // No picture is better than an empty one.
   const taken = viewer.evaluate((element: PhongViewer) => element.toBlob().catch((e: unknown) => String(e)));
   expect(await taken).toContain('context is lost');
-  // Changes of the meantime are not forgotten.
+  // Changes made meanwhile are applied.
   await assign(viewer, { kd: '1 2 3' });
   await assign(viewer, { kd: '200 40 40' });
   await extension.evaluate((gl) => gl?.restoreContext());
@@ -66,7 +66,7 @@ test('without WebGL 2 there is an error, a message to read, and no promise left 
   expect(facts).toEqual([77, 2, true, 'an error']);
 });
 
-test('two copies of the bundle on a page harm nothing', async ({ page, mount }) => {
+test('two copies of the bundle on a page do no harm', async ({ page, mount }) => {
   const viewer = await mount(box, { ...size, head: '<script type="module" src="/dist/phong-viewer.standalone.js?copy"></script>' }); // prettier-ignore
   await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js?again' });
   await nextFrame(page);
@@ -75,7 +75,7 @@ test('two copies of the bundle on a page harm nothing', async ({ page, mount }) 
   expect(pixelAt(await pixels(viewer), 45, 30)[3]).toBe(255);
 });
 
-test('everything a viewer took is given back when it goes, and it works when it comes again', async ({
+test('a removed viewer releases everything that it took, and works again when it returns', async ({
   page,
   mount,
 }) => {

@@ -44,7 +44,7 @@ async function dragAcross(page: Page, control: Locator, pixels: number): Promise
 }
 
 test.describe('undo', () => {
-  test('takes back one drag of a slider or a field as one step', async ({ page, mount }) => {
+  test('reverts one drag of a slider or a field as one step', async ({ page, mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await dragAcross(page, slider(folder, 'diffuse brightness'), 20);
@@ -63,9 +63,7 @@ test.describe('undo', () => {
     await expect(field(folder, 'position x')).toHaveValue(String(last.position[0]));
   });
 
-  test('takes back text, colours, switches, kinds and a reset, to the markup as it was', async ({
-    mount,
-  }) => {
+  test('reverts text, colours, switches, kinds and a reset, down to the same markup', async ({ mount }) => {
     const viewer = await mount(scene);
     const html = () => viewer.evaluate((element: PhongViewer) => element.toHTML());
     const texts = [await html()];
@@ -93,7 +91,7 @@ test.describe('undo', () => {
     }
   });
 
-  test('brings the camera back to where it was, not to what is declared', async ({ page, mount }) => {
+  test('restores the previous camera, not the declared one', async ({ page, mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'Camera');
     await page.mouse.move(100, 100);
@@ -113,7 +111,7 @@ test.describe('undo', () => {
     expect(await viewer.evaluate(({ theta }: PhongViewer) => theta)).toBe(20);
   });
 
-  test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in the panel, and leaves a field its own', async ({
+  test('works by Ctrl+Z, Ctrl+Shift+Z and Ctrl+Y in the panel, except in a text field', async ({
     page,
     mount,
   }) => {
@@ -140,7 +138,7 @@ test.describe('undo', () => {
     expect((await lamp(viewer)).name).toBe('lamp');
   });
 
-  test('leaves what a script has changed since', async ({ mount }) => {
+  test('keeps later changes by a script', async ({ mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await field(folder, 'position x').fill('5');
@@ -151,7 +149,7 @@ test.describe('undo', () => {
 });
 
 test.describe('lights', () => {
-  test('are duplicated with their present values and a name of their own', async ({ mount }) => {
+  test('are duplicated with their current values and a new name', async ({ mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
     await field(folder, 'diffuse').fill('#123');
@@ -191,9 +189,7 @@ test.describe('lights', () => {
     expect(await viewer.locator('#rig > #lamp').count()).toBe(1);
   });
 
-  test('written as self-closed tags, and so nested, are reordered and removed one by one', async ({
-    mount,
-  }) => {
+  test('nested by self-closed tags are reordered and removed one by one', async ({ mount }) => {
     const nested =
       '<phong-viewer gui geometry="box"><phong-light name="a" /><phong-light name="b" /><phong-light name="c" /></phong-viewer>';
     const viewer = await mount(nested);

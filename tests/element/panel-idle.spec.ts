@@ -1,4 +1,4 @@
-// What does an open panel cost while nothing happens, and while changes happen that it does not show?
+// What does an open panel cost while nothing changes, and for changes that it does not show?
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';

@@ -111,7 +111,7 @@ test('switches a light without opening its folder', async ({ mount }) => {
 });
 
 test.describe('colours', () => {
-  test('are read as people write them, and stay as they were typed', async ({ mount }) => {
+  test('are accepted in all spellings, and stay as typed', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const diffuse = field(folder, 'diffuse');
@@ -132,7 +132,7 @@ test.describe('colours', () => {
     await expect(diffuse).toHaveValue('1 2 3');
   });
 
-  test('mark text that is no colour and return to the present value', async ({ mount }) => {
+  test('mark invalid text and return to the current value', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     for (const text of ['', 'orangish', '1 2', '-1 0 0', '#12']) {
@@ -154,7 +154,7 @@ test.describe('colours', () => {
     await expect(field(folder, 'diffuse')).toHaveValue('16 32 48');
   });
 
-  test('above 255 keep their factor when one is picked, even a dark one', async ({ mount }) => {
+  test('above 255 keep their factor when another colour is picked, even a dark one', async ({ mount }) => {
     const viewer = await mount(scene('<phong-light name="lamp" diffuse="510 510 510"></phong-light>'));
     const folder = await opened(viewer, 'lamp');
     await expect(picker(folder, 'diffuse')).toHaveValue('#ffffff');
@@ -175,7 +175,7 @@ test.describe('colours', () => {
     expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([510, 255, 0]);
   });
 
-  test('extend the slider for brighter values', async ({ mount }) => {
+  test('extend the brightness slider for values beyond its end', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     await field(folder, 'diffuse').fill('25500 12750 0');
@@ -231,7 +231,7 @@ test.describe('kind', () => {
 });
 
 test.describe('numbers', () => {
-  test('refuse what the light refuses and return to the present value', async ({ mount }) => {
+  test('refuse what the light refuses and return to the current value', async ({ mount }) => {
     const viewer = await mount(scene(spot));
     const folder = await opened(viewer, 'spot');
     const aperture = field(folder, 'aperture °');
@@ -257,7 +257,7 @@ test.describe('numbers', () => {
     expect(await read(lightOf(viewer, 'lamp'), 'attenuation')).toEqual([1, 0.29, 0]);
   });
 
-  test('are not overwritten while the user types, and are updated afterwards', async ({ mount }) => {
+  test('are updated after the user has finished typing, not before', async ({ mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const x = field(folder, 'position x');
@@ -269,7 +269,7 @@ test.describe('numbers', () => {
     await expect(x).toHaveValue('7');
   });
 
-  test('follow a slider that the pointer drags, which nothing else moves', async ({ page, mount }) => {
+  test('follow a slider while the pointer drags it', async ({ page, mount }) => {
     const viewer = await mount(scene(spot));
     const folder = await opened(viewer, 'spot');
     const aperture = slider(folder, 'aperture °');
@@ -287,7 +287,7 @@ test.describe('numbers', () => {
     await expect(aperture).toHaveValue('10');
   });
 
-  test('of a vector stand in one row and follow a drag across their field', async ({ page, mount }) => {
+  test('of a vector share one row and follow a drag across their field', async ({ page, mount }) => {
     const viewer = await mount(scene(lamp));
     const folder = await opened(viewer, 'lamp');
     const boxes = await Promise.all(

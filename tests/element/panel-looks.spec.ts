@@ -1,4 +1,4 @@
-// Can everybody read and reach the panel? In light and dark pages, as a sheet on phones, at 200 % zoom, with long words, from right to left.
+// Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom, with long words, from right to left?
 
 import { AxeBuilder } from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
@@ -23,7 +23,7 @@ for (const scheme of ['light', 'dark'] as const) {
     page,
     mount,
   }) => {
-    await page.setViewportSize({ width: 900, height: 1800 }); // so high that no row is out of view
+    await page.setViewportSize({ width: 900, height: 1800 }); // high enough for all rows
     const viewer = await mount(`${scene}<main></main>`, { width: 900, height: 1790 });
     await page.evaluate((value) => {
       Object.assign(document.documentElement.style, { colorScheme: value, background: 'Canvas' });

@@ -73,7 +73,7 @@ test('opens and closes by pointer and by keys', async ({ page, mount }) => {
   await expect(titleOf(viewer, 'Lights')).toHaveAttribute('aria-expanded', 'false');
 });
 
-test('starts closed on a viewer as narrow as a phone, so that the picture stays visible', async ({
+test('starts closed in a viewer as narrow as a phone, so that the picture stays visible', async ({
   page,
   mount,
 }) => {
@@ -221,10 +221,7 @@ test.describe('an open panel', () => {
     expect((await picture(viewer).boundingBox())!.width).toBe(1000);
   });
 
-  test('is a sheet below the picture on a phone, which leaves half of it to the picture', async ({
-    page,
-    mount,
-  }) => {
+  test('is a sheet on a phone and leaves half of the screen to the picture', async ({ page, mount }) => {
     await page.setViewportSize({ width: 390, height: 800 });
     const viewer = await mount(scene('gui', 'sun'), { width: 390, height: 800 });
     await titleOf(viewer, 'Controls').click();
@@ -277,9 +274,7 @@ test.describe('copy HTML', () => {
   });
 });
 
-test('starts closed in a viewer without a size, and decides by the size that the viewer gets', async ({
-  mount,
-}) => {
+test('starts closed in a viewer without a size, and opens depending on its first size', async ({ mount }) => {
   for (const [width, expanded] of [
     [300, 'false'],
     [500, 'true'],
@@ -341,12 +336,12 @@ test('shows the viewer in full screen, and back by the button or by Escape', asy
   await enter.focus();
   await page.keyboard.press('Enter');
   await expect(leave).toBeVisible();
-  await viewer.evaluate(() => document.exitFullscreen()); // what browsers do at Escape
+  await viewer.evaluate(() => document.exitFullscreen()); // as browsers do at Escape
   await expect(enter).toBeVisible();
   expect((await cameraOf(viewer)).theta).toBe(before.theta);
 });
 
-test('has no button for full screen where the browser has none, and comes and goes as ever', async ({
+test('has no full-screen button in browsers without full screen, and otherwise works the same', async ({
   page,
   mount,
 }) => {

@@ -1,8 +1,8 @@
-// Does a printed page show its pictures, those below the fold too, and what lies behind them?
+// Does a printed page show all pictures, also those below the fold, and their CSS backgrounds?
 import { expect, test } from '../support/test.js';
 import { decodePng, type Picture } from '../support/picture.js';
 
-test('draws what nobody has scrolled to before the page is printed', async ({ mount, page }) => {
+test('draws pictures below the fold before the page is printed', async ({ mount, page }) => {
   const viewer = await mount('<div id="above"></div><phong-viewer geometry="sphere"></phong-viewer>', {
     css: '#above { height: 5000px }',
   });

@@ -1,4 +1,4 @@
-// Does the probe survive what may happen to its viewer, rest while nothing happens, and work once a frame? Places are CSS pixels of the
+// Does the probe survive removals and lost contexts, work at most once a frame, and rest while nothing happens? Places are CSS pixels of the
 // viewer.
 
 import type { Locator } from '@playwright/test';
@@ -34,7 +34,7 @@ const counted = (viewer: Locator) =>
     return counts;
   });
 
-test('explains at most once a frame, however many events come, and the last place in the end', async ({
+test('explains at most once a frame, for any number of events, and finally the last place', async ({
   mount,
 }) => {
   const viewer = await mount(scene());
@@ -71,7 +71,7 @@ test('rests: no explanation, no frame and no timer while nothing happens', async
   expect(await counts.jsonValue()).toMatchObject({ explained: 0, frames: 0, timers: 0 });
 });
 
-test('keeps the picture as it is: no frame is drawn for a mouse that moves', async ({ page, mount }) => {
+test('draws no frame of the viewer when the mouse moves', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();
@@ -82,10 +82,7 @@ test('keeps the picture as it is: no frame is drawn for a mouse that moves', asy
   expect(await frames()).toBe(before);
 });
 
-test('shows the pinned point again after its viewer was taken out, and after it has moved', async ({
-  page,
-  mount,
-}) => {
+test('shows the pinned point again after its viewer was removed or moved', async ({ page, mount }) => {
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
   await expect(box(viewer)).toBeVisible();
   await viewer.evaluate((element) => {
@@ -103,7 +100,7 @@ test('shows the pinned point again after its viewer was taken out, and after it 
   await expect(page.locator('[part=probe]')).toHaveClass(/pinned/);
 });
 
-test('throws nothing while lights, meshes and the viewer itself go away below the mouse', async ({
+test('never throws when lights, meshes and the viewer are removed under the mouse', async ({
   page,
   mount,
 }) => {
@@ -126,7 +123,7 @@ test('throws nothing while lights, meshes and the viewer itself go away below th
   await expect(page.locator('[part=probe]'), 'the other viewer has its own').toHaveCount(1);
 });
 
-test('goes on after a lost context', async ({ page, mount }) => {
+test('continues after a lost context', async ({ page, mount }) => {
   const viewer = await mount(scene());
   await page.mouse.move(280, 130);
   await expect(box(viewer)).toBeVisible();

@@ -1,5 +1,5 @@
-// Does the probe explain the point that mouse, finger, keyboard or markup choose, and nothing else? Held against shadeAt. Places are CSS pixels
-// of the viewer, which lies at the page's top left.
+// Does the probe explain the point chosen by mouse, finger, keyboard or markup? Compared with shadeAt. Places are CSS pixels of the viewer,
+// which lies at the page's top left.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
@@ -19,7 +19,7 @@ const codes = (viewer: Locator): Locator => viewer.locator('[part=probe] .codes'
 const cursor = (viewer: Locator): Locator => viewer.locator('.probe > .cursor');
 const labels = (viewer: Locator): Promise<string[]> => viewer.locator('.probe > svg text').allTextContents();
 
-/** What the box should say of this place. */
+/** The expected texts of the box for this place. */
 const expected = (viewer: Locator, x: number, y: number): Promise<string> =>
   viewer.evaluate(
     async (element: PhongViewer, at) => {
@@ -148,10 +148,7 @@ test.describe('a click', () => {
     await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
-  test('elsewhere moves the pin, beside the shape takes it away, and so does its button', async ({
-    page,
-    mount,
-  }) => {
+  test('elsewhere moves the pin; beside the shape, or on its button, removes it', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await page.mouse.click(280, 130);
     await page.mouse.click(330, 150);
@@ -163,7 +160,7 @@ test.describe('a click', () => {
     await expect(box(viewer)).not.toHaveClass(/pinned/);
   });
 
-  test('is none where the pointer has turned the camera between', async ({ page, mount }) => {
+  test('does not pin if the pointer has turned the camera', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await drag(page, [280, 130], [40, 0]);
     await nextFrame(page);
@@ -176,7 +173,7 @@ test.describe('`probe-at`', () => {
   /** The sphere's point nearest to the eye. */
   const FRONT = [0, 0, 0.5] as const;
 
-  test('pins the fragment at the point’s pixel where the mouse is not on the shape, and moves with the attribute', async ({
+  test('is explained while the mouse is not on the shape, and follows the attribute', async ({
     page,
     mount,
   }) => {
@@ -198,7 +195,7 @@ test.describe('`probe-at`', () => {
     await expect(box(viewer)).toBeHidden();
   });
 
-  test('says where another surface hides the point, and where there is none', async ({ mount }) => {
+  test('is reported as hidden behind another surface, or as missing', async ({ mount }) => {
     const viewer = await mount(scene('probe probe-at="0 0 -0.5"'));
     await expect(box(viewer)).toHaveText(/Another surface hides the point\./);
     expect(await labels(viewer)).toEqual([]);
@@ -212,7 +209,7 @@ test.describe('`probe-at`', () => {
     await expect(box(viewer)).toHaveText(/No surface there\./);
   });
 
-  test('is declared: a click leaves it alone, and Escape comes back to it', async ({ page, mount }) => {
+  test('is not changed by a click, and Escape returns to it', async ({ page, mount }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     const declared = await expected(viewer, 300, 200);
     await expect(codes(viewer)).toHaveText(declared);
@@ -231,7 +228,7 @@ test.describe('`probe-at`', () => {
     await expect(codes(viewer)).not.toHaveText(declared);
   });
 
-  test('is kept by toHTML, which also writes a point that the user has pinned', async ({ page, mount }) => {
+  test('is written by toHTML, as is a point that the user has pinned', async ({ page, mount }) => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     const written = async (): Promise<string | undefined> => {
       const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
@@ -280,7 +277,10 @@ test.describe('the cross-hair', () => {
     expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta), 'the camera stays').toBe(0);
   });
 
-  test('stays in the picture, says where no surface is, and goes with the focus', async ({ page, mount }) => {
+  test('stays inside the picture, reports missing surfaces, and disappears with the focus', async ({
+    page,
+    mount,
+  }) => {
     const viewer = await mount(scene());
     await cursor(viewer).focus();
     for (let i = 0; i < 45; i++) await page.keyboard.press('Shift+ArrowLeft');
@@ -291,7 +291,7 @@ test.describe('the cross-hair', () => {
     await expect(box(viewer)).toBeHidden();
   });
 
-  test('chooses a light by its button in the table: its vectors alone are drawn', async ({ page, mount }) => {
+  test('selects a light by its button in the table: only its vectors are drawn', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await cursor(viewer).focus();
     for (const key of ['Shift+ArrowUp', 'Shift+ArrowUp', 'Enter']) await page.keyboard.press(key);
@@ -318,7 +318,7 @@ test.describe('the cross-hair', () => {
 test.describe('under a finger', () => {
   test.use({ hasTouch: true });
 
-  test('a tap pins, and a tap beside the shape takes the pin away', async ({ page, mount }) => {
+  test('a tap pins, and a tap beside the shape removes the pin', async ({ page, mount }) => {
     const viewer = await mount(scene());
     await page.touchscreen.tap(280, 130);
     await expect(box(viewer)).toHaveClass(/pinned/);
@@ -329,7 +329,7 @@ test.describe('under a finger', () => {
 });
 
 test.describe('the box', () => {
-  test('leaves the point free wherever it is, at any size', async ({ page, mount }) => {
+  test('never covers the point, at any size', async ({ page, mount }) => {
     for (const [width, height] of [
       [700, 500],
       [390, 320],
@@ -389,7 +389,7 @@ test.describe('the box', () => {
     }
   });
 
-  test('has only the colour in a viewer of 120 × 90', async ({ page, mount }) => {
+  test('shows only the colour in a viewer of 120 × 90', async ({ page, mount }) => {
     const viewer = await mount(scene(), { width: 120, height: 90 });
     await page.mouse.click(60, 30);
     await expect(box(viewer)).toBeVisible();
@@ -457,7 +457,7 @@ test.describe('the box', () => {
   });
 });
 
-test('`probe-change` says which fragment is shown, whether it is pinned, and when there is none', async ({
+test('`probe-change` has the fragment, whether it is pinned, and null when there is none', async ({
   page,
   mount,
 }) => {
@@ -487,7 +487,7 @@ test('`probe-change` says which fragment is shown, whether it is pinned, and whe
   expect(await events.evaluate((list) => list.length), 'nothing is shown').toBe(count);
 });
 
-test('without `probe` nothing of it is fetched; with it, one file, once', async ({ page, mount }) => {
+test('without `probe` none of its code is fetched; with it, one file, once', async ({ page, mount }) => {
   const fetched: string[] = [];
   page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
   const viewer = await mount(scene(''));
@@ -507,7 +507,7 @@ test('without `probe` nothing of it is fetched; with it, one file, once', async 
   expect(fetched.filter((path) => path.includes('probe'))).toHaveLength(1);
 });
 
-test('the arrows are in a picture file where helpers are requested, at its size, as the scene is then', async ({
+test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({
   mount,
 }) => {
   const viewer = await mount(scene('probe probe-at="0 0 0.5"'));

@@ -7,7 +7,7 @@ import { glPrograms, isSpecialised, isLit } from './gl-log.js';
 import type { PhongViewer } from './support.js';
 
 interface Walked {
-  /** Different sets of needs that a general program was asked for. */
+  /** Distinct feature sets that general programs were needed for. */
   readonly needs: number;
   /** The most specialised programs at a time. */
   readonly mostSpecialised: number;
@@ -48,10 +48,10 @@ const STEPS: readonly Step[] = [
 /** Frames of "draw on": enough for a program of its own. */
 const DRAWN_ON = 40;
 
-/** Specialised programs that a picture keeps: those of other lights make way. */
+/** Specialised programs that a picture keeps. */
 const MOST_SPECIALISED = 32;
 
-/** Walks so many steps from a seed and holds the programs that were made against what was needed. */
+/** Takes this many random steps and compares the programs made with those needed. */
 export async function expectFewPrograms(
   page: Page,
   viewer: Locator,
@@ -74,7 +74,7 @@ async function walk(page: Page, viewer: Locator, dice: Dice, steps: number): Pro
     element.innerHTML = '<phong-light></phong-light>';
   });
   const needs = new Set<string>();
-  // Never taken back: what was declared once may come again.
+  // Never removed: declared features stay.
   const declared = new Set<string>();
   let mostSpecialised = 0;
   for (let i = 0; i < steps; i++) {
@@ -93,11 +93,11 @@ async function walk(page: Page, viewer: Locator, dice: Dice, steps: number): Pro
 interface Need {
   /** What is shown by one program or another, whatever the lights are. */
   readonly style: string;
-  /** What lights and surface declare now. */
+  /** The features that lights and surface declare now. */
   readonly facts: readonly string[];
 }
 
-/** Takes one step, draws, and says what the viewer then needs of a general program. */
+/** Takes one step, draws, and returns the features that the general program then needs. */
 function take(viewer: Locator, what: string, value: string, step: number): Promise<Need> {
   return viewer.evaluate(
     async (element: PhongViewer, [change, given, number, frames]) => {

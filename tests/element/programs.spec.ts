@@ -1,5 +1,5 @@
-// Which code do programs hold, and how many are there? Their text is read from outside, as it went to WebGL, and what
-// `main` can reach in it after its conditions are decided.
+// Which code do programs contain, and how many are there? Reads the text sent to WebGL: the functions that `main` reaches once all
+// preprocessor conditions are decided.
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../support/test.js';
@@ -11,7 +11,7 @@ import type { PhongViewer } from './support.js';
 
 const size = { width: 60, height: 42 };
 
-/** What stands in a program for each thing that scenes may need: facts, and functions that `main` comes to. */
+/** For each feature, the code that implements it: macros and functions that `main` reaches. */
 const CODE = {
   directional: { facts: ['HAS_DIRECTIONAL'], functions: [] },
   point: { facts: ['HAS_POINT'], functions: [] },
@@ -83,7 +83,7 @@ const SCENES: Readonly<Record<string, readonly [markup: string, needs: readonly 
   'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'vertex colours']], // prettier-ignore
 };
 
-test('a program holds the code that its scene has declared a need of, and no other', async ({
+test('a program contains the code for the features declared in its scene, and no other', async ({
   page,
   mount,
 }) => {
@@ -101,7 +101,7 @@ test('a program holds the code that its scene has declared a need of, and no oth
   }
 });
 
-test('the code for lights is in one stage alone', async ({ page, mount }) => {
+test('the code for lights is in one stage only', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   for (const shading of ['phong', 'flat', 'gouraud']) {
@@ -114,7 +114,7 @@ test('the code for lights is in one stage alone', async ({ page, mount }) => {
   }
 });
 
-test('a long walk through scenes makes a general program for each need once, and few specialised ones', async ({
+test('a long random walk makes one general program per feature set, and few specialised ones', async ({
   page,
   mount,
 }) => {
@@ -124,7 +124,7 @@ test('a long walk through scenes makes a general program for each need once, and
   await expectFewPrograms(page, viewer, Number(process.env['PHONG_VIEWER_SEED'] ?? 1), 60);
 });
 
-test('another shape is drawn by the program that is there', async ({ page, mount }) => {
+test('another shape is drawn by the same program', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount('<phong-viewer geometry="box"><phong-light></phong-light></phong-viewer>', size);
   for (const [key, value] of Object.entries({ geometry: 'sphere', segments: '12' })) {
@@ -135,10 +135,7 @@ test('another shape is drawn by the program that is there', async ({ page, mount
   }
 });
 
-test('ten meshes that other lights reach each get a specialised program of their own', async ({
-  page,
-  mount,
-}) => {
+test('ten meshes reached by different lights get a specialised program each', async ({ page, mount }) => {
   await logGl(page);
   // Each lit by one more light than the one before, so that no two share a program.
   const meshes = Array.from({ length: 10 }, (_, i) => `<phong-mesh geometry="plane" position="${3 * i} 0 0"></phong-mesh>`); // prettier-ignore
@@ -155,9 +152,7 @@ test('ten meshes that other lights reach each get a specialised program of their
   expect(compare(await pixels(viewer), before).max).toBeLessThanOrEqual(1);
 });
 
-test('a fragment is explained alike whether a general or a specialised program has drawn it', async ({
-  mount,
-}) => {
+test('a fragment’s explanation does not depend on the program that drew it', async ({ mount }) => {
   const viewer = await mount(
     '<phong-viewer geometry="sphere"><phong-light></phong-light></phong-viewer>',
     size,
@@ -179,7 +174,7 @@ test('a fragment is explained alike whether a general or a specialised program h
   expect(await explain()).toEqual(before);
 });
 
-test('a picture that no light is looped over for gets a program of its own that shows the same', async ({
+test('a picture without lights in the loop gets a specialised program that shows the same', async ({
   page,
   mount,
 }) => {
@@ -193,7 +188,7 @@ test('a picture that no light is looped over for gets a program of its own that 
   }
 });
 
-test('a picture whose specialised program does not link is drawn by the general one, and the failure is reported once', async ({
+test('a specialised program that does not link is reported once, and the general one goes on drawing', async ({
   page,
   mount,
   consoleGuard,

@@ -8,7 +8,7 @@ const bunny = '/assets/models/bunny.glb';
 const css =
   'main { height: 200px } .gone { display: none } .flat { width: 0; height: 0 } .below { margin-top: 5000px }';
 
-/** Runs in the page: makes a viewer, waits for `ready` and tells how it stands then. */
+/** Runs in the page: creates a viewer, waits for `ready` and returns the viewer's state. */
 async function readiness(
   page: Page,
   setting: { attributes?: Record<string, string>; className?: string; remove?: boolean } = {}, // prettier-ignore

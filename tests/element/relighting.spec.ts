@@ -1,5 +1,5 @@
-// Frames in which only lights have changed cost what lights cost, and show what a whole drawing shows, whatever else changes
-// before, with or after them. The oracle is `toBlob`, which always draws all of the scene.
+// Do frames in which only lights have changed cost little and still show the whole scene, whatever else changes before, with or after them?
+// The oracle is `toBlob`, which always draws everything.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
@@ -12,9 +12,9 @@ import { betweenPrograms } from '../visual/between-programs.js';
 const size = { width: 60, height: 44 };
 
 interface Shown {
-  /** What is seen on the page. */
+  /** The picture on the page. */
   readonly picture: Picture;
-  /** Calls to WebGL of that frame. */
+  /** WebGL calls of that frame. */
   readonly calls: number;
   /** Texts of the programs that it was drawn by. */
   readonly programs: string;
@@ -26,7 +26,7 @@ const programsOf = (drawn: readonly GlProgram[]): string =>
     .sort()
     .join();
 
-/** Lets `change` happen in one task and gives what the frame after it shows. */
+/** Runs `change` in one task and returns what the next frame shows. */
 async function shownAfter(viewer: Locator, change: (element: PhongViewer) => void): Promise<Shown> {
   const waiting = viewer.evaluate(async (element: PhongViewer) => {
     window.glLog.take();
@@ -52,7 +52,7 @@ const moveLights = (element: PhongViewer): void => {
   }
 };
 
-/** On a sphere that fills the picture: suns, lamps and spots in turn. */
+/** Directional, point and spot lights in turn, on a sphere that fills the picture. */
 const markup = (lights: number): string =>
   `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${Array.from(
     { length: lights },
@@ -117,7 +117,7 @@ for (const [lights, which] of [
   [6, 'few lights'],
   [30, 'many lights'],
 ] as const) {
-  test(`${which} that move cost three calls: to send them, to clear and to draw`, async ({ page, mount }) => {
+  test(`${which} that move cost three calls: one upload, one clear and one draw`, async ({ page, mount }) => {
     await logGl(page);
     const viewer = await mount(markup(lights), size);
     await settle(page, viewer);
@@ -131,10 +131,7 @@ for (const [lights, which] of [
     await expectWhole(viewer, which, await shownAfter(viewer, moveLights));
   });
 
-  test(`${which} show what a whole drawing shows, whatever changes between and with their moves`, async ({
-    page,
-    mount,
-  }) => {
+  test(`${which} that move show the whole scene, whatever else changes`, async ({ page, mount }) => {
     await logGl(page);
     const viewer = await mount(markup(lights), size);
     await settle(page, viewer);
@@ -147,7 +144,7 @@ for (const [lights, which] of [
   });
 }
 
-test('lights that move beside another viewer that draws, and alone again, show a whole drawing', async ({
+test('lights that move beside another drawing viewer, and alone again, show the whole scene', async ({
   page,
   mount,
 }) => {
@@ -166,10 +163,7 @@ test('lights that move beside another viewer that draws, and alone again, show a
     await expectWhole(viewer, 'alone', await shownAfter(viewer, moveLights));
 });
 
-test('lights that move after the context was lost and has come back show a whole drawing', async ({
-  page,
-  mount,
-}) => {
+test('lights that move after a context was restored show the whole scene', async ({ page, mount }) => {
   await logGl(page);
   await holdContext(page);
   const viewer = await mount(markup(6), size);

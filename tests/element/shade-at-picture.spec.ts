@@ -1,4 +1,4 @@
-// Does shadeAt explain the colours that are drawn? Fragments inside triangles, against the pixels of toBlob, in 8-bit codes.
+// Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of toBlob, in 8-bit codes.
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
@@ -15,7 +15,7 @@ const SIZE = { width: 160, height: 120 };
  */
 const EDGE = 3e-3;
 const STEEP = 8;
-/** More scenes, or others: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
+/** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? 4);
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
@@ -41,14 +41,14 @@ class Tally {
   }
 }
 
-/** Another viewer in the place of this one, once its shape is there: a torus is fetched. */
+/** Replaces the viewer and waits for its shape: a torus is fetched. */
 const show = (viewer: Locator, markup: string): Promise<void> =>
   viewer.evaluate((element: PhongViewer, text) => {
     element.outerHTML = text;
     return document.querySelector<PhongViewer>('phong-viewer')!.ready;
   }, markup);
 
-test.describe('agrees with the picture', () => {
+test.describe('shadeAt explains the picture', () => {
   test('within one code on random scenes of every shape and shading, at the origin and far from it', async ({
     mount,
   }) => {
@@ -87,7 +87,7 @@ test.describe('agrees with the picture', () => {
     await equationExpect(viewer).toShowTheEquation({ share: 0.1 });
   });
 
-  test('within one code on what is flattened, stretched, seen from inside or behind others, at two pixels a CSS pixel', async ({
+  test('within one code on flattened and stretched shapes, from inside, behind others, at two device pixels per CSS pixel', async ({
     mount,
   }) => {
     const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
@@ -140,7 +140,7 @@ test.describe('agrees with the picture', () => {
     expect(blended).toBeLessThan(1);
   });
 
-  test('on what a mask leaves out: there nothing is hit', async ({ mount }) => {
+  test('by hitting nothing where a mask is transparent', async ({ mount }) => {
     const viewer = await mount(model(texturedModel(LINEAR, [REPEAT, MIRRORED], 'MASK')), SIZE);
     const counts = await viewer.evaluate(async (element: PhongViewer) => {
       const context = new OffscreenCanvas(160, 120).getContext('2d')!;

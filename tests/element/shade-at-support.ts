@@ -7,14 +7,14 @@ import type { PhongViewer } from './support.js';
 export interface Compared {
   readonly column: number;
   readonly row: number;
-  /** r, g, b, a that was drawn. */
+  /** The drawn r, g, b, a. */
   readonly drawn: readonly number[];
-  /** 255 times the colour that was explained, not rounded. */
+  /** 255 times the explained colour, not rounded. */
   readonly explained: readonly number[];
   readonly opacity: number;
-  /** Angle in radians to where a light begins to count: the edge of its cone, or its horizon. */
+  /** Angle in radians to the nearest edge of a cone or horizon of a light. */
   readonly edgeMargin: number;
-  /** Largest difference of a channel from the eight pixels around. */
+  /** Largest difference of a channel from the eight neighbours. */
   readonly steepness: number;
 }
 

@@ -1,4 +1,4 @@
-// What does shadeAt say of a fragment, and when? Positions are CSS pixels of the viewer, colours 0–1.
+// What does shadeAt return for a fragment, and for which moment? Positions are CSS pixels of the viewer, colours 0–1.
 
 import { readFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
@@ -32,7 +32,7 @@ const LIGHTS = (at = 0): string => `
   <phong-light position="${at} ${2 + at} ${at} 1" axis="0 1 0" aperture="10" ambient="255"></phong-light>
   <phong-light space="camera" position="0 0 0 1" diffuse="102" specular="51"></phong-light>`;
 
-/** What shadeAt says, with elements as their names and without three.js's object. */
+/** The result of shadeAt, with elements as their names and without three.js's object. */
 const explained = (viewer: Locator, x: number, y: number) =>
   viewer.evaluate(
     async (element: PhongViewer, at) => {
@@ -49,7 +49,7 @@ const explained = (viewer: Locator, x: number, y: number) =>
     [x, y] as const,
   );
 
-test.describe('says', () => {
+test.describe('shadeAt returns', () => {
   test('every quantity of the equation, worked out by hand', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS()), FLOOR);
     const fragment = (await explained(viewer, MIDDLE, MIDDLE))!;
@@ -140,7 +140,7 @@ test.describe('says', () => {
     ]);
   });
 
-  test('the same of a scene a hundred million units away, place apart', async ({ mount }) => {
+  test('the same for a scene a hundred million units away, except for the position', async ({ mount }) => {
     const here = (await explained(await mount(floor(LIGHTS()), FLOOR), 20, 70))!;
     const there = (await explained(await mount(floor(LIGHTS(1e8), '', 1e8), FLOOR), 20, 70))!;
     expect({ ...there, p: null }).toEqual({ ...here, p: null });
@@ -148,7 +148,7 @@ test.describe('says', () => {
     there.p.forEach((x, i) => expect(Math.abs(x - 1e8 - here.p[i]!)).toBeLessThan(1.5e-8));
   });
 
-  test('the head-light’s share where a viewer has no light', async ({ mount }) => {
+  test('the head-light’s share if a viewer has no light', async ({ mount }) => {
     const viewer = await mount(floor(), FLOOR);
     const { shares, color } = (await explained(viewer, MIDDLE, MIDDLE))!;
     expect(shares).toEqual([
@@ -185,7 +185,9 @@ test.describe('says', () => {
     }
   });
 
-  test('under Gouraud shading the corners’ terms, and all else of the fragment itself', async ({ mount }) => {
+  test('under Gouraud shading the corners’ terms, and everything else for the fragment itself', async ({
+    mount,
+  }) => {
     // The corners are √2 from the middle, the lamp 1 above it.
     const lamp = '<phong-light position="0 1 0 1" specular="0"></phong-light>';
     const viewer = await mount(floor(lamp, 'shading="gouraud"'), FLOOR);
@@ -194,7 +196,7 @@ test.describe('says', () => {
     expect(share!.diffuse).toEqual([1, 1, 1].map(() => close(0.2 / Math.sqrt(3))));
   });
 
-  test('whose surface it is: the nearest child’s, or the viewer’s own', async ({ mount }) => {
+  test('the mesh whose surface it is: the nearest child, or the viewer’s own', async ({ mount }) => {
     const viewer = await mount(
       floor(
         '<phong-mesh name="stone" geometry="sphere" scale="0.5" position="0 0.5 0"></phong-mesh>',
@@ -212,7 +214,7 @@ test.describe('says', () => {
     expect(found).toBe(true);
   });
 
-  test('values that nobody can change', async ({ mount }) => {
+  test('frozen values', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS()), FLOOR);
     const loose = await viewer.evaluate(async (element: PhongViewer) => {
       const fragment = (await element.shadeAt(50, 50))!;
@@ -229,7 +231,7 @@ test.describe('says', () => {
 const close = (x: number): unknown => expect.closeTo(x, 12);
 const decoded = (x: number): number => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
-test.describe('is null', () => {
+test.describe('shadeAt is null', () => {
   test('beside the shape and beside the picture', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS()), FLOOR);
     for (const [x, y] of [
@@ -263,7 +265,7 @@ test.describe('is null', () => {
   });
 });
 
-test('explains the scene as it is at the call: what was written before, and nothing of what comes after', async ({
+test('explains the scene at the time of the call, including earlier writes and no later ones', async ({
   mount,
 }) => {
   const viewer = await mount(floor(LIGHTS()), FLOOR);
@@ -284,10 +286,7 @@ test('explains the scene as it is at the call: what was written before, and noth
   expect(appended).toBe(6);
 });
 
-test('works before the first frame and off screen, and is null without a place on the page', async ({
-  page,
-  mount,
-}) => {
+test('works before the first frame and off screen, and is null outside the page', async ({ page, mount }) => {
   const viewer = await mount(floor(LIGHTS()), FLOOR);
   const before = await explained(viewer, 30, 40);
   const early = await viewer.evaluate(async (element: PhongViewer) => {
@@ -317,7 +316,7 @@ test('works before the first frame and off screen, and is null without a place o
   expect(await explained(viewer, 30, 40)).toEqual(before);
 });
 
-test('prints for README’s example what README says', async ({ page, mount }) => {
+test('prints the README’s output for its example', async ({ page, mount }) => {
   const readme = readFileSync(new URL('../../README.md', import.meta.url), 'utf8');
   const section = /### Ask why a pixel has its colour\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
   const [markup, script, output] = Array.from(section.matchAll(/```\w*\n([^]*?)```/g), (block) => block[1]!);
@@ -332,7 +331,7 @@ test('prints for README’s example what README says', async ({ page, mount }) =
   expect(printed.join('')).toBe(output);
 });
 
-test('rejects what is no place with TypeError or RangeError', async ({ mount }) => {
+test('rejects invalid positions with TypeError or RangeError', async ({ mount }) => {
   const viewer = await mount(floor(), FLOOR);
   const errors = await viewer.evaluate((element: PhongViewer) => {
     const bad: unknown[][] = [[NaN, 1], [1, Infinity], ['1', 1], [1], [null, 1], [1, {}]];
@@ -355,7 +354,7 @@ test('rejects what is no place with TypeError or RangeError', async ({ mount }) 
   ]);
 });
 
-test('fetches what picks with the first call and the equation with the first explanation, once', async ({
+test('fetches picking with the first call and the equation with the first explanation, once', async ({
   page,
   mount,
 }) => {
@@ -374,7 +373,7 @@ test('fetches what picks with the first call and the equation with the first exp
   expect(fetched).toHaveLength(before + 1);
 });
 
-test('leaves the equation to a file of its own in the ES modules too', () => {
+test('has the equation in a separate file in the ES modules too', () => {
   const statically = /(?:\bfrom|\bimport)\s*["'`](\.[^"'`]+)["'`]/g;
   const loaded = new Map<string, string>();
   const load = (path: string): void => {
@@ -390,7 +389,7 @@ test('leaves the equation to a file of its own in the ES modules too', () => {
   expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/reference\.js["'`]\)/);
 });
 
-test.describe('takes the place of a pointer event', () => {
+test.describe('shadeAt accepts the position of a pointer event', () => {
   test.use({ deviceScaleFactor: 2 });
 
   for (const [what, css] of [

@@ -1,5 +1,5 @@
-// Does a picture stay until the next one can be shown? Memory that cannot be had, drawing that throws, downloads of viewers that
-// were removed, servers that say nothing; and when is everything there?
+// Does a picture stay until the next one can be shown? Failed allocations, drawing that throws, downloads of removed viewers, silent
+// servers. Also: when does `loaded` become true?
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
 import { assign, nextFrame, type PhongMesh, type PhongViewer, record, settled } from './support.js';
@@ -9,7 +9,7 @@ const BUNNY = '/assets/models/bunny.glb';
 const QUAD = '/fixtures/models/no-normals.glb';
 const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 
-/** From now on the page cannot allocate typed arrays of so many elements or more. */
+/** Makes allocations of typed arrays with at least this many elements fail. */
 const limitMemory = (page: Page, type: 'Float32Array' | 'Uint8Array', most: number) =>
   page.evaluate(
     ([name, limit]) => {
@@ -41,7 +41,7 @@ for (const [what, type, shading] of [
   ['reading it', 'Uint8Array', 'phong'],
   ['its flat normals', 'Float32Array', 'flat'],
 ] as const) {
-  test(`a model is too-large where there is no memory for ${what}; the picture before stays`, async ({
+  test(`a model without memory for ${what} is too-large, and the previous picture stays`, async ({
     page,
     mount,
   }) => {
@@ -63,10 +63,7 @@ for (const [what, type, shading] of [
   });
 }
 
-test('a shape is too-large where there is no memory for it; the picture before stays', async ({
-  page,
-  mount,
-}) => {
+test('a shape without memory is too-large, and the previous picture stays', async ({ page, mount }) => {
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
   const before = await pixels(viewer);
   const events = await record(viewer, 'error');
@@ -122,7 +119,7 @@ for (const [what, message, code] of [
   ['for want of memory', 'Array buffer allocation failed', 'too-large'],
   ['for another reason', 'Invalid offset', 'bad-model'],
 ] as const) {
-  test(`a model that cannot be drawn ${what} leaves the picture before, without a gap`, async ({
+  test(`a model that cannot be drawn ${what} leaves the previous picture, without a gap`, async ({
     page,
     mount,
   }) => {
@@ -152,7 +149,7 @@ for (const [what, message, code] of [
   });
 }
 
-test('a broken object of the page’s author is not blamed on the mesh that came with it', async ({
+test('a broken own object of the page is not blamed on a mesh added with it', async ({
   page,
   mount,
   consoleGuard,
@@ -234,7 +231,7 @@ test('a viewer that moves within a task goes on with its download', async ({ pag
   expect(asked).toHaveLength(1);
 });
 
-test('a removed viewer fetches nothing that is written to it, until it is back', async ({ page, mount }) => {
+test('a removed viewer fetches a newly set src only when it is back', async ({ page, mount }) => {
   const viewer = await mount(`<phong-viewer src="${QUAD}"></phong-viewer>`, SIZE);
   const asked: string[] = [];
   page.on('request', (request) => asked.push(new URL(request.url()).pathname));
@@ -256,7 +253,7 @@ test('a removed viewer fetches nothing that is written to it, until it is back',
   expect(asked.filter((path) => path === BUNNY)).toHaveLength(1);
 });
 
-test('a server that says nothing is given up after a minute', async ({ page, mount }) => {
+test('a load fails after a minute without data', async ({ page, mount }) => {
   const viewer = await mount(`<phong-viewer src="${QUAD}"></phong-viewer>`, SIZE);
   await page.clock.install();
   await page.route(/bunny/, () => undefined);

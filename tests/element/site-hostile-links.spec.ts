@@ -61,7 +61,7 @@ const HOSTILE: Readonly<Record<string, (alt: string) => string>> = {
 const REPORTED = /\son\w+="|<style|\sstyle=|<base/;
 const REPORTS = /violates the following Content Security Policy directive|CSP report: (script|style|base)-/;
 
-/** Everything that should not have happened, in words. */
+/** Descriptions of everything that must not happen. */
 async function harm(page: Page): Promise<string[]> {
   return page.evaluate(() => {
     const found: string[] = [];
@@ -108,7 +108,7 @@ for (const [name, text] of Object.entries(HOSTILE)) {
   });
 }
 
-test('what was left out is named, briefly', async ({ page, consoleGuard }) => {
+test('the removed parts are named, briefly', async ({ page, consoleGuard }) => {
   consoleGuard.allow(REPORTS);
   const many = Array.from({ length: 30 }, (_, i) => `<x-${i}-${'long'.repeat(50)}></x->`).join('');
   await page.goto(`/demo/${linkTo(`<phong-viewer style="x"><script></script>${many}</phong-viewer>`)}`);
@@ -134,7 +134,7 @@ const BROKEN: Readonly<Record<string, string>> = {
 };
 
 for (const [name, fragment] of Object.entries(BROKEN)) {
-  test(`a link with ${name} shows an example and says what is wrong`, async ({ page }) => {
+  test(`a link with ${name} shows an example and an error`, async ({ page }) => {
     await page.goto('about:blank');
     await page.goto(`/demo/playground/#${fragment}`);
     await expect(page.locator('#messages')).toHaveText(

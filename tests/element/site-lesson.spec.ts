@@ -1,5 +1,4 @@
-// Do the figures of the lesson do what their captions say? The article and the guide page on helpers, views, probe and comparisons, as a
-// reader uses them.
+// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons, behave as their captions say?
 
 import type { Locator, Page } from '@playwright/test';
 import { accessibleNodes } from '../a11y/tree.js';
@@ -54,7 +53,7 @@ test('dragging the rim of the cone opens it, and the markup under the figure fol
     .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[0]!.aperture);
   expect(aperture).toBeGreaterThan(20);
   await expect(cone.locator('pre')).toContainText(`aperture="${aperture}"`);
-  // What the reader has not touched stays as its author wrote it.
+  // The rest stays as its author wrote it.
   await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
 });
 

@@ -1,4 +1,4 @@
-// Are markup, picture and address of the playground always the same scene? Served under the strict policy.
+// Do markup, picture and address of the playground always agree? Served under the strict policy.
 
 import type { Locator, Page } from '@playwright/test';
 import { allReady, expect, test } from '../support/test.js';
@@ -37,7 +37,7 @@ test('a link shows its scene, and the same link is in the address', async ({ pag
   expect(page.url()).toContain(linkTo(SCENE));
 });
 
-test('what is typed is shown, and is in the address', async ({ page }) => {
+test('typed markup is shown, and is in the address', async ({ page }) => {
   const viewer = await open(page);
   const next = SCENE.replace('sphere', 'torus').replace(
     '  <phong-mesh',
@@ -82,7 +82,9 @@ test('a drag is written into the markup, and undoing it there turns the picture 
   await expect.poll(() => viewer.evaluate((v: PhongViewer) => v.camera.theta)).toBeCloseTo(10, 9);
 });
 
-test('what the panel changes is written into the markup, and the markup still rules', async ({ page }) => {
+test('changes by the panel are written into the markup, and the markup can still be edited', async ({
+  page,
+}) => {
   const viewer = await open(page);
   const active = viewer.getByRole('checkbox').first();
   await active.click();
@@ -100,7 +102,7 @@ test('what the panel changes is written into the markup, and the markup still ru
   await expect.poll(isActive).toBe(true);
 });
 
-test('a light that the panel adds is written, and can be changed in the markup', async ({ page }) => {
+test('a light added by the panel appears in the markup and can be changed there', async ({ page }) => {
   const viewer = await open(page);
   await viewer.getByRole('button', { name: 'add light' }).click();
   await expect.poll(async () => (await textOf(page)).match(/<phong-light/g)?.length).toBe(2);
@@ -108,7 +110,7 @@ test('a light that the panel adds is written, and can be changed in the markup',
   await expect(viewer.locator('phong-light[diffuse="7"]')).toHaveCount(2);
 });
 
-test('typing keeps what has not changed: the model is fetched once, the camera stays', async ({ page }) => {
+test('typing keeps the unchanged parts: the model is fetched once, the camera stays', async ({ page }) => {
   let fetched = 0;
   page.on('request', (request) => {
     if (request.url().endsWith('.glb')) fetched += 1;
@@ -121,7 +123,7 @@ test('typing keeps what has not changed: the model is fetched once, the camera s
   expect(fetched).toBe(1);
 });
 
-test('half-written markup is no error: the picture waits', async ({ page }) => {
+test('the picture waits while the markup is incomplete', async ({ page }) => {
   const viewer = await open(page);
   await rewrite(page, '<phong-vie');
   await expect(page.locator('#messages')).toHaveText('Write a <phong-viewer> to see a picture.');
@@ -156,7 +158,7 @@ test('examples are opened by the list and by their address', async ({ page }) =>
   await expect(page.locator('phong-viewer')).toHaveAttribute('shading', 'flat');
 });
 
-test('the button copies the link to what is in the editor now', async ({ page, context }) => {
+test('the button copies a link to the current markup', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await open(page);
   const next = SCENE.replace('sphere', 'cone');

@@ -1,5 +1,5 @@
-// Can every page of the site be shown to a stranger? No stray console line, a policy of its own, a way to the package, room
-// on a phone, nothing that axe finds, and something for search engines and link previews.
+// Is every page of the site fit for publication? An empty console, a policy, a link to the package, a layout for phones, no problem found by
+// axe, and data for search engines and link previews.
 
 import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
@@ -35,7 +35,7 @@ for (const path of sitePages) {
     }
   });
 
-  test(`the ${name} has a policy, a description, a preview and a way to the package`, async ({
+  test(`the ${name} has a policy, a description, a preview and a link to the package`, async ({
     page,
     request,
   }) => {
@@ -127,7 +127,7 @@ test('the start page gives the size of the standalone file, as in dist/', async 
   await expect(page.locator('#sizes tr').first()).toContainText(`${kilobytes} kB`);
 });
 
-test('a listing opens in the playground, its model included', async ({ page }) => {
+test('a listing opens in the playground with its model', async ({ page }) => {
   await page.goto('/demo/guide/models/');
   await allReady(page);
   await page.locator('.source summary').first().click();

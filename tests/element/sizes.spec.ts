@@ -1,5 +1,5 @@
-// Does the canvas follow the element's size and the screen's pixels, exactly and live? A canvas's own size is in device
-// pixels; everything else in CSS pixels.
+// Does the canvas follow the element's size and the screen's pixels exactly, also while they change? Canvas sizes are in device pixels,
+// everything else in CSS pixels.
 
 import type { Locator } from '@playwright/test';
 import { compare, expect, pixels, setPixelRatio, test } from '../support/test.js';
@@ -17,7 +17,7 @@ const canvasSize = (viewer: Locator): Promise<number[]> =>
 const style = (viewer: Locator, css: string): Promise<string> =>
   viewer.evaluate((element, text) => (element.style.cssText = text), css);
 
-test('is 300 × 150 where CSS says nothing, and as large as CSS says otherwise', async ({ page, mount }) => {
+test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ page, mount }) => {
   const viewer = await mount(box, { css: 'phong-viewer { width: revert-layer; height: revert-layer }' });
   await page.evaluate(
     () => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true),
@@ -100,7 +100,7 @@ for (const [what, hidden] of [
   ['not displayed', 'display: none'],
   ['of no height', 'height: 0'],
 ] as const) {
-  test(`is right when it was ${what} and is shown again`, async ({ page, mount }) => {
+  test(`is right after it was ${what} and is shown again`, async ({ page, mount }) => {
     const viewer = await mount(box, { width: 90, height: 60 });
     const before = await viewer.screenshot();
     const renders = await record(viewer, 'render');
@@ -116,7 +116,7 @@ for (const [what, hidden] of [
     expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
   });
 
-  test(`is right when it begins ${what}`, async ({ mount }) => {
+  test(`is right if it starts ${what}`, async ({ mount }) => {
     const viewer = await mount(box, { width: 90, height: 60, css: `.gone { ${hidden} !important }` });
     const before = await viewer.screenshot();
     const other = await mount(box.replace('<phong-viewer', '<phong-viewer class="gone"'), {
@@ -130,7 +130,7 @@ for (const [what, hidden] of [
   });
 }
 
-test('draws once when it is scrolled into sight, however much changed before', async ({ page, mount }) => {
+test('draws once when it is scrolled into view, however much has changed', async ({ page, mount }) => {
   const viewer = await mount(`<div class="tall"></div>${box}`, {
     width: 90,
     height: 60,
@@ -156,7 +156,7 @@ test('follows a size that changes in every frame, and never stretches a picture'
     const wrong: number[][] = [];
     for (let width = 100; width < 120; width += 3) {
       element.style.width = `${width}px`;
-      // Observers are told after layout, in the frame that shows the new size; its picture comes by the one after.
+      // Observers run after layout, in the frame that shows the new size. The picture follows in the next frame.
       for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
       const canvas = element.shadowRoot!.querySelector('canvas')!;
       if (canvas.width !== width) wrong.push([width, canvas.width]);

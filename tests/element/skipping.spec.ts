@@ -1,5 +1,5 @@
-// Does what the scene does not need cost nothing, and does what changes cost only itself? WebGL is counted from outside,
-// beside the viewer's own `stats`; pictures are held against the float64 equation over all declared lights.
+// Does unneeded work cost nothing, and does a change cost only itself? Counts WebGL calls beside the viewer's own `stats`, and compares
+// pictures with the float64 equation over all declared lights.
 
 import type { Locator } from '@playwright/test';
 import { HEADER, ROWS } from '../../src/light/light-layout.js';
@@ -49,7 +49,7 @@ const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): CastSce
   options: { reflection: 'phong', terms: ['ambient', 'diffuse', 'specular'], linear: false },
 });
 
-/** Puts this scene in the place of the viewer. */
+/** Replaces the viewer with this scene. */
 async function show(viewer: Locator, scene: CastScene): Promise<void> {
   await viewer.evaluate((element, html) => (element.outerHTML = html), sceneMarkup(scene));
   await viewer.evaluate((element: PhongViewer) => element.ready);
@@ -72,7 +72,7 @@ test.describe('a light', () => {
     'of each sort at once': [[LAMP, SPOT, { ...LAMP, active: false }, { ...SPOT, axis: [0, 1, 0] }], 3],
   };
 
-  test('that brings nothing is not sent, and the picture is that of all', async ({ page, mount }) => {
+  test('without effect is not sent, and the picture is the same', async ({ page, mount }) => {
     await logGl(page);
     const viewer = await mount('<phong-viewer></phong-viewer>', size);
     for (const [which, [lights, sent]] of Object.entries(cases)) {
@@ -88,7 +88,7 @@ test.describe('a light', () => {
     }
   });
 
-  test('reaches one mesh and not the other, which is drawn without it', async ({ mount }) => {
+  test('that reaches only one of two meshes is left out of the other’s draw', async ({ mount }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', size);
     const over = (x: number): LightValues => ({ ...SPOT, position: [x, 1, 0, 1], aperture: 40 });
     const meshes = [floorAt(-1.5), floorAt(1.5)];
@@ -108,7 +108,7 @@ test.describe('a light', () => {
   });
 });
 
-/** Ten suns, fifteen points and fifteen spots, in this order; every need of a program is declared. */
+/** Ten directional lights, fifteen points and fifteen spots, in this order; together they declare every feature. */
 const CROWD: readonly LightValues[] = Array.from({ length: 40 }, (_, i): LightValues => {
   const dim: LightValues = { ...LAMP, ambient: [1, 1, 1], diffuse: [5, 4, 3], specular: [2, 2, 2] };
   const turn = (i / 40) * 2 * Math.PI;
@@ -133,10 +133,10 @@ type Change = 'move' | 'recolour' | 'toggle' | 'remove' | 'add';
 interface Cost extends GlSpent {
   readonly frames: number;
   readonly sent: number;
-  readonly handedOver: number;
+  readonly viewerUploads: number;
 }
 
-/** Changes this many lights, evenly strewn, in one task, and says what it cost until the page is at rest. */
+/** Changes this many evenly spaced lights in one task, and returns the cost until the page is at rest. */
 function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
   return viewer.evaluate(
     async (element: PhongViewer, [what, some]) => {
@@ -155,7 +155,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
         if (what === 'recolour') light.diffuse = [light.diffuse[0] === 5 ? 6 : 5, 4, 3];
         if (what === 'toggle') light.active = !light.active;
         if (what === 'remove') light.remove();
-        // What was cloned is declared already: no new need.
+        // Clones declare no new features.
         if (what === 'add') element.append(light.cloneNode());
       }
       await rest();
@@ -164,7 +164,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
       return {
         ...spent,
         frames: frames - before.frames,
-        handedOver: uploads - before.uploads,
+        viewerUploads: uploads - before.uploads,
         sent: lightsSent,
       };
     },
@@ -175,7 +175,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 2, 3, 7, 16, 39, 40];
 
-test('one to forty lights that change at once cost one frame, one upload of what changed, and no program', async ({
+test('one to forty lights that change together cost one frame, one upload of the changes, and no program', async ({
   page,
   mount,
 }) => {
@@ -199,14 +199,14 @@ test('one to forty lights that change at once cost one frame, one upload of what
     ];
     for (const [change, bytes, sent] of steps) {
       const cost = await costOf(viewer, change, count);
-      expect(cost, `${change} ${count}`).toMatchObject({ frames: 1, draws: 1, links: 0, compiles: 0, uploads: 1, allocations: 0, handedOver: 1, sent }); // prettier-ignore
+      expect(cost, `${change} ${count}`).toMatchObject({ frames: 1, draws: 1, links: 0, compiles: 0, uploads: 1, allocations: 0, viewerUploads: 1, sent }); // prettier-ignore
       expect(cost.bytes, `${change} ${count}`).toBeLessThanOrEqual(bytes);
       expect(cost.bytes, `${change} ${count}`).toBeGreaterThan(0);
     }
   }
 });
 
-test('a single light that moves sends its place alone, wherever it stands', async ({ page, mount }) => {
+test('a single moving light uploads only its position, at any index', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount(sceneMarkup(sceneOf(CROWD)), size);
   for (const light of [0, 9, 10, 24, 25, 39]) {
@@ -221,7 +221,7 @@ test('a single light that moves sends its place alone, wherever it stands', asyn
   }
 });
 
-test('the first light of a new kind or need compiles one program at most, the second none', async ({
+test('the first light with a new kind or feature compiles at most one program, the second none', async ({
   page,
   mount,
 }) => {
@@ -233,6 +233,8 @@ test('the first light of a new kind or need compiles one program at most, the se
     cone: 'position="0 1 0 1" specular="0" axis="0 -1 0" aperture="40"',
     decay: 'position="0 1 0 1" specular="0" axis="0 -1 0" cutoff="3"',
     ambient: 'ambient="9" specular="0"',
+    'ambient of a spot': 'ambient="9" position="0 1 0 1" specular="0" axis="0 -1 0" aperture="40"',
+    'narrow cone': 'position="0 1 0 1" specular="0" axis="0 -1 0" aperture="5"',
     specular: '',
     'spot with all of it': 'ambient="9" position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3" attenuation="1 1 1"', // prettier-ignore
   };
@@ -250,7 +252,7 @@ test('the first light of a new kind or need compiles one program at most, the se
   }
 });
 
-test('one light that is declared inactive has its program from the start', async ({ page, mount }) => {
+test('an inactive light has its program from the start', async ({ page, mount }) => {
   await logGl(page);
   const viewer = await mount(sceneMarkup(sceneOf([SUN, { ...SPOT, active: false, ambient: [9, 9, 9], cutoff: 3, attenuation: [1, 1, 1] }])), size); // prettier-ignore
   await nextFrame(page);
@@ -297,7 +299,7 @@ test('lights that move in every frame cost four calls more than a still frame, h
     '32 of each kind': CROWD.slice(0, 32),
   })) {
     await show(viewer, sceneOf(lights));
-    // Moving first: the program that draws then has no number in its text, and draws a still picture as well.
+    // Lights move first: the program that draws then has no values inlined, and draws still pictures as well.
     await moveFor(viewer, 60);
     const moving = await callsPerFrame(viewer, lights.length);
     const still = await callsPerFrame(viewer, 0);

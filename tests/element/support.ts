@@ -1,5 +1,5 @@
 // What the element's browser tests share: the viewer as it is typed inside the page, its camera and events read from
-// outside, and the hands (mouse, fingers) that act on it. Positions are CSS pixels of the page.
+// outside, and input by mouse and fingers. Positions are CSS pixels of the page.
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import type { CameraState, PhongLight, PhongMesh, PhongViewer } from '../../src/index.js';
@@ -7,18 +7,18 @@ import { pixels, type Picture } from '../support/test.js';
 
 export type { CameraState, PhongLight, PhongMesh, PhongViewer };
 
-/** The camera as the viewer tells it now. */
+/** The viewer's current camera. */
 export const cameraOf = (viewer: Locator): Promise<CameraState> =>
   viewer.evaluate((element: PhongViewer) => element.camera);
 
-/** Assigns properties in one task, in the given order, as a script that knows no types would. */
+/** Assigns properties of any type in one task, in the given order. */
 export async function assign(element: Locator, values: Readonly<Record<string, unknown>>): Promise<void> {
   await element.evaluate((target, given) => {
     for (const [key, value] of Object.entries(given)) Reflect.set(target, key, value);
   }, values);
 }
 
-/** What this viewer's markup shows on the page at hand, as a second viewer that goes again. */
+/** The picture of this viewer's markup, drawn by a second viewer on the same page, which is removed again. */
 export async function shownBy(
   page: Page,
   markup: string,
@@ -41,11 +41,11 @@ export interface Heard {
 }
 
 export interface Recording {
-  /** What was dispatched since the last call. */
+  /** The events since the last call. */
   take(): Promise<Heard[]>;
 }
 
-/** Writes down the element's events of these types. Elements and other objects in a detail become their tag or type. */
+/** Records the element's events of these types. Elements and other objects in a detail become their tag or type. */
 export async function record(element: Locator, ...types: string[]): Promise<Recording> {
   const heard = await element.evaluateHandle((target, names) => {
     const list: Heard[] = [];
@@ -65,7 +65,7 @@ export async function record(element: Locator, ...types: string[]): Promise<Reco
   return { take: () => heard.evaluate((list) => list.splice(0)) };
 }
 
-/** Waits until the page has shown what was asked of it so far. */
+/** Waits until the page has shown all changes so far. */
 export async function nextFrame(page: Page): Promise<void> {
   await page.evaluate(
     () =>
@@ -75,7 +75,7 @@ export async function nextFrame(page: Page): Promise<void> {
   );
 }
 
-/** Waits for the viewer to have drawn, or to be drawable, with all that was asked of it. */
+/** Waits for the viewer's `ready`. */
 export const settled = (viewer: Locator): Promise<void> =>
   viewer.evaluate((element: PhongViewer) => element.ready);
 
@@ -101,7 +101,7 @@ export async function drag(
 
 type Place = readonly [x: number, y: number];
 
-/** Fingers on the page, by Chromium's own input: all that are down, at each call. */
+/** Touch input by Chromium's own events; each call lists all fingers that are down. */
 export class Fingers {
   readonly #session: CDPSession;
 

@@ -1,5 +1,5 @@
-// Are the materials of files shaded and explained by the rules of src/MODELS.md? Colours of pixels against shadeAt, and shadeAt's
-// values against those rules, worked out here by hand.
+// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels with shadeAt, and shadeAt with values
+// computed here from those rules.
 
 import { patch, type PatchOptions, type Texel } from '../support/gltf.js';
 import { expect, test } from '../support/test.js';
@@ -27,7 +27,7 @@ async function show(viewer: Locator, markup: string): Promise<void> {
   await settled(viewer);
 }
 
-/** What shadeAt says about the pixel in the middle. */
+/** The result of shadeAt for the pixel in the middle. */
 const middle = (viewer: Locator) =>
   viewer.evaluate(async (element: PhongViewer) => {
     const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } = (await element.shadeAt(
@@ -182,7 +182,7 @@ test.describe('by the rules of src/MODELS.md', () => {
     expect(ks).toEqual([128 / 255, 128 / 255, 128 / 255]);
   });
 
-  test('a file that says nothing of metal and roughness looks like a built-in shape', async ({ mount }) => {
+  test('a file without metalness and roughness looks like a built-in shape', async ({ mount }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     await show(viewer, viewerOf({ material: {} }, '', 'kd="255"'));
     const { kd, ...rest } = await middle(viewer);
@@ -228,7 +228,7 @@ test.describe('by the rules of src/MODELS.md', () => {
     expect(plain.N[2]).toBeGreaterThan(0.9);
   });
 
-  test('what the equation has no place for is named once', async ({ mount, consoleGuard }) => {
+  test('features that the equation does not have give one warning', async ({ mount, consoleGuard }) => {
     const met = consoleGuard.allow(
       /^warning: .*KHR_materials_transmission, KHR_materials_clearcoat, occlusionTexture/,
       1,

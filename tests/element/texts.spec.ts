@@ -1,5 +1,4 @@
-// Does `texts` replace every text that a viewer shows or announces? All texts are put in brackets; what is left without is a word that the
-// page cannot replace.
+// Does `texts` replace every text that a viewer shows or announces? The test puts all texts in brackets and looks for text without brackets.
 
 import type { Locator } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../src/element/fields/text-list.js';
@@ -14,7 +13,7 @@ const scene = `<phong-viewer alt="Szene" geometry="box" gui><phong-light name="S
   <phong-light space="camera" active="false"></phong-light>
   <phong-mesh geometry="sphere"></phong-mesh><phong-mesh src=""></phong-mesh></phong-viewer>`;
 
-/** What people see, hear or get as a tooltip: text, and the attributes that hold text. */
+/** All texts that users see, hear or get as a tooltip: text nodes, and attributes that contain text. */
 const textsIn = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate(({ shadowRoot }) => {
     const found: string[] = [];
@@ -69,7 +68,7 @@ test('texts replaces every text of helpers, legend and probe', async ({ page, mo
   ]);
 });
 
-test('texts relabels an open panel, which stays as it is', async ({ page, mount }) => {
+test('texts relabels an open panel without changing its state', async ({ page, mount }) => {
   const viewer = await mount(scene);
   const sun = await opened(viewer, 'Sonne');
   const second = await opened(viewer, 'light 2');
@@ -112,7 +111,7 @@ test('texts relabels an open panel, which stays as it is', async ({ page, mount 
   expect((await textsIn(viewer)).filter((text) => /Licht|Lage|Welt|Raum/.test(text))).toEqual([]);
 });
 
-test('texts replaces what buttons of the panel say for a while', async ({ page, mount }) => {
+test('texts replaces temporary labels of the panel’s buttons', async ({ page, mount }) => {
   await page.addInitScript(() => {
     Object.defineProperty(navigator, 'clipboard', { value: undefined });
   });
@@ -126,7 +125,7 @@ test('texts replaces what buttons of the panel say for a while', async ({ page, 
   await expect(button(viewer, 'copy HTML')).toBeVisible();
 });
 
-test('a panel that is removed while the clipboard is asked leaves nothing behind', async ({
+test('a panel that is removed while the clipboard is written leaves nothing behind', async ({
   page,
   mount,
 }) => {

@@ -1,4 +1,4 @@
-// Does toHTML write the scene as it is now, so that its markup gives the same picture and the same markup back?
+// Does toHTML write the current scene, so that its markup gives the same picture and the same markup again?
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../support/test.js';
@@ -34,7 +34,7 @@ test.describe('toHTML', () => {
     expect(again).toBe(text);
   }
 
-  test('gives the same picture back, and the same markup again', async ({ page, mount }) => {
+  test('gives the same picture, and the same markup again', async ({ page, mount }) => {
     const viewer = await mount(rich, size);
     await roundTrip(page, viewer);
     const text = await html(viewer);
@@ -50,7 +50,7 @@ test.describe('toHTML', () => {
     expect(text).not.toContain('<more>');
   });
 
-  test('writes the camera as it is now: after a drag, a shift and a zoom', async ({ page, mount }) => {
+  test('writes the current camera after a drag, a shift and a zoom', async ({ page, mount }) => {
     const viewer = await mount(box, size);
     await drag(page, [60, 40], [37, 11]);
     await drag(page, [60, 40], [7, -3], { button: 'right' });
@@ -59,7 +59,7 @@ test.describe('toHTML', () => {
     await roundTrip(page, viewer);
   });
 
-  test('writes what properties and lights say now', async ({ page, mount }) => {
+  test('writes the current values of properties and lights', async ({ page, mount }) => {
     const viewer = await mount(box, size);
     await assign(viewer, { terms: [], fov: 33.3, kd: [1, 2, 3.5], gui: false, alt: null });
     await roundTrip(page, viewer);

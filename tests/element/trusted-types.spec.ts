@@ -1,4 +1,4 @@
-// Does everything work where the page forbids every Trusted Types policy? The page's own script avoids the sinks too.
+// Does everything work on a page that forbids every Trusted Types policy? The page's own script avoids the sinks too.
 
 import { expect, strictPolicy, test } from '../support/test.js';
 import { button, panelOf } from './panel-rows.js';

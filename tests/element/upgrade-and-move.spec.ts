@@ -1,5 +1,5 @@
-// Does a viewer find its children in whatever order things come, and keep everything while it moves in the document?
-// Pictures are compared with those of the same markup written out from the start.
+// Does a viewer find its children in any order of definition and insertion, and keep everything while it moves in the document?
+// Pictures are compared with those of the same markup, complete from the start.
 
 import type { Page } from '@playwright/test';
 import { allReady, compare, expect, pixels, test, type Picture } from '../support/test.js';
@@ -21,7 +21,11 @@ test.describe('the order of upgrades does not matter', () => {
   const inner = `${red}${green}<phong-mesh geometry="box" scale="0.3"></phong-mesh>`;
   const markup = scene(inner);
 
-  test('when the definitions come long after the children, or before them', async ({ page, site, mount }) => {
+  test('when the elements are defined long after the children, or before them', async ({
+    page,
+    site,
+    mount,
+  }) => {
     const wanted = await pixels(await mount(markup, size));
     await page.goto(site.page(markup, { css: 'phong-viewer { display: block; width: 60px; height: 40px }' }));
     await page.addScriptTag({ type: 'module', url: '/dist/phong-viewer.standalone.js' });

@@ -1,4 +1,4 @@
-// Does a page with many viewers cost what is seen of it? One context, one frame, copies of what changed, bounded pixels.
+// Does a page with many viewers cost no more than its visible part? One context, one frame, copies of changed pictures, bounded pixels.
 
 import { allReady, compare, expect, pixels, test } from '../support/test.js';
 import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from './counting.js';
@@ -9,7 +9,7 @@ const small = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
 
 test.beforeEach(({ page }) => countEverything(page));
 
-test('a viewer alone draws straight onto the page: nothing is copied', async ({ page, mount }) => {
+test('a viewer alone draws directly on the page, without a copy', async ({ page, mount }) => {
   const viewer = await mount(reddening(1), small);
   await drag(page, [45, 30], [20, 10]);
   await allReady(page);
@@ -53,10 +53,7 @@ for (const count of [2, 64]) {
   });
 }
 
-test('viewers that turn by themselves are all drawn before the first one is copied', async ({
-  page,
-  mount,
-}) => {
+test('turning viewers are all drawn before the first one is copied', async ({ page, mount }) => {
   // A copy between two drawings makes the browser resolve and copy the whole canvas again.
   await page.addInitScript(() => {
     const log: string[] = [];
@@ -85,8 +82,8 @@ test('viewers that turn by themselves are all drawn before the first one is copi
   expect(frame).toMatch(/^d{6,}c{6}$/);
 });
 
-test('the context is opened by the first picture that is seen, and at its size', async ({ page, mount }) => {
-  // A canvas that has a context and takes another size makes all buffers anew, for each side once.
+test('the context opens with the first visible picture, at its size', async ({ page, mount }) => {
+  // Resizing a canvas with a context reallocates all buffers, once for each side.
   await page.addInitScript(() => {
     const opened = new Set<HTMLCanvasElement>();
     const { getContext } = HTMLCanvasElement.prototype;
@@ -113,7 +110,7 @@ test('the context is opened by the first picture that is seen, and at its size',
   expect(await page.evaluate(() => window.resized)).toBe(0);
 });
 
-test('pictures of any sizes beside each other show what each shows alone', async ({ page, mount }) => {
+test('pictures of any sizes side by side look the same as alone', async ({ page, mount }) => {
   const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // prettier-ignore
   const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
   const markup = sizes.map(
@@ -139,15 +136,12 @@ test('pictures of any sizes beside each other show what each shows alone', async
   }
 });
 
-test('viewers that were scrolled past give their pixels back, and have them again', async ({
-  page,
-  mount,
-}) => {
+test('viewers that were scrolled past free their pixels, and get them back', async ({ page, mount }) => {
   test.slow();
   await scrollThrough(page, mount, 56);
 });
 
-test('all viewers of a long page are printed, those too that may not keep their pixels', async ({
+test('all viewers of a long page are printed, even those without pixels of their own', async ({
   page,
   mount,
 }) => {
@@ -158,7 +152,7 @@ test('all viewers of a long page are printed, those too that may not keep their 
   expect(reds).toHaveLength(count);
   expect(reds.every((red, i) => red > (reds[i - 1] ?? -1))).toBe(true);
   const printed = (await countsOf(page)).canvasPixels;
-  // The next frame of any viewer gives back what was lent for paper.
+  // The next frame of any viewer frees the pixels for print.
   await viewer.evaluate((element: PhongViewer) => {
     element.theta = 77;
     return element.ready;
@@ -167,10 +161,7 @@ test('all viewers of a long page are printed, those too that may not keep their 
   expect((await countsOf(page)).canvasPixels).toBeLessThan(printed / 1.2);
 });
 
-test('the canvas that all draw on shrinks when the large viewer has gone, or is not seen', async ({
-  page,
-  mount,
-}) => {
+test('the shared canvas shrinks when a large viewer is removed or out of view', async ({ page, mount }) => {
   const css = '#large { width: 900px; height: 600px } #low { margin-top: 2000px }';
   const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // prettier-ignore
   const ofOne = small.width * small.height;
@@ -193,7 +184,7 @@ test('the canvas that all draw on shrinks when the large viewer has gone, or is 
   expect(await sheet()).toBeLessThanOrEqual(ofOne);
 });
 
-test('sixteen viewers come back from a lost context with the same pixels, those off screen too', async ({
+test('sixteen viewers, some off screen, have the same pixels after a lost context', async ({
   page,
   mount,
 }) => {
@@ -217,7 +208,7 @@ test('sixteen viewers come back from a lost context with the same pixels, those 
   expect((await countsOf(page)).contexts).toBe(1);
 });
 
-test('no shader log is waited for, and a program that does not link is told of', async ({
+test('no shader log is read, and a program that does not link is reported', async ({
   page,
   mount,
   consoleGuard,

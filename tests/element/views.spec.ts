@@ -1,4 +1,4 @@
-// Do `view` and `view-light` behave as documented: legend, lights by name, what is fetched and compiled, the error's measurement?
+// Do `view` and `view-light` behave as documented: legend, lights by name, what is fetched and compiled, measuring the error?
 
 import type { Locator } from '@playwright/test';
 import { scaleColor } from '../../src/material/view/scale.js';
@@ -68,7 +68,7 @@ test('each view has a legend that says what its colours mean', async ({ mount })
   await expect(legendOf(viewer)).toHaveCount(0);
 });
 
-test('`ready` and `toBlob` wait until the view is shown, and leaving it brings the picture back', async ({
+test('`ready` and `toBlob` wait until the view is shown, and leaving it restores the picture', async ({
   page,
   mount,
 }) => {
@@ -207,10 +207,7 @@ test('the legend can be styled and hidden, speaks the page’s language, and lea
   await expect(legendOf(viewer)).toBeHidden();
 });
 
-test('comes back after the element has left the page, and after its context was lost', async ({
-  page,
-  mount,
-}) => {
+test('is restored after the element was removed, and after its context was lost', async ({ page, mount }) => {
   const viewer = await mount(scene('view="triangles"'), SIZE);
   const before = await pixels(viewer);
   await viewer.evaluate((element: PhongViewer) => {
@@ -283,7 +280,7 @@ test('the markup keeps the view, and the panel writes and follows it', async ({ 
 test.describe('the error', () => {
   const small = { width: 200, height: 150 };
 
-  test('is measured once the picture is still, and again after a change', async ({ mount }) => {
+  test('is measured once the picture is still, and again after each change', async ({ mount }) => {
     const viewer = await mount(scene('view="error"'), small);
     const canvas = viewer.locator('.view-error');
     await errorDone(viewer);
@@ -307,7 +304,7 @@ test.describe('the error', () => {
     await expect(canvas).toHaveCount(0);
   });
 
-  test('is below a step inside faces, and leaves edges of faces and cones out', async ({ mount }) => {
+  test('is below one step inside faces, and excludes edges of faces and cones', async ({ mount }) => {
     const markup = `<phong-viewer geometry="box" view="error" theta="30" phi="60">${lights}</phong-viewer>`;
     const viewer = await mount(markup, small);
     await errorDone(viewer);
@@ -315,7 +312,7 @@ test.describe('the error', () => {
     expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
   });
 
-  test('leaves out the borders of triangles under Gouraud shading, where a pixel averages two slopes', async ({
+  test('excludes borders of triangles under Gouraud shading, where a pixel averages two slopes', async ({
     mount,
   }) => {
     const attributes = 'segments="12" shading="gouraud" view="error"';

@@ -7,10 +7,10 @@ import { Random } from '../stress/random.js';
 import { expect, type Mount } from '../support/test.js';
 import { hostileFile, triangleGlb } from './models.js';
 
-/** Most that the page's process and the GPU's may grow by, together, whatever a file claims. */
+/** Largest growth of the page's and the GPU's processes together, for any file. */
 export const GROWTH_LIMIT_MB = 1000;
 
-/** A file that is neither shown nor refused by then hangs. Files that are refused take milliseconds. */
+/** Milliseconds after which a file counts as hanging. Refusing one takes milliseconds. */
 const HANG_MS = 30_000;
 
 /** Real files to be changed; served at `/fixtures/` and `/assets/`. */
@@ -99,7 +99,7 @@ function pictureOf(viewer: Locator): Promise<string> {
   });
 }
 
-/** Resident memory of the browser's renderer and GPU processes, in MB, looked at 40 times a second. */
+/** Resident memory of the browser's renderer and GPU processes, in MB, sampled 40 times a second. */
 export class MemoryWatch {
   readonly #processes: readonly number[];
   #timer: NodeJS.Timeout | undefined;

@@ -4,7 +4,7 @@ import type { Random } from '../stress/random.js';
 import { floats, glbOf, glbOfText, type Json, openGlb, pngWith, viewsOf } from './glb.js';
 
 export interface HostileFile {
-  /** What is wrong with it. */
+  /** Describes what is wrong with it. */
   readonly what: string;
   readonly bytes: Buffer;
 }
@@ -224,7 +224,7 @@ const EXTREMES: readonly unknown[] = [
   ],
 ];
 
-/** A real file of which one to four values, keys or bytes are changed. */
+/** A real file with one to four changed values, keys or bytes. */
 function mutated(random: Random, files: readonly Buffer[]): HostileFile {
   const file = random.pick(files);
   if (random.chance(0.4)) return changedBytes(random, file);

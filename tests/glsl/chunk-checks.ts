@@ -9,7 +9,7 @@ import { FloatPass, type Held, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { gridCheck } from './grid-checks.js';
 import { specialisedChecks } from './specialised-checks.js';
-import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
+import { type Driver, onDriver, POWER_TO_64_ERROR, spoiledBy } from './worst-driver.js';
 
 /** Up to four numbers in, up to four out. */
 export type Numbers = readonly number[];
@@ -192,7 +192,7 @@ const CHECKS: readonly Check[] = [
       ],
     ],
     expected: ([p, whole, cutoff]) => [Math.max(p!, 0) ** whole!, Math.max(p!, 0) ** cutoff!],
-    bound: 3e-5, // log2's, as powTo64 has it
+    bound: POWER_TO_64_ERROR,
     floor: 1,
   },
   {

@@ -19,9 +19,9 @@ export interface PassSource {
 }
 
 export interface PassResult {
-  /** Four floats a case. */
+  /** Four floats per case. */
   readonly floats: Float32Array;
-  /** Four codes a case. */
+  /** Four codes per case. */
   readonly codes: Uint8Array;
 }
 
@@ -48,9 +48,9 @@ export function floatContext(): WebGL2RenderingContext {
   return gl;
 }
 
-/** What the driver calls itself. */
+/** The renderer's name. */
 export function rendererName(gl: WebGL2RenderingContext): string {
-  // Firefox answers the plain question and warns of the extension.
+  // Firefox gives the name without the extension, and warns about it.
   const plain = String(gl.getParameter(gl.RENDERER));
   if (!/WebKit|Mozilla/.test(plain)) return plain;
   const info = gl.getExtension('WEBGL_debug_renderer_info');

@@ -78,7 +78,7 @@ export class LoopPass {
     });
   }
 
-  /** Four floats and four codes a case, in order; a few texels more at the end. */
+  /** Four floats and four codes per case, in order, and a few texels of padding. */
   run(cases: readonly StressCase[]): PassResult {
     const height = Math.ceil(cases.length / CASES_WIDTH);
     const inputs = INPUTS.map(() => new Float32Array(CASES_WIDTH * height * 4));

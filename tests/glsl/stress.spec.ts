@@ -1,5 +1,5 @@
-// Does the shipped GLSL, with the shipped packing, keep the numerical contract, on this browser's own driver and on the worst lawful
-// one? tests/release does the same with ten times as many cases, `npm run stress` with a thousand times as many.
+// Does the shipped GLSL with the shipped packing keep the numerical contract, on this browser's driver and on the worst lawful one?
+// tests/release runs ten times as many cases, `npm run stress` a thousand times as many.
 import { testContract } from './contract-run.js';
 
 testContract({ driver: 'shipped', cases: 1e5, checks: 4096, everyLight: 1 });

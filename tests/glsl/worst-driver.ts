@@ -13,6 +13,12 @@ export const WORST_DRIVERS = ['up', 'down', 'either'] as const satisfies readonl
 export const spoiledBy = (driver: Driver): string =>
   driver === 'shipped' ? '' : '\n  if (worst_undefined) result = vec4(worst_nan());';
 
+/**
+ * Largest error of x^k for x to 1 and k to 64, by log2's allowance of 2^-21. Twice: a worst driver errs on top of the driver that
+ * runs it.
+ */
+export const POWER_TO_64_ERROR = 2 * 64 * Math.LN2 * 2 ** -21; // 4.2e-5
+
 const SIGN: Readonly<Record<Exclude<Driver, 'shipped'>, string>> = {
   up: '1',
   down: '-1',

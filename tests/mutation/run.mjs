@@ -2,12 +2,18 @@
 // `npm run mutation`: do the tests notice wrong code? Makes wrong versions of the sources, runs the tests on each, and
 // compares the share that some test kills with the recorded one in scores.json. Fails where a folder's score has fallen.
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { fileURLToPath } from 'node:url';
-import { numberOption, Progress, readCommandLine, refuse, timeText } from '../support/command-line.mjs';
+import {
+  numberOption,
+  Progress,
+  readCommandLine,
+  readJson,
+  refuse,
+  timeText,
+} from '../support/command-line.mjs';
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
-import { runTypeScript } from './typescript.mjs';
 
 /** @typedef {import('./typescript.mjs').Result} Result */
 /** @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score: percent killed of those that compile */
@@ -84,12 +90,14 @@ process.exit(fell && !options.record ? 1 : 0);
 
 /** As they are now: another folder's run may have written since this one began. @returns {Record<string, Score>} */
 function recordedScores() {
-  return JSON.parse(readFileSync(file, 'utf8'));
+  return readJson(file);
 }
 
 async function typeScriptResults() {
   const files = options.folder.flatMap((folder) => FOLDERS[folder] ?? []);
   if (files.length === 0) return [];
+  // Loading StrykerJS takes seconds, which --help need not wait for.
+  const { runTypeScript } = await import('./typescript.mjs');
   return runTypeScript({ files, share: share(), seed, jobs });
 }
 

@@ -1,5 +1,5 @@
-// What happens when a part of the package cannot be fetched? A clear sentence, nothing stuck, and the next use on the same viewer
-// fetches it. From the standalone file and from the ES modules.
+// What happens when a chunk cannot be fetched? A clear message, and the next use on the same viewer fetches it again. For the standalone
+// file and the ES modules.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -19,7 +19,7 @@ interface Part {
 /** A shape, a method (and a pixel), or a model's address. */
 type Use = 'torus' | 'toBlob' | 'shadeAt beside' | 'shadeAt on' | `/${string}`;
 
-/** Runs in the page. What the failure says, or null where it worked. */
+/** Runs in the page. Returns the failure's message, or null if it worked. */
 async function useIn(viewer: PhongViewer, use: Use): Promise<string | null> {
   if (use === 'toBlob') return viewer.toBlob({ width: 8, height: 8 }).then(() => null, String);
   if (use === 'shadeAt beside') return viewer.shadeAt(1, 1).then(() => null, String);
@@ -169,7 +169,7 @@ test('a later attempt of the standalone file uses another address, which every b
   expect(asked).toEqual(['', '?1']);
 });
 
-test('no chunk is both a first use and a part of another one, which could not be fetched again', () => {
+test('no chunk with an import() of its own is also imported statically by another chunk', () => {
   const folder = join(outputFolder('dist'), 'chunks');
   const files = readdirSync(folder).filter((name) => name.endsWith('.js'));
   const codes = [...files.map((name) => join('chunks', name)), 'phong-viewer.standalone.js'].map((path) =>

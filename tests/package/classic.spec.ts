@@ -1,4 +1,4 @@
-// Does a page opened from disk show something? dist/phong-viewer.classic.js in a folder of its own, opened as file://.
+// Does a page opened from disk work? dist/phong-viewer.classic.js in a folder of its own, opened as file://.
 
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -26,7 +26,7 @@ test.beforeEach(() => {
 
 test.afterEach(() => rmSync(folder, { recursive: true, force: true }));
 
-/** Keeps a page as people write it, with no word about its encoding. @returns its address */
+/** Writes a page without a declared encoding. @returns its address */
 function handout(text: string): string {
   const path = join(folder, 'handout.html');
   writeFileSync(path, `<!doctype html>\n<title>Handout</title>\n${text}\n`);
@@ -103,7 +103,7 @@ test('a model beside a page opened from disk is an error that names a server', a
   await expect(notice).toContainText('python3 -m http.server');
 });
 
-test('a page opened from disk with the module instead shows nothing, and the browser says why', async ({
+test('a page opened from disk with the module instead shows nothing, and the browser reports why', async ({
   page,
   consoleGuard,
 }) => {

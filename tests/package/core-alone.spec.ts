@@ -5,7 +5,7 @@ import { outputFolder } from '../../.ci/output-folder.mjs';
 import { expect, test } from '@playwright/test';
 import { bundleOf } from './bundle.js';
 
-test('a page that takes the lights alone from core gets nothing of three.js', async () => {
+test('a page that imports only the lights from core gets nothing of three.js', async () => {
   const code = await bundleOf(`
     import { LightState } from ${JSON.stringify(join(outputFolder('dist'), 'core.js'))};
     console.log(new LightState({ cutoff: 2 }).values);

@@ -1,4 +1,4 @@
-// When is each lazy part fetched? With its first use and not before, from the standalone file and from the ES modules.
+// Is each lazy chunk fetched with its first use and not before? For the standalone file and the ES modules.
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongViewer } from '../../src/index.js';
@@ -119,7 +119,7 @@ for (const usage of ['standalone', 'modules'] as const) {
     expect(requests.take()).toHaveLength(1);
     for (const { what, use, chunks } of uses) {
       await use(viewer, page);
-      // A request may start after the call has returned. Two frames later no other one may have started.
+      // Requests may start after the call. Two frames later no further one may have started.
       const late = new Set<string>();
       const came = (): string[] => {
         for (const path of requests.take()) late.add(chunkName(path));

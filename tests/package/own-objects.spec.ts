@@ -1,5 +1,5 @@
-// Can a page use the standalone file together with a three.js of its own? Both are quiet. Objects of the page's copy may be put
-// into `viewer.scene` if they bring their shaders; three's own materials are refused with a clear message.
+// Can a page use the standalone file together with its own three.js, without console lines? Objects of the page's copy work in `viewer.scene`
+// if they have their own shaders; three.js's materials give a clear error.
 
 import type * as Three from 'three';
 import type { PhongViewer } from '../../src/index.js';
@@ -25,7 +25,7 @@ for (const order of ['before', 'after'] as const) {
   });
 }
 
-test('the standalone file leaves no version of three.js on the page', async ({ mount }) => {
+test('the standalone file registers no version of three.js on the page', async ({ mount }) => {
   const viewer = await mount(box);
   expect(await viewer.evaluate(() => '__THREE__' in window)).toBe(false);
 });

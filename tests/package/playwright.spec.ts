@@ -1,4 +1,4 @@
-// Does phong-viewer/playwright judge pictures as it says? Right pictures pass, a single wrong pixel fails, and messages say why.
+// Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel fails, and messages give the reason.
 import type { Locator } from '@playwright/test';
 import { expect, settled, snapshot } from 'phong-viewer/playwright';
 import type { PhongViewer } from '../element/support.js';
@@ -8,7 +8,7 @@ const SIZE = { width: 150, height: 100 };
 const LIGHTS = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
   <phong-light position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>`;
 
-/** What the matcher says about a picture that it refuses. */
+/** The matcher's message for a picture that it refuses. */
 async function refusal(viewer: Locator, options: object = {}): Promise<string> {
   try {
     await expect(viewer).toShowTheEquation(options);
@@ -70,7 +70,7 @@ test.describe('toShowTheEquation', () => {
     await expect(viewer).toShowTheEquation();
   });
 
-  test('says how many pixels it has judged', async ({ mount }, info) => {
+  test('reports how many pixels it has judged', async ({ mount }, info) => {
     const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
     await expect(viewer).toShowTheEquation();
     const [, judged = 0, surface = 0] = /^(\d+) of (\d+) pixels/.exec(info.annotations.at(-1)?.description ?? '')!.map(Number); // prettier-ignore
@@ -145,7 +145,7 @@ test.describe('settled', () => {
     expect(await page.evaluate(() => scrollY)).toBeGreaterThan(3000);
   });
 
-  test('rejects while the picture moves, and says by what', async ({ mount }) => {
+  test('rejects while the picture moves, and names the cause', async ({ mount }) => {
     const viewer = await mount('<phong-viewer geometry="box" auto-rotate="20"></phong-viewer>', SIZE);
     await expect(settled(viewer, { timeout: 1500 })).rejects.toThrow(
       'not settled after 1500 ms: auto-rotate is 20',
@@ -154,7 +154,7 @@ test.describe('settled', () => {
     await settled(viewer);
   });
 
-  test('rejects while a model is loading, and says so', async ({ mount, page }) => {
+  test('rejects while a model is loading, and names it as the cause', async ({ mount, page }) => {
     await page.route('**/never.glb', () => undefined);
     const viewer = await mount('<phong-viewer src="/never.glb"></phong-viewer>', {
       ...SIZE,

@@ -1,5 +1,5 @@
-// Do the components of `phong-viewer/react` say the same on the server and in the browser? A page is rendered by dist/ in Node and
-// hydrated in the browser by React's development build, which reports on the console where the two differ.
+// Do the components of `phong-viewer/react` render the same on the server and in the browser? dist/ renders a page in Node, and React's
+// development build hydrates it in the browser and reports differences on the console.
 
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';
@@ -47,7 +47,7 @@ const app = (file: string): string => `
   }
 `;
 
-/** What a server sends. */
+/** The markup that a server sends. */
 const renderedByServer = (): string =>
   execFileSync(
     process.execPath,
@@ -140,7 +140,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       expect(pixelAt(await pixels(viewer, { width: 30, height: 20 }), 15, 10)).toEqual([0, 0, 0, 255]);
     });
 
-    test('draws what changed props say, and restores the defaults of removed ones', async ({ page }) => {
+    test('draws changed props, and restores the defaults of removed ones', async ({ page }) => {
       await page.getByText('light up').click();
       await allReady(page);
       const viewer = page.locator('phong-viewer');
@@ -161,7 +161,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
       await expect(page.locator('phong-light')).toHaveAttribute('active', 'true');
     });
 
-    test("hears the element's own events once each, React's events, and fills the ref", async ({ page }) => {
+    test("receives the element's events once each and React's events, and sets the ref", async ({ page }) => {
       const viewer = page.locator('phong-viewer');
       const turn = (to: number) =>
         viewer.evaluate((element: PhongViewer, theta) => (element.theta = theta), to);
@@ -178,7 +178,7 @@ for (const way of ['hydrated', 'rendered by the client alone']) {
   });
 }
 
-test('a value that the element refuses is a warning and its default, not the end of the page', async ({
+test('a refused value gives a warning and the default instead of breaking the page', async ({
   page,
   site,
   consoleGuard,

@@ -1,4 +1,4 @@
-// The long form of histories of faults: more of them, longer ones, and pictures of 9000 × 9000 pixels.
+// The long form of element/fault-histories.spec.ts: more and longer histories, with pictures of 9000 × 9000 pixels.
 
 import { expectRecovery } from '../element/fault-history.js';
 import { seedsFrom } from '../element/history.js';
@@ -7,7 +7,7 @@ import { test } from '../support/test.js';
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const COUNT = Number(process.env['PHONG_VIEWER_FAULTS'] ?? 120);
 
-test(`@release pages recover from long histories of faults (seeds from ${FIRST})`, async ({
+test(`@release pages recover from long random faults (seeds from ${FIRST})`, async ({
   page,
   mount,
   consoleGuard,

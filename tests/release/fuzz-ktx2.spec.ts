@@ -1,4 +1,4 @@
-// Can a damaged KTX2 texture hang a page, or make it grow? Changed copies of sound files, unpacked in the worker.
+// Can a damaged KTX2 texture hang a page or exhaust its memory? Damaged copies of valid files, unpacked in the worker.
 
 import { readFileSync } from 'node:fs';
 import { GROWTH_LIMIT_MB, load, MemoryWatch } from '../fuzz/model-run.js';

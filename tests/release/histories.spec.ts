@@ -1,4 +1,4 @@
-// The long form of histories: more of them, and longer ones.
+// The long form of element/histories.spec.ts: more and longer histories.
 
 import { expectAsNew, seedsFrom } from '../element/history.js';
 import { test } from '../support/test.js';
@@ -6,7 +6,7 @@ import { test } from '../support/test.js';
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const WALKS = Number(process.env['PHONG_VIEWER_WALKS'] ?? 36);
 
-test('@release pages that have lived long show what new ones show', async ({
+test('@release pages show the same after many random changes as new pages', async ({
   page,
   mount,
   site,
@@ -16,7 +16,7 @@ test('@release pages that have lived long show what new ones show', async ({
   await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(FIRST, WALKS), 6);
 });
 
-test('@release pages of any trees and any values show what new ones show', async ({
+test('@release pages show the same after changes with unusual trees and values as new pages', async ({
   page,
   mount,
   site,

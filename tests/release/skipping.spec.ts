@@ -1,4 +1,4 @@
-// The long forms of what is skipped and changes no picture: more scenes by two programs each, longer walks.
+// The long forms of visual/skipping.spec.ts and element/programs.spec.ts: more scenes, longer walks.
 
 import { expect, pixels, test } from '../support/test.js';
 import { logGl } from '../element/gl-log.js';
@@ -16,7 +16,7 @@ test.beforeEach(async ({ page }) => {
   await logGl(page);
 });
 
-test('@release three hundred random scenes differ by a code on few channels between their two programs', async ({
+test('@release three hundred random scenes differ by a code on few channels between general and specialised programs', async ({
   page,
   mount,
 }) => {
@@ -24,7 +24,7 @@ test('@release three hundred random scenes differ by a code on few channels betw
   await compareRandomScenes(page, FIRST, SCENES);
 });
 
-test('@release walks of four hundred steps make a program for each need once, whatever the seed', async ({
+test('@release walks of four hundred steps make one general program per feature set, for several seeds', async ({
   page,
   mount,
 }) => {
@@ -34,10 +34,7 @@ test('@release walks of four hundred steps make a program for each need once, wh
   }
 });
 
-test('@release four thousand lights that keep moving look as they do standing still', async ({
-  page,
-  mount,
-}) => {
+test('@release four thousand moving lights look the same as still ones', async ({ page, mount }) => {
   const dice = new Dice(FIRST);
   const lights = Array.from({ length: 4096 }, () => {
     const light = randomLight(dice);

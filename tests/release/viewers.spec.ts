@@ -1,4 +1,4 @@
-// The long forms of what many viewers must not cost: two hundred on a page, a long scroll, hours of coming and going.
+// The long forms of element/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page, a long scroll, a thousand that come and go.
 
 import { expect, test } from '../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../element/counting.js';

@@ -1,5 +1,4 @@
-// Are the adversarial cases what they claim to be: within what attributes can hold, the same for the same seed, and given
-// to the shader as float32?
+// Are the adversarial cases valid: within the attributes' domains, the same for the same seed, and float32 for the shader?
 import { describe, expect, it } from 'vitest';
 import { SURFACE_FIELDS } from '../../src/material/material-values.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
@@ -17,7 +16,7 @@ function cases(make: (random: Random, variant: Variant) => StressCase, variant: 
 }
 
 describe('the adversarial categories', () => {
-  it('have names of their own', () => {
+  it('have distinct names', () => {
     expect(new Set(CATEGORIES.map(({ id }) => id)).size).toBe(CATEGORIES.length);
     expect(new Set(CATEGORIES.map(({ title }) => title)).size).toBe(CATEGORIES.length);
   });
@@ -25,7 +24,7 @@ describe('the adversarial categories', () => {
   describe.each(CATEGORIES)('$title', ({ make, variants, lights = 1 }) => {
     const count = lights > 64 ? 2 : 50;
 
-    it('hold only what attributes can hold', () => {
+    it('hold only values within the attributes’ domains', () => {
       for (const { lights: declared, surface } of cases(make, variants[0]!, count)) {
         for (const light of declared) {
           for (const [key, field] of Object.entries(LIGHT_FIELDS)) {
@@ -38,7 +37,7 @@ describe('the adversarial categories', () => {
       }
     });
 
-    it('give the shader float32, and the reference the same', () => {
+    it('give the shader and the reference the same float32 values', () => {
       for (const { p, eye, normal, normalMatrix = [], origin } of cases(make, variants[0]!, count)) {
         const given = [...p, ...eye, ...normal, ...normalMatrix];
         expect(given.filter((x) => Math.fround(x) !== x)).toEqual([]);
@@ -47,13 +46,13 @@ describe('the adversarial categories', () => {
       }
     });
 
-    it('come again with their seed', () => {
+    it('are reproducible by their seed', () => {
       const [first, second] = [0, 1].map(() => cases(make, variants[0]!, 3));
       expect(first).toStrictEqual(second);
     });
   });
 
-  it('lie on both sides of cones’ edges, and as near as the contract reaches', () => {
+  it('lie on both sides of cones’ edges, down to the contract’s limit', () => {
     const { make, variants } = CATEGORIES.find(({ id }) => id === 'cone-edge')!;
     const margins = cases(make, variants[0]!, 2000)
       .map((stress) => ({ stress, shaded: reference(stress, variants[0]!) }))

@@ -2,14 +2,17 @@
 // `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each stack: REPORT.md here, and the
 // short table of the README between its markers. Nothing in them is typed by hand.
 
-import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
-import { readCommandLine } from '../support/command-line.mjs';
+import { readCommandLine, readResultFiles } from '../support/command-line.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
-const results = join(repository, 'tests/stress/results');
+const here = join(repository, 'tests/stress');
+const USAGE = `
+npm run stress:report -- [options]: writes REPORT.md and the README's table from the results
+  --folder DIR   holds results/ and gets REPORT.md; default tests/stress. Another one leaves the README alone
+  --help`;
 const WORST = ['up', 'down', 'either'];
 const MARKERS = ['<!-- contract: written by npm run stress:report -->', '<!-- /contract -->'];
 
@@ -23,16 +26,12 @@ const MARKERS = ['<!-- contract: written by npm run stress:report -->', '<!-- /c
 export const readTessellation = () =>
   JSON.parse(readFileSync(join(repository, 'tests/visual/tessellation.json'), 'utf8'));
 
-/** What lies in tests/stress/results, by name. @returns {Stack[]} */
-export function readStacks() {
-  return readdirSync(results)
-    .filter((file) => file.endsWith('.json'))
-    .sort()
-    .map((file) => ({
-      name: file.slice(0, -'.json'.length).replaceAll('-', ' '),
-      ...JSON.parse(readFileSync(join(results, file), 'utf8')),
-    }));
-}
+/** What lies in a folder's results/, by name. @returns {Stack[]} */
+export const readStacks = (folder = here) =>
+  readResultFiles(join(folder, 'results'), 'npm run stress').map(({ name, content }) => ({
+    name: name.replaceAll('-', ' '),
+    ...content,
+  }));
 
 /**
  * The whole report.
@@ -300,17 +299,15 @@ const millions = (count) =>
 const browserName = (agent) => /(Firefox|Chrome)\/(\d+)/.exec(agent)?.slice(1, 3).join(' ') ?? agent;
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
-  readCommandLine(
-    'npm run stress:report: writes REPORT.md and the table of the README from tests/stress/results',
-    {},
-  );
-  const stacks = readStacks();
+  const { values } = readCommandLine(USAGE, { folder: { type: 'string', default: here } });
+  const stacks = readStacks(values.folder);
+  const { runnerImport } = await import('vite');
   /** @type {{ module: typeof import('../glsl/loop-mark.js') }} */
   const { module } = await runnerImport(join(repository, 'tests/glsl/loop-mark.ts'));
-  writeFileSync(
-    join(repository, 'tests/stress/REPORT.md'),
-    reportText(stacks, readTessellation(), module.LOOP_MARK),
-  );
+  const report = reportText(stacks, readTessellation(), module.LOOP_MARK);
+  writeFileSync(join(values.folder, 'REPORT.md'), report);
   const readme = join(repository, 'README.md');
-  writeFileSync(readme, withPart(readFileSync(readme, 'utf8'), readmeText(stacks)));
+  if (values.folder === here)
+    writeFileSync(readme, withPart(readFileSync(readme, 'utf8'), readmeText(stacks)));
+  console.log(`REPORT.md from ${String(stacks.length)} stacks`);
 }

@@ -3,11 +3,18 @@
 // shader and on the worst lawful drivers; prints each category and writes one JSON a stack. Plain JavaScript, so that it
 // runs on any machine with Node, a browser and dist-harness/.
 
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { numberOption, Progress, readCommandLine, refuse, timeText } from '../support/command-line.mjs';
+import {
+  numberOption,
+  Progress,
+  readCommandLine,
+  readJson,
+  refuse,
+  timeText,
+} from '../support/command-line.mjs';
 import { launchOptions } from './launch-options.mjs';
 import { serveFolder } from './serve-folder.mjs';
 
@@ -45,6 +52,11 @@ const chosen = options.drivers.split(',');
 const strange = chosen.find((driver) => !DRIVERS.includes(driver));
 if (strange !== undefined) refuse(`Unknown driver '${strange}'`);
 
+if (options.harness !== '' && !existsSync(join(options.harness, 'index.html')))
+  refuse(`There is no built harness in ${options.harness}`);
+// A file that cannot be read is refused now, not after hours of measuring.
+if (existsSync(options.out)) readJson(options.out);
+
 /** So many that starting a page is little of its time, so few that all pages have work. */
 const CASES_A_PAGE = 2e6;
 
@@ -71,8 +83,9 @@ for (const driver of chosen) {
   const result = await runDriver(driver);
   drivers[driver] = { seed, ...result };
   print(driver, (performance.now() - start) / 1000, result);
+  // After each driver, so that a run that is cut short leaves something.
+  if (options.out !== '') keep(options.out);
 }
-if (options.out !== '') keep(options.out);
 await browser.close();
 site.close();
 process.exit(Object.values(drivers).some(({ broken }) => broken.length > 0) ? 1 : 0);
@@ -80,7 +93,7 @@ process.exit(Object.values(drivers).some(({ broken }) => broken.length > 0) ? 1 
 /** Writes what was measured beside what the file holds of other drivers on the same stack. @param {string} file */
 function keep(file) {
   mkdirSync(dirname(file), { recursive: true });
-  const before = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
+  const before = existsSync(file) ? readJson(file) : {};
   const others = before.renderer === renderer && before.loop === loop ? before.drivers : {};
   const stack = { renderer, browser: agent, contract, loop, drivers: { ...others, ...drivers } };
   // The worst case itself is for looking into at once: with the seed it can be had again.
@@ -98,7 +111,11 @@ async function runDriver(driver) {
     for (let part = next++; part < parts; part = next++) {
       const query = new URLSearchParams({ driver, seed: String(seed + part), cases: String(cases / parts) });
       if (options.only !== '') query.set('only', options.only);
-      reports.push(await browser.report(`${site.origin}/index.html?${query}`));
+      const report = await browser.report(`${site.origin}/index.html?${query}`);
+      const ids = report.measured.map(({ id }) => id);
+      const strange = options.only.split(',').find((id) => id !== '' && !ids.includes(id));
+      if (strange !== undefined && report.error === null) refuse(`Unknown category '${strange}'`);
+      reports.push(report);
       const done = Object.keys(drivers).length * parts + reports.length;
       progress.show(done, chosen.length * parts, `${driver}, ${reports.length} of ${parts} pages`);
     }

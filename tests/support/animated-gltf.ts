@@ -8,7 +8,7 @@ export interface BarOptions {
   readonly morphed?: boolean;
   /** Whether it has normals; without, it is flat. Default true. */
   readonly normals?: boolean;
-  /** Default: `bend` (rotation, linear), `slide` (translation, step; scale, cubic), `swell` (weights, linear). */
+  /** Defaults: `bend` (rotation, linear), `slide` (translation, step; scale, cubic), `swell` (weights, linear). */
   readonly animations?: readonly unknown[];
   /** Replaces the times 0, 1, 2. */
   readonly times?: readonly number[];

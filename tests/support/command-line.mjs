@@ -1,7 +1,9 @@
 // @ts-check
-// What the commands of this repository have in common: --help, one line for an option that does not exist, and progress
-// with the time left. Needs nothing but Node.
+// What the commands of this repository have in common: --help, one line for an option that does not exist and for a file that
+// cannot be read, and progress with the time left. Needs nothing but Node.
 
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
+import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 
 /**
@@ -11,15 +13,15 @@ import { parseArgs } from 'node:util';
  * @param {string} usage
  * @param {T} options as parseArgs takes them
  * @param {readonly string[]} [names] that may stand without dashes
+ * @param {readonly string[]} [args]
  */
-export function readCommandLine(usage, options, names = []) {
-  const args = process.argv.slice(2);
+export function readCommandLine(usage, options, names = [], args = process.argv.slice(2)) {
   if (args.includes('--help') || args.includes('-h')) {
     console.log(usage.trim());
     process.exit(0);
   }
   try {
-    const read = parseArgs({ args, options, allowPositionals: true, strict: true });
+    const read = parseArgs({ args: [...args], options, allowPositionals: true, strict: true });
     const unknown = read.positionals.filter((name) => !names.includes(name));
     if (unknown.length > 0) throw new Error(`Unknown argument '${unknown[0]}'.`);
     return read;
@@ -45,6 +47,33 @@ export function numberOption(name, text, least = 0) {
   if (text.trim() === '' || !Number.isFinite(value) || value < least)
     refuse(`--${name} takes a number of at least ${least}, not '${text}'`);
   return value;
+}
+
+/** What a JSON file holds; a file that cannot be read is refused. @param {string} file */
+export function readJson(file) {
+  try {
+    return JSON.parse(readFileSync(file, 'utf8'));
+  } catch {
+    return refuse(existsSync(file) ? `${file} is no JSON that can be read` : `${file} is missing`);
+  }
+}
+
+/**
+ * What the JSON files of a folder hold, sorted by name; none at all is refused.
+ * @param {string} folder
+ * @param {string} command that writes them
+ */
+export function readResultFiles(folder, command) {
+  const files = existsSync(folder) ? readdirSync(folder).filter((file) => file.endsWith('.json')) : [];
+  if (files.length === 0) refuse(`There are no results in ${folder}: run \`${command}\` first`);
+  return files
+    .sort()
+    .map((file) => ({ name: basename(file, '.json'), content: readJson(join(folder, file)) }));
+}
+
+/** Refuses to go on without a file that another command builds. @param {string} file @param {string} command */
+export function needBuilt(file, command) {
+  if (!existsSync(file)) refuse(`${file} is missing: run \`${command}\` first`);
 }
 
 /** A span of time for people: "40 s", "3 min", "1 h 20 min". @param {number} seconds */

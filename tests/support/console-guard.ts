@@ -16,7 +16,7 @@ interface Claim {
 const remark =
   /GL Driver Message \(OpenGL, Performance|^verbose: Rendering was performed in a subtree hidden|^warning: A <phong-viewer> has no alt/;
 
-/** Whether a message, `warning: …` and so on, needs no claim. */
+/** Whether a message such as `warning: …` needs no claim. */
 export const isRemark = (text: string): boolean => remark.test(text);
 
 export class ConsoleGuard {
@@ -46,7 +46,7 @@ export class ConsoleGuard {
     return met;
   }
 
-  /** Throws where something was said that no claim covers, or a claim was not met as often as it says. */
+  /** Throws if a message has no claim, or a claim was not met as often as stated. */
   check(): void {
     const faults = this.#strays.map((text) => `unexpected on the console: ${text}`);
     for (const { pattern, times, met } of this.#claims) {

@@ -32,7 +32,7 @@ export interface ViewerLike extends HTMLElement {
   toBlob(options?: { width?: number; height?: number; type?: string }): Promise<Blob>;
 }
 
-/** What the viewer's `toBlob` draws now, at this size; default: the canvas's own. */
+/** The viewer's `toBlob` at this size; default: the canvas's own. */
 export async function pixels(
   viewer: Locator,
   size: { width?: number; height?: number; helpers?: boolean } = {},

@@ -3,5 +3,5 @@
 
 const RELEASE = typeof process !== 'undefined' && process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 
-/** Repetitions now, of a test that makes `count` of them in a release run. At least one. */
+/** The number of repetitions in this run, for a test with `count` in a release run. At least one. */
 export const repeats = (count: number): number => (RELEASE ? count : Math.ceil(count / 20));

@@ -8,7 +8,7 @@ import { extname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 
-/** The policy under which everything has to work: no inline code or style, no eval, no `blob:` worker. */
+/** The strict policy: no inline code or style, no eval, no `blob:` worker. */
 export const strictPolicy =
   "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; connect-src 'self'";
 
@@ -20,7 +20,7 @@ export interface PageOptions {
   readonly csp?: string;
   /** Rules of the page's one style sheet (inline styles are refused by the strict policy). */
   readonly css?: string;
-  /** true: viewers without a name stay so, and the package warns. Default: they get an `alt`, because most tests are about other things. */
+  /** true: viewers without a name keep none, and the package warns. Default: they get an `alt`, because most tests are about other things. */
   readonly nameless?: boolean;
   /** What goes into the head after the style sheet, such as a `<script type="module" src="…">`. */
   readonly head?: string;

@@ -1,5 +1,5 @@
 // What every browser test starts from: `test` with a guarded page, a server and `mount`, and `expect`.
-// A page is only handed out where WebGL 2 works: a machine without it fails loudly instead of testing nothing.
+// Fails if WebGL 2 does not work, so that a machine without it cannot pass.
 
 import {
   expect,
@@ -26,7 +26,7 @@ export interface MountOptions extends PageOptions {
   readonly height?: number;
   /** Device pixels per CSS pixel; default 1. `setPixelRatio` changes it later. */
   readonly deviceScaleFactor?: number;
-  /** false: hand the viewer out as soon as it is defined, whatever it still loads. Default true. */
+  /** false: return the viewer as soon as it is defined, while it may still load. Default true. */
   readonly waitForReady?: boolean;
 }
 
@@ -79,9 +79,9 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     await guard.watch(context);
     await use(guard);
     for (const page of context.pages()) {
-      // One round trip to each page lets messages that are under way arrive.
+      // One round trip to each page, so that pending messages arrive.
       await page.evaluate(() => 0).catch(() => 0);
-      // The next test would have the same page, of which Playwright resets what it knows of.
+      // Playwright reuses the page for the next test, and resets only what it knows about.
       if (scaled.has(page)) await page.close();
     }
     guard.check();
@@ -127,7 +127,7 @@ export async function setPixelRatio(page: Page, deviceScaleFactor: number): Prom
   const { width, height } = page.viewportSize() ?? { width: 1000, height: 700 };
   scaled.add(page);
   const session = await page.context().newCDPSession(page);
-  // Chromium tells the page's resolution queries only where the viewport's size changes too.
+  // Chromium updates resolution queries only if the viewport's size changes too.
   for (const tall of [height + 1, height]) {
     const metrics = { width, height: tall, deviceScaleFactor, mobile: false };
     await session.send('Emulation.setDeviceMetricsOverride', metrics);

@@ -42,7 +42,7 @@ describe('an atlas of pictures', () => {
     expect(layOutAtlas(sizes, { side: 4096, area: 1280 * 720 }).places).toHaveLength(20);
   });
 
-  test('begins in the corner: the first picture lies where it would alone', () => {
+  test('places the first picture in the corner, as if it were alone', () => {
     fc.assert(
       fc.property(sizes, (wanted) => {
         expect(layOutAtlas(wanted, limit).places[0]).toEqual({ x: 0, y: 0, ...wanted[0] });
@@ -50,7 +50,7 @@ describe('an atlas of pictures', () => {
     );
   });
 
-  test('is exactly as large as one picture that is alone', () => {
+  test('is exactly as large as its only picture', () => {
     fc.assert(
       fc.property(side, side, (width, height) => {
         expect(layOutAtlas([{ width, height }], limit)).toMatchObject({ width, height });

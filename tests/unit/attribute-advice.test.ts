@@ -1,4 +1,4 @@
-// What an author is told of an attribute that does not exist, and what is no mistake.
+// Which advice do authors get for attributes that do not exist, and which names are no mistake?
 
 import { describe, expect, it } from 'vitest';
 import { attributeAdvice } from '../../src/element/diagnosis/attribute-advice.js';
@@ -20,7 +20,7 @@ const global =
   'inert inputmode is itemid itemprop itemref itemscope itemtype lang nonce part popover role slot spellcheck style ' +
   'tabindex title translate virtualkeyboardpolicy writingsuggestions';
 
-/** All words one edit away: a letter less, another one, one more, or two swapped. */
+/** All words one edit away: a letter removed, replaced or added, or two letters swapped. */
 function misspelled(word: string): string[] {
   const words: string[] = [];
   for (let i = 0; i <= word.length; i++) {
@@ -42,7 +42,7 @@ describe.each([...known.keys()])('<%s>', (tag) => {
     expect(silent.filter((word) => word !== 'name')).toEqual([]);
   });
 
-  it('has none for attributes of HTML and for words that are far from all', () => {
+  it('has no advice for attributes of HTML and for words unlike any attribute', () => {
     for (const word of [
       ...global.split(' '),
       'datetime',
@@ -62,7 +62,7 @@ describe.each([...known.keys()])('<%s>', (tag) => {
   });
 });
 
-it('an attribute of another element is named as such, but a name is everybody’s', () => {
+it('advice for an attribute of another element names that element; `name` needs none', () => {
   expect(attributeAdvice('phong-mesh', 'cutoff', known)).toBe('It belongs to <phong-light>.');
   expect(attributeAdvice('phong-light', 'ka', known)).toBe('It belongs to <phong-mesh> and <phong-viewer>.');
   expect(attributeAdvice('phong-viewer', 'name', known)).toBeUndefined();

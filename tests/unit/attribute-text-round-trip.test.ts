@@ -1,5 +1,5 @@
-// Does formatting a value and parsing the text again give the value back, for every field that elements have? And does
-// any text at all end in a value, a refusal or nothing?
+// Does parsing a formatted value give the value back, for every field of every element? Does any text end in a value, an
+// error of the field, or nothing?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -30,7 +30,7 @@ const fields = Object.entries<Field<unknown>>({
   ),
 });
 
-/** Values that the field takes, from guesses of its shape and what its own words say of choices. */
+/** Values that the field accepts: guesses by its kind, and its own choices. */
 function valuesOf(field: Field<unknown>): fc.Arbitrary<unknown> {
   const words = field.expected.replace(/^(one|any) of /, '').split(', ');
   const n = fc.oneof(
@@ -100,7 +100,7 @@ describe('any text at all', () => {
     fc.constantFrom('', ' ', 'NaN', '1e999', 'toString', '__proto__', 'constructor'),
   );
 
-  it('gives a value that the field takes, or is refused by Type- or RangeError, or is malformed', () => {
+  it('gives an accepted value, a TypeError or RangeError, or counts as malformed', () => {
     const kinds = fields.filter(([, field]) => field.kind !== 'color');
     fc.assert(
       fc.property(fc.constantFrom(...kinds), text, ([, field], attribute) => {

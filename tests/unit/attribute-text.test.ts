@@ -72,12 +72,12 @@ describe('a number', () => {
     expect(parseText(text, number)).toBeUndefined();
   });
 
-  it('beyond what a double holds is left to the domain to refuse', () => {
+  it('beyond the range of a double is refused by the field', () => {
     expect(() => number.check(parseText('1e999', number))).toThrow(RangeError);
     expect(number.check(parseText('1e-999', number))).toBe(0);
   });
 
-  // A pattern that went back over these lengths would outlast the test's time.
+  // A pattern that backtracks over these lengths would time out.
   it('of hundreds of thousands of digits is read or refused in one pass', () => {
     const digits = '1'.repeat(300_000);
     expect(parseText(digits, number)).toBe(Infinity);
@@ -120,7 +120,7 @@ describe('a list of numbers', () => {
     expect(parseText(`${'1'.repeat(300_000)}x 2 3`, vector)).toBeUndefined();
   });
 
-  it('of three stands for a place, and of one for a grey', () => {
+  it('of three is a position, and of one a grey', () => {
     const place = homogeneousField([0, 0, 0, 0], { min: -10, max: 10 });
     expect(place.check(parseText('1 2 3', place))).toStrictEqual([1, 2, 3, 1]);
     const color = colorField([0, 0, 0], { min: 0, max: 1e6 });
@@ -161,7 +161,7 @@ describe('words', () => {
   const subset = subsetField(['ambient', 'diffuse', 'specular']);
   const auto = orWord('auto', vector);
 
-  it('of a choice are read in any case, and left to the field to refuse', () => {
+  it('of a choice are read in any case, and unknown ones are refused by the field', () => {
     expect(choice.check(parseText(' Blinn-Phong ', choice))).toBe('blinn-phong');
     expect(() => choice.check(parseText('blinn', choice))).toThrow(RangeError);
     expect(() => choice.check(parseText('', choice))).toThrow(RangeError);
@@ -182,14 +182,14 @@ describe('words', () => {
     expect(() => subset.check(parseText('ambient glow', subset))).toThrow(RangeError);
   });
 
-  it('may stand for a value', () => {
+  it('may replace a value, as `auto` does', () => {
     expect(parseText(' Auto', auto)).toBe('auto');
     expect(parseText('1 2 3', auto)).toStrictEqual([1, 2, 3]);
     expect(parseText('automatic', auto)).toBeUndefined();
     expect(parseText('', auto)).toBeUndefined();
   });
 
-  it('that are left out may mean one', () => {
+  it('may be implied by the empty attribute', () => {
     expect(parseText('', VIEWER_FIELDS.crossOrigin)).toBe('anonymous');
     expect(parseText('use-credentials', VIEWER_FIELDS.crossOrigin)).toBe('use-credentials');
   });

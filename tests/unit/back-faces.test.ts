@@ -1,4 +1,4 @@
-// Are back faces culled exactly where nobody can see them?
+// Are back faces culled exactly where they cannot be seen?
 
 import {
   BoxGeometry,
@@ -55,7 +55,7 @@ describe('back faces of a closed shape', () => {
     expect(culls('closed', place(), eyeAt(0.7, 0.25))).toBe(false);
   });
 
-  it('are culled alike under any multiple of a projection, which is the same projection', () => {
+  it('are culled alike when the projection matrix is multiplied by a number, which changes nothing', () => {
     const scaled = (z: number, near: number): PerspectiveCamera => {
       const camera = eyeAt(z, near);
       camera.projectionMatrix.multiplyScalar(2 ** -40);
@@ -63,7 +63,7 @@ describe('back faces of a closed shape', () => {
     };
     expect(culls('closed', place(), scaled(0.7, 0.1))).toBe(true);
     expect(culls('closed', place(), scaled(0.7, 0.25))).toBe(false);
-    // Beside the eye: only the distance to the near plane's corners tells.
+    // Beside the eye: only the distance to the near plane's corners decides.
     for (const camera of [eyeAt(0, 0.1), scaled(0, 0.1)])
       for (const [x, culled] of [
         [0.7, true],
@@ -73,7 +73,7 @@ describe('back faces of a closed shape', () => {
         expect(culls('closed', place({ position: [x, 0, 0] }), camera, box)).toBe(culled);
   });
 
-  it('are culled where a near plane close to a sphere cuts its box alone', () => {
+  it('are culled where the near plane cuts the box of a sphere but not the sphere', () => {
     const camera = eyeAt(0.7, 0.19);
     expect(culls('closed', place(), camera)).toBe(true);
     const turned = place({ rotation: [0.5, 0.6, 0.7] });

@@ -61,18 +61,18 @@ describe('an aim', () => {
       resultOf(stack),
     );
 
-  test('is a most, on a GPU another than in software', () => {
+  test('is an upper bound, which may differ between GPUs and software', () => {
     expect(verdict('sphere, 8 lights, settled', 'software')).toMatchObject({ most: 0.3, met: false });
     expect(verdict('sphere, 8 lights, settled', 'h200-opengl')).toMatchObject({ most: 0.8, met: true });
   });
 
-  test('is a least for frame rates', () => {
+  test('is a lower bound for frame rates', () => {
     expect(verdict('20 turning viewers, frame rate to one viewer’s', 'software')).toMatchObject({
       met: true,
     });
   });
 
-  test('is about the side, or the time above the usual frame, that it names', () => {
+  test('applies to the side, or to the time above the usual frame, that it names', () => {
     expect(verdict('start, bundled', 'software')).toMatchObject({ measured: { median: 1.3 }, met: false });
     expect(verdict('sphere, 8 lights, longest frame over usual', 'h200-vulkan')).toMatchObject({
       measured: { median: 55 },
@@ -80,7 +80,7 @@ describe('an aim', () => {
     });
   });
 
-  test('is about the better of two other viewers, over all models', () => {
+  test('may compare with the better of two other viewers, over all models', () => {
     const label = 'first picture of a model to the better of two viewers’';
     expect(verdict(`${label}, local`, 'software')).toMatchObject({
       measured: { median: 0.5, count: 10 },
@@ -92,7 +92,7 @@ describe('an aim', () => {
     });
   });
 
-  test('is about subjects and a measure that exist', () => {
+  test('names subjects and a measure that exist', () => {
     for (const { label, subject, subjects = [] } of AIMS)
       for (const name of [subject, ...subjects]) expect(Object.keys(SUBJECTS), label).toContain(name);
   });
@@ -119,7 +119,7 @@ describe('the report', () => {
     expect(report).toContain('- software, bunny: no \\| model');
   });
 
-  test('has as many cells in every row of a table as in its head', () => {
+  test('has as many cells in each row of a table as in its head', () => {
     let cells = 0;
     for (const line of report.split('\n')) {
       const count = line.startsWith('|') ? line.replaceAll('\\|', '').split('|').length : 0;
@@ -140,7 +140,8 @@ test('npm run bench:report writes the report and its charts into the folder of t
   try {
     mkdirSync(join(folder, 'results'));
     writeFileSync(join(folder, 'results/software.json'), JSON.stringify(resultOf('software')));
-    execFileSync(process.execPath, [fileURLToPath(new URL('../bench/report.mjs', import.meta.url)), folder]);
+    const program = fileURLToPath(new URL('../bench/report.mjs', import.meta.url));
+    execFileSync(process.execPath, [program, '--folder', folder]);
     const alone = reportOf([resultOf('software')]);
     expect(readFileSync(join(folder, 'REPORT.md'), 'utf8')).toBe(alone.report);
     expect(readdirSync(join(folder, 'charts')).sort()).toEqual([...alone.charts.keys()].sort());
@@ -158,4 +159,16 @@ test('every chart is an SVG with a title, its series named in it, and is shown i
   }
   expect(charts.get('software-sphere.svg')).toContain('>first frames</text>');
   expect(charts.get('software-fronts.svg')).toContain('>shipped</text>');
+});
+
+test('a chart writes figures that two series share once, and names its series away from the lines', () => {
+  const svg = charts.get('software-sphere.svg')!;
+  const points = svg.match(/<circle /g)!.length;
+  // The axis has it too.
+  expect(svg.match(/>0\.5<\/text>/g)).toHaveLength(points / 2 + 1);
+  const names = Array.from(svg.matchAll(/y="(\d+)"[^>]*>(?:first frames|settled)<\/text>/g), ([, y]) =>
+    Number(y),
+  );
+  expect(names).toHaveLength(2);
+  expect(Math.max(...names)).toBeLessThan(60);
 });

@@ -89,7 +89,7 @@ describe('the measure of a scene', () => {
     }
   });
 
-  it('holds many meshes together', async () => {
+  it('covers several meshes together', async () => {
     const shapes: BufferGeometry[] = [];
     for (const name of GEOMETRIES) shapes.push(await createGeometry(name, undefined));
     const random = new Random(3);
@@ -109,7 +109,7 @@ describe('the measure of a scene', () => {
     expect(measure(new Group()).empty).toBe(true);
   });
 
-  it('leaves out vertices that are no numbers', async () => {
+  it('ignores vertices with NaN coordinates', async () => {
     const box = await createGeometry('box', undefined);
     const broken = box.clone();
     broken.setAttribute(
@@ -166,7 +166,7 @@ describe('the radius that holds all of a scene', () => {
       const geometry = await createGeometry(name, undefined);
       for (let i = 0; i < 10; i++) {
         const parent = new Group().add(place(new Mesh(geometry), random));
-        // Stretched after it was turned, which shears it.
+        // Scaled after the rotation, which shears.
         parent.applyMatrix4(
           new Matrix4().compose(
             new Vector3(),

@@ -64,7 +64,7 @@ describe('the basis', () => {
     expect(worst, at).toBeLessThanOrEqual(1e-15);
   });
 
-  it('changes no more than its angles do, also onto a pole and past a quarter turn', () => {
+  it('changes no more than its angles do, even at a pole and across a quarter turn', () => {
     const RADIANS = Math.PI / 180;
     for (const theta of [0, 30, 90, -180]) {
       for (const middle of [0, 45, 90, 135, 180]) {

@@ -47,7 +47,7 @@ interface Place {
 
 const preventDefault = (): void => undefined;
 
-/** Input on a picture, at any coordinates: browsers give fractions of pixels. */
+/** Input on a picture, at any coordinates: browsers report fractions of pixels. */
 function setUp(seed: number) {
   const coarse = seeded(seed);
   // All bits of a double: with the generator's 32 bits every product below would be exact.
@@ -165,7 +165,7 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(traces(hand, repeats(1e5), drag)).toStrictEqual(NONE);
   });
 
-  it('comes back exactly to what the wheel, a key, a resize or a property left in its middle', () => {
+  it('returns exactly to the pose that the wheel, a key, a resize or a property set during it', () => {
     const hand = setUp(SEED);
     const { orbit, input, pointer, anyPlace, anyPose, random, from, wheel, key, resize } = hand;
     const KEYS = ['ArrowLeft', 'ArrowUp', 'PageUp', '-'];
@@ -193,12 +193,12 @@ describe(`a drag that ends where it began (seed ${SEED})`, () => {
     expect(traces(hand, repeats(2e5), drag)).toStrictEqual(NONE);
   });
 
-  it('loses only roundings of the angles where it goes on over wheel turns, back to the press itself', () => {
+  it('that continues over wheel turns returns to the press itself but for rounding of the angles', () => {
     const hand = setUp(SEED);
     const { orbit, pointer, from, wheel } = hand;
     let worst = 0;
     for (let drag = 0; drag < repeats(1e5); drag++) {
-      // Within the poles' reach: beyond a pole the pointer's way is not the camera's, and a new note forgets it.
+      // Not beyond the poles: there the camera stops and the pointer goes on, and a new anchor drops the difference.
       orbit.set({ theta: from(-1000, 1000), phi: from(80, 100) });
       const { pose } = orbit;
       const start = { x: from(0, 600), y: from(0, 400) };

@@ -36,7 +36,7 @@ describe('the auto radius', () => {
     expect(fitPose({ centre: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
   });
 
-  it.each([NaN, 0, -1, Infinity])('takes an aspect of %d without harm', (ratio) => {
+  it.each([NaN, 0, -1, Infinity])('treats an aspect of %d as square', (ratio) => {
     expect(fitRadius(1, 45, ratio)).toBeCloseTo(1.05 / Math.sin(Math.PI / 8), 13);
   });
 

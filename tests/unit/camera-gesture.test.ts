@@ -90,7 +90,7 @@ describe('a drag', () => {
     expect(orbit.theta).toBe(-6);
   });
 
-  it('ignores coordinates that are not finite, and pointers that did not press', () => {
+  it('ignores coordinates that are not finite, and pointers that are not pressed', () => {
     const { orbit, gesture } = setUp();
     expect(gesture.press(1, NaN, 0, 'turn')).toBe(false);
     expect(gesture.press(1, 0, 0, 'turn')).toBe(true);
@@ -150,7 +150,7 @@ describe('a picture that is rotated, skewed or mirrored', () => {
     expect(orbit.version).toBe(0);
   });
 
-  it('continues from where it is when its axes change, not when they are rounded otherwise', () => {
+  it('gets a new anchor when its axes change, but not when they change by a rounding', () => {
     const { orbit, gesture, world } = setUp();
     gesture.press(1, 0, 0, 'turn');
     gesture.move(1, 60, 0);
@@ -193,7 +193,7 @@ describe('two fingers', () => {
     }
   });
 
-  it('let the finger that stays continue to turn, from a new anchor', () => {
+  it('leave the remaining finger turning, from a new anchor', () => {
     const { orbit, gesture } = setUp();
     gesture.press(1, 100, 100, 'turn');
     gesture.press(2, 200, 100, 'turn');

@@ -91,7 +91,7 @@ function turnFor(hours: number, { next }: Frames, speed: number, asleep?: 'unsee
 
 describe(`${HOURS} hours of turning (seed ${SEED})`, () => {
   it.each(FRAMES)(
-    'end where they should at $name, but for one rounding of the time, and θ stays within a turn',
+    'end at the exact angle at $name, within one rounding of the time, and θ stays within a turn',
     (frames) => {
       for (const speed of SPEEDS) {
         const { drift, outermost, range } = turnFor(HOURS, frames, speed);
@@ -106,9 +106,9 @@ describe(`${HOURS} hours of turning (seed ${SEED})`, () => {
   );
 
   it.each([
-    ['counts where the page stood still', 'shown'],
-    ['does not count where nobody could see', 'unseen'],
-  ] as const)('hold an hour asleep in their middle, which %s', (_, asleep) => {
+    ['counts while the page is visible', 'shown'],
+    ['does not count while it is hidden', 'unseen'],
+  ] as const)('may include an hour without frames, which %s', (_, asleep) => {
     for (const frames of [FRAMES[0]!, FRAMES[3]!]) {
       const { drift, outermost } = turnFor(HOURS, frames, 7.3, asleep);
       expect(drift, frames.name).toBeLessThan(bound(7.3));

@@ -1,4 +1,4 @@
-// What a message repeats of a text from outside.
+// Which part of a text from outside does a message repeat?
 
 import { describe, expect, it } from 'vitest';
 import { clip, clipMessage } from '../../src/fields/clip.js';
@@ -9,24 +9,24 @@ describe('a clipped text', () => {
   });
 
   it('is its first 100 characters and an ellipsis beyond', () => {
-    expect(clip('x'.repeat(101))).toBe(`${'x'.repeat(100)}…`);
-    expect(clip('x'.repeat(1e6))).toHaveLength(101);
+    expect(clip('x'.repeat(101))).toBe(`${'x'.repeat(100)}...`);
+    expect(clip('x'.repeat(1e6))).toHaveLength(103);
   });
 
-  it('ends before a character of two units that would be cut in half', () => {
-    expect(clip(`${'x'.repeat(99)}😀`)).toBe(`${'x'.repeat(99)}…`);
-    expect(clip(`${'x'.repeat(98)}😀!`)).toBe(`${'x'.repeat(98)}😀…`);
+  it('never ends in the middle of a surrogate pair', () => {
+    expect(clip(`${'x'.repeat(99)}😀`)).toBe(`${'x'.repeat(99)}...`);
+    expect(clip(`${'x'.repeat(98)}😀!`)).toBe(`${'x'.repeat(98)}😀...`);
   });
 });
 
 describe('a clipped message', () => {
   it('keeps its sentence around a long word', () => {
     const message = clipMessage(`https://example.test/${'a'.repeat(1e5)} is empty. Check the address.`);
-    expect(message).toMatch(/^https:\/\/example\.test\/a{79}… is empty\. Check the address\.$/);
+    expect(message).toMatch(/^https:\/\/example\.test\/a{79}\.\.\. is empty\. Check the address\.$/);
   });
 
   it('is bounded whatever it contains', () => {
-    expect(clipMessage('a b '.repeat(1e5))).toHaveLength(501);
+    expect(clipMessage('a b '.repeat(1e5))).toHaveLength(503);
     expect(clipMessage(`${'😀'.repeat(60)} `.repeat(1e3)).length).toBeLessThan(520);
   });
 });

@@ -14,10 +14,10 @@ const SIZES = [1e-9, 1e-3, 1, 1e6, 1e12] as const;
 /** Apertures in degrees, beside those drawn from all. Narrower ones have tests of their own. */
 const APERTURES = [1, 45, 89.999, 90, 90.001, 135, 179, 179.999, 180] as const;
 
-/** Apexes by how many of the box's radii they are from its middle: inside, at a corner, far away. */
+/** Distances of apexes from the box's middle, in radii of the box: inside, at a corner, far away. */
 const AWAY = [0, 0.5, 1, 1.1, 2, 10, 100] as const;
 
-/** Where the cone's edge passes, in angles that the box's ball subtends: 0 through its middle, 1 beside it, 3 by far. */
+/** Where the cone's edge passes, in angles that the bounding sphere subtends: 0 through its middle, 1 beside it, 3 far away. */
 const GRAZES = [-1, 0, 0.5, 0.9, 1, 1.001, 1.1, 1.5, 3] as const;
 
 export interface View {
@@ -61,7 +61,7 @@ export function anyBox(random: Random, size = random.pick(SIZES)): BoxCase {
   };
 }
 
-/** The box, or one larger to all sides by `margin`. */
+/** The box, grown on all sides by `margin`. */
 export function boxOf({ middle, half }: BoxCase, margin = 0): Box {
   const wide = add(half, [margin, margin, margin]);
   return [...subtract(middle, wide), ...add(middle, wide)];
@@ -75,7 +75,7 @@ export interface ConeCase {
   readonly aperture: number;
 }
 
-/** `apart`: at no point of the box, where the box is but one. */
+/** `apart`: not at the box, if the box is a single point. */
 export function coneBy(random: Random, { middle, half, size }: BoxCase, apart = false): ConeCase {
   const radius = length(half) === 0 ? size : length(half);
   const away = Math.max(random.pick(AWAY), apart && length(half) === 0 ? 0.5 : 0);
@@ -121,7 +121,7 @@ export function pointsOf(box: Box, cone: ConeCase, random: Random, count: number
   const points = THREE.flatMap((i) => THREE.flatMap((j) => THREE.map((k) => at(i, j, k))));
   while (points.length < count) points.push(at(random.from(0, 1), random.from(0, 1), random.from(0, 1)));
   points.push(held(cone.apex));
-  // Downhill to the smallest angle: random steps, shorter after each that led nowhere.
+  // Descends to the smallest angle: random steps, shorter after each that brings no improvement.
   let best = points.reduce((a, b) => (angleOf(cone, a) <= angleOf(cone, b) ? a : b));
   for (let step = 0.5; step > 1e-7;) {
     const [i, j, k] = random.vector(-step, step);

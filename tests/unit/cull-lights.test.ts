@@ -44,14 +44,14 @@ describe('a cone', () => {
   ])('of 45° along −z reaches %s: %j %i', (_, box, count) => {
     const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 45 });
     expect(cull(pack([spot]), box).count).toBe(count);
-    // What is left of all directions.
+    // The complement: all other directions.
     const rest = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, 1], aperture: 134 });
     const inside = count === 1 && box.every((x, i) => x === box[(i + 3) % 6]) && box[2] !== 0;
     expect(cull(pack([rest]), box).count).toBe(inside ? 0 : 1);
   });
 
   it.each([0, 1e-4, 1, 30, 45, 89, 90, 91, 135, 179])(
-    'of %f° is distinguished from one that touches a point to within 2e-5 rad, and a millionth of where that lies',
+    'of %f° reaches a point at its edge, and none 2e-5 rad beyond it',
     (aperture) => {
       const slack = 2e-5;
       const at = (angle: number, d: number): Box => {
@@ -68,30 +68,27 @@ describe('a cone', () => {
     },
   );
 
-  it.each([0, 1e-4, 0.01])(
-    'of %f° is never culled of a point on its axis, wherever that leads',
-    (aperture) => {
-      const random = new Random(SEED);
-      for (let i = 0; i < 300; i++) {
-        const [place, axis] = [random.unit(), random.unit()];
-        const spot = light({ ...bare, position: [...place, 1], axis, aperture });
-        const [x, y, z] = add(place, scale(axis, random.magnitude(1e-3, 1e3)));
-        expect(cull(pack([spot]), [x, y, z, x, y, z]).count).toBe(1);
-      }
-    },
-  );
+  it.each([0, 1e-4, 0.01])('of %f° is never culled for a point on its axis, in any direction', (aperture) => {
+    const random = new Random(SEED);
+    for (let i = 0; i < 300; i++) {
+      const [place, axis] = [random.unit(), random.unit()];
+      const spot = light({ ...bare, position: [...place, 1], axis, aperture });
+      const [x, y, z] = add(place, scale(axis, random.magnitude(1e-3, 1e3)));
+      expect(cull(pack([spot]), [x, y, z, x, y, z]).count).toBe(1);
+    }
+  });
 
-  it('is culled of a box right behind it, however narrow it is', () => {
+  it('is culled for a box right behind it, however narrow the cone', () => {
     const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 1 });
     expect(cull(pack([spot]), [-1, -1, 0.5, 1, 1, 2.5]).count).toBe(0);
   });
 
-  it('is never culled of a point nearer than 1e-15, which has no direction from it', () => {
+  it('is never culled for a point nearer than 1e-15, where there is no direction', () => {
     const spot = light({ ...bare, position: [0, 0, 0, 1], axis: [0, 0, -1], aperture: 20 });
     expect(cull(pack([spot]), [0, 0, 5e-16, 0, 0, 5e-16]).count).toBe(1);
   });
 
-  it('is never culled where it is open, or no cone', () => {
+  it('is never culled at an aperture of 180 degrees, nor any light without a cone', () => {
     const far: Box = [1e3, 1e3, 1e3, 1e3, 1e3, 1e3];
     const lights = [
       light(bare),
@@ -129,7 +126,7 @@ describe('a cone', () => {
     expect(culled / cases).toBeGreaterThan(0.3); // 0.41 of these cones are culled
   });
 
-  it('is culled in 98 of 100 cases at least, where it misses the box by a tenth of its longest side', () => {
+  it('is culled in at least 98 of 100 cases where it misses the box by a tenth of its longest side', () => {
     let missing = 0;
     let culled = 0;
     const random = new Random(SEED);
@@ -149,7 +146,7 @@ describe('a cone', () => {
 describe('the mask', () => {
   const down = { ...bare, axis: [0, -1, 0], aperture: 10 } as const;
 
-  it('is one number a light, in the order of their rows', () => {
+  it('has one number per light, in the order of the rows', () => {
     const lights = [
       light({ ...down, position: [0, 1, 0, 1] }),
       light(),

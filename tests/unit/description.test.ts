@@ -1,4 +1,4 @@
-// Are camera, lights and meshes said in words that can be listened to, and in the page's own words if it has any?
+// How does the description put camera, lights and meshes into words, and do the page's own texts replace them?
 
 import { describe, expect, test } from 'vitest';
 import {
@@ -28,7 +28,7 @@ describe('the camera', () => {
     [-179.6, 0, 1.23456, 'Camera: azimuth −180°, polar angle 0°, distance 1.23.'],
     [-0.2, 89.5, 12345.6, 'Camera: azimuth 0°, polar angle 90°, distance 12300.'],
     [0, 0, 1e-9, 'Camera: azimuth 0°, polar angle 0°, distance 1e−9.'],
-  ])('at %d, %d, %d is rounded for the ear', (theta, phi, radius, text) => {
+  ])('at %d, %d, %d is rounded for listeners', (theta, phi, radius, text) => {
     expect(cameraText(null, { theta, phi, radius })).toBe(text);
   });
 });
@@ -61,7 +61,7 @@ describe('all lights', () => {
     expect(lightsText(null, ['a', 'b'])).toBe('Lights: a, b.');
     const names = Array.from({ length: 9 }, (_, i) => `l${i}`);
     expect(lightsText(null, names.slice(0, 8))).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7.');
-    expect(lightsText(null, names)).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7, ….');
+    expect(lightsText(null, names)).toBe('Lights: l0, l1, l2, l3, l4, l5, l6, l7, ....');
   });
 
   test('are counted', () => expect(lightCountText(null, 12)).toBe('Lights: 12.'));
@@ -97,7 +97,7 @@ describe("the page's own words", () => {
     expect(cameraText(texts, { theta: 1, phi: 2, radius: 3 })).toMatch(/^Camera/);
   });
 
-  test('may repeat values and leave them out; words that are no value vanish', () => {
+  test('may repeat or omit values; unknown placeholders are removed', () => {
     expect(phrase({ name: '{x}{x} {y}' }, 'name', { x: '$&' })).toBe('$&$& ');
   });
 });

@@ -1,4 +1,4 @@
-// Can the documents be followed? Their links lead to files and headings that exist, and the README stays short.
+// Do the documents match the code? Links lead to files and headings that exist, tables list every attribute, and the README stays short.
 
 import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs';
 import { dirname, join, relative } from 'node:path';

@@ -71,7 +71,7 @@ describe('by hand', () => {
     close(share.diffuse, even(0.4 * 0.5625));
   });
 
-  it('directional lights have cones and decays too, and no distance', () => {
+  it('directional lights have cones and decays too, but no attenuation', () => {
     const sun = { ...grey, position: [0, 0, 2, 0], attenuation: [9, 9, 9] } as const;
     expect(one(sun)).toMatchObject({ att: 1, d: Infinity });
     expect(one({ ...sun, axis: [1, 0, -1], aperture: 44 }).insideCone).toBe(false);
@@ -119,14 +119,14 @@ describe('by hand', () => {
     expect(() => one({ space: 'camera' })).toThrow('a light in camera space needs options.camera');
   });
 
-  it('only the terms that are asked for are summed', () => {
+  it('only the terms in `terms` are summed', () => {
     const lights = [light({ ...grey, position: [0, 0, 1, 0] })];
     close(shade(floor, white, lights, { terms: ['ambient'] }).sum, even(0.2));
     close(shade(floor, white, lights, { terms: ['specular', 'diffuse'] }).sum, even(1));
     close(shade(floor, white, lights, { terms: [] }).sum, even(0));
   });
 
-  it('is black without lights, and gives no share to one that is off', () => {
+  it('the sum is black without lights, and an inactive light has no share', () => {
     expect(shade(floor, white, [])).toMatchObject({ sum: even(0), color: even(0), shares: [] });
     expect(shade(floor, white, [light({ active: false }), light()]).shares[0]).toBeNull();
   });
@@ -135,7 +135,7 @@ describe('by hand', () => {
 describe('limits', () => {
   const above = { ...grey, position: [0, 0, 2, 1] } as const;
 
-  it.each([0, 1e-300, 9.9e-7])('exponent %d makes 1 of every base, wherever light falls at all', (n) => {
+  it.each([0, 1e-300, 9.9e-7])('exponent %d turns every base into 1 where light falls', (n) => {
     const spec = (position: LightValues['position']): number =>
       one({ ...grey, position }, {}, { shininess: n }).specular[0];
     expect(spec([0, 0, 1, 0])).toBe(0.6);
@@ -146,7 +146,7 @@ describe('limits', () => {
     expect(one({ ...above, axis: [0, 0, 1], cutoff: n }).decay).toBe(1);
   });
 
-  it.each([1e-6, 0.5, 1, 1e6])('exponent %d makes 0 of base 0', (n) => {
+  it.each([1e-6, 0.5, 1, 1e6])('exponent %d turns base 0 into 0', (n) => {
     const aside = { eye: [0, 3, 4] } as const;
     const share = one({ position: [0, 1, 0.1, 0] }, aside, { shininess: n });
     expect(share.RoV).toBeLessThan(0);
@@ -155,12 +155,12 @@ describe('limits', () => {
     expect(one({ ...above, axis: [0, 0, 1], cutoff: n })).toMatchObject({ decay: 0, ambient: even(0) });
   });
 
-  it('aperture 180 takes every direction, the one right behind too', () => {
+  it('aperture 180 accepts every direction, even the one right behind', () => {
     expect(one({ ...above, axis: [0, 0, 1], aperture: 180 })).toMatchObject({ insideCone: true, decay: 1 });
     expect(one({ ...above, axis: [0, 0, 1], aperture: 179.9 }).insideCone).toBe(false);
   });
 
-  it('aperture 0 takes what is exactly on the axis', () => {
+  it('aperture 0 accepts only what is exactly on the axis', () => {
     expect(one({ ...above, axis: [0, 0, -3], aperture: 0 }).insideCone).toBe(true);
     expect(one({ ...above, position: [1, 2, 3, 1], axis: [-7, -14, -21], aperture: 0 }).insideCone).toBe(
       true,
@@ -229,7 +229,7 @@ describe('powers near their ends', () => {
     expect(Math.abs(decay / ((x * x) / 4) ** 0.1 - 1)).toBeLessThan(1e-12);
   });
 
-  it('keeps how a light stands to the eye where the eye is 1e15 from the origin', () => {
+  it('keeps a light’s place relative to the eye where the eye is 1e15 from the origin', () => {
     const place = [1e15, 0, 0] as const;
     const camera = { right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] } as const;
     const beside = { position: [0.03, 0, 0, 1], space: 'camera' } as const;
@@ -251,6 +251,6 @@ it.each([
   { position: [0, 1, 1, 0], axis: [1, 0, 1], aperture: 120 },
   { position: [-3, -3, 0, 0], axis: [-3, 0, -3], aperture: 120 },
   { position: [0.3, 0.3, 0.2, 0], axis: [-3, -3, -2], aperture: 0 },
-] as const)('takes a direction of round numbers exactly at the edge of $aperture degrees in', (spot) => {
+] as const)('accepts a direction of round numbers exactly at the edge of $aperture degrees', (spot) => {
   expect(one(spot).insideCone).toBe(true);
 });

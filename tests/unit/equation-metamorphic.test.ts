@@ -1,4 +1,4 @@
-// What must not change the reference's picture, or change it in a known way. Any seed that fails is printed.
+// Which changes of a scene leave the reference's result alone, or change it in a known way? A failing seed is printed.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -216,7 +216,7 @@ describe('the reference', () => {
     );
   });
 
-  it('gets no darker by another light', () => {
+  it('is never darker with one more light', () => {
     fc.assert(
       fc.property(scenes, plainLight, (scene, more) => {
         const before = sumOf(scene);

@@ -37,7 +37,7 @@ const names = [...new Set(vectors.map(({ name }) => name))];
 const run = ({ fragment, surface, lights, options }: Vector): ReturnType<typeof shade> =>
   shade(fragment, surface, lights.map(light), options);
 
-it('is checked by hundreds of fragments', () => {
+it('the reference is checked at hundreds of fragments', () => {
   expect(vectors.length).toBeGreaterThanOrEqual(300);
 });
 

@@ -16,7 +16,7 @@ interface Texels {
   data: Float32Array;
 }
 
-/** What the browser says of the device. */
+/** What the browser reports about the device. */
 export interface FakeDevice {
   readonly name: string;
   /** Has KHR_parallel_shader_compile. */
@@ -35,9 +35,11 @@ export class FakeRenderer {
   readonly compiled: Material[] = [];
   readonly disposed: Material[] = [];
   readonly #device: FakeDevice;
-  /** What a patch must not inherit from whoever unpacked before it. */
+  /** The unpack settings, which an upload must set for itself. */
   readonly unpack = new Map<number, number | boolean>();
-  /** By the object that stands for a texture in WebGL. */
+  /** How textures are sampled. */
+  readonly sampling = new Map<string, string>();
+  /** By the object that represents a texture in WebGL. */
   readonly #held = new Map<object, Texels>();
   #bound: object = {};
   readonly #programs = new Map<Material, object>();
@@ -71,7 +73,8 @@ export class FakeRenderer {
         return texture;
       },
       deleteTexture: (texture: object | null) => texture !== null && this.#held.delete(texture),
-      texParameteri: () => undefined,
+      ...{ TEXTURE_WRAP_S: 'wrap s', TEXTURE_WRAP_T: 'wrap t', CLAMP_TO_EDGE: 'clamp' },
+      texParameteri: (...[, name, value]: [number, string, string]) => this.sampling.set(name, value),
       texStorage2D: (...[, , , width, height]: [number, number, number, number, number]) => {
         Object.assign(this.#texels(), { width, height, data: new Float32Array(width * height * 4) });
       },
@@ -98,7 +101,7 @@ export class FakeRenderer {
     } as unknown as WebGLRenderer;
   }
 
-  /** What the GPU holds, in all and of one texture. */
+  /** What the GPU holds: in total, and of one texture. */
   get textures(): number {
     return this.#held.size;
   }

@@ -1,4 +1,4 @@
-// When does a download end? At the limit, however small its bytes are on the way; with the load; and after a silent minute.
+// When does a download end? At the limit for unpacked bytes, when the load is aborted, and after a minute without data.
 import { once } from 'node:events';
 import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
@@ -18,7 +18,7 @@ let origin = '';
 let responses: ServerResponse[] = [];
 let unpacked = 0;
 
-/** Zeros without end, compressed: a thousandth of them is on the way. */
+/** Endless zeros, compressed to about a thousandth. */
 async function bomb(response: ServerResponse): Promise<void> {
   response.writeHead(200, { 'content-encoding': 'gzip' });
   const closed = once(response, 'close');
@@ -79,7 +79,7 @@ describe('a download', () => {
     expect(unpacked).toBeLessThan(50 * LIMIT);
   });
 
-  it('ends with the load, and its connection with it', async () => {
+  it('closes its connection when the load is aborted', async () => {
     const load = new AbortController();
     const { ended, loaded } = download('/slow', load.signal);
     await vi.waitUntil(() => loaded() === 4);
@@ -91,7 +91,7 @@ describe('a download', () => {
   it.each([
     ['before its answer', '/silent', 0],
     ['in the middle', '/slow', 4],
-  ])('is given up where the server says nothing for a minute %s', async (_, path, bytes) => {
+  ])('fails if the server sends nothing for a minute %s', async (_, path, bytes) => {
     vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
     const { ended, loaded } = download(path);
     const { setImmediate: tick } = await import('node:timers/promises');

@@ -66,7 +66,7 @@ describe('a store of declared values', () => {
     expect({ ...one.values }).toStrictEqual(defaults);
   });
 
-  it('shares nothing with another store', () => {
+  it('is independent of other stores', () => {
     const one = lamp();
     one.set('power', 5);
     expect(lamp().values.power).toBe(60);
@@ -149,7 +149,7 @@ describe('the listener', () => {
     expect(listener).not.toHaveBeenCalled();
   });
 
-  it('hears that a default is given or taken back, which may matter though the value stays', () => {
+  it('is called when a value equal to the default is set or removed', () => {
     const one = lamp();
     const listener = vi.fn();
     one.listen(listener);
@@ -158,7 +158,7 @@ describe('the listener', () => {
     expect(listener).toHaveBeenCalledTimes(2);
   });
 
-  it('makes room for the next one, and for none', () => {
+  it('is replaced by the next one, and removed by null', () => {
     const one = lamp();
     const first = vi.fn();
     const second = vi.fn();
@@ -172,7 +172,7 @@ describe('the listener', () => {
   });
 });
 
-it('ends a listener only while it is the one that listens', () => {
+it('is removed by `unlisten` only while it is the current one', () => {
   const one = lamp();
   const first = vi.fn();
   const second = vi.fn();
@@ -186,7 +186,7 @@ it('ends a listener only while it is the one that listens', () => {
   expect(second).toHaveBeenCalledTimes(1);
 });
 
-it('compares numbers, words, flags and lists by what they hold', () => {
+it('sameValue compares lists item by item', () => {
   expect(sameValue([1, 2], [1, 2])).toBe(true);
   expect(sameValue([1, 2], [1, 3])).toBe(false);
   expect(sameValue([1], [1, 2])).toBe(false);

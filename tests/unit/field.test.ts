@@ -1,4 +1,4 @@
-// What each kind of field takes, what it refuses and in which words. Values in HTML's units; no DOM.
+// What does each kind of field accept, and what does it refuse, in which words? Values in HTML's units; no DOM.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -37,7 +37,7 @@ const kinds = {
 
 type Kind = keyof typeof kinds;
 
-describe('what a field takes', () => {
+describe('what a field accepts', () => {
   const rows: [Kind, unknown, unknown][] = [
     ['number', 0, 0],
     ['number', 10, 10],
@@ -66,7 +66,7 @@ describe('what a field takes', () => {
     ['number or word', 'auto', 'auto'],
     ['number or word', 3, 3],
   ];
-  it.each(rows)('%s takes %j as %j', (kind, value, kept) => {
+  it.each(rows)('%s accepts %j as %j', (kind, value, kept) => {
     expect(kinds[kind].check(value)).toStrictEqual(kept);
   });
 
@@ -175,12 +175,12 @@ describe('what a field refuses', () => {
     expect(() => kinds.vector.check(holes)).toThrow(TypeError);
   });
 
-  it('a word where there is none, and another word than the one that there is', () => {
+  it('a word where none is allowed, and words other than the allowed one', () => {
     expect(() => kinds.number.check('auto')).toThrow(TypeError);
     expect(() => kinds['number or word'].check('none')).toThrow(TypeError);
   });
 
-  it('anything at all with no other error than these two', () => {
+  it('anything by one of these two errors', () => {
     fc.assert(
       fc.property(
         fc.constantFrom(...Object.values<Field<unknown>>(kinds)),
@@ -205,14 +205,11 @@ describe('what a field refuses', () => {
 });
 
 describe('what a field gives', () => {
-  it.each(Object.entries<Field<unknown>>(kinds))(
-    '%s has a default that it takes, if it has one',
-    (_, field) => {
-      if (field.fallback !== null) expect(field.check(field.fallback)).toStrictEqual(field.fallback);
-    },
-  );
+  it.each(Object.entries<Field<unknown>>(kinds))('%s accepts its own default, if it has one', (_, field) => {
+    if (field.fallback !== null) expect(field.check(field.fallback)).toStrictEqual(field.fallback);
+  });
 
-  it('is not the list that was given, and its default is frozen', () => {
+  it('is a copy of the given list, and its default is frozen', () => {
     for (const kind of ['vector', 'homogeneous', 'scale', 'color', 'subset'] as const) {
       const field: Field<unknown> = kinds[kind];
       expect(Object.isFrozen(field.fallback)).toBe(true);
@@ -259,7 +256,7 @@ describe('the words for a domain', () => {
     expect(kinds[kind].expected).toBe(words);
   });
 
-  it('tell what was given', () => {
+  it('show the value that was refused', () => {
     expect(() => kinds.number.check('5')).toThrow('expected a number from 0 to 10, got "5"');
     expect(() => kinds.vector.check([1, 'x', null])).toThrow('got [1, "x", null]');
     expect(() => kinds.number.check({})).toThrow('got an object');
@@ -306,8 +303,8 @@ describe('the error repeats what was given', () => {
       expect(messageOf(field, new Array(2 ** 32 - 1)).length).toBeLessThan(800);
   });
 
-  it('and says where a list goes on', () => {
-    expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, …]');
+  it('and marks where a list was cut', () => {
+    expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, ...]');
     expect(messageOf(kinds.vector, [1, [2], 3])).toContain('got [1, an object, 3]');
   });
 });

@@ -1,5 +1,5 @@
-// Can any file, however broken, make the readers of OBJ, MTL, STL or PLY do anything but return a model or throw a ModelError? Mutated
-// sound files and files made of the formats' words. The time of each is bounded by its size.
+// Do the readers of OBJ, MTL, STL and PLY return a model or throw a ModelError for every file, however broken? The files are damaged valid ones
+// and random sequences of the formats' words. The time of each is bounded by its size.
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { ModelError, type Model } from '../../src/scene/model/model.js';
@@ -72,7 +72,7 @@ const SOUND: Readonly<Record<string, Uint8Array<ArrayBuffer>>> = {
   'binary.stl': stlBinary(),
 };
 
-/** Never anything but a model, sound in itself, or a ModelError. */
+/** Accepts a consistent model or a ModelError, nothing else. */
 async function requireOutcome(files: Readonly<Record<string, Uint8Array<ArrayBuffer>>>): Promise<void> {
   const result: unknown = await loadFiles(files).catch((error: unknown) => error);
   if (result instanceof ModelError) {

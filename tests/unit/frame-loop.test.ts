@@ -28,7 +28,7 @@ function runFrame(now = 0): void {
   for (const callback of due) callback(now);
 }
 
-/** Logs its phases; asks for another frame while `moving`. */
+/** Logs its phases; requests another frame while `moving`. */
 function picture(name: string, log: string[], moving = false): Framed {
   return {
     prepare: () => log.push(`prepare ${name}`),
@@ -57,7 +57,7 @@ describe('the frame loop', () => {
     expect(callbacks.size).toBe(0);
   });
 
-  test('goes on for a picture that moves until its request is withdrawn', () => {
+  test('repeats for a moving picture until its request is withdrawn', () => {
     const moving = picture('a', [], true);
     frameLoop.request(moving);
     runFrame();
@@ -66,7 +66,7 @@ describe('the frame loop', () => {
     expect(callbacks.size).toBe(0);
   });
 
-  test('serves a request that comes while it draws in the frame after', () => {
+  test('serves a request made during a frame in the next one', () => {
     const log: string[] = [];
     const late = picture('late', log);
     const first = picture('first', []);

@@ -27,7 +27,7 @@ describe('flatGeometry', () => {
     expect(listed(flat, 'position')).toEqual(TRIANGLE);
   });
 
-  it('takes an index apart and keeps texture coordinates and colours', () => {
+  it('expands an index and keeps texture coordinates and colours', () => {
     const source = fromPositions([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0]);
     source.setIndex([0, 1, 2, 2, 3, 0]);
     source.setAttribute('uv', new BufferAttribute(new Float32Array([0, 0, 1, 0, 1, 1, 0, 1]), 2));
@@ -40,7 +40,7 @@ describe('flatGeometry', () => {
     expect(listed(flat, 'color').slice(12, 15)).toEqual([0.2, 0.2, 0.2].map(Math.fround));
   });
 
-  it('reads interleaved and normalised positions as the numbers they stand for', () => {
+  it('reads interleaved and normalised positions', () => {
     const buffer = new InterleavedBuffer(new Int16Array([0, 0, 0, 9, 32767, 0, 0, 9, 0, 32767, 0, 9]), 4);
     const source = new BufferGeometry();
     source.setAttribute('position', new InterleavedBufferAttribute(buffer, 3, 0, true));
@@ -76,7 +76,7 @@ describe('flatGeometry', () => {
     }
   });
 
-  it('makes one copy of a source and frees what the GPU holds of it with the source', () => {
+  it('makes one copy per source, which is freed with the source', () => {
     const source = fromPositions(TRIANGLE);
     const flat = flatGeometry(source);
     const dispose = vi.spyOn(flat, 'dispose');

@@ -1,4 +1,4 @@
-// Does every named shape have the size, place, normals and winding that it promises, at every fineness?
+// Does every named shape have its documented size, place, normals and winding at every number of segments?
 import fc from 'fast-check';
 import type { BufferGeometry } from 'three';
 import { describe, expect, it, vi } from 'vitest';
@@ -114,7 +114,7 @@ describe('sizes', () => {
     plane: [1, 0, 1],
   };
 
-  it.each(GEOMETRIES)('gives the %s the extent that its name promises', async (name) => {
+  it.each(GEOMETRIES)('gives the %s its documented extent', async (name) => {
     const { low, high } = bounds(await createGeometry(name, undefined));
     const extent = low.map((value, axis) => (high[axis] ?? NaN) - value);
     extents[name].forEach((expected, axis) => {
@@ -159,7 +159,7 @@ describe('sizes', () => {
     expect(facing).toEqual(new Set(['0 1', '1 0', '0 -1', '-1 0', '0 0']));
   });
 
-  it('makes a side of the pyramid of as many small triangles as segments squared', async () => {
+  it('divides a side of the pyramid into segments² triangles', async () => {
     expect((await createGeometry('pyramid', 5)).index?.count).toBe(6 * 25 * 3);
   });
 });
@@ -205,7 +205,7 @@ describe('sharing', () => {
     releaseGeometry('sphere', 12);
   });
 
-  it('shares by the segments that are really used', () => {
+  it('is by the number of segments that the shape uses', () => {
     const byDefault = acquireGeometry('sphere', undefined);
     expect(acquireGeometry('sphere', 64)).toBe(byDefault);
     expect(acquireGeometry('cone', 1)).toBe(acquireGeometry('cone', 3));

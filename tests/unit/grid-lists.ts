@@ -56,7 +56,7 @@ export const rowOf = ({ data }: PackedLights, row: number): Vec3 => [data[row * 
 export const lastOf = ({ data }: PackedLights, row: number): number => data[row * 4 + 3]!;
 export const gridOf = (into: PackedLights): number => lastOf(into, HEADER.counts);
 
-/** The number of leading spots that stand in no list. */
+/** The number of spots without a list entry; they come first. */
 export const unlistedOf = (into: PackedLights): number => lastOf(into, gridOf(into) + GRID.size);
 
 /** The rows of all lights, by kind. */
@@ -70,7 +70,7 @@ export function rowsOf({ counts }: PackedLights): number[][] {
   );
 }
 
-/** The rows of the lights that the GLSL adds at p: as cellSpots and listedRow do, in float32. */
+/** The rows of the lights that the GLSL adds at p, computed as cellSpots and listedRow do, in float32. */
 export function addedAt(into: PackedLights, p: Vec3): number[] {
   const grid = gridOf(into);
   const [low, scales, size] = [GRID.low, GRID.scale, GRID.size].map((row) => rowOf(into, grid + row)) as [Vec3, Vec3, Vec3]; // prettier-ignore
@@ -97,7 +97,7 @@ export function pointIn(random: Random, box: Box, size: Vec3): Vec3 {
   return float32(p as unknown as Vec3);
 }
 
-/** The most that a light can add at p in any channel, whichever way the surface faces: by its values, not by its rows. */
+/** An upper bound of what a light adds at p in any channel, for any normal. From its values, not from its rows. */
 export function most(
   { position, axis, aperture, cutoff, attenuation, ...colors }: LightValues,
   p: Vec3,

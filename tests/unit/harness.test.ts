@@ -1,4 +1,4 @@
-// Do the browser tests' own instruments tell right from wrong? A guard that hears nothing would pass everything.
+// Do the browser tests' own instruments detect what they should? A console guard that records nothing would pass every test.
 
 import { EventEmitter } from 'node:events';
 import type { BrowserContext } from '@playwright/test';
@@ -17,7 +17,7 @@ async function guarded(): Promise<{ guard: ConsoleGuard; say: (type: string, tex
 }
 
 describe('ConsoleGuard', () => {
-  it('is content with silence', async () => {
+  it('passes where nothing is printed', async () => {
     const { guard } = await guarded();
     expect(() => guard.check()).not.toThrow();
   });
@@ -31,7 +31,7 @@ describe('ConsoleGuard', () => {
     },
   );
 
-  it('hands claimed lines to the test and lets the others fail', async () => {
+  it('returns claimed lines and fails on the others', async () => {
     const { guard, say } = await guarded();
     const met = guard.allow(/cutoff/);
     say('warning', 'cutoff="x"');
@@ -41,7 +41,7 @@ describe('ConsoleGuard', () => {
     expect(() => guard.check()).toThrow('aperture');
   });
 
-  it('fails where a claim was met never, or another number of times than it says', async () => {
+  it('fails if a claim is not met, or not as often as stated', async () => {
     const { guard, say } = await guarded();
     guard.allow(/never/);
     guard.allow(/twice/, 2);
@@ -49,7 +49,7 @@ describe('ConsoleGuard', () => {
     expect(() => guard.check()).toThrow(/never[^]*twice.*met 1 times/);
   });
 
-  it('lets a test claim that something is not said at all', async () => {
+  it('can claim that something is not printed', async () => {
     const { guard } = await guarded();
     guard.allow(/nothing/, 0);
     expect(() => guard.check()).not.toThrow();

@@ -15,7 +15,7 @@ function someSides(random: Random, size: number): Sides {
   return { dx, dy: random.pick([aside, scale(dx, random.from(-2, 2)), cross(dx, random.unit())]) };
 }
 
-/** Some e, as far from the highlight as the average reaches. */
+/** Any e up to the distance at which the average is still above 0. */
 const someE = (random: Random, { dx, dy }: Sides, n: number): Vec3 =>
   add(
     add(scale(dx, random.from(-1, 1)), scale(dy, random.from(-1, 1))),
@@ -44,7 +44,7 @@ describe(`a filtered highlight (seed ${String(SEED)})`, () => {
     expect(largest).toBeLessThan(3e-9);
   });
 
-  it('is the lobe itself where the pixel is nothing', () => {
+  it('is the lobe itself where the pixel has no size', () => {
     const random = new Random(SEED);
     for (let i = 0; i < 1000; i++) {
       const n = random.magnitude(0.01, 1e6);

@@ -1,4 +1,4 @@
-// Is the size of an image read from its header, whatever lies before it, and is anything else refused without an exception?
+// Is the size of an image read from its header, and is anything else refused without an exception?
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -74,7 +74,7 @@ describe('the size of an image', () => {
     expect(imageSize(padded.subarray(7))).toEqual({ width: 5, height: 6 });
   });
 
-  it('is null for a side of 0 and for what is no image', () => {
+  it('is null for a side of 0 and for data that are no image', () => {
     for (const file of [
       pngOf(0, 9, 32),
       text('<svg/>'),

@@ -45,7 +45,7 @@ describe('the header of a KTX2 file', () => {
   it.each([
     ['a PNG', Uint8Array.from([0x89, 0x50, 0x4e, 0x47])],
     ['nothing', new Uint8Array()],
-  ])('is not seen in %s', (_, bytes) => {
+  ])('is not found in %s', (_, bytes) => {
     expect(isKtx2(bytes)).toBe(false);
   });
 });

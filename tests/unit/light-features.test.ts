@@ -1,4 +1,4 @@
-// Which kind of light some values make, which code it needs, and which code the general program must have for it.
+// Of which kind is a light, which code does it need, and which code must the general program have for it?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -76,7 +76,7 @@ describe('the features of a light', () => {
     expect(featuresFor(values).toSorted()).toStrictEqual([...needed].toSorted());
   });
 
-  it('of several lights are those of each, and one power only where all have the same', () => {
+  it('are united for several lights, with an integer power only if all have the same', () => {
     fc.assert(
       fc.property(anyLight, anyLight, (a, b) => {
         const [first, second] = [a, b].map((one) =>
@@ -118,8 +118,25 @@ describe('declared features', () => {
 
   it.each<[string, Partial<LightValues>, string[]]>([
     ['no light at all', black, ['directional']],
-    ['a cone', { ...black, ...spot, ambient: [0, 0, 0] }, ['spot', 'cone']],
-    ['a decay', { ...black, position: lamp.position, cutoff: 1e-6 }, ['spot', 'decay']],
+    ['a cone', { ...spot, ...black }, ['spot', 'cone']],
+    ['a decay', { ...black, position: lamp.position, cutoff: 2 }, ['spot', 'decay']],
+    [
+      'a decay that is steep behind',
+      { ...spot, ...black, cutoff: 0.5 },
+      ['spot', 'cone', 'decay', 'steepSpot'],
+    ],
+    [
+      'a decay that is steep in front',
+      { ...spot, ...black, cutoff: 65 },
+      ['spot', 'cone', 'decay', 'steepSpot'],
+    ],
+    ['a narrow cone', { ...spot, ...black, aperture: 14 }, ['spot', 'cone', 'steepSpot']],
+    ['a nearly open cone', { ...spot, ...black, aperture: 166 }, ['spot', 'cone', 'steepSpot']],
+    [
+      'a spot with ambient light',
+      { ...spot, ...black, ambient: [0, 1, 0] },
+      ['spot', 'cone', 'ambient', 'spotAmbient'],
+    ],
     ['a cone about no axis', { ...black, position: lamp.position, aperture: 20, axis: [0, 0, 0] }, ['point']],
     [
       'attenuation',
@@ -136,7 +153,7 @@ describe('declared features', () => {
     expect(declaredBy(values).toSorted()).toStrictEqual([...needed].toSorted());
   });
 
-  it('are the same for a light that is switched off, so that toggling it compiles nothing', () => {
+  it('include those of inactive lights, so that toggling compiles nothing', () => {
     fc.assert(
       fc.property(anyLight, (values) => {
         expect(declaredBy({ ...values, active: false })).toStrictEqual(
@@ -146,7 +163,7 @@ describe('declared features', () => {
     );
   });
 
-  it('only grow, and say when they did', () => {
+  it('only grow, and report when they did', () => {
     fc.assert(
       fc.property(fc.array(anyLight, { maxLength: 6 }), (lights) => {
         const declared = noFeatures();

@@ -33,7 +33,7 @@ describe('lights in a grid', () => {
     ['a floor', FLOOR],
     ['a room', ROOM],
     ['a far wall', [1000, 2000, -3000, 1000, 2010, -2980] as Box],
-  ])('are all listed where their cones reach, on %s (seed ' + String(SEED) + ')', (_, box) => {
+  ])('are listed in every cell that their cones reach, on %s (seed ' + String(SEED) + ')', (_, box) => {
     const random = new Random(SEED);
     const lights = spotsOver(box, 60, random);
     const { into, size } = divided(lights, box);
@@ -54,14 +54,14 @@ describe('lights in a grid', () => {
   it.each([
     ['beside the origin', 0],
     ['far from it', 1e4],
-  ])('are listed where rounding takes a point into the next cell, %s', (_, away) => {
+  ])('are listed where rounding moves a point into the next cell, %s', (_, away) => {
     const random = new Random(SEED + 1);
     for (const flat of [0, 1, 2]) {
       const low = [0, 1, 2].map((k) => (k === flat ? away : away - 10));
       const box = [...low, ...low.map((x, k) => (k === flat ? x : x + 20))] as unknown as Box;
       const [u, v] = [(flat + 1) % 3, (flat + 2) % 3] as [number, number];
       const { size, step } = divided(spotsOver(box, 60, random, { aperture: 1 }), box);
-      // As cells are taken larger: by a share of their own size, and of the coordinates.
+      // The margin of cells: a share of their size and of the coordinates.
       const pad = 1e-3 * step[u]! + 1e-6 * Math.max(...box.map(Math.abs));
       const cases = Array.from({ length: 60 }, () => cornerCase(random, box, flat, [u, v], size, step, pad));
       const { into } = divided(
@@ -76,7 +76,7 @@ describe('lights in a grid', () => {
     }
   });
 
-  it('are listed at few cells beside those that they reach', () => {
+  it('are listed in few cells that they do not reach', () => {
     const spot = (i: number): LightValues =>
       light({ position: [3 * (i % 6) - 7.5, 2, 3 * Math.floor(i / 6) - 7.5, 1], axis: DOWN, aperture: 20, ambient: [i + 1, 0, 0] }); // prettier-ignore
     const { into, size, step } = divided(
@@ -95,7 +95,7 @@ describe('lights in a grid', () => {
     expect(listed).toBeLessThan(circle(radius + 2 * diagonal)); // whole cells, by their bounding spheres
   });
 
-  it('are all there once, spots that stand in no list before the others', () => {
+  it('are all packed once, unlisted spots before listed ones', () => {
     const random = new Random(SEED + 2);
     const wide = { axis: DOWN, aperture: 179 } as const;
     const lights = [
@@ -152,7 +152,7 @@ describe('cells', () => {
     expect(Math.max(...edges) / Math.min(...edges)).toBeLessThan(1.5);
   });
 
-  it('are written anew over others', () => {
+  it('overwrite those of an earlier grid', () => {
     const random = new Random(SEED);
     const into = emptyPack();
     for (const [box, count] of [
@@ -190,7 +190,7 @@ describe('no grid is made', () => {
     expect(isDivided([...spots, ...times(31, lamp)])).toBe(false);
   });
 
-  it('where each light reaches most of the cells, or all together more than half', () => {
+  it('where each light reaches most cells, or the lists are more than half full', () => {
     const wide = (aperture: number): LightValues[] => spotsOver(FLOOR, 40, random, { aperture, axis: DOWN });
     expect(isDivided(wide(88))).toBe(false);
     expect(isDivided([...wide(88).slice(0, 10), ...spotsOver(FLOOR, 30, random)])).toBe(true);
@@ -208,7 +208,7 @@ describe('no grid is made', () => {
     expect(isDivided(spotsOver(FLOOR, 40, random), [1, 1, 1, 1, 1, 1])).toBe(false);
   });
 
-  it('and the given lights stay as they are', () => {
+  it('and the given lights are not changed', () => {
     const packed = pack(spotsOver(FLOOR, 40, random));
     const before = [packed.rows, packed.sent, ...packed.data.subarray(0, packed.rows * 4)];
     divideLights(packed, FLOOR, emptyPack());

@@ -29,7 +29,7 @@ describe('the defines of the layout', () => {
     expect(defines.size).toBe(layoutDefines().split('\n').length);
   });
 
-  it('write whole numbers as ints and real ones as floats, as GLSL tells them apart', () => {
+  it('are ints for whole numbers and floats for others', () => {
     expect(defines.get('BLOCK_ROWS')).toBe('1024');
     expect(defines.get('TEXTURE_ROWS_LOG2')).toBe('10');
     expect(defines.get('LIMIT_OPEN')).toBe('4.0');
@@ -69,7 +69,7 @@ describe('the layout', () => {
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);
   });
 
-  it('takes a cosine to no power whose errors would be seen: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {
+  it('uses a plain cosine only for powers whose errors stay invisible: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {
     expect(LARGEST_COSINE_POWER * 2 ** -25).toBeLessThan(2e-6);
     expect(LARGEST_COSINE_POWER * 2 ** -21 * Math.LN2).toBeLessThan(0.01 / 255);
     expect(Math.log2(LARGEST_COSINE_POWER) % 1).toBe(0);
@@ -81,7 +81,7 @@ describe('the layout', () => {
       expect(Math.fround(n)).toBeGreaterThan(normal);
   });
 
-  it('opens a cone by a limit that no chord reaches and float32 holds exactly', () => {
+  it('disables a cone by a limit that no chord reaches and float32 holds exactly', () => {
     expect(LIMIT_OPEN).toBeGreaterThan(1);
     expect(Math.fround(LIMIT_OPEN)).toBe(LIMIT_OPEN);
   });

@@ -1,4 +1,4 @@
-// Which lights a picture has: their order, its version, and who is told of changes.
+// Which lights does a picture have, in which order, and when do its version and its listener change?
 
 import { describe, expect, it, vi } from 'vitest';
 import { LightSet } from '../../src/light/light-set.js';
@@ -33,7 +33,7 @@ describe('a set of lights', () => {
     expect(names(set)).toBe('');
   });
 
-  it('goes up by one version and tells once for lights that come, go or move', () => {
+  it('increments its version and notifies once when lights are added, removed or reordered', () => {
     const [a, b, c] = three();
     const told = vi.fn();
     const set = new LightSet(told);
@@ -44,7 +44,7 @@ describe('a set of lights', () => {
     expect(told.mock.calls).toStrictEqual([[null], [null], [null]]);
   });
 
-  it('goes up and tells which light was written to', () => {
+  it('increments its version and names the light that was written to', () => {
     const [a, b] = three();
     const told = vi.fn();
     const set = new LightSet(told);
@@ -55,7 +55,7 @@ describe('a set of lights', () => {
     expect(told).toHaveBeenCalledExactlyOnceWith(b);
   });
 
-  it('stays as it is where nothing changes', () => {
+  it('keeps its version while nothing changes', () => {
     const [a, b, c] = three();
     const told = vi.fn();
     const set = new LightSet(told);
@@ -91,7 +91,7 @@ describe('a set of lights', () => {
     expect(changes(() => set.assign([]))).toBe(true);
   });
 
-  it('hears nothing more of a light that has left', () => {
+  it('ignores a light that was removed', () => {
     const [a, b] = three();
     const set = new LightSet();
     set.assign([a, b]);
@@ -103,7 +103,7 @@ describe('a set of lights', () => {
     expect(set.version).toBe(version + 1);
   });
 
-  it('hears of a light that came back', () => {
+  it('follows a light that was added again', () => {
     const [a] = three();
     const set = new LightSet();
     set.add(a);
@@ -114,7 +114,7 @@ describe('a set of lights', () => {
     expect(set.version).toBe(version + 1);
   });
 
-  it('is not affected by what becomes of the list that it was given', () => {
+  it('copies the list that it is given', () => {
     const [a, b, c] = three();
     const list = [a, b];
     const set = new LightSet();
@@ -123,7 +123,7 @@ describe('a set of lights', () => {
     expect(names(set)).toBe('ab');
   });
 
-  it('keeps a light that it took over from another set, whichever is told first', () => {
+  it('keeps a light that it took from another set, whichever changes first', () => {
     const [a] = three();
     const from = new LightSet();
     const to = new LightSet();
@@ -135,7 +135,7 @@ describe('a set of lights', () => {
     expect(to.version).toBe(version + 1);
   });
 
-  it('counts a light that stands in it twice as one change', () => {
+  it('counts a light that it contains twice as one change', () => {
     const [a] = three();
     const set = new LightSet();
     set.assign([a, a]);

@@ -1,4 +1,4 @@
-// A light's values: the table of defaults and domains, and records made from plain objects.
+// Does a light have the documented defaults and domains, also when it is made from a plain object?
 
 import fc from 'fast-check';
 import { describe, expect, it, vi } from 'vitest';
@@ -38,7 +38,7 @@ describe('a light', () => {
     ['attenuation', [1e6, 1e6, 1e6], [1e7, 0, 0]],
     ['space', 'camera', 'view'],
   ];
-  it.each(domain)('takes %s %j and refuses %j', (key, good, bad) => {
+  it.each(domain)('accepts %s %j and refuses %j', (key, good, bad) => {
     const one = new LightState();
     one.set(key, good);
     const before = one.values[key];
@@ -49,7 +49,7 @@ describe('a light', () => {
     expect(one.values[key]).toBe(before);
   });
 
-  it('is made from some values, or not at all where one is wrong', () => {
+  it('is made from any subset of values, or not at all if one is wrong', () => {
     expect(new LightState({ cutoff: 12, diffuse: [1, 2, 3] }).values).toMatchObject({
       cutoff: 12,
       diffuse: [1, 2, 3],
@@ -59,7 +59,7 @@ describe('a light', () => {
     expect(() => new LightState({ space: 'view' as 'world' })).toThrow(RangeError);
   });
 
-  it('takes every value of its domains as it is', () => {
+  it('keeps every value of its domains unchanged', () => {
     fc.assert(
       fc.property(anyLight, (values) => {
         const kept = { ...new LightState(values).values };
@@ -69,7 +69,7 @@ describe('a light', () => {
     );
   });
 
-  it('tells of a change before it is in any set', () => {
+  it('notifies a listener before it is in any set', () => {
     const one = new LightState();
     const told = vi.fn();
     one.listen(told);
@@ -88,6 +88,6 @@ it('keeps every product of the equation inside float32', () => {
   expect(decoded * decoded * 1e6).toBeLessThan(largest);
 });
 
-it('names no field without a domain in words', () => {
+it('describes the domain of every field in words', () => {
   for (const field of Object.values(LIGHT_FIELDS)) expect(field.expected).not.toBe('');
 });

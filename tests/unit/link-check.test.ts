@@ -1,4 +1,4 @@
-// Programs after their first draw: a broken one is reported, and the attributes of the others stay as they are.
+// What happens to programs after their first draw? Broken ones are reported, and the attribute lists of the others stay as they are.
 import type { WebGLRenderer } from 'three';
 import { expect, it, vi } from 'vitest';
 import { LinkCheck } from '../../src/scene/gpu/link-check.js';
@@ -17,7 +17,7 @@ function drawn(links: boolean) {
   return { attributes, renderer: renderer as unknown as WebGLRenderer };
 }
 
-it('keeps anything from being added to the attributes of a program', () => {
+it('freezes the list of a program’s attributes', () => {
   const { attributes, renderer } = drawn(true);
   new LinkCheck(renderer).check(renderer);
   expect(Object.isExtensible(attributes)).toBe(false);

@@ -1,4 +1,4 @@
-// Do the files for editors say what the elements are? Generated in memory from the source as it is.
+// Do the files for editors agree with the elements? Generated in memory from the source.
 
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
@@ -64,7 +64,7 @@ describe('the custom elements manifest', () => {
     expect(type('phong-viewer', 'radius')).toBe("number | 'auto'");
   });
 
-  it('lists what scripts may call and read on the viewer, and nothing inner', () => {
+  it('lists the public members of the viewer, and no internal ones', () => {
     const members = declared('phong-viewer').members!.map(({ name }) => name);
     const offered = ['camera', 'lights', 'meshes', 'loaded', 'scene', 'stats', 'ready'];
     offered.push('toBlob', 'toHTML', 'resetCamera', 'requestRender', 'refit', 'autoRotate');
@@ -125,7 +125,7 @@ describe("JetBrains' web-types and VS Code's data", () => {
 });
 
 describe('the types of properties and JSX', () => {
-  it('take one number where the property takes it for a list', () => {
+  it('accept one number where the property accepts it for a list', () => {
     const typed: Record<SingleNumber, true> = {
       ambient: true,
       diffuse: true,

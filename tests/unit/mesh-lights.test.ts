@@ -1,4 +1,4 @@
-// Which lights each mesh is drawn with: those that can reach it. Culled again only where that may have changed.
+// Is each mesh drawn with the lights that can reach it, and is culling repeated only where the result may have changed?
 
 import { BoxGeometry, BufferGeometry, Matrix4, Mesh, Object3D, PlaneGeometry } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
@@ -64,7 +64,7 @@ describe('a mesh', () => {
     expect([0, 1, 2, 3].map((i) => lights.reaches(mesh, i))).toStrictEqual([true, true, false, true]);
   });
 
-  it('shares the buffer of all lights where all reach it, and one of its own with meshes that the same reach', () => {
+  it('shares a buffer with all meshes that the same lights reach', () => {
     const lights = lit(spotOver(0), spotOver(5), light());
     expect(lights.of(meshAt(2.5, new BoxGeometry(9, 1, 1)))).toBe(lights.all);
     const [a, b, c] = [meshAt(5), meshAt(5.1), meshAt(0)].map((mesh) => lights.of(mesh));
@@ -73,7 +73,7 @@ describe('a mesh', () => {
     expect(spotsOf(c!)).toStrictEqual([0]);
   });
 
-  it('has its bounds turned, scaled and moved with it, relative to the origin', () => {
+  it('is culled by its bounds after rotation, scale and translation, relative to the origin', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const parent = new Object3D();
     const mesh = new Mesh(new BoxGeometry(0.1, 9, 0.1));
@@ -111,7 +111,7 @@ describe('a mesh', () => {
 });
 
 describe('culling', () => {
-  it('happens once while nothing changes, and not at all without spots', () => {
+  it('is done once while nothing changes, and never without spots', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
     const buffer = lights.of(mesh);
@@ -160,7 +160,7 @@ describe('culling', () => {
     expect(spotsOf(lights.of(mesh))).toStrictEqual([0]);
   });
 
-  it('takes a moved spot along: the buffer stays, its numbers and features follow', () => {
+  it('keeps the buffer when a spot moves, and updates its numbers and features', () => {
     const lights = lit(spotOver(0), spotOver(5));
     const mesh = meshAt(5);
     const buffer = lights.of(mesh);
@@ -172,7 +172,7 @@ describe('culling', () => {
     expect(buffer.featureKey).toBe(featureKey);
   });
 
-  it('finds a spot that moved away from a mesh that all lights reached', () => {
+  it('removes a spot that moves away from a mesh that all lights reached', () => {
     const lights = lit(spotOver(0));
     const mesh = meshAt(0);
     expect(lights.of(mesh)).toBe(lights.all);
@@ -189,7 +189,7 @@ describe('what the GPU holds', () => {
     return gpu.textures;
   }
 
-  it('is freed in the frame after the last one that drew it', () => {
+  it('is freed in the frame after its last use', () => {
     const gpu = new FakeRenderer();
     const lights = lit(...Array.from({ length: 20 }, (_, i) => spotOver(2 * i)));
     const mesh = meshAt(0);
@@ -212,7 +212,7 @@ describe('what the GPU holds', () => {
     return { lights: lit(...spots), floor };
   };
 
-  it('has a grid over a mesh under many narrow spots, of the same lights', () => {
+  it('includes a grid for a mesh under many narrow spots, with the same lights', () => {
     const { lights, floor } = overFloor();
     const grid = lights.gridOf(floor)!;
     expect(grid.packed.counts).toStrictEqual(lights.of(floor).packed.counts);
@@ -222,7 +222,7 @@ describe('what the GPU holds', () => {
     expect(lights.gridOf(floor)).toBeNull();
   });
 
-  it('loses a grid with its mesh, as it loses a list', () => {
+  it('loses a grid when its mesh is no longer drawn', () => {
     const gpu = new FakeRenderer();
     const { lights, floor } = overFloor();
     expect(frame(lights, gpu, [floor])).toBe(1);
@@ -232,7 +232,7 @@ describe('what the GPU holds', () => {
     expect(frame(lights, gpu, [floor])).toBe(1);
   });
 
-  it('is nothing after disposal, grids included, and all of it comes again with the next draw', () => {
+  it('is freed by disposal, grids included, and sent again with the next draw', () => {
     const gpu = new FakeRenderer();
     const { lights, floor } = overFloor();
     const small = meshAt(-7.5);

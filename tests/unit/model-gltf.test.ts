@@ -59,7 +59,7 @@ describe('attributes', () => {
     expect(numbers(model, 'position')).toEqual(TRIANGLE);
   });
 
-  it('have normals brought to unit length, and those that are no direction to zero', async () => {
+  it('have their normals normalised, and those without a direction set to zero', async () => {
     const model = await gltf(
       [new Float32Array(TRIANGLE), new Float32Array([0, 3 * 2 ** 100, 4 * 2 ** 100, NaN, 0, 1, 0, 0, 0])],
       [
@@ -84,7 +84,7 @@ describe('attributes', () => {
     ).rejects.toThrow(/vertex 3 of 3/);
   });
 
-  it('may have indices that lie apart', async () => {
+  it('may have strided indices', async () => {
     const model = await gltf(
       [new Float32Array(TRIANGLE), new Uint16Array([2, 9, 1, 9, 0, 9])],
       [
@@ -96,7 +96,7 @@ describe('attributes', () => {
     expect(Array.from(model.parts[0]?.geometry.index?.array ?? [])).toEqual([2, 1, 0]);
   });
 
-  it('may come as a fan, whose triangles share the first vertex', async () => {
+  it('may form a fan, whose triangles share the first vertex', async () => {
     const model = await gltf(
       [new Float32Array([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0])],
       [{ bufferView: 0, type: 'VEC3', count: 4, componentType: FLOAT }],
@@ -105,7 +105,7 @@ describe('attributes', () => {
     expect(Array.from(model.parts[0]?.geometry.index?.array ?? [])).toEqual([1, 2, 0, 2, 3, 0]);
   });
 
-  it('may come as a strip, whose every second triangle is turned round', async () => {
+  it('may form a strip, in which every second triangle is reversed', async () => {
     const model = await gltf(
       [new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0])],
       [{ bufferView: 0, type: 'VEC3', count: 4, componentType: FLOAT }],
@@ -149,7 +149,7 @@ describe('nodes', () => {
     expect(model.parts.map(({ name }) => name)).toEqual(['shown']);
   });
 
-  it('with a skin stand in the pose of their joints, wherever the node itself is', async () => {
+  it('with a skin take the pose of their joints, wherever the node itself is', async () => {
     const half = Math.SQRT1_2;
     const model = await gltf(
       [
@@ -216,7 +216,7 @@ describe('textures', () => {
       },
     );
 
-  it('take the coordinates and the transform that the file names, and others are not fetched', async () => {
+  it('use the coordinates and the transform that the file names, and unused ones are not fetched', async () => {
     vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close: vi.fn() }));
     const model = await uvs({
       texCoord: 1,
@@ -257,12 +257,12 @@ describe('textures', () => {
     for (const part of [0, 1]) expect(numbers(model, 'uv1', part)).toEqual([0, 0, 1, 0, 0, 1]);
   });
 
-  it('that the browser cannot decode make the model bad', async () => {
+  it('that the browser cannot decode are a bad-model error', async () => {
     vi.stubGlobal('createImageBitmap', () => Promise.reject(new Error('no')));
     await expect(uvs({})).rejects.toMatchObject({ code: 'bad-model' });
   });
 
-  it('are closed again where something else of the model fails', async () => {
+  it('are closed when another part of the model fails', async () => {
     const close = vi.fn();
     vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close }));
     await expect(

@@ -1,5 +1,5 @@
-// What does a file that claims too much, or claims nonsense, come to? Everything here is refused from its JSON or headers: the files are small,
-// and nothing that they claim is allocated.
+// Are files that claim too much, or claim nonsense, refused by their JSON or headers? The files are small, and nothing that they claim may be
+// allocated.
 import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
@@ -49,7 +49,7 @@ afterEach(() => {
 });
 
 describe('the limits', () => {
-  it('let five million triangles, two thousand parts and 64 megapixels through', () => {
+  it('allow five million triangles, two thousand parts and 64 megapixels', () => {
     new ModelBudget().add({ corners: 15e6, values: 15e6 * 6 });
     new ModelBudget().add({ parts: 2000, nodes: 2000, values: 1e6, json: 5e5 });
     new ModelBudget().add({ pixels: 64e6, values: 1e6, parts: 100 });
@@ -62,7 +62,7 @@ describe('the limits', () => {
     ['pixels in its images', { pixels: PIXEL_LIMIT + 1 }],
     ['bytes in memory', { values: VALUE_LIMIT, pixels: PIXEL_LIMIT }],
     ['bytes in memory', { pixels: PIXEL_LIMIT, values: MEMORY_LIMIT / 10 }],
-  ] as const)('of %s are too-large beyond, with the figures', (what, claims) => {
+  ] as const)('of %s give a too-large error with the figures beyond that', (what, claims) => {
     expect(() => new ModelBudget().add(claims)).toThrow(
       expect.objectContaining({ code: 'too-large', message: expect.stringMatching(what) as string }),
     );
@@ -93,12 +93,12 @@ describe('accessors count as what they become', () => {
     expect(await outcome(triangleGlb({ accessors, meshes, nodes, scenes }))).toMatch(/^too-large/);
   });
 
-  it('and one accessor counts for each attribute that is made of it', async () => {
+  it('and one accessor counts for each attribute made from it', async () => {
     const attributes = { POSITION: 0, NORMAL: 0, COLOR_0: 0, TEXCOORD_0: 0 };
     expect(await outcome(zerosGlb(10e6, { attributes }))).toMatch(/^too-large/);
   });
 
-  it('and primitives that use few of shared vertices get copies of those', async () => {
+  it('and primitives that use few of many shared vertices get copies of those', async () => {
     const count = 3000;
     const accessors = [
       { componentType: 5126, count: 1e6, type: 'VEC3' },
@@ -209,7 +209,7 @@ describe('images', () => {
     ]);
   });
 
-  it('of KTX2 count what their transcoder takes, too', async () => {
+  it('of KTX2 also count the memory of their transcoder', async () => {
     const file = readFileSync(new URL('../fixtures/models/ktx2.glb', import.meta.url));
     const image = Buffer.from(file.subarray(file.indexOf('\xabKTX 20', 0, 'latin1')));
     image.writeUInt32LE(8192, 20);
@@ -217,7 +217,7 @@ describe('images', () => {
     expect(await outcome(texturedGlb([image], [{ source: 0 }]))).toMatch(/^too-large: .*bytes in memory/);
   });
 
-  it('that are none are an error with their number', async () => {
+  it('that are no images are an error with their index', async () => {
     const file = texturedGlb([Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')], [{ source: 0 }]);
     expect(await outcome(file)).toMatch(
       /^bad-model: .*images\[0\] is no PNG, JPEG, WebP, AVIF or KTX2 image/,
@@ -226,7 +226,7 @@ describe('images', () => {
 });
 
 describe('Draco data', () => {
-  it('that claim more than the accessors are refused before they are decoded', async () => {
+  it('that claim more than their accessors are refused before decoding', async () => {
     for (const [faces, points] of [
       [9, 3],
       [1, 7],
@@ -251,7 +251,7 @@ describe('Draco data', () => {
 });
 
 describe('documents that are wrong', () => {
-  it.each(['constructor', '__proto__', 'toString'])('by an accessor of the type %s say so', async (type) => {
+  it.each(['constructor', '__proto__', 'toString'])('report an accessor of the type %s', async (type) => {
     const accessor = { bufferView: 0, componentType: 5126, count: 3, type };
     expect(await outcome(triangleGlb({ accessors: [accessor] }))).toMatch(
       /accessors\[0\] has an unknown type/,
@@ -262,7 +262,7 @@ describe('documents that are wrong', () => {
     [3, 0],
     [13, 0],
     [undefined, 2],
-  ])('by a stride of %s or an offset of %s say what it must be', async (byteStride, byteOffset) => {
+  ])('report a stride of %s or an offset of %s, and what it must be', async (byteStride, byteOffset) => {
     const body = Buffer.alloc(64);
     const file = glbOf(
       triangleDocument({
@@ -275,17 +275,17 @@ describe('documents that are wrong', () => {
     expect(await outcome(file)).toMatch(/bad-model: .*byteOffset and byteStride must be multiples of 4/);
   });
 
-  it('by nodes nested too deeply say so; a thousand levels load', async () => {
+  it('report nodes nested too deeply; a thousand levels load', async () => {
     expect(await outcome(deepGlb(100_000))).toMatch(/nodes are nested deeper than 1000 levels|too-large/);
     expect(await outcome(deepGlb(1000))).toBe('1 parts');
   });
 
-  it('by their JSON: deep, or with millions of values', async () => {
+  it('report JSON that is too deep or has millions of values', async () => {
     expect(await outcome(glbOfText('['.repeat(1e6)))).toMatch(/^bad-model/);
     expect(await outcome(glbOfText(`[${'{},'.repeat(2e6)}0]`))).toMatch(/^too-large: .*values in its JSON/);
   });
 
-  it('by keys such as __proto__ change nothing', async () => {
+  it('with keys such as __proto__ change nothing', async () => {
     const document = JSON.stringify(triangleDocument()).replace(
       /^\{/,
       '{"__proto__":{"scenes":[]},"constructor":0,',

@@ -1,5 +1,5 @@
-// Do a model's poses agree with three.js's own mixer, skinned meshes and morph targets, at any time? And what do mistakes in animation
-// data come to?
+// Do a model's poses agree with three.js's own mixer, skinned meshes and morph targets, at any time? What happens to
+// mistakes in animation data?
 import { AnimationMixer, type Mesh, type SkinnedMesh, Vector3 } from 'three';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
@@ -61,21 +61,24 @@ const cases: readonly [string, BarOptions][] = [
 ];
 
 describe.each(cases)('the pose of %s', (_, options) => {
-  it.each([0, 0.3, 1, 1.25, 1.999])('is that of three.js in each animation at %d s', async (seconds) => {
-    const document = bar(options);
-    const model = await load(document);
-    expectClose(places(model), await expected(document, -1, 0));
-    for (const clip of model.motion?.clips.keys() ?? []) {
-      model.motion?.pose(clip, seconds);
-      expectClose(places(model), await expected(document, clip, seconds));
-    }
-    model.motion?.pose(null, 0);
-    expectClose(places(model), await expected(document, -1, 0));
-  });
+  it.each([0, 0.3, 1, 1.25, 1.999])(
+    'is the same as in three.js in each animation at %d s',
+    async (seconds) => {
+      const document = bar(options);
+      const model = await load(document);
+      expectClose(places(model), await expected(document, -1, 0));
+      for (const clip of model.motion?.clips.keys() ?? []) {
+        model.motion?.pose(clip, seconds);
+        expectClose(places(model), await expected(document, clip, seconds));
+      }
+      model.motion?.pose(null, 0);
+      expectClose(places(model), await expected(document, -1, 0));
+    },
+  );
 });
 
 describe('a pose', () => {
-  it('has the bounds of its vertices, in another object each time', async () => {
+  it('has the bounds of its vertices, in a new object each time', async () => {
     const model = await load(bar());
     const [{ geometry }] = model.parts as [Model['parts'][0]];
     const before = geometry.boundingBox;
@@ -89,7 +92,7 @@ describe('a pose', () => {
     expect([min, max]).toEqual([geometry.boundingBox?.min, geometry.boundingBox?.max]);
   });
 
-  it('that did not change sends nothing to the GPU', async () => {
+  it('that does not change sends nothing to the GPU', async () => {
     const model = await load(bar());
     const position = model.parts[0]!.geometry.getAttribute('position') as { version?: number };
     model.motion?.pose(0, 0.5);
@@ -118,7 +121,7 @@ describe('a pose', () => {
     }
   });
 
-  it('repeats in two nodes that share a mesh, each with its own weights', async () => {
+  it('is independent for two nodes that share a mesh, each with its own weights', async () => {
     const document = bar({ skinned: false });
     const model = await load({
       ...document,
@@ -134,7 +137,7 @@ describe('a pose', () => {
 });
 
 describe('a model without animations', () => {
-  it('has no motion, and stands in the weights that the file gives', async () => {
+  it('has no motion, and is shown with the weights of its file', async () => {
     const document = bar({ skinned: false, animations: [] });
     const [mesh] = document['meshes'] as { weights: number[] }[];
     mesh!.weights = [1, 0];

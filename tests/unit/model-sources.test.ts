@@ -38,7 +38,7 @@ describe('the files that a model names', () => {
     expect(() => linkedUrl(uri, MODEL, false)).toThrow(expect.objectContaining({ code: 'load-failed' }));
   });
 
-  it('may lie anywhere on the web, and only there, where crossorigin widens it', () => {
+  it('may be anywhere on the web, and nowhere else, if crossorigin is set', () => {
     expect(linkedUrl('//other.example/a.bin', MODEL, true).href).toBe('https://other.example/a.bin');
     expect(linkedUrl('../a.bin', MODEL, true).href).toBe('https://shop.example/models/a.bin');
     for (const uri of ['javascript:alert(1)', 'file:///etc/passwd', 'blob:https://shop.example/1']) {
@@ -46,7 +46,7 @@ describe('the files that a model names', () => {
     }
   });
 
-  it('stay in the folder whatever is written', () => {
+  it('stay in the folder whatever the path', () => {
     fc.assert(
       fc.property(
         fc.array(fc.constantFrom('..', '/', '\\', '%2e', '%2f', 'a', ':', '?', '#', '//')),
@@ -63,7 +63,7 @@ describe('the files that a model names', () => {
     );
   });
 
-  it('are none where the model has no folder', () => {
+  it('are refused where the model has no folder', () => {
     for (const model of ['data:model/gltf+json,{}', 'blob:https://shop.example/1']) {
       expect(() => linkedUrl('one.bin', new URL(model), false)).toThrow();
     }
@@ -73,7 +73,7 @@ describe('the files that a model names', () => {
 describe('data: URIs', () => {
   const decoded = (uri: string): number[] => Array.from(decodeDataUri(uri).bytes);
 
-  it('give back any bytes that were encoded', () => {
+  it('decode to the bytes that were encoded', () => {
     fc.assert(
       fc.property(fc.uint8Array(), (bytes) => {
         const base64 = Buffer.from(bytes).toString('base64');
@@ -86,7 +86,7 @@ describe('data: URIs', () => {
     );
   });
 
-  it('tell their type, and take base64 that is percent-encoded', () => {
+  it('give their type, and may be percent-encoded base64', () => {
     expect(decodeDataUri('data:Image/PNG;charset=x;base64,AA%3D%3D')).toEqual({
       type: 'image/png',
       bytes: new Uint8Array([0]),
@@ -121,16 +121,16 @@ describe('formats', () => {
     ['solid', 'x.stl', 'STL'],
     ['# made by hand\n\nmtllib a.mtl\nv 0 0 0\n', 'x', 'OBJ'],
     ['nonsense', 'x.obj', 'OBJ'],
-  ])('take content %j of %s for %s', (text, name, format) => {
+  ])('are detected: content %j of %s is %s', (text, name, format) => {
     expect(formatOf(url(name), bytes(text)).name).toBe(format);
   });
 
-  it('take a binary STL by its size, whatever it begins with', () => {
+  it('include binary STL by its size, whatever it begins with', () => {
     expect(formatOf(url('x'), oneTriangle).name).toBe('STL');
     expect(formatOf(url('x.bin'), Uint8Array.from([...ascii('solid'), ...oneTriangle.subarray(5)])).name).toBe('STL'); // prettier-ignore
   });
 
-  it('are told by `type` before the extension, and by the extension before the media type', () => {
+  it('are named by `type` before the extension, and by the extension before the media type', () => {
     const unclear = bytes('unclear');
     expect(formatOf(url('x.stl'), unclear, { type: 'OBJ' }).name).toBe('OBJ');
     expect(formatOf(url('x.stl'), unclear, { type: 'model/obj; charset=utf-8' }).name).toBe('OBJ');

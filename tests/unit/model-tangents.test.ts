@@ -25,7 +25,7 @@ describe('computed tangents', () => {
     ['a sphere', sphere()],
     ['a sphere with a mirrored picture', mirrored()],
     ['separate triangles', sphere().toNonIndexed()],
-  ])("are three.js's own on %s", async (_, geometry) => {
+  ])('are those of three.js on %s', async (_, geometry) => {
     const theirs = geometry.clone();
     if (theirs.index === null) theirs.setIndex(Array.from({ length: theirs.getAttribute('position').count }, (_, i) => i)); // prettier-ignore
     theirs.computeTangents();

@@ -102,12 +102,12 @@ function onlyPart(model: Model): Model['parts'][number] {
 }
 
 describe('a model compressed by meshopt', () => {
-  it('comes out as without the compression', async () => {
+  it('is the same as without the compression', async () => {
     const [packed, plain] = await Promise.all([
       load('/fixtures/meshopt.glb'),
       load('/fixtures/no-normals.glb'),
     ]);
-    // The encoder may turn triangles, never change them.
+    // The encoder may rotate a triangle's corners, but must not change it.
     const corners = (model: Model): string[] => {
       const list = values(onlyPart(model).geometry, 'position');
       const points = Array.from({ length: list.length / 3 }, (_, i) =>
@@ -146,7 +146,7 @@ describe('the bunny', () => {
     model.dispose();
   });
 
-  it('tells how many of its bytes are there', async () => {
+  it('reports progress in bytes', async () => {
     const told: [number, number][] = [];
     await load('/assets/bunny.glb', { onProgress: (...progress) => told.push(progress) });
     expect(told.at(-1)).toEqual([18808, 18808]);
@@ -212,7 +212,7 @@ describe('looks', () => {
     expect(colors[15]).toBeCloseTo(128 / 255, 6);
   });
 
-  it('takes a blended material that nothing makes transparent for opaque', async () => {
+  it('treats a blended material with alpha 1 everywhere as opaque', async () => {
     expect(onlyPart(await load('/assets/bunny.glb')).look.alphaMode).toBe('opaque');
   });
 
@@ -253,7 +253,7 @@ describe('failures', () => {
     expect(requests.some((request) => request.includes('example'))).toBe(false);
   });
 
-  it('of a server that is not there are load-failed', async () => {
+  it('to reach a server are load-failed', async () => {
     const error: unknown = await loadModel(new URL('http://127.0.0.1:9/x.glb'), {
       signal: new AbortController().signal,
       crossOrigin: null,
@@ -261,7 +261,7 @@ describe('failures', () => {
     expect(error).toMatchObject({ code: 'load-failed' });
   });
 
-  it('rejects with the reason of an abort, in the middle of the file', async () => {
+  it('by an abort in the middle of the file reject with its reason', async () => {
     const controller = new AbortController();
     const loading = load('/hangs.glb', {
       signal: controller.signal,
@@ -272,7 +272,7 @@ describe('failures', () => {
     await expect(loading).rejects.toThrow('enough');
   });
 
-  it('never fails otherwise than with a ModelError, whatever bytes are changed', async () => {
+  it('are always a ModelError, whatever bytes are changed', async () => {
     const { readFileSync } = await import('node:fs');
     const fc = (await import('fast-check')).default;
     const whole = readFileSync(`${String(roots['/fixtures/'])}textured.glb`);

@@ -1,4 +1,4 @@
-// Which known word is meant by a misspelled one.
+// Which known word does a misspelled one mean?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -51,7 +51,7 @@ describe('the nearest word', () => {
     expect(nearest('torus-knt', ['torus-knot', 'torus'])).toBe('torus-knot');
   });
 
-  it('is found from either side, as by the table of all prefixes (seed 7)', () => {
+  it('is the same as by the textbook’s table, in both directions (seed 7)', () => {
     const word = fc.string({ unit: fc.constantFrom('a', 'b', 'c'), maxLength: 8 });
     fc.assert(
       fc.property(word, word, (a, b) => {

@@ -1,4 +1,4 @@
-// Normals from model to shading space, for every scale that a mesh may have.
+// Do normals get from model to shading space for every scale that a mesh may have?
 
 import fc from 'fast-check';
 import { Euler, Matrix3, Matrix4, Quaternion, Vector3 } from 'three';
@@ -32,7 +32,7 @@ const near = (a: Vector3, b: Vector3): void => {
 };
 
 describe('the normal matrix', () => {
-  it('turns normals as it turns the mesh, and moves them nowhere', () => {
+  it('rotates normals with the mesh, and ignores translation', () => {
     near(through(place([0, 0, Math.PI / 2], [1, 1, 1]), [1, 0, 0]), new Vector3(0, 1, 0));
     near(through(place([0, 0, 0], [1, 1, 1]), [0, 0, 1]), new Vector3(0, 0, 1));
   });
@@ -42,7 +42,7 @@ describe('the normal matrix', () => {
   });
 
   it.each([[[-1, 1, 1]], [[1, -1, 1]], [[-1, -1, -1]], [[-2, 3, 0.5]], [[-1, -1, 1]]])(
-    'keeps outside outside where the scale is %j',
+    'keeps normals pointing outward at a scale of %j',
     (scale) => {
       const model = place([0.3, 0.4, 0.5], scale);
       // A sphere's normal leads outward: the point a little along it must stay farther from the centre's image.
@@ -70,7 +70,7 @@ describe('the normal matrix', () => {
     );
   });
 
-  it('keeps normals at right angles to what they stood on', () => {
+  it('keeps normals perpendicular to their surface', () => {
     fc.assert(
       fc.property(
         angles,
@@ -91,7 +91,7 @@ describe('the normal matrix', () => {
     );
   });
 
-  it('has a largest entry of 1, whatever the scale, so that float32 holds it', () => {
+  it('has a largest entry of 1 at any scale, so that float32 holds it', () => {
     const power = fc.integer({ min: -12, max: 12 });
     fc.assert(
       fc.property(angles, fc.tuple(power, power, power), (rotation, powers) => {
@@ -109,11 +109,11 @@ describe('the normal matrix', () => {
     });
   });
 
-  it.each([1e-200, 5e-324])('leaves normals alone at scale %d, whose products are no numbers', (s) => {
+  it.each([1e-200, 5e-324])('leaves normals alone at scale %d, whose products overflow or underflow', (s) => {
     expect(normals(new Matrix4().makeScale(s, s, s)).elements).toStrictEqual(new Matrix3().elements);
   });
 
-  it('gives the direction of normals at the two ends of the domain at once', () => {
+  it('is right for scales at both ends of the domain together', () => {
     const model = place([0.3, 0.4, 0.5], [1e12, 1e-12, 1e12]);
     const axis = new Vector3(0, 1, 0).transformDirection(place([0.3, 0.4, 0.5], [1, 1, 1]));
     for (const normal of [

@@ -30,14 +30,14 @@ afterEach(() => {
 });
 
 describe('the geometry of an OBJ file', () => {
-  it('has a polygon as triangles in its own order', async () => {
+  it('splits a polygon into triangles in its own order', async () => {
     const model = await obj(`${QUAD}f 1 2 3 4\n`);
     expect(cornersOf(model, 'position')).toEqual([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 0, 0], [1, 1, 0], [0, 1, 0]]); // prettier-ignore
     expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
     expect(warnings).toEqual([]);
   });
 
-  it('fills a polygon with a dent inside its border only', async () => {
+  it('fills a concave polygon inside its border only', async () => {
     const model = await obj('v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf 1 2 3 4\nf 2 3 4 1\nf 3 4 1 2');
     const corners = cornersOf(model, 'position');
     let area = 0;
@@ -55,7 +55,7 @@ describe('the geometry of an OBJ file', () => {
     expect(indexOf(model)).toEqual([0, 1, 2, 0, 1, 2]);
   });
 
-  it('is told by its media type where nothing else tells it', async () => {
+  it('is recognised by its media type if nothing else names the format', async () => {
     const text = encodeURIComponent(`unknown words\n${QUAD}f 1 2 3`);
     const options = { signal: new AbortController().signal, crossOrigin: null };
     expect((await loadModel(new URL(`data:model/obj,${text}`), options)).parts).toHaveLength(1);
@@ -77,7 +77,7 @@ describe('the geometry of an OBJ file', () => {
     expect(cornersOf(model, 'normal')[5]).toEqual([0, 0.6, 0.8]);
   });
 
-  it('is faceted with `s off`, round with `s 1`, and edged at sharp angles where nothing is said', async () => {
+  it('is faceted with `s off`, smooth with `s 1`, and has edges at sharp angles if nothing is said', async () => {
     // Two squares that meet at the given angle along the y axis.
     const bent = (degrees: number): string => {
       const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
@@ -95,7 +95,7 @@ describe('the geometry of an OBJ file', () => {
     expect(await distinct(`${bent(10)}s 1\nf 1 2 3 4\ns 2\nf 4 3 5 6`)).toBe(2);
   });
 
-  it('weighs faces by their angle at the vertex, however they are cut into triangles', async () => {
+  it('weights faces by their angle at the vertex, however they are split into triangles', async () => {
     // A corner of a cube: each of three faces counts the same, though one has two triangles there.
     const model = await obj(
       'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\ns 1\nf 1 3 2\nf 1 4 3\nf 1 2 6 5\nf 1 5 7 4',
@@ -185,7 +185,7 @@ describe('the materials of an OBJ file', () => {
     expect(await withMtl('newmtl m\nKs 1 1 1\nNs 0.1\n')).toMatchObject({ ks: [1, 1, 1], shininess: 0.1 });
   });
 
-  it('have Kd for Ka where the file has none, and leave to the element what it does not say', async () => {
+  it('use Kd as Ka if the file has none, and leave the rest to the element', async () => {
     const look = await withMtl('newmtl m\nKd 0.5\n');
     expect(look).toMatchObject({ ka: [0.5, 0.5, 0.5], kd: [0.5, 0.5, 0.5], opacity: 1, alphaMode: 'opaque' });
     expect(look).not.toHaveProperty('ks');
@@ -197,7 +197,7 @@ describe('the materials of an OBJ file', () => {
     ['d 0.5\nTr 1', 0.5],
     ['Tr 1\nd 1', 1],
     ['Tr 0.75', 0.25],
-    // Nobody saves an invisible material: the writer means opacity.
+    // An invisible material makes no sense: such exporters mean opacity.
     ['Tr 1.000000', 1],
     ['d -halo 0.5', 0.5],
     ['d 7', 1],
@@ -245,7 +245,7 @@ describe('the materials of an OBJ file', () => {
     );
   });
 
-  it('are an error where an image is broken, and nothing stays open', async () => {
+  it('are an error if an image is broken, and all images are closed', async () => {
     const images = standInImages();
     const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\nf 1/1 2/1 3/1\nusemtl n\nf 1/1 2/1 3/1`;
     const mtl = 'newmtl m\nmap_Kd x.png\nnewmtl n\nmap_Kd y.png';

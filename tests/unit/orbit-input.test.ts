@@ -97,7 +97,7 @@ describe('the pointer', () => {
   });
 
   it.each(['pointercancel', 'lostpointercapture', 'blur', 'a move without buttons'])(
-    'lets go at %s',
+    'ends the drag at %s',
     (what) => {
       const { orbit, input, fire, mouse, window } = setUp();
       mouse('pointerdown', 100);
@@ -138,7 +138,7 @@ describe('the pointer', () => {
     expect(menu()).toBe(false);
   });
 
-  it('pinches with two fingers and continues to turn with the one that stays', () => {
+  it('zooms by two fingers and goes on turning with the remaining one', () => {
     const { orbit, touch, input, log } = setUp();
     touch('pointerdown', 5, 100);
     touch('pointerdown', 6, 200);
@@ -152,7 +152,7 @@ describe('the pointer', () => {
     expect(log).toStrictEqual(['held', 'pointer', 'pointer', 'let go']);
   });
 
-  it('waits until a vertical finger stroke is no scroll, then turns by its whole travel', () => {
+  it('waits until a vertical stroke of a finger is no scroll, then turns by its whole travel', () => {
     const { orbit, mouse } = setUp();
     const finger = { pointerType: 'touch', pointerId: 5 };
     mouse('pointerdown', 100, finger);

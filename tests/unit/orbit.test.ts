@@ -40,7 +40,7 @@ describe('the basis', () => {
     [0, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
     [90, 0, [0, 0, -1], [-1, 0, 0], [0, 1, 0]],
     [3600, 180, [1, 0, 0], [0, 0, 1], [0, -1, 0]],
-  ])('holds only 0 and ±1, and no -0, at θ = %d, φ = %d', (theta, phi, right, up, back) => {
+  ])('consists of 0 and ±1, without -0, at θ = %d, φ = %d', (theta, phi, right, up, back) => {
     const basis = new Orbit({ theta, phi }).basis();
     expect(basis).toStrictEqual({ right, up, back });
   });

@@ -1,4 +1,4 @@
-// Does what is drawn over a picture lie where the picture shows it, with labels apart from each other and colours that can be seen?
+// Are overlays drawn where the picture shows their points, with labels that do not overlap and colours that can be seen?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -16,7 +16,7 @@ const sight = {
 } as const;
 
 describe('a projection', () => {
-  it('shows the target in the middle, and right and up where they are', () => {
+  it('shows the target in the middle, x to the right and y upward', () => {
     const projection = new Projection(sight);
     expect(projection.point([0, 0, 0])).toEqual({ x: 200, y: 100 });
     const { x, y } = projection.point([1, 2, 0])!;
@@ -24,7 +24,7 @@ describe('a projection', () => {
     expect(y).toBeCloseTo(100 - 50, 10);
   });
 
-  it('shows no point behind the eye, in its plane, or at it', () => {
+  it('gives no place to points behind the eye, in its plane or at it', () => {
     const projection = new Projection(sight);
     for (const place of [
       [0, 0, 4],
@@ -34,7 +34,7 @@ describe('a projection', () => {
       expect(projection.point(place)).toBeNull();
   });
 
-  it('finds the place again that lies on a point at a depth', () => {
+  it('is inverted by the point at a place and a depth', () => {
     const angle = fc.double({ min: -180, max: 180, noNaN: true });
     const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
     fc.assert(
@@ -47,7 +47,7 @@ describe('a projection', () => {
     );
   });
 
-  it('cuts a line that runs behind the eye where it leaves the view, and drops one that is behind it', () => {
+  it('clips a line that runs behind the eye, and drops one that lies behind it', () => {
     const projection = new Projection(sight);
     const [from, to] = projection.segment([0, -1, 0], [0, -1, 100])!;
     expect(from).toEqual({ x: 200, y: 125 });
@@ -56,7 +56,7 @@ describe('a projection', () => {
     expect(projection.segment([1e6, 0, 0], [1e6, 1, 0])).toBeNull();
   });
 
-  it('keeps every end finite and near the layer, for coordinates up to the largest', () => {
+  it('keeps the ends of lines finite and near the layer for all coordinates', () => {
     const coordinate = fc.double({ min: -1e15, max: 1e15, noNaN: true });
     const place = fc.tuple(coordinate, coordinate, coordinate);
     const projection = new Projection(sight);
@@ -72,7 +72,14 @@ describe('a projection', () => {
     );
   });
 
-  it('joins the pieces of a line that are seen, and parts them where it is not', () => {
+  it('keeps an end near the layer, however far away the other end is', () => {
+    for (const { x } of new Projection(sight).segment([1e15, 0, 3.999], [-50, 0, 0])!) {
+      expect(x).toBeGreaterThanOrEqual(-400);
+      expect(x).toBeLessThanOrEqual(800);
+    }
+  });
+
+  it('joins the visible pieces of a line and separates them where it is hidden', () => {
     const projection = new Projection(sight);
     expect(
       projection.line([
@@ -91,7 +98,7 @@ describe('a projection', () => {
     ).toHaveLength(2);
   });
 
-  it('brings points inside, and to the middle of a layer without room', () => {
+  it('moves points inside, or to the middle of a layer without room', () => {
     expect(inside({ x: -50, y: 1e9 }, sight, 10)).toEqual({ x: 10, y: 190 });
     expect(inside({ x: 3, y: 3 }, { width: 10, height: 300 }, 10)).toEqual({ x: 5, y: 10 });
   });
@@ -100,7 +107,7 @@ describe('a projection', () => {
 describe('labels', () => {
   const size = { width: 300, height: 150 };
 
-  it('stay inside and never cover each other, however many points there are', () => {
+  it('stay inside and never overlap, however many points there are', () => {
     const wish = fc.record({
       center: fc.record({ x: fc.integer({ min: 0, max: 300 }), y: fc.integer({ min: 0, max: 150 }) }),
       gap: fc.integer({ min: 0, max: 20 }),
@@ -124,13 +131,13 @@ describe('labels', () => {
     );
   });
 
-  it('stand to the right, and elsewhere where something else is there', () => {
+  it('are placed to the right, or elsewhere if that place is taken', () => {
     const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
     expect(placeLabels(wishes, size, [])[0]!.x).toBe(110);
     expect(placeLabels(wishes, size, [boxAround({ x: 120, y: 75 }, 8)])[0]!.x).toBe(50);
   });
 
-  it('give way in the order of the wishes', () => {
+  it('are placed in the order of their priority', () => {
     const wish = { center: { x: 20, y: 8 }, gap: 0, width: 40 };
     const placed = placeLabels([wish, wish, wish], { width: 62, height: 16 }, []);
     expect(placed.map((at) => at !== null)).toEqual([true, false, false]);
@@ -140,7 +147,7 @@ describe('labels', () => {
 describe('a core and its black outline', () => {
   const contrast = (a: number, b: number): number => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 
-  it('have 3:1 with every colour behind them, one or the other, for a light of any colour', () => {
+  it('one of the two has a contrast of 3:1 with any background, for a light of any colour', () => {
     const channel = fc.double({ min: 0, max: 4, noNaN: true });
     const color: fc.Arbitrary<Vec3> = fc.tuple(channel, channel, channel);
     fc.assert(

@@ -1,4 +1,4 @@
-// Does a light follow a drag in any view, keep what it has to keep, and come back where the drag came from?
+// Does a light follow a drag in any view, keep its other values, and return when the drag does?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -40,7 +40,7 @@ const view = fc
 const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
 
 describe('a light that is moved', () => {
-  it('lies under the pointer at the depth it had, in both spaces and every view', () => {
+  it('stays under the pointer at its depth, in both spaces and every view', () => {
     fc.assert(
       fc.property(
         view,
@@ -91,13 +91,13 @@ describe('a light that is moved', () => {
     );
   });
 
-  it('comes back where it was when the pointer does', () => {
+  it('returns to its place when the pointer does', () => {
     const vector = fc.tuple(coordinate, coordinate, coordinate).filter((v) => lengthOf(v) > 0.01);
     fc.assert(
       fc.property(view, vector, fc.boolean(), fc.boolean(), (from, v, along, byKeys) => {
         const sun = values({ position: [...v, 0] });
         const anchor = anchorOf(sun, from);
-        // A handle at the edge goes under the pointer with the first pixel.
+        // A handle at the edge moves under the pointer with the first pixel.
         if (anchor.handle.outside) return;
         const { position } = moved(anchor, from, travel(0, 0, { along, byKeys }));
         for (const i of [0, 1, 2] as const) expect(position![i]).toBeCloseTo(v[i], 9);
@@ -105,13 +105,13 @@ describe('a light that is moved', () => {
     );
   });
 
-  it('goes around the ball where the pointer leaves its outline, without a jump', () => {
+  it('continues around the ball without a jump when the pointer leaves its outline', () => {
     const from = new Projection(sight);
     const anchor = anchorOf(values({ position: [0, 0, 1, 0] }), from);
     let last: Vec3 = [0, 0, 1];
     for (let dx = 1; dx <= 400; dx++) {
       const [x, y, z] = moved(anchor, from, travel(dx, 0)).position!;
-      // At the outline a pixel is worth most: the square root of its share of the ball.
+      // At the outline a pixel turns most: the square root of its share of the ball.
       expect(Math.hypot(x - last[0], y - last[1], z - last[2])).toBeLessThan(0.25);
       last = [x, y, z];
     }
@@ -140,7 +140,7 @@ describe('a light that is moved', () => {
     );
   });
 
-  it('opens its cone to where the pointer is', () => {
+  it('opens its cone up to the pointer', () => {
     const from = new Projection(sight);
     const spot = values({ position: [0, 1, 0, 1], axis: [0, -1, 0], aperture: 20 });
     const anchor = anchorOf(spot, from, 'aperture');
@@ -151,7 +151,7 @@ describe('a light that is moved', () => {
     expect(moved(anchor, from, travel(wider.at.x - x, wider.at.y - y)).aperture).toBeCloseTo(47, 1);
     expect(moved(anchor, from, travel(16, 0, { byKeys: true })).aperture).toBe(22);
     expect(moved(anchor, from, travel(-9999, 0, { byKeys: true })).aperture).toBe(0);
-    // At 180 it would be no cone, and its handle would go in the middle of the move.
+    // At 180 there is no cone, and the handle would disappear during the move.
     expect(moved(anchor, from, travel(9999, 0, { byKeys: true })).aperture).toBe(179);
   });
 });

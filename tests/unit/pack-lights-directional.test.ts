@@ -42,20 +42,20 @@ describe('the cone and decay of a directional light', () => {
     expect(pack([light({ position: [x, y, z, 0], axis, aperture })]).sent).toBe(1);
   });
 
-  it('of no width take only what is on the axis', () => {
+  it('of no width accept only what is on the axis', () => {
     const off = (x: number): LightValues => light({ position: [x, 1, 0, 0], axis: [0, -1, 0], aperture: 0 });
     expect(pack([off(0)]).sent).toBe(1);
     expect([1e-3, 1e-8, 1e-10, 1e-14].map((x) => pack([off(x)]).sent)).toStrictEqual([0, 0, 0, 0]);
   });
 
-  it('almost as wide as can be leave out what is right behind', () => {
+  it('just below 180 degrees leave out what is right behind', () => {
     const behind = (x: number): LightValues =>
       light({ position: [x, 1, 0, 0], axis: [0, 1, 0], aperture: 180 - 1e-9 });
     expect([0, 1e-12].map((x) => pack([behind(x)]).sent)).toStrictEqual([0, 0]);
     expect([1e-10, 1e-3].map((x) => pack([behind(x)]).sent)).toStrictEqual([1, 1]);
   });
 
-  it('keep the digits of a decay right behind, and of the cutoff that is none there', () => {
+  it('keep the digits of a decay right behind, also with a tiny cutoff', () => {
     const off = 2e-9;
     const behind = (values: Partial<LightValues>): number => {
       const packed = pack([light({ position: [off, 1, 0, 0], axis: [0, 1, 0], ...values })]);
@@ -73,7 +73,7 @@ describe('the cone and decay of a directional light', () => {
   });
 });
 
-it('is inside its cone for the same round numbers as in the equation, those exactly at the edge included', () => {
+it('include the same round numbers exactly at the edge as the equation', () => {
   const whole = [-2, -1, 0, 1, 2].flatMap((x) =>
     [-2, -1, 0, 1, 2].flatMap((y) => [-1, 0, 1].map((z) => [x, y, z] as const)),
   );

@@ -1,4 +1,4 @@
-// Packing over the whole of the lights' domains: finite, consistent, and the reference's sum when read back.
+// Is packing right over the lights' whole domains: finite, consistent, and the reference's sum when read back?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -168,11 +168,11 @@ describe("the cone's limit", () => {
     [179, -7.6152421804380421e-5],
     [179.999999, -7.6154354562134622e-17],
     [180 - 2 ** -45, -6.1516998020872166e-32],
-  ])('at %d degrees keeps 14 digits', (aperture, limit) => {
+  ])('at %d degrees is right to 14 digits', (aperture, limit) => {
     expect(Math.abs(coneLimit(aperture) / limit - 1)).toBeLessThan(1e-14);
   });
 
-  it('is below 0 exactly where the far side is compared, and never lost to float32', () => {
+  it('is below 0 exactly where the far side is compared, and never underflows in float32', () => {
     fc.assert(
       fc.property(numbers(1e-12, 180), (aperture) => {
         const limit = Math.fround(coneLimit(aperture));
@@ -183,7 +183,7 @@ describe("the cone's limit", () => {
     );
   });
 
-  it('lets more in the wider the cone is', () => {
+  it('grows with the aperture', () => {
     const included = (aperture: number): number => {
       const limit = coneLimit(aperture);
       return limit < 0 ? 1 + limit : limit;

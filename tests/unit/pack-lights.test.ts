@@ -1,4 +1,4 @@
-// What stands in each row of packed lights, and which lights get none.
+// What do the rows of packed lights contain, and which lights are left out?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -27,7 +27,7 @@ const lamp = { ...colors, position: [1, 2, 3, 1] } as const satisfies Partial<Li
 const spot = { ...lamp, axis: [0, -3, -4], aperture: 60, cutoff: 12 } as const satisfies Partial<LightValues>;
 
 describe('the rows of a light', () => {
-  it('of kind directional hold the unit vector to it and its colours', () => {
+  it('of kind directional hold the unit vector to the light and its colours', () => {
     const { directional, ambient, counts } = read(pack([light({ ...colors, position: [0, 3, 4, 0] })]));
     expect(counts).toStrictEqual([1, 0, 0]);
     expect(ambient).toStrictEqual(floats(0.2, 0.4, 0.6));
@@ -38,7 +38,7 @@ describe('the rows of a light', () => {
     });
   });
 
-  it('of kind point hold its place, its colours and its attenuation', () => {
+  it('of kind point hold position, colours and attenuation', () => {
     const { point, ambient, counts } = read(pack([light({ ...lamp, attenuation: [1.5, 0.25, 0.1] })]));
     expect(counts).toStrictEqual([0, 1, 0]);
     expect(ambient).toStrictEqual(floats(0.2, 0.4, 0.6));
@@ -49,7 +49,7 @@ describe('the rows of a light', () => {
     });
   });
 
-  it('of kind spot hold its axis, cutoff, ambient colour and cone too', () => {
+  it('of kind spot also hold axis, cutoff, ambient colour and cone', () => {
     const { spot: spots, ambient, counts } = read(pack([light({ ...spot, attenuation: [1, 2, 3] })]));
     expect(counts).toStrictEqual([0, 0, 1]);
     expect(ambient).toStrictEqual([0, 0, 0]);
@@ -64,12 +64,12 @@ describe('the rows of a light', () => {
     expect(last![3]).toBeCloseTo(-0.75, 7); // cos²(30°), on the far side
   });
 
-  it('give a spot without a cone the limit that lets all through', () => {
+  it('give a spot without a cone the limit that accepts everything', () => {
     const open = rows(read(pack([light({ ...spot, aperture: 180 })])).spot[0]);
     expect(open['ambient']![3]).toBe(LIMIT_OPEN);
   });
 
-  it('give a cone of no width the width that float32 needs to find its axis in it', () => {
+  it('make a cone of no width as wide as float32 needs for its own axis', () => {
     const axis = rows(read(pack([light({ ...spot, aperture: 0 })])).spot[0]);
     const degrees = (Math.asin(Math.sqrt(axis['ambient']![3]!)) * 360) / Math.PI;
     expect((degrees * Math.PI) / 180).toBeCloseTo(1e-6, 9);
@@ -123,22 +123,19 @@ describe('a light is left out of the loop', () => {
     expect(packed.active).toBe(values.active === false ? 0 : 1);
   });
 
-  it('but not one with a single colour left, nor a spot whose ambient light alone is cut out by its cone', () => {
+  it('but not one with a single colour, nor a spot with ambient light alone, which its cone limits', () => {
     expect(pack([light({ diffuse: [0, 0, 0], specular: [0, 0, 5e-3] })]).sent).toBe(1);
     expect(pack([light({ ...spot, diffuse: [0, 0, 0], specular: [0, 0, 0] })]).sent).toBe(1);
   });
 
-  it.each(['ambient', 'diffuse', 'specular'] as const)(
-    'but not a spot whose %s light is left alone',
-    (term) => {
-      const black = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
-      expect(pack([light({ ...spot, ...black, [term]: [0, 5, 0] })]).sent).toBe(1);
-    },
-  );
+  it.each(['ambient', 'diffuse', 'specular'] as const)('but not a spot with %s light alone', (term) => {
+    const black = { ambient: [0, 0, 0], diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
+    expect(pack([light({ ...spot, ...black, [term]: [0, 5, 0] })]).sent).toBe(1);
+  });
 });
 
 describe('ambient light', () => {
-  it('is summed over lights that reach everywhere, spots aside', () => {
+  it('is summed over all lights but spots', () => {
     const packed = pack([
       light({ ambient: [51, 0, 0] }),
       light({ ambient: [0, 51, 0], position: [1, 2, 3, 1] }),
@@ -162,7 +159,7 @@ describe('spaces', () => {
   const camera = [0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 5, 1];
   const space = { worldToShading: world, cameraToShading: camera, linear: false };
 
-  it('bring places by matrix and translation, directions and axes by rotation alone', () => {
+  it('transform positions by the whole matrix, directions and axes by its rotation', () => {
     const { directional, spot: spots } = read(
       pack([light({ position: [3, 0, 0, 0] }), light({ ...spot, axis: [2, 0, 0] })], space),
     );
@@ -171,7 +168,7 @@ describe('spaces', () => {
     expect(spots[0]!['axis']!.xyz).toStrictEqual([1, 0, 0]);
   });
 
-  it('turn lights of camera space with the eye', () => {
+  it('rotate lights of camera space with the eye', () => {
     const inCamera = { space: 'camera' } as const;
     const {
       directional,
@@ -192,7 +189,7 @@ describe('spaces', () => {
     expect(spots[0]!['axis']!.xyz.map((x) => x + 0)).toStrictEqual([-1, 0, 0]);
   });
 
-  it('turn the shortest vectors as they turn any other', () => {
+  it('rotate even the shortest vectors exactly', () => {
     const [cos, sin] = [Math.sqrt(3) / 2, 0.5];
     const turned = [cos, sin, 0, 0, -sin, cos, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
     const short = [5e-324, 0, 0] as const;
@@ -206,7 +203,7 @@ describe('spaces', () => {
     expect(spots[0]!['axis']!.xyz).toStrictEqual(floats(cos, sin, 0));
   });
 
-  it('far from the origin lose nothing: the difference is taken before rounding', () => {
+  it('lose nothing far from the origin: the difference is taken before rounding', () => {
     const far = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1e8, 0, 0, 1];
     const { point } = read(
       pack([light({ position: [1e8 + 0.125, 2, 3, 1] })], { ...space, worldToShading: far }),
@@ -216,7 +213,7 @@ describe('spaces', () => {
 });
 
 describe('linear colours', () => {
-  it('are decoded by the sRGB curve before anything else, its continuation above full included', () => {
+  it('are decoded by the sRGB curve first, also above full', () => {
     const linear = { ...WORLD, linear: true };
     const decoded = (code: number): number => f(srgbDecode(code / 255));
     const { point, ambient } = read(pack([light(lamp)], linear));
@@ -225,7 +222,7 @@ describe('linear colours', () => {
     expect(ambient).toStrictEqual([51, 102, 153].map(decoded));
   });
 
-  it('decay after decoding', () => {
+  it('are multiplied by the decay after decoding', () => {
     const half = light({ position: [1, 0, 0, 0], axis: [0, -1, 0], cutoff: 1, diffuse: [128, 0, 0] });
     const { directional } = read(pack([half], { ...WORLD, linear: true }));
     expect(directional[0]!['diffuse']!.xyz[0]).toBeCloseTo(srgbDecode(128 / 255) / 2, 7);
@@ -235,7 +232,7 @@ describe('linear colours', () => {
 describe('a pack that is used again', () => {
   const many = Array.from({ length: 100 }, (_, i) => light({ position: [i, 0, 0, 1] }));
 
-  it('grows as it must and never shrinks', () => {
+  it('grows as needed and never shrinks', () => {
     const into = emptyPack();
     packLights(many, WORLD, into);
     expect(into.rows).toBe(HEADER.rows + 300);
@@ -248,7 +245,7 @@ describe('a pack that is used again', () => {
     expect(into.data.length).toBe(length);
   });
 
-  it('holds the same as a fresh one, whatever it held before', () => {
+  it('holds the same as a new one, whatever it held before', () => {
     const into = emptyPack();
     packLights(
       [...many, light({ ...spot, ambient: [255, 255, 255] }), light({ ambient: [9, 9, 9] })],
@@ -266,7 +263,7 @@ describe('a pack that is used again', () => {
     expect(read(emptyPack())).toStrictEqual({ ...read(pack([])) });
   });
 
-  it('packs what a fresh one packs, whatever changes between frames', () => {
+  it('packs what a new one packs, whatever changes between frames', () => {
     const space = fc.tuple(rotation, fc.boolean()).map(([[x, y, z], linear]) => ({
       worldToShading: [...x, 0, ...y, 0, ...z, 0, 1, 2, 3, 1],
       cameraToShading: [...z, 0, ...x, 0, ...y, 0, 4, 5, 6, 1],
@@ -299,7 +296,7 @@ describe('a selection of lights', () => {
     light({ ...lamp, diffuse: [1, 2, 3] }),
   ];
 
-  it('is what packing these lights alone gives, but for ambient light, which is of all', () => {
+  it('is the same as packing these lights alone, except for ambient light, which is summed over all', () => {
     const packed = pack(lights);
     const order = [0, 1, 4, 2, 3]; // sorted by kind
     fc.assert(

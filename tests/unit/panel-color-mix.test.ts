@@ -26,11 +26,11 @@ describe('ColorMix', () => {
     );
   });
 
-  it('makes the largest channel of a brighter value full', () => {
+  it('scales a brighter value so that its largest channel is full', () => {
     expect(new ColorMix().split([510, 255, 0])).toEqual({ color: [255, 127.5, 0], factor: 2 });
   });
 
-  it('writes a picked colour itself over a value up to 255', () => {
+  it('writes a picked colour unchanged over a value up to 255', () => {
     fc.assert(
       fc.property(picked, picked, (value, color) => {
         expect(new ColorMix().recolor(value, color)).toEqual(color);
@@ -70,7 +70,7 @@ describe('ColorMix', () => {
     expect(new ColorMix().brighten([255, 0, 0], 1e5)).toEqual([1e6, 0, 0]);
   });
 
-  it('starts from white if the value has always been black', () => {
+  it('starts at white if the value has always been black', () => {
     expect(new ColorMix().brighten(BLACK, 0.5)).toEqual([127.5, 127.5, 127.5]);
   });
 });

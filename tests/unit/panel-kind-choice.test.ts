@@ -62,7 +62,7 @@ describe('KindChoice', () => {
     expect(new KindChoice().writesFor(light.values, 'point', false, [0, 0, 0])).toEqual({});
   });
 
-  it('points a spot straight down if it has nothing to aim at', () => {
+  it('points a spot straight down if it has no target', () => {
     const light = new LightState({ position: [1, 2, 3, 1] });
     expect(new KindChoice().writesFor(light.values, 'spot', false, [1, 2, 3]).axis).toEqual([0, -1, 0]);
   });

@@ -18,7 +18,7 @@ describe('niceCeil', () => {
     );
   });
 
-  it('keeps a nice number as it is, stray digits or not', () => {
+  it('keeps a nice number, with or without stray digits', () => {
     for (const n of [0.001, 0.2, 0.5, 1, 5, 200, 1e15]) expect(niceCeil(n)).toBe(n);
     expect(niceCeil(0.1 + 0.1)).toBe(0.2);
   });
@@ -36,7 +36,7 @@ describe.each([
     );
   });
 
-  it('grows to include any value, and stays the same if it does already', () => {
+  it('grows to include any value, and does not change if it already does', () => {
     fc.assert(
       fc.property(positive, (value) => {
         const wide = travel.reaching(value);

@@ -1,4 +1,4 @@
-// What a material asks three.js for: another program where it needs other code, and nothing otherwise.
+// When does a material request another program from three.js? Only when it needs other code.
 
 import {
   BoxGeometry,
@@ -55,7 +55,7 @@ describe('its uniforms', () => {
 });
 
 describe('another program', () => {
-  it('is asked for where code is needed for the first time', () => {
+  it('is requested when code is needed for the first time', () => {
     const { lights, lighting, material, draw } = lit();
     const [light] = lights.lights;
     const changes: [string, () => void, number][] = [
@@ -81,7 +81,7 @@ describe('another program', () => {
     }
   });
 
-  it('is not asked for by a scene that stays, until its specialised one takes over', () => {
+  it('is not requested by a still scene until its specialised one takes over', () => {
     const { gpu, draw } = lit();
     const first = draw();
     expect(draw(20)).toBe(first);
@@ -90,7 +90,7 @@ describe('another program', () => {
     expect(gpu.compiled).toHaveLength(1);
   });
 
-  it('is not asked for where lights move or change colour on a GPU', () => {
+  it('is not requested when lights move or change colour on a GPU', () => {
     const { lights, gpu, draw } = lit([{}, { position: [1, 2, 3, 1] }]);
     const settled = draw(40);
     for (let i = 0; i < 50; i++) {
@@ -101,7 +101,7 @@ describe('another program', () => {
     expect(gpu.compiled).toHaveLength(1);
   });
 
-  it('is the general one again while lights move in software, where their numbers are inlined', () => {
+  it('is the general one while lights move in software, where specialised ones inline their values', () => {
     const { lights, gpu, draw } = lit([{}], new FakeRenderer({ name: 'SwiftShader' }));
     const settled = draw(40);
     for (let i = 0; i < 50; i++) {
@@ -138,7 +138,7 @@ describe('another program', () => {
     expect(gpu.compiled).toHaveLength(programs);
   });
 
-  it('is one for a thousand equal meshes', () => {
+  it('is shared by a thousand equal meshes', () => {
     const { lighting, gpu, draw } = lit();
     const meshes = Array.from(
       { length: 1000 },
@@ -169,7 +169,7 @@ describe('the sides', () => {
 });
 
 describe('a clone', () => {
-  it('has the same look, surface, style and sides, and changes alone', () => {
+  it('has the same look, surface, style and sides, and changes independently', () => {
     const { lighting } = lit();
     const map = new Texture();
     const material = new PhongMaterial(lighting, { ...PLAIN_LOOK, map, alphaMode: 'blend' });
@@ -191,7 +191,7 @@ describe('a clone', () => {
   });
 });
 
-it('keeps its surface where a value is outside its domain', () => {
+it('keeps its surface when a value is outside its domain', () => {
   const { material } = lit();
   const before = material.surface;
   expect(() => {

@@ -1,4 +1,4 @@
-// What is seen at a pixel: the nearest of what three.js would draw, and null where that is not ours.
+// Which surface is seen at a pixel? The nearest of what three.js draws, or null if that is not one of the viewer's meshes.
 
 import {
   BackSide,
@@ -62,7 +62,7 @@ beforeEach(() => {
 });
 
 describe('the pick', () => {
-  it('is the nearest of our meshes, wherever it stands in the tree', () => {
+  it('is the nearest of our meshes, wherever it is in the tree', () => {
     const group = new Group();
     group.position.z = 0.5;
     scene.add(group);
@@ -74,7 +74,7 @@ describe('the pick', () => {
     expect(look(0, 0)).toBeNull();
   });
 
-  it('passes by what is not drawn: hidden, with hidden parents or materials, or in other layers', () => {
+  it('ignores what is not drawn: hidden objects, parents and materials, and other layers', () => {
     const seen = wall(0);
     const group = new Group();
     group.visible = false;
@@ -94,20 +94,20 @@ describe('the pick', () => {
     expect(look()!.drawn.object).toBe(child);
   });
 
-  it('keeps to the range of the geometry that is drawn', () => {
+  it('respects the draw range of the geometry', () => {
     wall(0.5).geometry.setDrawRange(0, 3); // the upper left half
     const behind = wall(0);
     expect(look(40, 40)!.depth).toBeCloseTo(2.5, 12);
     expect(look(60, 60)!.drawn.object).toBe(behind);
   });
 
-  it('takes the later of two that are equally near, as the depth test does', () => {
+  it('is the later of two that are equally near, as the depth test decides', () => {
     wall();
     const later = wall();
     expect(look()!.drawn.object).toBe(later);
   });
 
-  it('takes the same face of a flattened box everywhere', () => {
+  it('is the same face of a flattened box everywhere', () => {
     const box = new Mesh(new BoxGeometry(1, 1, 1), new PhongMaterial(lighting));
     box.scale.set(1, 1, 0);
     box.rotation.set(0.3, 0.5, 0.7);
@@ -118,13 +118,13 @@ describe('the pick', () => {
     expect([...faces]).toEqual([5]); // the last of its six
   });
 
-  it('is nothing before the near plane or behind the eye', () => {
+  it('is never in front of the near plane or behind the eye', () => {
     wall(2.9999);
     wall(4);
     expect(look()).toBeNull();
   });
 
-  it('is null where somebody else’s mesh or sprite is nearer, and only there', () => {
+  it('is null where a foreign mesh or sprite is nearer, and only there', () => {
     wall();
     for (const foreign of [new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial()), new Sprite()]) {
       scene.add(foreign);
@@ -138,7 +138,7 @@ describe('the pick', () => {
     }
   });
 
-  it('counts a mesh with our material as somebody else’s where it is not ours, and ours with another material', () => {
+  it('counts a mesh as ours by its owner, not by its material', () => {
     const mesh = wall();
     own = [];
     expect(look()).toBeNull();
@@ -210,7 +210,7 @@ describe('the pick', () => {
     });
   });
 
-  it('stays the same after the camera has moved on', () => {
+  it('does not change when the camera moves afterwards', () => {
     wall();
     const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
     const view = new ViewCamera(orbit);
@@ -224,7 +224,7 @@ describe('the pick', () => {
     expect(pick(snapshot, 50, 50)).toEqual(before);
   });
 
-  it('stays the same after the scene has moved on, of ours and of somebody else’s', () => {
+  it('does not change when the scene changes afterwards, own and foreign meshes alike', () => {
     const mesh = wall();
     const foreign = new Mesh(new BoxGeometry(0.2, 0.2, 0.2), new MeshBasicMaterial());
     foreign.position.set(0.5, 0, 1);
@@ -281,7 +281,7 @@ describe('the corners of what was picked', () => {
     }
   });
 
-  it('have none where the geometry has none', () => {
+  it('have no normals if the geometry has none', () => {
     wall().geometry.deleteAttribute('normal');
     expect(normalsOf()).toEqual([
       [0, 0, 0],
@@ -302,7 +302,7 @@ describe('a snapshot of an animated mesh', () => {
     return geometry;
   }
 
-  it('has vertices of its own, which stay as they were', () => {
+  it('has a copy of the vertices, which does not change', () => {
     const geometry = animated();
     const before = taken()!;
     const place = geometry.getAttribute('position') as BufferAttribute;
@@ -312,7 +312,7 @@ describe('a snapshot of an animated mesh', () => {
     expect(taken()!.getAttribute('position').getX(0)).toBe(7);
   });
 
-  it('shares them with the next one while the vertices rest, so that a probe copies nothing', () => {
+  it('shares them with the next one while the mesh does not move, so that a probe copies nothing', () => {
     const geometry = animated();
     const before = taken();
     expect(taken()).toBe(before);

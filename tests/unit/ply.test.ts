@@ -1,4 +1,4 @@
-// Does a PLY file come out as written, as text and in both byte orders: vertices, normals, colours, polygons and strips?
+// Is a PLY file read as written, as text and in both byte orders: vertices, normals, colours, polygons and strips?
 import { describe, expect, it } from 'vitest';
 import { cornersOf, failureOf, indexOf, loadFiles, numbersOf } from './model-files.js';
 
@@ -89,7 +89,7 @@ describe('a PLY file', () => {
     expect(cornersOf(model, 'color').slice(0, 3)).toEqual([[1, 0, 0], [0, 0.5, 0], [0, 0, 1]]); // prettier-ignore
   });
 
-  it('is smooth where it has no normals, with edges where faces meet at a sharp angle', async () => {
+  it('without normals is smooth, with edges where faces meet at a sharp angle', async () => {
     const cube =
       header('element vertex 8', ...xyz, ...faces(6)) +
       '0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n' +
@@ -101,7 +101,7 @@ describe('a PLY file', () => {
     expect((await loadFiles({ 'a.ply': ridge })).parts[0]?.geometry.getAttribute('position').count).toBe(4);
   });
 
-  it('may have strips of triangles, every second one turned around', async () => {
+  it('may have strips of triangles, every second one reversed', async () => {
     const text = header('element vertex 4', ...xyz, 'element tristrips 1', 'property list int int vertex_indices') + `${SQUARE}8 0 1 3 2 -1 0 1 2`; // prettier-ignore
     expect(indexOf(await loadFiles({ 'a.ply': text }))).toEqual([0, 1, 2, 2, 1, 3, 0, 1, 3]);
   });
@@ -131,7 +131,7 @@ describe('a PLY file', () => {
     ['ply\nend_header\n', /no format/],
     ['ply\nformat ascii 1.0\nelement vertex 1\n', /no end/],
     [header(...Array.from({ length: 1001 }, () => 'element x 0')), /more than 1000 lines/],
-  ])('is an error for an author to understand: %j', async (text, message) => {
+  ])('that is broken gives a readable error: %j', async (text, message) => {
     const error = await failureOf({ 'a.ply': text });
     expect(error.code).toBe('bad-model');
     expect(error.message).toMatch(message);

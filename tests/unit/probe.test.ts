@@ -1,4 +1,4 @@
-// Do the probe's rows, vectors and words say what the explanation of a fragment says?
+// Do the probe's rows, vectors and words agree with the explanation of a fragment?
 
 import { Mesh } from 'three';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
@@ -92,7 +92,7 @@ describe('the sum', () => {
     expect(totals[1]!.color[0]).toBeCloseTo(255 * fragment.sum[0], 10);
   });
 
-  it('adds an emissive colour, and is the base colour alone where nothing is lit', () => {
+  it('adds an emissive colour, and is the base colour alone for unlit surfaces', () => {
     const glowing = { ...explained([]), emissive: [0.1, 0.2, 0] as const, sum: [0.1, 0.2, 0] as const };
     expect(sumOf(glowing, false).totals[0]).toEqual({ label: 'emissive', color: [25.5, 51, 0] });
     const unlit = {
@@ -151,7 +151,7 @@ describe('the figure', () => {
     expect(vectors[2]!.direction[1]).toBeCloseTo(1, 12); // between (0 1 −1) and (0 1 1)
   });
 
-  it('dashes L of a light behind the surface, which has no R', () => {
+  it('dashes L of a light behind the surface and omits its R', () => {
     const { vectors } = figure(explained([{ position: [0, -1, 1, 0] }]));
     expect(vectors.map(({ name, dashed }) => [name, dashed])).toEqual([
       ['N', false],
@@ -159,7 +159,7 @@ describe('the figure', () => {
     ]);
   });
 
-  it('has arrows of the lights that add most where there are many, and always of the chosen one', () => {
+  it('has arrows for the lights that add most if there are many, and always for the chosen one', () => {
     const many = Array.from({ length: 50 }, (_, i): Given => ({
       position: [0, 1, 0, 0],
       diffuse: [i, i, i],
@@ -231,7 +231,7 @@ describe('the words', () => {
     expect(fragmentText(null, many, sumOf(many, false))).toMatch(/And 2 lights more\.$/);
   });
 
-  it('can be in another language', () => {
+  it('can be replaced by another language', () => {
     const fragment = explained([]);
     const texts = { 'Point {point}.': 'Punkt {point}.' };
     expect(fragmentText(texts, fragment, sumOf(fragment, false))).toMatch(/^Punkt 0 0 0\./);

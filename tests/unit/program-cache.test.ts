@@ -14,7 +14,7 @@ let cache = new ProgramCache();
 beforeEach(() => {
   gpu = new FakeRenderer();
   cache = new ProgramCache();
-  // Takes no turn of the page's take-overs from the next test.
+  // So that the next test finds no take-over in progress.
   cache.begin();
   cache.begin();
 });
@@ -50,18 +50,18 @@ describe('a specialised program', () => {
     expect(gpu.compiled).toHaveLength(1);
   });
 
-  it('is not asked for by a picture that is not redrawn', () => {
+  it('is never requested by a picture that is not redrawn', () => {
     draw(19);
     for (let frame = 0; frame < 100; frame++) cache.begin();
     expect(gpu.compiled).toHaveLength(0);
   });
 
-  it('is not asked for by keys that come and go: a frame without one begins its count again', () => {
+  it('is not requested for keys that come and go: a frame without the key restarts its count', () => {
     for (let i = 0; i < 100; i++) draw(1, [i % 15 === 0 ? 'other' : 'a']);
     expect(gpu.compiled).toHaveLength(0);
   });
 
-  it('is shared by any number of meshes with the same key, each of which counts as the same frame', () => {
+  it('is shared by all meshes with the same key, which count a frame once', () => {
     draw(
       15,
       Array.from({ length: 1000 }, () => 'a'),
@@ -76,7 +76,7 @@ describe('a specialised program', () => {
     expect(gpu.compiled).toHaveLength(1);
   });
 
-  it('waits until it has linked, and is known to others as compiling until then', () => {
+  it('is listed as compiling until it has linked, and then used', () => {
     gpu.ready = false;
     draw(21);
     expect(draw(100)).toStrictEqual([]);
@@ -86,7 +86,7 @@ describe('a specialised program', () => {
     expect(compilingPrograms.has(gpu.programOf(gpu.compiled[0]!))).toBe(false);
   });
 
-  it('waits a few frames where the browser does not say whether it has linked', () => {
+  it('waits a few frames if the browser cannot tell whether it has linked', () => {
     gpu = new FakeRenderer({ tells: false });
     draw(21);
     expect(draw(3)).toStrictEqual([]);
@@ -102,7 +102,7 @@ describe('a specialised program', () => {
 });
 
 describe('the programs of a page', () => {
-  it('compile one at a time and take over one in a frame, whichever cache they are of', () => {
+  it('compile one at a time and take over one per frame, across all caches', () => {
     const caches = [cache, new ProgramCache(), new ProgramCache()];
     const drawn = caches.map(() => 0);
     for (let frame = 0; frame < 100; frame++) {
@@ -114,7 +114,7 @@ describe('the programs of a page', () => {
     expect(drawn).toStrictEqual([3, 3, 3]);
   });
 
-  it('are forgotten where other keys have drawn for long, and those that draw are not', () => {
+  it('are dropped after other keys have drawn for long, but never while they draw', () => {
     settle(['a']);
     for (let i = 0; i < 60; i++) draw(2, ['a', `key ${String(i)}`]);
     expect(draw(1)).toStrictEqual(['a']);
@@ -124,7 +124,7 @@ describe('the programs of a page', () => {
     expect(draw(1)).toStrictEqual([]);
   });
 
-  it('are given back by disposal, and come again', () => {
+  it('are freed by disposal, and can come again', () => {
     settle(['a', 'b']);
     cache.dispose();
     expect(gpu.disposed).toHaveLength(2);
@@ -133,7 +133,7 @@ describe('the programs of a page', () => {
 });
 
 describe('a program that does not link', () => {
-  it('leaves the general one drawing, is reported once and given back', () => {
+  it('is reported once and freed, and the general one goes on drawing', () => {
     const reported = vi.fn();
     vi.stubGlobal('reportError', reported);
     gpu.links = false;

@@ -1,4 +1,4 @@
-// Where a pixel's ray meets triangles: places, sides and limits, for every matrix that a mesh may have.
+// Where does a pixel's ray meet triangles? Places, sides and limits, for every matrix that a mesh may have.
 
 import fc from 'fast-check';
 import { BoxGeometry, BufferAttribute, BufferGeometry, Matrix4, PlaneGeometry } from 'three';
@@ -40,7 +40,7 @@ const slope = fc.double({ min: -0.25, max: 0.25, noNaN: true });
 const angle = fc.double({ min: -180, max: 180, noNaN: true });
 
 describe('a ray through triangles', () => {
-  it('meets one where both the weights of its corners and the depth say, from any side', () => {
+  it('hits one where its barycentric weights and the depth agree, from any side', () => {
     const corners = fc.array(coordinate, { minLength: 9, maxLength: 9 });
     fc.assert(
       fc.property(
@@ -71,7 +71,7 @@ describe('a ray through triangles', () => {
     );
   });
 
-  it('finds the point that it was sent through, seen from the side that the winding says', () => {
+  it('hits the point that it is aimed at, on the side that the winding gives', () => {
     const weight = fc.double({ min: 0.01, max: 1, noNaN: true });
     fc.assert(
       fc.property(weight, weight, weight, fc.boolean(), (a, b, c, turned) => {
@@ -88,7 +88,7 @@ describe('a ray through triangles', () => {
     );
   });
 
-  it('slips through no gap between neighbours, at their edges and corners neither', () => {
+  it('never slips between neighbours, not even at edges and corners', () => {
     const grid = new PlaneGeometry(2, 2, 7, 5);
     const position = grid.getAttribute('position');
     // Corners off any grid, so that edges have no round slopes.
@@ -114,7 +114,7 @@ describe('a ray through triangles', () => {
     }
   });
 
-  it('meets a box twice: its front and its back, mirrored or not', () => {
+  it('hits a box twice, front and back, mirrored or not', () => {
     for (const [x, y, z] of [
       [1, 1, 1],
       [-1, 1, 1],
@@ -132,7 +132,7 @@ describe('a ray through triangles', () => {
     }
   });
 
-  it('meets a mesh that is flattened into a plane, but not one that is seen edge-on', () => {
+  it('hits a mesh that is flattened into a plane, but not one seen edge-on', () => {
     const flat = new Matrix4().makeScale(1, 1, 0);
     const hits = hitsOf(rayAt(0.01, 0.02), new BoxGeometry(), flat);
     expect(hits.map(({ depth }) => depth)).toEqual([3, 3]);
@@ -141,7 +141,7 @@ describe('a ray through triangles', () => {
     expect(hitsOf(rayAt(0, 0), new BoxGeometry(), new Matrix4().makeScale(0, 0, 0))).toEqual([]);
   });
 
-  it('meets only what lies between near and far, as depths and not along the ray', () => {
+  it('hits only what lies between near and far, measured as depth and not along the ray', () => {
     const wall = new PlaneGeometry(100, 100);
     const at = (near: number, far: number): number => hitsOf({ ...rayAt(3, 2), near, far }, wall).length;
     expect(at(2.9, 3.1)).toBe(1);
@@ -151,7 +151,7 @@ describe('a ray through triangles', () => {
     expect(hitsOf(rayAt(0, 0), wall, new Matrix4().makeTranslation(0, 0, 4))).toEqual([]);
   });
 
-  it('meets a floor that passes below the eye, corners behind it', () => {
+  it('hits a floor that passes below the eye, with corners behind it', () => {
     const ray = rayAt(0.1, -0.5);
     const [hit] = hitsOf(
       ray,
@@ -162,7 +162,7 @@ describe('a ray through triangles', () => {
     expect(hit!.front).toBe(true);
   });
 
-  it('counts triangles in drawing order, within the range that is drawn', () => {
+  it('numbers triangles in drawing order, within the draw range', () => {
     const square = new PlaneGeometry(2, 2); // two triangles, the second right below
     const lower = hitsOf(rayAt(0.2, -0.2), square);
     expect(lower.map(({ triangle }) => triangle)).toEqual([1]);
@@ -181,7 +181,7 @@ describe('a ray through triangles', () => {
     expect(hitsOf(rayAt(0.01, 0.02, { ...view, target }), new BoxGeometry(), away)).toEqual(here);
   });
 
-  it('is right for a mesh as large and as small as the domain allows', () => {
+  it('is right for the largest and the smallest mesh of the domain', () => {
     for (const size of [1e12, 1e-12]) {
       const scaled = new Matrix4().makeScale(size, size, size);
       const frame = { ...rayAt(0, 0).frame, eye: [0, 0, 3 * size] as Vec3 };
@@ -193,7 +193,7 @@ describe('a ray through triangles', () => {
     }
   });
 
-  it('finds every hit among thousands of triangles, in drawing order, for every range and after they have moved', () => {
+  it('finds every hit among thousands of triangles, in drawing order, for every range and after a move', () => {
     const soup = fc.array(coordinate, { minLength: 9 * 700, maxLength: 9 * 700 });
     fc.assert(
       fc.property(soup, slope, slope, fc.nat(2100), fc.nat(2100), (at, x, y, start, length) => {

@@ -31,7 +31,7 @@ describe('the React components on a server', () => {
     expect(markup(PhongMesh, { geometry: null, segments: undefined })).toBe('<phong-mesh></phong-mesh>');
   });
 
-  it('name attributes as HTML does, however the prop is written', () => {
+  it('name attributes as HTML does, whatever the spelling of the prop', () => {
     const props = { autoRotate: 5, 'color-interpolation': 'linear', crossOrigin: 'anonymous' } as const;
     expect(markup(PhongViewer, props)).toBe(
       '<phong-viewer auto-rotate="5" color-interpolation="linear" crossorigin="anonymous"></phong-viewer>',
@@ -65,7 +65,7 @@ describe('the React components on a server', () => {
     );
   });
 
-  it('leave a value without a text to the client', () => {
+  it('omit a value that has no text form, which the client sets', () => {
     const props = { src: new Blob(['solid']) } as object;
     expect(markup(PhongViewer, props)).toBe('<phong-viewer></phong-viewer>');
   });

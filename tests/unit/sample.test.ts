@@ -1,4 +1,4 @@
-// What a magnified texture gives at texture coordinates, by OpenGL ES 3.0's rules for filters and wrapping.
+// What is the value of a magnified texture at texture coordinates, by OpenGL ES 3.0's rules for filters and wrapping?
 
 import {
   ClampToEdgeWrapping,
@@ -50,7 +50,7 @@ describe('a texture', () => {
     for (const far of [-7, 5]) expect(at(sampler(wrap), 0.375 + far * period, 0.25)[0]).toBe(1);
   });
 
-  it('is interpolated between the centres of texels, across its sides too', () => {
+  it('is interpolated between the centres of texels, also across its borders', () => {
     const linear = (wrap: Wrapping): Sampler => sampler(wrap, LinearFilter);
     expect(at(linear(ClampToEdgeWrapping), 1.5 / 4, 0.25)).toEqual([1, 0]);
     expect(at(linear(ClampToEdgeWrapping), 2 / 4, 0.5)).toEqual([1.5, 0.5]);

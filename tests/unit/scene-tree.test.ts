@@ -44,7 +44,7 @@ function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: F
 const names = ({ scene }: SceneTree): string => scene.children.map(({ name }) => name).join(' ');
 
 describe('the scene', () => {
-  it('holds one object for a mesh of one part, whose place is its own', () => {
+  it('contains one object for a mesh of one part', () => {
     const { tree, stores, meshes } = setUp(2);
     stores[1]!.set('position', [1, 2, 3]);
     stores[1]!.set('scale', [2, 0, 2]);
@@ -57,7 +57,7 @@ describe('the scene', () => {
     ]);
   });
 
-  it('draws meshes in document order, whenever they came or showed something else, and own objects last', () => {
+  it('draws meshes in document order, whenever they were added or changed, and own objects last', () => {
     const { tree, stores, meshes } = setUp(3);
     const own = new Mesh();
     own.name = 'own';
@@ -77,14 +77,14 @@ describe('the scene', () => {
     expect(names(tree)).toBe('1 0 own');
   });
 
-  it('leaves objects out that the page has taken out of it', () => {
+  it('omits objects that the page has removed from it', () => {
     const { tree, meshes } = setUp(3);
     tree.scene.remove(meshes[1]!.root!);
     tree.update();
     expect(names(tree)).toBe('0 2');
   });
 
-  it('computes only the matrices of what has moved, and those of own objects', () => {
+  it('updates only the matrices of what has moved, and those of own objects', () => {
     const { tree, stores, meshes } = setUp(3);
     const own = new Mesh();
     own.matrixAutoUpdate = false;

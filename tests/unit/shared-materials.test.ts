@@ -1,4 +1,4 @@
-// Which meshes share a material, and what becomes of one when its users change?
+// Which meshes share a material, and what happens to it when its users change?
 
 import { Texture } from 'three';
 import { describe, expect, it, vi } from 'vitest';
@@ -13,7 +13,7 @@ const shiny: Appearance = { ...plain, surface: { ...surface, shininess: 100 } };
 const materials = (): SharedMaterials => new SharedMaterials(new PhongLighting());
 
 describe('meshes that look alike', () => {
-  it('share a material, also where files describe equal looks one by one', () => {
+  it('share a material, also when files describe equal looks separately', () => {
     const shared = materials();
     const material = shared.acquire(plain);
     expect(shared.acquire({ ...plain, look: { ...PLAIN_LOOK }, surface: { ...surface } })).toBe(material);
@@ -21,7 +21,7 @@ describe('meshes that look alike', () => {
     expect(material).toMatchObject({ sides: 'closed' });
   });
 
-  it('have another material for each difference', () => {
+  it('have different materials for each difference', () => {
     const shared = materials();
     const different = new Set([
       shared.acquire(plain),
@@ -47,7 +47,7 @@ describe('meshes that look alike', () => {
 });
 
 describe('a mesh that changes', () => {
-  it('gets another material and leaves that of the others alone', () => {
+  it('gets another material and leaves the shared one alone', () => {
     const shared = materials();
     const material = shared.acquire(plain);
     shared.acquire(plain);
@@ -58,7 +58,7 @@ describe('a mesh that changes', () => {
     expect(shared.exchange(changed, plain)).toBe(material);
   });
 
-  it('keeps a material that nobody else uses', () => {
+  it('keeps a material that no other mesh uses', () => {
     const shared = materials();
     const material = shared.acquire(plain);
     expect(shared.exchange(material, shiny)).toBe(material);

@@ -1,11 +1,11 @@
-// Does every scene survive its way through the playground's address, and does every other address fail gently?
+// Does every scene come back from the playground's address, and does every other address give an error message?
 import { deflateRawSync } from 'node:zlib';
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { fragmentOf, LONGEST_TEXT, readFragment } from '../../demo/playground/address.js';
 import { sourceKind } from '../../demo/playground/sources.js';
 
-test('any text comes back as it was, random texts with seed 17', async () => {
+test('any text comes back unchanged (random texts, seed 17)', async () => {
   await fc.assert(
     fc.asyncProperty(fc.string({ unit: 'grapheme', maxLength: 300 }), async (text) => {
       const fragment = await fragmentOf(text);
@@ -16,7 +16,7 @@ test('any text comes back as it was, random texts with seed 17', async () => {
   );
 });
 
-test('any fragment gives a text, an example or a fault and never throws, random ones with seed 18', async () => {
+test('any fragment gives a text, an example or a fault and never throws (random fragments, seed 18)', async () => {
   await fc.assert(
     fc.asyncProperty(fc.string({ maxLength: 60 }), async (letters) => {
       const read = await readFragment(`#scene=${letters}`);
@@ -31,12 +31,12 @@ test('an empty fragment is no fault', async () => {
   expect(await readFragment('#')).toBeNull();
 });
 
-test('a longest text of any letters fits', async () => {
+test('the longest text fits, whatever its letters', async () => {
   const text = '😀'.repeat(LONGEST_TEXT / 2);
   expect(await readFragment(await fragmentOf(text))).toEqual({ text });
 });
 
-test('a few letters that claim a gigabyte are not inflated', async () => {
+test('a short text that would inflate to a gigabyte is refused', async () => {
   const bomb = deflateRawSync(Buffer.alloc(100_000_000, ' ')).toString('base64url');
   expect(await readFragment(`#scene=${bomb}`)).toEqual({
     fault: expect.stringContaining('too long') as string,

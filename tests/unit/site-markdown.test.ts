@@ -1,4 +1,4 @@
-// Does the site turn the change log and the manifest's descriptions into HTML, and never into markup of theirs?
+// Does the site turn the change log and the manifest's descriptions into HTML, and is their own markup escaped?
 import { expect, test } from 'vitest';
 import { blocksHtml, escapeHtml, inlineHtml } from '../../.ci/site/markdown.js';
 import { releasesHtml } from '../../.ci/site/generated.js';

@@ -17,7 +17,7 @@ describe('a loop in slices', () => {
     expect(next).toBe(count);
   });
 
-  it('lets other tasks run when its time is over', async () => {
+  it('lets other tasks run when its time slice is over', async () => {
     let now = 0;
     vi.spyOn(performance, 'now').mockImplementation(() => (now += 100));
     const order: string[] = [];

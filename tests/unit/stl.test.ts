@@ -1,4 +1,4 @@
-// Does an STL file come out as written, binary and text: triangles, a normal each, names, and colours by both conventions?
+// Is an STL file read as written, binary and text: triangles, face normals, names, and colours by both conventions?
 import { describe, expect, it } from 'vitest';
 import { failureOf, loadFiles, numbersOf } from './model-files.js';
 
@@ -26,7 +26,7 @@ function binary(facets: readonly Facet[], header = '', claimed = facets.length):
 const facet = 'facet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n';
 
 describe('a binary STL file', () => {
-  it('has each triangle with the normal of its corners, whatever the file states', async () => {
+  it('has the normals of its triangles, whatever the file states', async () => {
     const model = await loadFiles({ 'a.stl': binary([{}, { corners: [0, 0, 0, 0, 2, 0, 0, 0, 2] }]) });
     expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, 0, 0, 0, 0, 2, 0, 0, 0, 2]);
     expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0]);
@@ -58,7 +58,7 @@ describe('a binary STL file', () => {
     expect(mixed.parts[0]?.look.baseColor).toEqual([1, 1, 1]);
   });
 
-  it('has the colour of the body where every triangle has 0 for its own, which would be black', async () => {
+  it('has the colour of the body if every triangle has 0, which would be black', async () => {
     const model = await loadFiles({ 'a.stl': binary([{}, {}], 'COLOR=\x33\x66\xff\xff') });
     expect(model.parts[0]?.look).toMatchObject({ baseColor: [0.2, 0.4, 1], opacity: 1 });
     expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
@@ -66,7 +66,7 @@ describe('a binary STL file', () => {
     expect(numbersOf(black, 'color').slice(6, 12)).toEqual([0, 0, 0, 1, 0, 0]);
   });
 
-  it('is opaque where a space follows three bytes of colour: COLOR=rgb MATERIAL=', async () => {
+  it('is opaque if a space follows three bytes of colour: COLOR=rgb MATERIAL=', async () => {
     const header = 'COLOR=\x7f\x7f\x7f MATERIAL=\x7f\x7f\x7f \x7f\x7f\x7f \x7f\x7f\x7f ';
     const model = await loadFiles({ 'a.stl': binary([{ bits: 0x8000 }], header) });
     expect(model.parts[0]?.look).toMatchObject({ opacity: 1, alphaMode: 'opaque' });
@@ -83,7 +83,7 @@ describe('a binary STL file', () => {
     [binary([]), 'bad-model', /no triangles/],
     [new Uint8Array(50), 'bad-model', /ends inside its header/],
     [binary([{ corners: [NaN, 0, 0, 0, 0, 0, 0, 0, 0] }]), 'bad-model', /coordinate NaN/],
-  ])('is an error for an author to understand', async (bytes, code, message) => {
+  ])('that is broken gives a readable error', async (bytes, code, message) => {
     const error = await failureOf({ 'a.stl': bytes });
     expect(error.code).toBe(code);
     expect(error.message).toMatch(message);
@@ -91,7 +91,7 @@ describe('a binary STL file', () => {
 });
 
 describe('a text STL file', () => {
-  it('has one part per solid, named as it is', async () => {
+  it('has one part per solid, with its name', async () => {
     const text = `solid left wing\n${facet}endsolid left wing\nSOLID\n${facet.toUpperCase()}ENDSOLID\n`;
     const model = await loadFiles({ 'a.stl': text });
     expect(model.parts.map(({ name }) => name)).toEqual(['left wing', '']);

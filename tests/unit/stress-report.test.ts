@@ -1,4 +1,4 @@
-// Do the published tables say what was measured, of every category and on every stack, and does the contract hold there?
+// Do the published tables match the results of every category and stack, and does the contract hold there?
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { CATEGORIES } from '../stress/categories.js';
@@ -11,12 +11,12 @@ const text = (path: string): string => readFileSync(new URL(`../../${path}`, imp
 const stacks = readStacks();
 
 describe('the published contract', () => {
-  it('is what the results say, in the report and in the README', () => {
+  it('agrees with the results, in the report and in the README', () => {
     expect(text('tests/stress/REPORT.md')).toBe(reportText(stacks, readTessellation(), LOOP_MARK));
     expect(text('README.md')).toContain(readmeText(stacks));
   });
 
-  it('tells of which loop a stack was measured, whatever its comments and lines', () => {
+  it('marks the measured loop by its code, whatever its comments and line breaks', () => {
     expect(LOOP_MARK).toMatch(/^[0-9a-f]{8}$/);
     expect(markOf('a * b; // twice\n/* c */ d')).toBe(markOf('a * b;\n\n  d'));
     expect(markOf('a * b;')).not.toBe(markOf('a + b;'));
@@ -33,7 +33,7 @@ describe('the published contract', () => {
   });
 
   describe.each(stacks)('on $name', ({ contract, drivers }) => {
-    it('is of the categories, bounds and exclusions that are tested now', () => {
+    it('was measured with today’s categories, bounds and exclusions', () => {
       const { checked: _checked, ...shipped } = drivers['shipped']!;
       const measured = shipped.measured.map(({ id, bound }) => ({ id, bound }));
       expect(measured).toEqual(CATEGORIES.map(({ id, bound }) => ({ id, bound })));

@@ -16,15 +16,15 @@ describe('stripGlsl', () => {
     );
   });
 
-  it('joins a continued macro and leaves its spaces, which tell F(x) from F (x)', () => {
+  it('joins a continued macro and keeps its spaces, because F(x) differs from F (x)', () => {
     expect(stripGlsl('#define F (x) \\\n   + 1')).toBe('#define F (x) + 1\n');
   });
 
-  it('never makes an operator out of two', () => {
+  it('never joins two operators into one', () => {
     expect(stripGlsl('a = b - -c + +d;')).toBe('a=b - -c + +d;\n');
   });
 
-  it('keeps words apart', () => {
+  it('keeps words separate', () => {
     expect(stripGlsl('const\nhighp  float x;')).toBe('const highp float x;\n');
   });
 

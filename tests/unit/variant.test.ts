@@ -1,29 +1,40 @@
-// Which states share a program? Nothing that was not declared costs one, and a specialised program depends on no number of a light
-// unless the light is inlined.
+// Which states share a program? Undeclared features cost none, and a specialised program depends on the values of lights only if they are
+// inlined.
 
 import fc from 'fast-check';
+import { Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { declareFeatures, noFeatures } from '../../src/light/light-features.js';
 import type { LightValues } from '../../src/light/light-state.js';
+import { type BaseLook, PLAIN_LOOK } from '../../src/material/phong-material.js';
 import {
-  ANTIALIASES,
   type Form,
   generalVariant,
   type MaterialFeatures,
   type MaterialTerms,
+  specialisedVariant,
+} from '../../src/material/program/variant.js';
+import {
+  ANTIALIASES,
+  DEFAULT_STYLE,
   REFLECTIONS,
   SHADINGS,
-  specialisedVariant,
+  type ShadingStyle,
   TERMS,
-} from '../../src/material/program/variant.js';
+} from '../../src/material/shading-style.js';
 import { anyLight, light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
 
-const plain: MaterialFeatures = {
-  ...{ shading: 'phong', reflection: 'phong', terms: TERMS, antialias: 'edges', alphaMode: 'opaque' },
-  ...{ linear: false, shininessTo64: true, vertexColors: false },
-  ...{ unlit: false, emissive: false, metalness: false, roughness: false, maps: {} },
-};
+/** What differs from a plain material: fields of its look, of its style and the others, side by side. */
+type Difference = Partial<BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'shininessTo64'>>;
+
+const materialOf = (difference: Difference = {}): MaterialFeatures => ({
+  look: { ...PLAIN_LOOK, ...difference },
+  style: { ...DEFAULT_STYLE, ...difference },
+  ...{ linear: false, shininessTo64: true, ...difference },
+});
+
+const texture = (channel = 0): Texture => Object.assign(new Texture(), { channel });
 
 const declaredBy = (lights: readonly LightValues[]) => {
   const declared = noFeatures();
@@ -31,11 +42,8 @@ const declaredBy = (lights: readonly LightValues[]) => {
   return declared;
 };
 
-const generalKey = (
-  lights: readonly LightValues[],
-  material: Partial<MaterialFeatures> = {},
-  capacity = 0,
-): string => generalVariant({ ...plain, ...material }, declaredBy(lights), capacity).key;
+const generalKey = (lights: readonly LightValues[], material: Difference = {}, capacity = 0): string =>
+  generalVariant(materialOf(material), declaredBy(lights), capacity).key;
 
 const count = (keys: readonly string[]): number => new Set(keys).size;
 
@@ -48,7 +56,7 @@ const EVERYTHING = [
 ];
 
 describe('the general program', () => {
-  it('is one for any number of lights of declared kinds, wherever and however bright they are', () => {
+  it('is the same for any number of lights of declared kinds, at any place and brightness', () => {
     const keys = [1, 2, 50].map((n) =>
       generalKey(
         Array.from({ length: n }, (_, i) => light({ position: [i, 0, 0, 1], diffuse: [i + 1, 1, 1] })),
@@ -69,7 +77,19 @@ describe('the general program', () => {
     expect(count(keys)).toBe(4); // a directional light's cone needs no code
   });
 
-  it.each<[string, Partial<MaterialFeatures>, number]>([
+  it.each<[string, Partial<LightValues>, number]>([
+    ['a cone of another width', { aperture: 60 }, 1],
+    ['another decay', { cutoff: 7.5 }, 1],
+    ['a narrow cone, which a cosine does not find,', { aperture: 5 }, 2],
+    ['a decay above 64', { cutoff: 100 }, 2],
+    ['ambient light', { ambient: [9, 9, 9] }, 2],
+  ])('with %s in a second spot makes %3$i in all', (_, values, programs) => {
+    const first = [light({ ambient: [9, 9, 9] }), light({ ...spot, cutoff: 2 })];
+    const second = light({ ...spot, cutoff: 2, ...values });
+    expect(count([generalKey(first), generalKey([...first, second])])).toBe(programs);
+  });
+
+  it.each<[string, Difference, number]>([
     ['flat shading, by its geometry alone,', { shading: 'flat' }, 1],
     ['other orders of terms', { terms: ['specular', 'ambient', 'diffuse'] }, 1],
     ['gouraud shading', { shading: 'gouraud' }, 2],
@@ -77,17 +97,17 @@ describe('the general program', () => {
     ['averaged highlights', { antialias: 'highlights' }, 2],
     ['large exponents', { shininessTo64: false }, 2],
     ['fewer terms', { terms: ['diffuse'] }, 2],
-    ['a texture', { maps: { map: 0 } }, 2],
+    ['a texture', { map: texture() }, 2],
     ['an unlit look', { unlit: true }, 2],
-    ['an emissive colour', { emissive: true }, 2],
-    ['metalness', { metalness: true }, 2],
-    ['a normal map with the second coordinates', { maps: { normalMap: 1 } }, 2],
+    ['an emissive colour', { emissive: [0, 1, 0] }, 2],
+    ['metalness', { metalness: 0.5 }, 2],
+    ['a normal map with the second coordinates', { normalMap: texture(1) }, 2],
   ])('with %s makes %3$i in all', (_, material, programs) => {
     expect(count([generalKey(EVERYTHING), generalKey(EVERYTHING, material)])).toBe(programs);
   });
 
-  it('averages highlights only where there is specular light, at fragments', () => {
-    const pairs: [readonly LightValues[], Partial<MaterialFeatures>][] = [
+  it('averages highlights only with specular light and per-fragment shading', () => {
+    const pairs: [readonly LightValues[], Difference][] = [
       [EVERYTHING, { shading: 'gouraud' }],
       [EVERYTHING, { terms: ['ambient', 'diffuse'] }],
       [[light({ specular: [0, 0, 0] })], {}],
@@ -97,25 +117,19 @@ describe('the general program', () => {
   });
 
   it('is the same for equal states', () => {
-    const anyMaterial: fc.Arbitrary<MaterialFeatures> = fc.record({
-      shading: fc.constantFrom(...SHADINGS),
-      reflection: fc.constantFrom(...REFLECTIONS),
-      terms: fc.subarray([...TERMS]),
-      antialias: fc.constantFrom(...ANTIALIASES),
-      ...{
-        linear: fc.boolean(),
-        shininessTo64: fc.boolean(),
-        vertexColors: fc.boolean(),
-        unlit: fc.boolean(),
-      },
-      ...{ emissive: fc.boolean(), metalness: fc.boolean(), roughness: fc.boolean() },
-      maps: fc
-        .subarray(['map', 'emissiveMap', 'metalRoughMap', 'normalMap'] as const)
-        .map((names) => Object.fromEntries(names.map((name, i) => [name, i]))),
+    const anyMap = fc.option(fc.integer({ min: 0, max: 3 }).map(texture));
+    const anyDifference: fc.Arbitrary<Difference> = fc.record({
+      ...{ shading: fc.constantFrom(...SHADINGS), reflection: fc.constantFrom(...REFLECTIONS) },
+      ...{ terms: fc.subarray([...TERMS]), antialias: fc.constantFrom(...ANTIALIASES) },
+      ...{ linear: fc.boolean(), shininessTo64: fc.boolean() },
+      ...{ vertexColors: fc.boolean(), unlit: fc.boolean() },
+      ...{ metalness: fc.constantFrom(0, 1), roughness: fc.constantFrom(null, 0.5) },
+      emissive: fc.constantFrom([0, 0, 0] as const, [1, 0, 0] as const),
+      ...{ map: anyMap, emissiveMap: anyMap, metalRoughMap: anyMap, normalMap: anyMap },
       alphaMode: fc.constantFrom('opaque', 'mask', 'blend'),
     });
     fc.assert(
-      fc.property(anyMaterial, fc.array(anyLight, { maxLength: 4 }), (material, lights) => {
+      fc.property(anyDifference, fc.array(anyLight, { maxLength: 4 }), (material, lights) => {
         expect(generalKey(lights, { ...material })).toBe(generalKey(lights.toReversed(), material));
       }),
     );
@@ -125,7 +139,7 @@ describe('the general program', () => {
 describe('a specialised program', () => {
   const keyOf = (form: Form, lights: readonly LightValues[], material: Partial<MaterialTerms> = {}): string =>
     specialisedVariant(
-      generalVariant(plain, declaredBy(EVERYTHING), 200),
+      generalVariant(materialOf(), declaredBy(EVERYTHING), 200),
       { terms: TERMS, integerShininess: 32, ...material },
       form,
       pack(lights),

@@ -1,4 +1,4 @@
-// Vectors in float64: plain algebra, and unit vectors of anything that has a direction.
+// Is vector algebra in float64 right, with unit vectors for everything that has a direction?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
@@ -37,7 +37,7 @@ describe('the cross product', () => {
     expect(cross(A, B)).toStrictEqual([27, 6, -13]);
   });
 
-  it('stands on both factors', () => {
+  it('is perpendicular to both factors', () => {
     fc.assert(
       fc.property(plainVector, plainVector, (a, b) => {
         const c = cross(a, b);
@@ -48,7 +48,7 @@ describe('the cross product', () => {
 });
 
 describe('the length', () => {
-  it('neither overflows nor underflows on the way', () => {
+  it('neither overflows nor underflows in between', () => {
     expect(length([3e200, 4e200, 0])).toBeCloseTo(5e200, -187);
     expect(length([3e-200, 0, 4e-200]) / 5e-200).toBeCloseTo(1, 15);
     expect(length([5e-324, 0, 0])).toBe(5e-324);
@@ -87,7 +87,7 @@ describe('normalizing', () => {
     expect(Math.abs(length(got) - 1)).toBeLessThan(4e-16);
   });
 
-  it('gives a unit vector of anything but zero', () => {
+  it('gives a unit vector for anything but zero', () => {
     fc.assert(
       fc.property(anyVector, (v) => {
         fc.pre(v.some((x) => x !== 0));

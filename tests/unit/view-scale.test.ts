@@ -1,4 +1,4 @@
-// Can numbers be read from the colours of views, and which lights can a count be of?
+// Can numbers be read from the colours of views, and which lights can be counted?
 import { describe, expect, it } from 'vitest';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
 import { countLights } from '../../src/material/view/count-lights.js';
@@ -13,13 +13,13 @@ const luminance = (t: number): number => {
 };
 
 describe('the scale', () => {
-  it('grows in luminance all the way, from dark to light, so that no hue has to be seen', () => {
+  it('increases in luminance throughout, so that it can be read without colour vision', () => {
     for (let i = 0; i < 255; i++) expect(luminance((i + 1) / 255)).toBeGreaterThan(luminance(i / 255));
     expect(luminance(0)).toBeLessThan(0.02);
     expect(luminance(1)).toBeGreaterThan(0.8);
   });
 
-  it('has a colour of its own for each of 200 counts, all within sRGB', () => {
+  it('has distinct colours for 200 counts, all within sRGB', () => {
     const colors = Array.from({ length: 201 }, (_, i) => scaleColor(i / 200));
     expect(new Set(colors.map((color) => color.map((c) => Math.round(255 * c)).join())).size).toBe(201);
     for (const channel of colors.flat()) {
@@ -28,14 +28,14 @@ describe('the scale', () => {
     }
   });
 
-  it('ends where its numbers end', () => {
+  it('ends at the colours of its first and last number', () => {
     expect(scaleColor(-1)).toEqual(scaleColor(0));
     expect(scaleColor(9)).toEqual(scaleColor(1));
   });
 });
 
 describe('the legend', () => {
-  it('marks a count from 0 to the number of lights, with a field for each where there is room', () => {
+  it('marks counts from 0 to the number of lights, with a field for each if there is room', () => {
     for (let most = 1; most <= 500; most++) {
       const [bar] = barsOf('light-count', most);
       const { marks, colors, fields } = bar!;
@@ -60,25 +60,25 @@ describe('the lights that are counted', () => {
   const light = (values: Partial<LightValues>): Readonly<LightValues> => new LightState(values).values;
   const counted = (values: Partial<LightValues>) => countLights([light(values)], space);
 
-  it('are neither inactive nor black', () => {
+  it('exclude inactive and black ones', () => {
     expect(counted({ active: false }).lights).toEqual([]);
     expect(counted({ diffuse: [0, 0, 0], specular: [0, 0, 0] }).lights).toEqual([]);
     expect(counted({ diffuse: [0, 0, 0], specular: [0, 0, 0], ambient: [0, 0, 1] }).lights).toHaveLength(1);
   });
 
-  it('are not directional lights that miss their own cone', () => {
+  it('exclude directional lights that miss their own cone', () => {
     const aimed = { position: [0, 1, 0, 0], axis: [0, -1, 0], aperture: 20 } as const;
     expect(counted(aimed).open).toBe(1);
     expect(counted({ ...aimed, axis: [1, 0, 0] }).lights).toEqual([]);
   });
 
-  it('keep ambient light alone where they have no direction', () => {
+  it('include those without a direction for their ambient light', () => {
     const [nowhere] = counted({ position: [0, 0, 0, 0], ambient: [9, 9, 9] }).lights;
     expect(nowhere!.attenuation[0]).toBe(7);
     expect(counted({ position: [0, 0, 0, 1], ambient: [9, 9, 9] }).lights[0]!.attenuation[0]).toBe(511);
   });
 
-  it('stand with those without a cone first', () => {
+  it('begin with those without a cone', () => {
     const spot = light({ position: [0, 1, 0, 1], aperture: 20 });
     const { lights, open } = countLights([spot, light({}), spot], space);
     expect(open).toBe(1);

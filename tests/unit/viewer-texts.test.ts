@@ -1,4 +1,4 @@
-// Does the list of texts have each text of the source once, and no other? That the source has no other text is up to the compiler.
+// Does the list of texts contain each text of the source once, and no other? The compiler refuses texts that the list lacks.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -8,7 +8,7 @@ import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_KINDS } from '../../src/gui/kind-choice.js';
-import { TERMS } from '../../src/material/program/variant.js';
+import { TERMS } from '../../src/material/shading-style.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.ts') && !path.endsWith('text-list.ts'))
@@ -32,7 +32,7 @@ describe('the list of texts', () => {
     expect(inSource || composed.has(text)).toBe(true);
   });
 
-  it('takes the texts of a file, and none of another type', () => {
+  it('accepts texts from a file, and rejects values of other types', () => {
     expectTypeOf<Record<ViewerText, string>>().toExtend<ViewerTexts>();
     expectTypeOf<Record<string, string>>().toExtend<ViewerTexts>();
     expectTypeOf<{ 'Try again': string; 'load-failed': string }>().toExtend<ViewerTexts>();
@@ -52,7 +52,7 @@ describe("a viewer's texts", () => {
     expect([checkedTexts(null), checkedTexts(undefined)]).toEqual([null, null]);
   });
 
-  it('replace what they have, even by nothing', () => {
+  it('replace texts, even by empty ones', () => {
     const texts = { Loading: '', 'Try again': undefined };
     expect(phrase(texts, 'Loading')).toBe('');
     expect(phrase(texts, 'Try again')).toBe('Try again');

@@ -21,18 +21,18 @@ describe('divisions', () => {
 describe('the shipped loop on the worst driver', () => {
   const worst = onDriver(LIGHT_LOOP_GLSL, 'up');
 
-  it('has no built-in left that may err', () => {
+  it('has no inaccurate built-in left', () => {
     const own = worst.slice(worst.indexOf('#define HEADER_COUNTS'));
     expect(own).toMatch(/worst_exp2\(.*/);
     expect(own).not.toMatch(/(?<!worst_)\b(exp2|log2|inversesqrt|sqrt|pow)\s*\(/);
     expect(own.replace(/^#.*$/gm, '')).not.toMatch(/\//);
   });
 
-  it('is the shipped text, as it is, where the driver is', () => {
+  it('is the unchanged shipped text for the real driver', () => {
     expect(onDriver(LIGHT_LOOP_GLSL, 'shipped')).toBe(LIGHT_LOOP_GLSL);
   });
 
-  it('refuses built-ins whose allowance it does not know', () => {
+  it('refuses built-ins with an unknown error allowance', () => {
     expect(() => onDriver('x = normalize(y);', 'up')).toThrow(/normalize/);
   });
 });

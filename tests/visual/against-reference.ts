@@ -10,11 +10,11 @@ export const CONE_EDGE = 3e-3;
 /** Vertices lie on a grid of sixteenths of a pixel at worst, so that a pixel shows what lies up to half of one beside its ray. */
 const SNAPPED = 1 / 32;
 
-/** What is told of the four corners so far around. */
+/** The hits at the four corners at this distance. */
 export const around = <T>(reach: number, tell: (dx: number, dy: number) => T): T[] =>
   [-reach, reach].flatMap((dx) => [-reach, reach].map((dy) => tell(dx, dy)));
 
-/** How far a code is from the range of these; 0 within. */
+/** Distance of a code from the range of these codes; 0 within. */
 export const outside = (code: number, codes: readonly number[]): number =>
   Math.max(Math.min(...codes) - code, code - Math.max(...codes), 0);
 
@@ -26,14 +26,14 @@ export interface Errors {
   exact: number;
 }
 
-/** A pixel of one sample and one face, away from every cone's edge, and what its ray hits. */
+/** A pixel inside one face, away from every cone's edge, with its hit. */
 export interface InnerPixel {
   readonly x: number;
   readonly y: number;
   readonly hit: Hit;
 }
 
-/** Pixels whose neighbours all hit the same face: their insides are one sample each. */
+/** Pixels whose neighbours all hit the same face, so that multisampling mixes nothing. */
 export const innerPixels = remembered((scene: CastScene, width: number, height: number) => {
   const cast = caster(scene, width, height);
   const hits = Array.from({ length: width * height }, (_, i) => cast(i % width, Math.floor(i / width)));
@@ -50,7 +50,7 @@ export const innerPixels = remembered((scene: CastScene, width: number, height: 
   return inner;
 });
 
-/** `colorOf`: what the picture shows of a hit, 0–1; the shaded colour unless it is a view of something else. */
+/** `colorOf`: the expected colour of a hit, 0–1. Default: the shaded colour. */
 export function compareWithReference(
   picture: Picture,
   scene: CastScene,

@@ -91,7 +91,7 @@ export interface TessellationErrors {
   /** Angle between the two normals, degrees: half of the pixels have less. */
   readonly medianNormal: number;
   readonly pixels: number;
-  /** Pixels that only one of the two covers, which are in none of the above. */
+  /** Pixels that only one of the two covers; not counted above. */
   readonly outline: number;
 }
 

@@ -1,4 +1,4 @@
-// Does culling back faces leave every picture as it is, and every program?
+// Does culling back faces change no picture and no program?
 
 import type { Drawn, Step } from '../glsl/page/core.js';
 import { expect, test } from '../support/test.js';
@@ -32,7 +32,7 @@ function insideOutline({ codes }: Drawn, width: number): number[] {
 }
 
 for (const shape of ['sphere', 'box'] as const) {
-  test(`a closed ${shape} shows the same with and without its back faces, and compiles nothing`, async ({
+  test(`a closed ${shape} looks the same with and without its back faces, and compiles nothing`, async ({
     page,
   }) => {
     await openCore(page);
@@ -62,7 +62,7 @@ for (const shape of ['sphere', 'box'] as const) {
   });
 }
 
-test('a single-sided surface is not seen from behind, and a double-sided one is', async ({ page }) => {
+test('a single-sided surface is invisible from behind, a double-sided one is not', async ({ page }) => {
   await openCore(page);
   const floor: Step = { shape: 'floor', lights: [{ position: [0, 1, 0, 0] }, { position: [0, -1, 0, 0] }] };
   const [above, below, mirrored, both] = await drawCore(

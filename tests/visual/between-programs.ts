@@ -10,7 +10,7 @@ import { allReady, expect, pixels, type Picture } from '../support/test.js';
 export interface ProgramDifference {
   /** Codes. */
   readonly max: number;
-  /** Channels that differ, of those of pixels that show something. */
+  /** Channels that differ, and all channels of covered pixels. */
   readonly differing: number;
   readonly channels: number;
 }
@@ -47,7 +47,7 @@ export class DifferenceSum {
     this.channels += channels;
   }
 
-  /** The promise: one code at most, on 0.02 % of the channels at most. */
+  /** The contract: at most one code, on at most 0.02 % of the channels. */
   expectPromise(): void {
     expect(this.max).toBeLessThanOrEqual(1);
     expect(this.differing / this.channels).toBeLessThanOrEqual(2e-4);
@@ -62,14 +62,14 @@ export class DifferenceSum {
 /** Viewers on a page at a time: few, so that their specialised programs take over soon. */
 export const A_PAGE = 8;
 
-/** Puts these viewers into the page in place of all it has. Gives each one's locator. */
+/** Replaces the page's viewers by these. Returns a locator for each. */
 export async function showAll(page: Page, markups: readonly string[]): Promise<Locator[]> {
   await page.evaluate((html) => (document.body.innerHTML = html), markups.join('\n'));
   await allReady(page);
   return markups.map((_, i) => page.locator('phong-viewer').nth(i));
 }
 
-/** All lit programs since `glSpent` were of this kind. */
+/** Whether all lit programs since `glSpent` were of this kind. */
 export async function expectDrawnBy(page: Page, kind: 'specialised' | 'general'): Promise<void> {
   const lit = (await drawnWith(page)).filter(isLit);
   expect(lit.length).toBeGreaterThan(0);
@@ -94,7 +94,7 @@ export interface TwoPictures {
   readonly specialised: Picture;
 }
 
-/** Each viewer's picture by the general program and by the specialised one; `markups` are of one mesh each, A_PAGE at most. */
+/** Each viewer's picture by the general and by the specialised program. `markups`: at most A_PAGE viewers of one mesh each. */
 export async function bothPictures(
   page: Page,
   markups: readonly string[],
@@ -110,6 +110,6 @@ export async function bothPictures(
   return general.map((picture, i) => ({ general: picture, specialised: specialised[i]! }));
 }
 
-/** Programs of the page, as a viewer tells. */
+/** Number of the page's programs, by a viewer's stats. */
 export const programsOf = (viewer: Locator): Promise<number> =>
   viewer.evaluate((element: PhongViewer) => element.stats.programs);

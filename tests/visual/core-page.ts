@@ -8,10 +8,10 @@ import { Dice, randomLight } from './random-scene.js';
 
 export const SIZE = { width: 120, height: 90 };
 
-/** Frames after which every program that will take over has done so. */
+/** Frames after which all specialised programs have taken over. */
 export const SETTLED = 40;
 
-/** `gpu`: software that bears the name of no software renderer, so it gets uniform arrays and counted loops. */
+/** `gpu`: software under another renderer name, so that it gets uniform arrays and counted loops. */
 export type Device = 'software' | 'gpu';
 
 export async function openCore(page: Page, device: Device = 'software'): Promise<void> {
@@ -31,7 +31,7 @@ export async function openCore(page: Page, device: Device = 'software'): Promise
 export const drawCore = (page: Page, ...steps: readonly Step[]): Promise<Drawn[]> =>
   page.evaluate(([size, list]) => window.drawCore(size, list), [SIZE, steps] as const);
 
-/** Holds two pictures against the promise: one code at most, on 0.02 % of the channels at most. */
+/** Checks that two pictures differ by at most one code, on at most 0.02 % of the channels. */
 export function expectSame(a: Drawn, b: Drawn, message: string): void {
   let max = 0;
   let differing = 0;
@@ -44,7 +44,7 @@ export function expectSame(a: Drawn, b: Drawn, message: string): void {
   expect.soft(differing / a.codes.length, message).toBeLessThanOrEqual(2e-4);
 }
 
-/** Channels that are neither dark nor full: only these tell pictures apart. */
+/** Channels that are neither dark nor full: only these can show a difference. */
 export const tellingChannels = ({ codes }: Drawn): number =>
   codes.filter((code, i) => i % 4 < 3 && code > 0 && code < 255).length;
 

@@ -1,4 +1,4 @@
-// Does `phong-viewer/core` show the same by every program and from every storage, and with or without its back faces?
+// Does `phong-viewer/core` draw the same with every program and storage, with and without back faces?
 
 import type { Step } from '../glsl/page/core.js';
 import type { LightValues } from '../../src/light/light-state.js';
@@ -19,7 +19,7 @@ const view: Step = { eye: [1.2, 0.9, 1.4], fov: 45 };
 /** From one light to more than any uniform array holds. */
 const COUNTS = [1, 60, 70, 400, 2000] as const;
 
-test('the general program shows the same from a texture, from uniform arrays of each capacity and specialised', async ({
+test('the general program draws the same from a texture, from uniform arrays of each capacity, and specialised', async ({
   page,
 }) => {
   test.setTimeout(180_000);
@@ -31,7 +31,7 @@ test('the general program shows the same from a texture, from uniform arrays of 
   for (const device of ['software', 'gpu'] as const) {
     await openCore(page, device);
     drawn[device] = await drawCore(page, ...steps);
-    // And back: rows that are stale add nothing.
+    // And back: stale rows add nothing.
     const [again] = await drawCore(page, steps.at(-2)!, { lights: mixedLights(1), frames: 2 }).then((list) =>
       list.slice(-1),
     );
@@ -52,7 +52,7 @@ test('the general program shows the same from a texture, from uniform arrays of 
 });
 
 for (const device of ['software', 'gpu'] as const) {
-  test(`programs for few lights show what the general one shows, ${device}`, async ({ page }) => {
+  test(`specialised programs draw the same as the general one, ${device}`, async ({ page }) => {
     await openCore(page, device);
     for (const [count, step] of [
       [1, {}],
@@ -72,7 +72,7 @@ for (const device of ['software', 'gpu'] as const) {
   });
 }
 
-test('a floor under many narrow spots shows the same with and without a grid', async ({ page }) => {
+test('a floor under many narrow spots looks the same with and without a grid', async ({ page }) => {
   const lights = Array.from({ length: 64 }, (_, i): Partial<LightValues> => ({
     position: [(i % 8) - 3.5, 1, Math.floor(i / 8) - 3.5, 1],
     axis: [0.1, -1, 0.05],
@@ -125,7 +125,7 @@ test('a hundred equal meshes share one specialised program', async ({ page }) =>
   expectSame(settled!, general!, '100 meshes');
 });
 
-test('clones of materials show the same by the same programs', async ({ page }) => {
+test('clones of materials look the same and share programs', async ({ page }) => {
   await openCore(page);
   const lights = mixedLights(4);
   const surface = { shininess: 8, ka: [90, 0, 9], ks: [255, 9, 200] } as const;
@@ -139,7 +139,7 @@ test('clones of materials show the same by the same programs', async ({ page }) 
 });
 
 for (const device of ['software', 'gpu'] as const) {
-  test(`a context that was lost shows the same again, ${device}`, async ({ page, consoleGuard }) => {
+  test(`a restored context draws the same again, ${device}`, async ({ page, consoleGuard }) => {
     consoleGuard.allow(/THREE.WebGLRenderer: Context (Lost|Restored)/);
     await openCore(page, device);
     for (const lights of [mixedLights(4), mixedLights(400)]) {
@@ -156,7 +156,7 @@ for (const device of ['software', 'gpu'] as const) {
   });
 }
 
-test('a three.js camera shows what the element shows', async ({ page, mount }) => {
+test('a three.js camera draws the same as the element', async ({ page, mount }) => {
   const lights =
     '<phong-light position="1 2 3" ambient="20"></phong-light><phong-light space="camera" position="-1 0 1 0"></phong-light>';
   const html = `<phong-viewer geometry="box" ka="200" kd="200" ks="128" radius="3" theta="30" phi="70" target="0 0 0">${lights}</phong-viewer>`;

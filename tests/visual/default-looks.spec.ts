@@ -1,5 +1,5 @@
-// Can a shape be read with nothing but defaults, on a white page and on a black one? And do the README's lights leave its shapes their
-// tones? Tones are in codes; faces are told apart by the picture's most frequent ones.
+// Do shapes stand out with defaults alone, on white and black pages, and do the README's lights keep their tones? Tones are in codes; a
+// face is one of the picture's most frequent tones.
 
 import { README_PICTURE_SCALE, readmeSnippet } from '../../.ci/readme-picture.mjs';
 import { GEOMETRIES } from '../../src/scene/mesh/shapes/shapes.js';
@@ -52,7 +52,7 @@ for (const [lighting, light] of lightings) {
   });
 }
 
-test("the README's first scene reaches full brightness in the cores of its highlights only", async ({
+test("the README's first scene reaches full brightness only in the centres of its highlights", async ({
   mount,
 }) => {
   const markup = readmeSnippet().replace(/<script[^]*?<\/script>/, '');

@@ -1,4 +1,4 @@
-// Do the demo's pages still show what they showed? Every viewer of every page, drawn small and laid side by side.
+// Do the demo's pages look as before? Compares every viewer of every page, drawn small and side by side, with a baseline.
 import { allReady, compare, expect, expectPicture, pixelAt, pixels, test, type Picture } from '../support/test.js'; // prettier-ignore
 import { decodePng } from '../support/picture.js';
 
@@ -39,14 +39,14 @@ function contactSheet(tiles: readonly Picture[]): Picture {
 
 for (const path of PAGES) {
   const name = path === '' ? 'landing' : path.slice(0, -1).replace('/', '-');
-  test(`shows the ${name} page as it was, under a strict policy`, async ({ page }) => {
+  test(`the ${name} page looks as before, under a strict policy`, async ({ page }) => {
     test.setTimeout(120_000);
     await page.goto(`/demo/${path}`);
     await page.evaluate(() =>
       Promise.all(
         Array.from(document.querySelectorAll('phong-viewer'), async (viewer) => {
           await customElements.whenDefined('phong-viewer');
-          // Models of viewers far down the page are loaded as well: nothing here is lazy.
+          // No viewer here is lazy, so models far down the page load as well.
           await (viewer as HTMLElement & { ready: Promise<void> }).ready;
         }),
       ),

@@ -6,9 +6,9 @@ import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 import type { CastScene } from './ray-cast.js';
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-/** Time goes with the pixels, in float64 more than in the browser; what can go wrong goes with the scenes. */
+/** Small pictures of many scenes: time grows with the pixels, and mistakes are found by the scenes. */
 const SIZE = release ? { width: 200, height: 140 } : { width: 120, height: 84 };
-/** More scenes, or others: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
+/** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 30));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
@@ -52,7 +52,7 @@ test('shades flat faces with the triangles’ own normals within one code', asyn
   await holds(mount, 'box', Math.ceil(SCENES / 6), 'flat');
 });
 
-test('sums as many lights as there are, more than any uniforms hold', async ({ mount }) => {
+test('sums more lights than uniforms can hold', async ({ mount }) => {
   test.setTimeout(120_000);
   const small = { width: 60, height: 42 };
   const scene = randomScene(4);

@@ -1,5 +1,5 @@
-// Is a highlight that is smaller than a pixel as bright as it should be? Pictures with antialias="highlights" against float64,
-// averaged over many samples a pixel; and where nothing is undersampled, against those without.
+// Does a highlight smaller than a pixel have the right brightness? Compares antialias="highlights" with float64 averages over many samples
+// per pixel and, where nothing is undersampled, with antialias="edges".
 
 import type { Locator } from '@playwright/test';
 import { basisOf } from '../../src/camera/orbit.js';
@@ -156,14 +156,12 @@ async function bothKinds(viewer: Locator, { scene, size }: View): Promise<Record
   return { edges, highlights: await pixels(viewer, size) };
 }
 
-const told = (errors: Record<string, Errors>): string =>
+const summary = (errors: Record<string, Errors>): string =>
   Object.entries(errors)
     .map(([name, of]) => `${name} ${of.max.toFixed(2)} (rmse ${rmse(of).toFixed(2)})`)
     .join(', ');
 
-test(`shows highlights of small spheres as bright as they are on the average (seed ${SEED})`, async ({
-  mount,
-}) => {
+test(`shows highlights of small spheres with their average brightness (seed ${SEED})`, async ({ mount }) => {
   test.setTimeout(300_000);
   const viewer = await mount('<phong-viewer></phong-viewer>', { width: 100, height: 100 });
   for (const [diameter, shininess, measured] of SPHERES) {
@@ -178,7 +176,7 @@ test(`shows highlights of small spheres as bright as they are on the average (se
       const lit: View = { ...view, scene: { ...view.scene, lights: [light({ position: [...L, 0] })] } };
       noteErrors(lit, seenAt(lit, scale(half, 0.5)), await bothKinds(viewer, lit), errors);
     }
-    console.log(`sphere of ${diameter} pixels, shininess ${shininess}: ${told(errors)}`);
+    console.log(`sphere of ${diameter} pixels, shininess ${shininess}: ${summary(errors)}`);
     expectBetter(errors, measured, `${diameter} pixels, shininess ${shininess}`);
   }
 });
@@ -197,7 +195,7 @@ function floor(height: number, shininess: number, reflection: 'phong' | 'blinn-p
   };
 }
 
-test('shows highlights of lamps near a floor as bright as they are on the average', async ({ mount }) => {
+test('shows highlights of lamps near a floor with their average brightness', async ({ mount }) => {
   test.setTimeout(300_000);
   const viewer = await mount('<phong-viewer></phong-viewer>', { width: 150, height: 110 });
   for (const [reflection, shininess, height, measured] of FLOORS) {
@@ -210,14 +208,12 @@ test('shows highlights of lamps near a floor as bright as they are on the averag
     const errors: Record<string, Errors> = {};
     noteErrors(view, seenAt(view, at), await bothKinds(viewer, view), errors);
     const where = `${reflection}, shininess ${shininess}, lamp ${height} above`;
-    console.log(`${where}: ${told(errors)}`);
+    console.log(`${where}: ${summary(errors)}`);
     expectBetter(errors, measured, where);
   }
 });
 
-test('changes no code by more than one where no highlight is undersampled, as on a floor', async ({
-  mount,
-}) => {
+test('changes codes by at most one where no highlight is undersampled, as on a floor', async ({ mount }) => {
   const size = { width: 200, height: 140 };
   const viewer = await mount(
     `<phong-viewer geometry="plane" shininess="32" phi="50" theta="10">
@@ -235,7 +231,7 @@ test('changes no code by more than one where no highlight is undersampled, as on
   }
 });
 
-test('leaves every bit as it is with edges, the default, and under gouraud', async ({ mount }) => {
+test('changes no bit under Gouraud shading, and `edges` is the default', async ({ mount }) => {
   const viewer = await mount(
     `<phong-viewer geometry="sphere" shininess="5000"><phong-light></phong-light></phong-viewer>`,
     SIZE,
@@ -252,7 +248,7 @@ test('leaves every bit as it is with edges, the default, and under gouraud', asy
   }
 });
 
-test('adds between nothing and the specular light at horizons, slivers and folded triangles', async ({
+test('stays between zero and the full specular light at horizons, slivers and folded triangles', async ({
   mount,
 }) => {
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
@@ -287,10 +283,7 @@ test('adds between nothing and the specular light at horizons, slivers and folde
   }
 });
 
-test('is filtered alike by general programs and by those for exactly some lights', async ({
-  page,
-  mount,
-}) => {
+test('is filtered the same by general and specialised programs', async ({ page, mount }) => {
   test.setTimeout(120_000);
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);

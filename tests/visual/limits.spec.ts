@@ -1,5 +1,5 @@
-// Does the picture keep the limits at degenerate input? A white-ish floor seen from straight above; the pixel in the
-// middle is the world's origin. Expected codes are worked out by hand from the table of limits.
+// Does the picture follow the table of limits at degenerate input? A light floor seen from straight above; the middle pixel is the world's
+// origin. The expected codes are computed by hand from the table.
 import { expect, pixelAt, pixels, test } from '../support/test.js';
 
 /** Odd, so that one pixel's centre is the picture's. */
@@ -158,7 +158,7 @@ const rows: readonly Row[] = [
   },
 ];
 
-test('keeps every limit at degenerate input', async ({ mount, page }) => {
+test('follows every row of the table of limits', async ({ mount, page }) => {
   // One page for all: a page each would take twenty times as long.
   await mount(rows.map(({ light, mesh }) => viewer(light, mesh)).join(''), SIZE);
   for (const [i, { says, middle, aside }] of rows.entries()) {
@@ -169,7 +169,7 @@ test('keeps every limit at degenerate input', async ({ mount, page }) => {
   }
 });
 
-test('interpolates what the vertices got under Gouraud shading', async ({ mount }) => {
+test('interpolates the colours of vertices under Gouraud shading', async ({ mount }) => {
   // One quad: the corners are 2√2/2 from the origin on the floor, the light 1 above it.
   const element = await mount(
     viewer('position="0 1 0 1" diffuse="255" specular="0"').replace('fov=', 'shading="gouraud" fov='),
@@ -181,7 +181,7 @@ test('interpolates what the vertices got under Gouraud shading', async ({ mount 
   for (const x of [MIDDLE, ASIDE]) expect(pixelAt(picture, x, MIDDLE)).toEqual([corner, corner, corner, 255]);
 });
 
-test('lights the side that is seen under Gouraud shading, from below too', async ({ mount }) => {
+test('lights the visible side under Gouraud shading, also from below', async ({ mount }) => {
   const element = await mount(
     viewer('position="0 -1 0 0" diffuse="120" specular="0"').replace(
       'phi="0"',
@@ -192,7 +192,7 @@ test('lights the side that is seen under Gouraud shading, from below too', async
   expect(pixelAt(await pixels(element, SIZE), MIDDLE, MIDDLE)).toEqual([120, 120, 120, 255]);
 });
 
-test('draws nothing of a light’s terms where terms is empty', async ({ mount }) => {
+test('draws no light if `terms` is empty', async ({ mount }) => {
   const element = await mount(
     viewer('position="0 1 0 0" ambient="50" diffuse="120"').replace('fov=', 'terms="" fov='),
     SIZE,

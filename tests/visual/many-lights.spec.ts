@@ -1,5 +1,5 @@
-// Does any number of lights shine, on the least device that WebGL 2 promises, and do many small ones cost only where they
-// reach? Pictures are held against float64 where it can be afforded, and against the loop over all lights.
+// Do thousands of lights work within the limits that WebGL 2 guarantees, and do many small ones cost only where they reach? Pictures are
+// compared with float64 at samples, and with the loop over all lights.
 
 import type { Page } from '@playwright/test';
 import type { LightValues } from '../../src/light/light-state.js';
@@ -15,10 +15,10 @@ import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 
 const SIZE = { width: 60, height: 42 };
 
-/** What WebGL 2 promises of uniforms, and of a uniform block; nothing may need more. */
+/** WebGL 2's guaranteed minimum of uniforms and of a uniform block. */
 const PROMISED = { vectors: 224, blockBytes: 16_384 } as const;
 
-/** So many pixels, evenly strewn over a picture without its rim, are told by float64. */
+/** Number of evenly spread pixels, away from the picture's border, that are computed in float64. */
 const SAMPLES = 96;
 
 /** The sampled pixels that are of one sample and one face, away from every cone's edge. */
@@ -52,7 +52,7 @@ function sampled(
   return { max, compared: 3 * samples.length };
 }
 
-/** Of all kinds, so dim that `count` of them together are in range; cones on the first few alone, or no pixel is away from all. */
+/** Lights of all kinds, so dim that `count` of them stay in range. Only the first few have cones, because their edges are excluded. */
 function crowd(count: number, seed: number): LightValues[] {
   const dice = new Dice(seed);
   return Array.from({ length: count }, (_, i) => {
@@ -79,7 +79,7 @@ async function expectWithinPromises(page: Page): Promise<void> {
   }
 }
 
-test('one to 4,096 lights shine as float64 says, with the uniforms that WebGL 2 promises', async ({
+test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 guarantees', async ({
   page,
   mount,
 }) => {
@@ -167,7 +167,7 @@ async function usesGrid(page: Page): Promise<boolean> {
     .every((one) => /HAS_LIGHT_GRID/.test(one.vertex + one.fragment) && isSpecialised(one));
 }
 
-test('five hundred spots on a floor look as the loop over all of them does, whatever changes', async ({
+test('five hundred spots on a floor look the same as with a loop over all, whatever changes', async ({
   page,
   mount,
 }) => {
@@ -176,7 +176,7 @@ test('five hundred spots on a floor look as the loop over all of them does, what
   const scene = overFloor(spots(500, 3));
   const viewer = await mount(sceneMarkup(scene), SIZE);
   const sum = new DifferenceSum();
-  /** The same state drawn once by the loop: in a viewer of its own, whose first pictures are of general programs. */
+  /** The same state drawn once by the loop: a new viewer starts with general programs. */
   const expectLike = async (what: string, floats: boolean): Promise<void> => {
     await glSpent(page);
     const shown = await pixels(viewer, SIZE);
@@ -218,7 +218,7 @@ test('five hundred spots on a floor look as the loop over all of them does, what
   sum.expectPromise();
 });
 
-/** What this viewer's markup shows in its first frame, beside the one on the page, which then is alone again. */
+/** The first frame of this markup, in a second viewer, which is removed again. */
 async function firstPicture(page: Page, markup: string): Promise<Picture> {
   await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', `<section>${html}</section>`), markup); // prettier-ignore
   const other = page.locator('section > phong-viewer');

@@ -1,5 +1,5 @@
-// What must not change a picture? Random scenes and their likenesses, all on one page, by markup alone: to the bit where
-// the GPU is sent the same numbers, or the same but for powers of two, and else within what two programs may differ by.
+// Which changes of the markup must not change a picture? Random scenes and equivalent scenes on one page: equal to the bit if the GPU gets
+// the same numbers (or powers of two of them), else within the difference of two programs.
 import { compare, expect, type Mount, type Picture, pixels, test } from '../support/test.js';
 import { innerPixels } from './against-reference.js';
 import { Dice, randomLight, randomMesh, randomScene, sceneMarkup } from './random-scene.js';
@@ -18,7 +18,7 @@ import {
 } from './scene-laws.js';
 
 const SIZE = { width: 120, height: 84 };
-/** More scenes, or others: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
+/** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 8));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -60,11 +60,11 @@ const away = (scene: CastScene, dice: Dice, distance: number): CastScene =>
 /** The same bits by construction. */
 const EXACT: Readonly<Record<string, Law>> = {
   'drawn again': (scene) => scene,
-  // Every float32 is the same but for its exponent, and every product, quotient and root of them is.
+  // Every float32 keeps its mantissa, and so does every product, quotient and root.
   'scaled by a power of two': (scene, dice) => scaled(scene, powerOfTwo(dice)),
   // Normalised in float64 by the largest component first.
   'with longer or shorter axes and directions': (scene, dice) => stretched(scene, powerOfTwo(dice)),
-  // The rows that are sent are these very ones.
+  // The same rows are sent.
   'with its lights sorted by kind': (scene) => sortedByKind(scene),
   'with inactive and black lights of kinds that it has': (scene) => withSilentTwins(scene),
 };
@@ -80,13 +80,13 @@ const NEAR: Readonly<Record<string, Law>> = {
   'turned by a quarter': (scene) => turned(scene),
 };
 
-/** Calls `judge` with each scene's picture and that of each of its likenesses. */
+/** Calls `judge` with each scene's picture and that of each equivalent scene. */
 async function forEachLikeness(
   mount: Mount,
   laws: Readonly<Record<string, Law>>,
   judge: (law: string, seed: number, scene: CastScene, picture: Picture, other: Picture) => void,
 ): Promise<void> {
-  // Nothing is displayed: only the pictures that are asked for are drawn.
+  // Viewers are not displayed, so only toBlob draws.
   const viewer = await mount('<main><phong-viewer></phong-viewer></main>', { css: 'main { display: none }' });
   const main = viewer.page().locator('main');
   for (let seed = FIRST; seed < FIRST + SCENES; seed++) {
@@ -101,14 +101,14 @@ async function forEachLikeness(
   }
 }
 
-test('draws a scene to the bit as before where only names of the same numbers change', async ({ mount }) => {
+test('draws the same bits for equivalent markup with the same numbers', async ({ mount }) => {
   test.setTimeout(1_800_000);
   await forEachLikeness(mount, EXACT, (law, seed, scene, picture, other) => {
     expect.soft(compare(picture, other).max, `${law}, seed ${seed}\n${sceneMarkup(scene)}`).toBe(0);
   });
 });
 
-test('draws a scene moved, turned or lit by the same lights otherwise within one code', async ({ mount }) => {
+test('draws within one code a scene that is moved, rotated, or lit equivalently', async ({ mount }) => {
   test.setTimeout(1_800_000);
   const brightened = 'with lights brighter by a hundredth';
   const sums = new Map<string, { compared: number; different: number; max: number; identical: number }>();
@@ -136,12 +136,12 @@ test('draws a scene moved, turned or lit by the same lights otherwise within one
     );
     expect(compared).toBeGreaterThan(1e4);
     if (law in NEAR) expect.soft(different / compared, law).toBeLessThanOrEqual(SHARE);
-    // What is no likeness is told apart by the same measure.
+    // The same measure must detect a scene that is not equivalent.
     else expect(different / compared, law).toBeGreaterThan(0.1);
   }
 });
 
-/** Where in a picture's data the channels lie that no outline, cone's edge or highlight's end is near to. */
+/** Indices of channels away from outlines, edges of cones and ends of highlights. */
 function steadyChannels(scene: CastScene): number[] {
   return innerPixels(scene, SIZE.width, SIZE.height)
     .filter(({ hit }) => hit.shaded.shares.every((s) => s === null || Math.abs(s.NoL) >= TERMINATOR))

@@ -72,7 +72,7 @@ interface Look {
   readonly light?: Partial<LightValues>;
 }
 
-/** Looks in whose code general and specialised programs differ, one at a time. */
+/** Looks for which the code of general and specialised programs differs, one at a time. */
 export const LOOKS: Readonly<Record<string, Look>> = {
   'shininess 32': {},
   'shininess 33.5': { mesh: { shininess: 33.5 } },
@@ -118,7 +118,7 @@ export function look(name: string): { readonly scene: CastScene; readonly shadin
   };
 }
 
-/** To how many parts of a pixel the rasteriser snaps vertices, as a power of two. */
+/** The rasteriser's SUBPIXEL_BITS: vertices snap to this power of two of a pixel. */
 export const subpixelBitsOf = (page: Page): Promise<number> =>
   page.evaluate(() => {
     const gl = document.createElement('canvas').getContext('webgl2');
@@ -131,7 +131,7 @@ interface Drawn {
   readonly seed: number;
 }
 
-/** A scene for a seed, of all shapes that float64 can tell of. */
+/** A random scene of any shape that the reference can compute. */
 function drawnScene(seed: number): Drawn {
   const dice = new Dice(seed);
   const geometry = dice.pick(['plane', 'box', 'sphere'] as const);
@@ -142,7 +142,7 @@ function drawnScene(seed: number): Drawn {
   return { scene: { ...scene, meshes: scene.meshes.map((mesh) => ({ ...mesh, segments })) }, shading, seed };
 }
 
-/** Draws so many scenes from this seed on by both their programs and holds them against each other and against float64. */
+/** Draws scenes by general and specialised programs and compares both with each other and with float64. */
 export async function compareRandomScenes(page: Page, first: number, count: number): Promise<void> {
   const subpixelBits = await subpixelBitsOf(page);
   const sum = new DifferenceSum();
@@ -158,14 +158,14 @@ export async function compareRandomScenes(page: Page, first: number, count: numb
       const { scene, shading, seed } = drawn[i]!;
       const difference = betweenPrograms(general, specialised);
       sum.add(difference);
-      const told = `seed ${seed}\n${sceneMarkup(scene, shading)}`;
-      expect.soft(difference.max, told).toBeLessThanOrEqual(1);
+      const which = `seed ${seed}\n${sceneMarkup(scene, shading)}`;
+      expect.soft(difference.max, which).toBeLessThanOrEqual(1);
       for (const picture of [general, specialised]) {
         const found =
           scene.meshes[0]!.geometry === 'sphere'
             ? compareWithTriangles(picture, scene, shading, subpixelBits)
             : compareWithReference(picture, scene);
-        expect.soft(found.max, `${told}\n${found.at}`).toBeLessThanOrEqual(1);
+        expect.soft(found.max, `${which}\n${found.at}`).toBeLessThanOrEqual(1);
         errors.compared += found.compared;
         errors.exact += found.exact;
       }

@@ -11,7 +11,7 @@ export interface CastMesh extends Surface {
   readonly position: Vec3;
   readonly rotation: Vec3;
   readonly scale: Vec3;
-  /** As the attribute; none means the shape's own. The rays here meet the ideal shape whatever it says. */
+  /** As the attribute. The rays here hit the ideal shape for any value. */
   readonly segments?: number;
 }
 
@@ -25,11 +25,11 @@ export interface CastScene {
 }
 
 export interface Hit {
-  /** Told when it is asked for: neighbours are often looked at for their face alone. */
+  /** Computed on demand, because often only the face of a neighbour is needed. */
   readonly shaded: Shaded;
   readonly p: Vec3;
   readonly mesh: number;
-  /** Which face of which mesh was hit: the same text for all pixels of one. */
+  /** Identifies the face and the mesh: equal for all pixels of one face. */
   readonly face: string;
   /** Angle to the nearest cone's edge, radians; Infinity where no light has a cone. */
   readonly coneMargin: number;

@@ -1,4 +1,4 @@
-// Is the README's picture what its snippet draws? Compared left of the panel, whose text depends on the machine's fonts.
+// Does the README's picture show its snippet? Compared left of the panel, whose text depends on the machine's fonts.
 
 import { readFileSync, statSync } from 'node:fs';
 import { join } from 'node:path';

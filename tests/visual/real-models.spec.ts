@@ -1,5 +1,5 @@
-// Do models by other people look as they do in another renderer? On the site's page of twenty: the same pixels are covered, in similar
-// colours, and the caption names what a model is shown without. The light differs, so colours are compared coarsely.
+// Do published models look as in another renderer? On the site's page of twenty models, both must cover the same pixels in similar colours.
+// The lighting differs, so colours are compared coarsely. Captions name features that are not supported.
 
 import { readFileSync } from 'node:fs';
 import type { ModelEntries } from '../../.ci/site/models.js';
@@ -10,7 +10,7 @@ const { models } = JSON.parse(
   readFileSync(new URL('../../demo/models/models.json', import.meta.url), 'utf8'),
 ) as ModelEntries;
 
-/** Of the pixels that one of the pictures covers, the share that both cover. Edges may fall differently. */
+/** Least share of covered pixels that both pictures cover. Edges may differ. */
 const COVERED = 0.98;
 
 /** Largest distance of the mean colours, in codes per channel. Today's largest is 41. */

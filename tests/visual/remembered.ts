@@ -1,7 +1,7 @@
-// What float64 says of a scene, told once: several pictures of one scene are held against it.
+// Caches float64 results for a scene, because several pictures of one scene are compared with them.
 import type { CastScene } from './ray-cast.js';
 
-/** `tell` as a function that remembers its answers for as long as the scene lives; other arguments are told apart by their text. */
+/** A memoised `tell`: results are kept as long as the scene exists, keyed by the text of the other arguments. */
 export function remembered<A extends readonly (number | string)[], T>(
   tell: (scene: CastScene, ...more: A) => T,
 ): (scene: CastScene, ...more: A) => T {

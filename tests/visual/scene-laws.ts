@@ -36,7 +36,7 @@ export function scaled(scene: CastScene, s: number): CastScene {
   };
 }
 
-/** Everything that has a place in the world goes by `offset`; lights in camera space go with the eye. */
+/** Moves everything in the world by `offset`; lights in camera space follow the eye. */
 export function moved(scene: CastScene, offset: Vec3): CastScene {
   const there = (v: Vec3): Vec3 => add(v, offset);
   const lit = lightsOf(scene, (light) =>
@@ -96,7 +96,7 @@ export const withSilentTwins = (scene: CastScene): CastScene => ({
   }),
 });
 
-/** Lights of every kind that are off, between the others: the program that is made for them may be another one. */
+/** Adds inactive lights of every kind, which may select another program. */
 export function withStrangers(scene: CastScene, seed: number): CastScene {
   const dice = new Dice(seed);
   const strangers = Array.from({ length: 8 }, () => ({ ...randomLight(dice), active: false }));
@@ -126,7 +126,7 @@ export const stretched = (scene: CastScene, s: number): CastScene =>
     position: light.position[3] === 0 ? placed(light, (v) => scale(v, s)) : light.position,
   }));
 
-/** No likeness: every light a hundredth brighter. */
+/** Not equivalent: every light is 1 % brighter. */
 export const brighter = (scene: CastScene): CastScene =>
   lightsOf(scene, (light) => ({
     ...light,

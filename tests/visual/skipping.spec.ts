@@ -1,5 +1,5 @@
-// Does what is skipped change no picture? The same scenes by general programs, which hold what was ever declared, and by
-// programs for exactly what they show; with and without lights that reach nothing; and all of them against float64.
+// Does skipping work change no picture? Compares the same scenes drawn by general and by specialised programs, with and without lights that
+// reach nothing, and all of them with float64.
 
 import { expect, pixels, test } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/driving.js';
@@ -14,7 +14,7 @@ import { look, LOOKS, SIZE, subpixelBitsOf } from './program-scenes.js';
 
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
-test('random scenes differ by a code on few channels between their two programs, and by none more from float64', async ({
+test('random scenes differ by a code on few channels between general and specialised programs, and no more from float64', async ({
   page,
   mount,
 }) => {
@@ -24,7 +24,7 @@ test('random scenes differ by a code on few channels between their two programs,
   await compareRandomScenes(page, FIRST, 12);
 });
 
-test('every kind of surface and light differs as little between its two programs', async ({
+test('every kind of surface and light differs as little between the two programs', async ({
   page,
   mount,
 }) => {
@@ -58,7 +58,7 @@ test('every kind of surface and light differs as little between its two programs
   sum.expectPromise();
 });
 
-test('a textured model differs as little between its two programs, under every shading', async ({
+test('a textured model differs as little between the two programs, under every shading', async ({
   page,
   mount,
 }) => {
@@ -89,7 +89,7 @@ const IDLE = {
   'without a direction': 'position="0 0 0 0"',
 } as const;
 
-test('lights that reach nothing leave every bit as it is, in the same program', async ({ page, mount }) => {
+test('lights that reach nothing change no bit in the same program', async ({ page, mount }) => {
   await logGl(page);
   await mount('<phong-viewer></phong-viewer>', SIZE);
   const own = '<phong-light position="1 1 0.5" ambient="20" attenuation="1 0.2 0.1"></phong-light>';
@@ -113,7 +113,7 @@ test('lights that reach nothing leave every bit as it is, in the same program', 
   }
 });
 
-test('terms that go and come again, lights that go out and on: the same program gives the same bits', async ({
+test('the same program gives the same bits after terms and lights were switched off and on', async ({
   page,
   mount,
 }) => {

@@ -1,5 +1,5 @@
-// How exact is a sphere's picture? What the arithmetic loses, against the element's own triangles in float64, and what the
-// tessellation loses, those triangles against a sphere. Random scenes by markup alone; their seeds are printed.
+// How exact is a sphere's picture? Measures the error of the arithmetic, against the element's own triangles in float64, and the error of
+// the tessellation, those triangles against a sphere. Random scenes; their seeds are printed.
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { length, subtract } from '../../src/math/vector.js';
@@ -9,7 +9,7 @@ import { Dice, randomScene, sceneMarkup } from './random-scene.js';
 import type { CastScene } from './ray-cast.js';
 
 const SIZE = { width: 120, height: 84 };
-/** More scenes, or others: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
+/** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 18));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
@@ -74,7 +74,7 @@ function fromOutside(scene: CastScene): CastScene {
   return { ...scene, pose: { ...scene.pose, radius: Math.max(scene.pose.radius, 1.5 * reach) } };
 }
 
-test('comes nearer to the ideal sphere with the square of its segments', ({}, testInfo) => {
+test('approaches the ideal sphere with the square of its segments', ({}, testInfo) => {
   test.setTimeout(1_800_000);
   const scenes = Math.ceil(SCENES / 6);
   const levels = release ? [8, 16, 32, 64, 128, 256, 512] : [8, 16, 32, 64, 128];

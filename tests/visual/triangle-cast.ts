@@ -165,12 +165,12 @@ function perFragment(scene: CastScene, view: Lens): Color {
   };
 }
 
-/** Gouraud: what the vertices got is interpolated before it is clamped and, where it is linear, encoded. */
+/** Gouraud: the vertices' colours are interpolated before they are clamped and, for linear light, encoded. */
 function perVertex(scene: CastScene, view: Lens): Color {
   const at = shader(scene, view);
   const known = new Map<Vertex, { readonly sum: Vec3; readonly margin: number }>();
   const shadeVertex = (vertex: Vertex, front: boolean) => {
-    // Both sides of one vertex are never seen in one picture of a sphere.
+    // One picture of a sphere never shows both sides of a vertex.
     const present = known.get(vertex);
     if (present) return present;
     const shaded = at(vertex.place, front ? vertex.normal : scale(vertex.normal, -1));

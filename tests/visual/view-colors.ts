@@ -4,7 +4,7 @@ import type { View } from '../../src/material/views.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import type { LightShare } from '../../src/reference/index.js';
 
-/** What `shade` and `shadeAt` both give. */
+/** The part of a result that `shade` and `shadeAt` share. */
 export interface Explained {
   readonly N: Vec3;
   readonly shares: readonly (LightShare | null)[];

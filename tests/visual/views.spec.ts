@@ -1,4 +1,4 @@
-// Do views show the quantities that the equation gives in float64? Pixel by pixel, in 8-bit codes.
+// Do views show the quantities of the equation? Compared with float64 pixel by pixel, in 8-bit codes.
 
 import type { Locator } from '@playwright/test';
 import { srgbEncode } from '../../src/math/color.js';
@@ -184,7 +184,7 @@ test('counts many narrow spots by the cells of their grid, seed 5', async ({ pag
   expect(drawn?.fragment).toContain('#define HAS_LIGHT_GRID');
 });
 
-test('keeps explaining the shaded picture, whatever the view', async ({ mount }) => {
+test('shadeAt explains the shaded picture in every view', async ({ mount }) => {
   const viewer = await mount(`<phong-viewer geometry="sphere" segments="8">${lights}</phong-viewer>`, SIZE);
   const explain = () =>
     viewer.evaluate(async (element: PhongViewer) =>
@@ -201,7 +201,7 @@ test('keeps explaining the shaded picture, whatever the view', async ({ mount })
   }
 });
 
-test('under Gouraud shading a term is that of the vertices, as with `terms`', async ({ mount }) => {
+test('under Gouraud shading a term is computed at the vertices, as with `terms`', async ({ mount }) => {
   const markup = `<phong-viewer geometry="sphere" segments="9" shading="gouraud">${lights}</phong-viewer>`;
   const viewer = await mount(markup, SIZE);
   for (const view of TERMS) {
@@ -220,7 +220,7 @@ test('under Gouraud shading lights are counted at the fragment, not at the verti
   expect(compare(seen, await pixels(viewer, SIZE)).max).toBe(0);
 });
 
-test('with a light alone the shaded picture is that of the scene without the others', async ({ mount }) => {
+test('with a single light the shaded picture is that of the scene without the others', async ({ mount }) => {
   const markup = `<phong-viewer src="${file}" theta="20" phi="75" radius="3.5">${lights}</phong-viewer>`;
   const viewer = await mount(markup, SIZE);
   await assign(viewer, { viewLight: 'lamp' });
@@ -232,7 +232,7 @@ test('with a light alone the shaded picture is that of the scene without the oth
   expect(compare(alone, await pixels(viewer, SIZE)).max).toBe(0);
 });
 
-test('gives every triangle a colour of its own, between dark lines', async ({ mount }) => {
+test('gives every triangle a colour, between dark lines', async ({ mount }) => {
   const viewer = await mount(
     `<phong-viewer view="triangles" geometry="sphere" segments="7" radius="1.2">${lights}</phong-viewer>`,
     SIZE,

@@ -10,7 +10,7 @@ import {
   SHADINGS,
   type Term,
   TERMS,
-} from '../../material/program/variant.js';
+} from '../../material/shading-style.js';
 import { type View, VIEWS } from '../../material/views.js';
 import type { Fields } from '../../fields/field-store.js';
 import {

@@ -49,7 +49,6 @@ export class ViewerAnnouncements implements ReactiveController {
 
   constructor(viewer: PhongViewer) {
     this.#viewer = viewer;
-    viewer.addEventListener('light-change', ({ detail }) => this.#onLights(detail.lights));
   }
 
   /** Takes its place beside the picture. */
@@ -75,7 +74,7 @@ export class ViewerAnnouncements implements ReactiveController {
     if (this.#scene !== null && this.#language !== this.#texts) this.describeSoon();
   }
 
-  /** Describes the scene soon. Not by the event: a listener takes three times as long as the event itself. */
+  /** Describes the scene soon. */
   describeSoon(): void {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
@@ -87,7 +86,8 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#userActed();
   }
 
-  #onLights(lights: readonly PhongLight[]): void {
+  /** Lights were written to; none: they came, went or changed places. Call when `light-change` is dispatched. */
+  lightsChanged(lights: readonly PhongLight[]): void {
     // These write while an event of the user is dispatched to them. All other writes are a script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
     if (lights.length === 0) this.#counted = true;

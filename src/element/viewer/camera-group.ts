@@ -35,11 +35,15 @@ function groupOf({ viewer, values }: Member): CameraGroup | null {
   return parentElement?.localName === 'phong-compare' ? groupAt(unnamed, parentElement) : null;
 }
 
-function groupAt<K>(
-  groups: { get(key: K): CameraGroup | undefined; set(key: K, group: CameraGroup): unknown },
-  key: K,
-): CameraGroup {
-  const group = groups.get(key) ?? new CameraGroup();
+interface Groups<K> {
+  get(key: K): CameraGroup | undefined;
+  set(key: K, group: CameraGroup): unknown;
+  delete(key: K): boolean;
+}
+
+/** Empty groups are removed from the map. */
+function groupAt<K>(groups: Groups<K>, key: K): CameraGroup {
+  const group = groups.get(key) ?? new CameraGroup(() => groups.delete(key));
   groups.set(key, group);
   return group;
 }
@@ -50,6 +54,12 @@ class CameraGroup implements CameraLink, SharedFit {
   /** For the framing that all members share; null after a change. */
   #fitted: { readonly framing: Framing; readonly fit: Fit; readonly from: Member } | null = null;
   #settling = false;
+  readonly #emptied: () => void;
+
+  /** `emptied` is called when the last member has left. */
+  constructor(emptied: () => void) {
+    this.#emptied = emptied;
+  }
 
   /** The first member keeps its camera. Those that follow take the group's. */
   join(member: Member): void {
@@ -67,7 +77,8 @@ class CameraGroup implements CameraLink, SharedFit {
     member.camera.link = null;
     member.viewport.fit.shared = null;
     member.viewport.invalidate();
-    this.changed();
+    if (this.#members.size === 0) this.#emptied();
+    else this.changed();
   }
 
   moved(camera: ViewerCamera, source: CameraSource): void {

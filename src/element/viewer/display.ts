@@ -1,6 +1,7 @@
 // What does a viewer show and say around its picture: poster, progress bar, message, custom states, description? Brings the shadow
 // tree in step with what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
 import { checkedTexts, upgradeTexts, type ViewerTexts } from '../fields/texts.js';
+import type { PhongLight } from '../phong-light.js';
 import type { PhongViewer } from '../phong-viewer.js';
 import { ViewerAnnouncements } from './announcements.js';
 import type { CameraSource } from './camera.js';
@@ -81,6 +82,11 @@ export class ViewerDisplay {
   cameraMoved(source: CameraSource, linked: boolean): void {
     this.extras.cameraMoved(source);
     this.#announcements.cameraMoved(source, linked);
+  }
+
+  /** Lights were written to, or came, went or changed places. */
+  lightsChanged(lights: readonly PhongLight[]): void {
+    this.#announcements.lightsChanged(lights);
   }
 
   /** A frame was drawn. */

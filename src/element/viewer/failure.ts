@@ -31,7 +31,7 @@ export class ViewerFailure {
     this.#present.delete(subject);
     this.#present.set(subject, detail);
     this.#host.requestUpdate();
-    this.#events.enqueue('error', detail, detail);
+    this.#events.append('error', detail);
   }
 
   /** `subject` works, or is gone. */

@@ -169,7 +169,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
       const detail = { url: url.href };
       this.#enqueueProgress();
       child?.dispatchEvent(new CustomEvent('load', { detail }));
-      this.#host.events.enqueue('load', detail, detail);
+      this.#host.events.append('load', detail);
     }
     this.#host.ended();
   }

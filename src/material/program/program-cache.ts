@@ -2,6 +2,7 @@
 // while, compiled in the background like a just-in-time compiler's code. One cache for each PhongLighting; it counts programs,
 // not meshes. Knows no clock: it works in frames that are drawn anyway.
 import { type Camera, GLSL3, Mesh, RawShaderMaterial, type WebGLRenderer } from 'three';
+import { reportLinkFailure } from '../link-failure.js';
 import type { Variant } from './variant.js';
 
 /** Drawn frames with the same key before a specialised program is requested: a third of a second of motion. */
@@ -95,21 +96,17 @@ export class ProgramCache {
     this.#request = null;
   }
 
+  /** Drops what neither this frame nor the last one has drawn, if there is no room. */
   #add(key: string): Entry {
-    if (this.#entries.size >= MOST_ENTRIES) this.#evict();
+    for (const [other, entry] of this.#entries) {
+      if (this.#entries.size < MOST_ENTRIES || entry.frame >= this.#frame - 1) continue;
+      if (this.#compiling === entry) this.#compiling = null;
+      disposeOf(entry);
+      this.#entries.delete(other);
+    }
     const entry: Entry = { state: { name: 'general', frames: 0 }, frame: -1 };
     this.#entries.set(key, entry);
     return entry;
-  }
-
-  /** Drops what neither this frame nor the last one has drawn. */
-  #evict(): void {
-    for (const [key, entry] of this.#entries) {
-      if (entry.frame >= this.#frame - 1) continue;
-      if (this.#compiling === entry) this.#compiling = null;
-      disposeOf(entry);
-      this.#entries.delete(key);
-    }
   }
 
   #compile(): void {
@@ -130,6 +127,7 @@ export class ProgramCache {
     if (state.name !== 'compiling') return;
     const { probe, frames } = state;
     const { renderer } = probe;
+    const gl = renderer.getContext();
     const program = programOf(probe);
     const tells = renderer.extensions.has('KHR_parallel_shader_compile');
     if (program !== undefined && !(tells ? program.isReady() : frames >= UNTOLD_FRAMES)) {
@@ -137,7 +135,6 @@ export class ProgramCache {
       return;
     }
     this.#compiling = null;
-    const gl = renderer.getContext();
     if (program === undefined || gl.isContextLost()) {
       entry.state = { name: 'general', frames: 0 }; // the context was lost with the program
       return;
@@ -159,17 +156,6 @@ export class ProgramCache {
     entry.state = { name: 'specialised', probe };
     return probe.variant;
   }
-}
-
-/** Reports a program that does not link to the page's error handlers, with the driver's logs. */
-export function reportLinkFailure(
-  gl: WebGLRenderingContext | WebGL2RenderingContext,
-  program: WebGLProgram,
-): void {
-  const shaders = gl.getAttachedShaders(program) ?? [];
-  const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
-  const text = logs.filter((log) => log !== null && log !== '').join('\n');
-  reportError(new Error(`PhongMaterial: a program does not link: ${text}`));
 }
 
 /** What a material needs to draw with a variant. */

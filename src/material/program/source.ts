@@ -39,30 +39,22 @@ const CONSTANTS = `${layoutDefines()}
 #define SRGB_EXPONENT ${float(SRGB.exponent)}
 `;
 
-/** The specular lobe averaged over the pixel. Left out of programs that do not filter: few do, and it is long. */
-const AVERAGES = [
-  '#ifdef FILTER_HIGHLIGHTS',
-  footprint,
-  '#ifdef REFLECTION_BLINN_PHONG',
-  averagedBlinnPhong,
-  '#else',
-  averagedPhong,
-  '#endif',
-  '#endif',
-].join('\n');
+/** Text that only programs with this condition compile. */
+const where = (condition: string, ...chunks: readonly string[]): string =>
+  [`#if ${condition}`, ...chunks, '#endif'].join('\n');
 
-/** Left out of programs without metal-rough and normal maps. */
-const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
-#define LEAST_FILE_EXPONENT ${float(LEAST_FILE_EXPONENT)}
-#define FULL_LOBE ${float(FULL_LOBE)}
-${fileSurface}`;
-
-/** The light loop with optional chunks before it, and what a fragment makes of it. */
-const loopWith = (surface: string, ...chunks: readonly string[]): string =>
+/** The light loop, and what a fragment makes of it. */
+const loopWith = (surface: string): string =>
   [
     ...[CONSTANTS, guard, power, attenuation, spot, diffuseLobe],
     ...['#ifdef REFLECTION_BLINN_PHONG', specularBlinnPhong, '#else', specularPhong, '#endif'],
-    ...[lightRows, ...chunks, lightLoop, surface],
+    lightRows,
+    // The specular lobe averaged over the pixel.
+    where('defined(FILTER_HIGHLIGHTS)', footprint),
+    where('defined(FILTER_HIGHLIGHTS) && defined(REFLECTION_BLINN_PHONG)', averagedBlinnPhong),
+    where('defined(FILTER_HIGHLIGHTS) && !defined(REFLECTION_BLINN_PHONG)', averagedPhong),
+    where('defined(HAS_LIGHT_GRID)', lightGrid),
+    ...[lightLoop, surface],
   ].join('\n');
 
 /**
@@ -73,45 +65,46 @@ const loopWith = (surface: string, ...chunks: readonly string[]): string =>
  * with everything in the space that the lights were packed for. With FILTER_HIGHLIGHTS, call either only in a fragment
  * shader's uniform control flow, before any `discard`: they use dFdx and dFdy.
  */
-export const LIGHT_LOOP_GLSL = loopWith(surfaceColor, AVERAGES, lightGrid);
+export const LIGHT_LOOP_GLSL = /* @__PURE__ */ loopWith(surfaceColor);
 
 /** The sRGB curve and the rounding to 8 bits: the last steps of a fragment. Needs the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
+
+const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
+#define LEAST_FILE_EXPONENT ${float(LEAST_FILE_EXPONENT)}
+#define FULL_LOBE ${float(FULL_LOBE)}
+${fileSurface}`;
 
 export interface Shaders {
   readonly vertexShader: string;
   readonly fragmentShader: string;
 }
 
-const PRECISION = 'precision highp float;\nprecision highp int;';
-
-const cache = new Map<string, Shaders>();
+const shaders = new Map<string, Shaders>();
 
 /**
- * The two stages of a program with these defines. Gouraud shading sums the lights at the vertices, everything else at the
- * fragments; the other stage leaves out the loop's text, which compilers would parse in vain. `surface` is a text in place of
- * surface_color.
+ * The two stages of all programs: defines choose the code. Gouraud shading sums the lights at the vertices, everything else at
+ * the fragments. `surface` is a text in place of surface_color.
  */
-export function shadersOf(defines: Readonly<Record<string, string>>, surface = surfaceColor): Shaders {
-  const gouraud = 'SHADING_GOURAUD' in defines;
-  const filtered = 'FILTER_HIGHLIGHTS' in defines;
-  const grid = 'HAS_LIGHT_GRID' in defines;
-  const unlit = 'IS_UNLIT' in defines;
-  const textured = 'HAS_METAL_ROUGH_MAP' in defines || 'HAS_NORMAL_MAP' in defines;
-  const key = [gouraud, filtered, grid, unlit, textured, surface].join();
-  let shaders = cache.get(key);
-  if (shaders === undefined) {
-    const loop = loopWith(surface, ...(filtered ? [AVERAGES] : []), ...(grid ? [lightGrid] : []));
-    const none = `${CONSTANTS}\n${guard}`;
-    shaders = {
-      vertexShader: [PRECISION, gouraud && !unlit ? loop : none, phongVertex].join('\n'),
+export function shadersOf(surface = surfaceColor): Shaders {
+  let both = shaders.get(surface);
+  if (both === undefined) {
+    const precision = 'precision highp float;\nprecision highp int;';
+    const inStage = (isVertex: boolean): string =>
+      [
+        precision,
+        ...[`#if !defined(IS_UNLIT) && ${isVertex ? '' : '!'}defined(SHADING_GOURAUD)`, loopWith(surface)],
+        ...['#else', CONSTANTS, guard, '#endif'],
+      ].join('\n');
+    both = {
+      vertexShader: [inStage(true), phongVertex].join('\n'),
       fragmentShader: [
-        ...[PRECISION, gouraud || unlit ? none : loop, ENCODING_GLSL],
-        ...(textured ? [FILE_SURFACE] : []),
+        ...[inStage(false), ENCODING_GLSL],
+        where('defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)', FILE_SURFACE),
         phongFragment,
       ].join('\n'),
     };
-    cache.set(key, shaders);
+    shaders.set(surface, both);
   }
-  return shaders;
+  return both;
 }

@@ -1,7 +1,7 @@
 // Makes what a picture shows in place of all lights' shaded colours: one light's, one term's, or a quantity. Fetched with the first use of
 // `view` or `view-light`. Knows neither elements nor legends.
 import type { LightValues } from '../../light/light-state.js';
-import { TERMS } from '../program/variant.js';
+import { TERMS } from '../shading-style.js';
 import type { PictureView, View } from '../views.js';
 import { countLights } from './count-lights.js';
 import { quantityUniforms, writeQuantityLight } from './quantity-light.js';

@@ -182,7 +182,7 @@ export class Projection {
       x: clamp(a.x + share * dx, -OUTSIDE * this.width, (1 + OUTSIDE) * this.width),
       y: clamp(a.y + share * dy, -OUTSIDE * this.height, (1 + OUTSIDE) * this.height),
     });
-    return [from === 0 ? a : at(from), to === 1 ? b : at(to)];
+    return [this.#isNear(a) ? a : at(from), this.#isNear(b) ? b : at(to)];
   }
 }
 

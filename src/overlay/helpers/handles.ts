@@ -8,6 +8,7 @@ import { lightText } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
 import { create, set } from '../../element/viewer/template.js';
+import { ARROWS } from '../arrow-keys.js';
 import { inside, type Projection } from '../drawing/projection.js';
 import { EDGE, type Handle, type LightMarks, type Part } from './light-marks.js';
 import { LightMove } from './light-move.js';
@@ -243,14 +244,6 @@ export class Handles {
 }
 
 const MOVING = 'Arrow keys move, with Shift toward you and away. Enter ends, Escape restores.';
-
-/** Right and down. */
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 function mark(element: HTMLElement, current: boolean): void {
   set(element, 'tabindex', current ? '0' : '-1');

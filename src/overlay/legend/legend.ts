@@ -1,5 +1,6 @@
 // Shows a view: what the picture draws in place of the shaded colours, and the legend over it. Follows `view` and `view-light`. Knows
 // no shaders.
+import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView, scaleEnd } from '../../material/view/picture-view.js';
@@ -8,7 +9,7 @@ import { chosenLights, lightsText } from './chosen-lights.js';
 import type { ErrorView } from '../error/error-view.js';
 import { snapshotOf } from '../error/picture-snapshot.js';
 import { LegendBox } from './legend-box.js';
-import { adoptStyles } from './legend-styles.js';
+import styles from './legend.css?inline';
 import { type Bar, barsOf, ERROR_END, titleOf } from './view-scale.js';
 
 const errorCode = lazyCode(() => import('../error/error-view.js'), 'the error view');
@@ -18,7 +19,7 @@ export const showView = (host: ExtraHost): Extra => new ViewExtra(host);
 class ViewExtra implements Extra {
   readonly #host: ExtraHost;
   readonly #legend = new LegendBox();
-  readonly #dropStyles: () => void;
+  readonly #root: ShadowRoot;
   /** The values that the picture was last set to. */
   #shown = '';
   /** Null before its code has arrived, and for other views. */
@@ -30,7 +31,8 @@ class ViewExtra implements Extra {
 
   constructor(host: ExtraHost) {
     this.#host = host;
-    this.#dropStyles = adoptStyles(host.tree.layer.getRootNode() as ShadowRoot);
+    this.#root = host.tree.layer.getRootNode() as ShadowRoot;
+    addStyles(this.#root, styles);
     host.tree.layer.append(this.#legend.place);
   }
 
@@ -60,7 +62,7 @@ class ViewExtra implements Extra {
     const { viewport } = this.#host;
     this.#hideError();
     this.#legend.place.remove();
-    this.#dropStyles();
+    removeStyles(this.#root, styles);
     viewport.lighting.view = null;
     viewport.style = { ...viewport.style };
   }

@@ -1,6 +1,7 @@
 // What do pointer and keys on a picture mean for its probe? A mouse hovers, a click or tap without a drag pins, arrow keys move the
 // cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS pixels of the layer. Knows
 // nothing of what is explained.
+import { ARROWS } from '../arrow-keys.js';
 import type { Point } from '../drawing/projection.js';
 
 export interface ProbeInputHost {
@@ -24,13 +25,6 @@ const SLOP = { mouse: 4, touch: 10 } as const;
 
 /** CSS pixels per press of an arrow key, and with Shift. */
 const STEP = { fine: 1, coarse: 10 } as const;
-
-const ARROWS: Readonly<Record<string, readonly [across: number, down: number]>> = {
-  ArrowLeft: [-1, 0],
-  ArrowRight: [1, 0],
-  ArrowUp: [0, -1],
-  ArrowDown: [0, 1],
-};
 
 /** Listens until `signal` is aborted. `root` holds the cross-hair and the table. */
 export function listen(

@@ -1,6 +1,7 @@
 // How is a probed point shown on the page? Arrows over the picture, a cross-hair for the keyboard, a box with the sum, and announcements.
 // Knows which light is looked at, but not which point is next.
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
+import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { create, set } from '../../element/viewer/template.js';
@@ -13,7 +14,7 @@ import { Announcer } from './announcer.js';
 import { drawingOf, markOf } from './drawing.js';
 import { figureOf } from './figure.js';
 import { ProbeBox } from './probe-box.js';
-import { adoptProbeStyles } from './probe-styles.js';
+import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
 import { trianglePlaces } from './triangle.js';
 import { fragmentText } from './words.js';
@@ -43,14 +44,13 @@ export class ProbeView {
   readonly #drawing = new SvgLayer();
   readonly #announcer = new Announcer();
   readonly #box: ProbeBox;
-  readonly #removeStyles: () => void;
   #shown: Shown | null = null;
 
   /** `release` is called by the button that takes the pin away. */
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
     this.#box = new ProbeBox(() => this.#show(), release);
-    this.#removeStyles = adoptProbeStyles(host.viewer.shadowRoot!);
+    addStyles(host.viewer.shadowRoot!, styles);
     this.root.append(this.#drawing.element, this.cursor, this.#box.element, this.#announcer.element);
     host.tree.layer.append(this.root);
   }
@@ -123,7 +123,7 @@ export class ProbeView {
     this.#announcer.dispose();
     this.#box.dispose();
     this.root.remove();
-    this.#removeStyles();
+    removeStyles(this.#host.viewer.shadowRoot!, styles);
   }
 
   get #texts(): ViewerTexts | null {

@@ -54,7 +54,9 @@ export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   });
   let renderer: WebGLRenderer;
   try {
-    renderer = new WebGLRenderer({ canvas, context, antialias: true, alpha: true });
+    // The canvas gives three.js the same context again. Given it, three.js would touch WebGLRenderingContext, whose interface the browser
+    // builds at the first touch (35 kB of heap).
+    renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
   } finally {
     setConsoleFunction(log as ConsoleFunction);
   }

@@ -260,7 +260,7 @@ class Stage {
 
   /** Copies what has been drawn into the pictures' own canvases. */
   #showDrawn(): void {
-    this.#places.clear();
+    if (this.#places.size > 0) this.#places.clear(); // clearing allocates, even an empty map
     // A lost context has no pixels: the copies keep their pictures. (A lone picture is not checked in each frame.)
     if (this.#drawn.size === 0 || this.#context.noticeLoss()) return;
     const source = this.#context.renderer?.domElement;

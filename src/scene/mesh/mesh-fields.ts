@@ -2,7 +2,7 @@
 // Knows neither elements nor how a mesh is drawn.
 import { LIMITS } from '../../light/light-state.js';
 import { SURFACE_FIELDS, type SurfaceValues } from '../../material/material-values.js';
-import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/program/variant.js';
+import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/shading-style.js';
 import type { Fields } from '../../fields/field-store.js';
 import {
   type Field,

@@ -125,7 +125,7 @@ class View {
     return {
       codes: [...codes],
       programs: this.#renderer.info.programs?.length ?? 0,
-      isSpecialised: 'LIGHT_STATEMENTS' in defines,
+      isSpecialised: 'LIGHT_STATEMENTS' in defines || 'HAS_LIGHT_GRID' in defines,
     };
   }
 

@@ -1,0 +1,103 @@
+// Do the commands of package.json explain themselves, refuse what they do not know in one line, and say in one line what is
+// missing? A stack trace tells a user nothing.
+
+import { execFile } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+
+const repository = fileURLToPath(new URL('../..', import.meta.url));
+const { scripts } = JSON.parse(readFileSync(join(repository, 'package.json'), 'utf8')) as {
+  readonly scripts: Readonly<Record<string, string>>;
+};
+const names = ['test', 'bench', 'bench:report', 'stress', 'stress:report', 'mutation', 'readme:picture', 'site:picture', 'site:models']; // prettier-ignore
+
+/** Its script, run with arguments and variables of its own. */
+function run(
+  name: string,
+  args: readonly string[],
+  variables: Readonly<Record<string, string>> = {},
+): Promise<{ readonly code: number; readonly out: string; readonly said: string }> {
+  // npm adds arguments to the last program of a script: one program must be all of it.
+  const [, ...own] = scripts[name]!.split(' ');
+  expect(own).not.toContain('&&');
+  return new Promise((resolve) => {
+    execFile(
+      process.execPath,
+      [...own, ...args],
+      { cwd: repository, env: { ...process.env, ...variables } },
+      (error, out, said) => resolve({ code: typeof error?.code === 'number' ? error.code : 0, out, said }),
+    );
+  });
+}
+
+describe.each(names)('npm run %s', (name) => {
+  it.concurrent('explains itself with --help', async ({ expect }) => {
+    const { code, out, said } = await run(name, ['--help']);
+    expect({ code, said }).toEqual({ code: 0, said: '' });
+    expect(out).toContain(name === 'test' ? 'npm test' : `npm run ${name}`);
+  });
+
+  it.concurrent('refuses an unknown option and an unknown name in one line', async ({ expect }) => {
+    for (const strange of ['--nonsense', 'nonsense']) {
+      const { code, out, said } = await run(name, [strange]);
+      expect({ code, out }).toEqual({ code: 2, out: '' });
+      expect(said).toBe(
+        `Unknown ${strange.startsWith('-') ? 'option' : 'argument'} '${strange}'. See --help.\n`,
+      );
+    }
+  });
+});
+
+it('npm run bench lists its subjects', async () => {
+  expect((await run('bench', ['--list'])).out).toContain('sphere, 8 lights\n');
+});
+
+describe('a command', () => {
+  let folder = '';
+  beforeAll(() => {
+    folder = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
+    mkdirSync(join(folder, 'results'));
+    writeFileSync(join(folder, 'results/software.json'), '{ "stack": ');
+  });
+  afterAll(() => rmSync(folder, { recursive: true }));
+
+  const broken = (): string => join(folder, 'results/software.json');
+
+  it.each<[string, (() => readonly string[]) | readonly string[], RegExp]>([
+    ['bench', ['--launches', '0'], /^--launches takes a number of at least 1, not '0'/],
+    ['bench', ['--size', 'large'], /^--size takes pixels such as 480x360, not 'large'/],
+    ['bench', ['--only', 'a teapot'], /^No subject contains 'a teapot'/],
+    ['bench', ['--built', '/no/such/folder'], /^There are no built pages in \/no\/such\/folder/],
+    ['bench:report', ['--folder', '/no/such/folder'], /^There are no results in \/no\/such\/folder\/results/],
+    ['bench:report', () => ['--folder', folder], /software\.json is no JSON that can be read/],
+    ['stress', ['--cases', 'many'], /^--cases takes a number of at least 1, not 'many'/],
+    ['stress', ['--drivers', 'left'], /^Unknown driver 'left'/],
+    ['stress', ['--harness', '/no/such/folder'], /^There is no built harness in \/no\/such\/folder/],
+    // Before hours of measuring.
+    ['stress', () => ['--out', broken()], /software\.json is no JSON that can be read/],
+    [
+      'stress:report',
+      ['--folder', '/no/such/folder'],
+      /^There are no results in \/no\/such\/folder\/results/,
+    ],
+    ['stress:report', () => ['--folder', folder], /software\.json is no JSON that can be read/],
+    ['mutation', ['--folder', 'attic'], /^Unknown folder 'attic'/],
+  ])('npm run %s %j says what is wrong in one line', async (name, args, message) => {
+    const { code, out, said } = await run(name, typeof args === 'function' ? args() : args);
+    expect({ code, out }).toEqual({ code: 2, out: '' });
+    expect(said).toMatch(/^[^\n]+\. See --help\.\n$/);
+    expect(said).toMatch(message);
+  });
+
+  it.each(['readme:picture', 'site:picture', 'site:models'])(
+    'npm run %s says in one line that there is no build',
+    async (name) => {
+      const { code, said } = await run(name, [], { PHONG_VIEWER_OUT: folder });
+      expect(code).toBe(2);
+      expect(said).toMatch(/^\S+ is missing: run `npm run build(?::site)?` first\. See --help\.\n$/);
+    },
+  );
+});
