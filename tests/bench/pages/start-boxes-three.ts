@@ -21,3 +21,5 @@ for (const { position = ORIGIN, scale = 1 } of bench.meshes) {
 const camera = new PerspectiveCamera(FOV, holder.clientWidth / holder.clientHeight, 0.1, 100);
 camera.position.z = bench.radius;
 renderer.render(scene, camera);
+// Kept, as by a page that draws again: the heap is read after the first picture.
+Object.assign(window, { scene, camera, renderer });

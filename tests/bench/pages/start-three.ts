@@ -34,3 +34,5 @@ const camera = new PerspectiveCamera(45, holder.clientWidth / holder.clientHeigh
 camera.position.set(0.64, 0.47, 1.12);
 camera.lookAt(0, 0, 0);
 renderer.render(scene, camera);
+// Kept, as by a page that draws again: the heap is read after the first picture.
+Object.assign(window, { scene, camera, renderer });
