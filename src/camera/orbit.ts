@@ -108,8 +108,8 @@ export class Orbit {
 
   /** Eye minus target, in world axes. */
   offset(out: MutableVec3 = [0, 0, 0]): MutableVec3 {
-    backOf(this, out);
-    for (let i = 0; i < 3; i++) out[i]! *= this.#radius;
+    const { back } = basisOf(this, scratch);
+    for (let i = 0; i < 3; i++) out[i] = back[i]! * this.#radius;
     return out;
   }
 
@@ -128,28 +128,26 @@ export class Orbit {
 
 export const newBasis = (): Basis => ({ right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] });
 
+const scratch = newBasis();
+
 /** The axes of a camera at these angles, written to `out`. */
 export function basisOf(angles: Pick<Pose, 'theta' | 'phi'>, out: Basis = newBasis()): Basis {
-  const { right, up } = out;
+  const { right, up, back } = out;
   const sinTheta = sinDegrees(angles.theta);
   const cosTheta = cosDegrees(angles.theta);
+  const sinPhi = sinDegrees(angles.phi);
   const cosPhi = cosDegrees(angles.phi);
   // `0 - x` instead of `-x`: it never gives -0.
   right[0] = cosTheta;
   right[1] = 0;
   right[2] = 0 - sinTheta;
   up[0] = 0 - cosPhi * sinTheta;
-  up[1] = sinDegrees(angles.phi);
+  up[1] = sinPhi;
   up[2] = 0 - cosPhi * cosTheta;
-  backOf(angles, out.back);
+  back[0] = sinPhi * sinTheta + 0;
+  back[1] = cosPhi;
+  back[2] = sinPhi * cosTheta + 0;
   return out;
-}
-
-function backOf({ theta, phi }: Pick<Pose, 'theta' | 'phi'>, out: MutableVec3): void {
-  const sinPhi = sinDegrees(phi);
-  out[0] = sinPhi * sinDegrees(theta) + 0;
-  out[1] = cosDegrees(phi);
-  out[2] = sinPhi * cosDegrees(theta) + 0;
 }
 
 /** A frozen copy clamped to the domain, or the present target itself if the values are equal. */

@@ -66,16 +66,14 @@ const wrong = (expected: string, value: unknown): TypeError =>
 
 /** Checks a single number, or one of the numbers of `whole`, which the error shows. */
 function numberCheck(
-  { min = -Infinity, max = Infinity, above = -Infinity, integer = false }: Range,
+  { min = -Number.MAX_VALUE, max = Number.MAX_VALUE, above = -Infinity, integer = false }: Range,
   expected: string,
 ): (value: unknown, whole: unknown) => number {
   return (value, whole) => {
     if (typeof value !== 'number') throw wrong(expected, whole);
-    const inside = Number.isFinite(value) && value >= min && value <= max && value > above;
-    if (!inside || (integer && !Number.isInteger(value))) {
-      throw new RangeError(`expected ${expected}, got ${show(value)}`);
-    }
-    return value + 0; // -0 would show as "0" and divide as "-"
+    if (value >= min && value <= max && value > above && (!integer || Number.isInteger(value)))
+      return value + 0; // -0 would show as "0" and divide as "-"
+    throw new RangeError(`expected ${expected}, got ${show(value)}`);
   };
 }
 
@@ -103,8 +101,10 @@ function tupleField<T extends Vec3 | Vec4>(
       if (!isList(value)) throw wrong(expected, value);
       const n = finish === undefined ? value : finish(value);
       if (n.length !== size) throw wrong(expected, value);
-      // Moving lights do this every frame: one pass into a literal.
-      const [x, y, z] = [at(n[0], value), at(n[1], value), at(n[2], value)];
+      // Moving lights do this every frame: one pass into a literal, without an iterator.
+      const x = at(n[0], value);
+      const y = at(n[1], value);
+      const z = at(n[2], value);
       return (size === 3 ? [x, y, z] : [x, y, z, at(n[3], value)]) as unknown as T;
     },
   };

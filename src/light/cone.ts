@@ -87,9 +87,14 @@ export class Cone {
   }
 
   #across(x: number, y: number, z: number): number {
-    const [vx, vy, vz] = [x - this.#x, y - this.#y, z - this.#z];
-    const [ax, ay, az] = [this.#ax, this.#ay, this.#az];
-    return lengthOf(vy * az - vz * ay, vz * ax - vx * az, vx * ay - vy * ax);
+    const vx = x - this.#x;
+    const vy = y - this.#y;
+    const vz = z - this.#z;
+    return lengthOf(
+      vy * this.#az - vz * this.#ay,
+      vz * this.#ax - vx * this.#az,
+      vx * this.#ay - vy * this.#ax,
+    );
   }
 
   #slack(x: number, y: number, z: number, radius: number): number {

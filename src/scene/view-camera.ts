@@ -3,6 +3,7 @@
 import { PerspectiveCamera } from 'three';
 import { depthRange, type Bounds, type DepthRange } from '../camera/fit.js';
 import { type Basis, type MutableVec3, newBasis, type Orbit } from '../camera/orbit.js';
+import type { Vec3 } from '../math/vector.js';
 import { type ShadingFrame, writeView } from '../material/lighting.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Region } from './gpu/stage.js';
@@ -39,8 +40,7 @@ export class ViewCamera {
     this.#aimed = aimed;
     const { camera } = this;
     const { right, up, back } = this.#orbit.basis(this.#basis);
-    const eye = this.#orbit.eye(this.#eye);
-    this.#orbit.offset(this.#offset);
+    const eye = this.#writeEye();
     // prettier-ignore
     camera.matrixWorld.set(
       right[0], up[0], back[0], eye[0],
@@ -61,6 +61,17 @@ export class ViewCamera {
     else camera.setViewOffset(width, height, part.x, part.y, part.width, part.height);
     camera.updateProjectionMatrix();
     scaleClipSpace(camera, this.#orbit.pose.radius);
+  }
+
+  /** From the basis, which has taken the sines and cosines. */
+  #writeEye(): Vec3 {
+    const { radius, target } = this.#orbit;
+    const { back } = this.#basis;
+    for (let i = 0; i < 3; i++) {
+      this.#offset[i] = back[i]! * radius;
+      this.#eye[i] = this.#offset[i]! + target[i]!;
+    }
+    return this.#eye;
   }
 }
 
