@@ -122,7 +122,7 @@ export class PointerGesture {
     if (this.active) this.reanchor();
   }
 
-  /** Records the camera and the fingers as they are now: the drag continues from what is shown. */
+  /** Sets a new anchor: the drag continues from the current camera and pointer positions. */
   reanchor(): Anchor {
     for (const finger of this.#fingers) {
       finger.anchorX = finger.x;

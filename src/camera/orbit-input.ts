@@ -97,7 +97,7 @@ export class OrbitInput {
     this.#end();
   }
 
-  /** To be called when something else changed the camera or the picture: a drag in progress continues from what is shown now. */
+  /** Call when something else has changed the camera or the picture: a drag in progress continues from the current camera. */
   reanchor(): void {
     if (this.#gesture.active) this.#gesture.reanchor();
   }

@@ -90,7 +90,7 @@ export class CameraFolder {
     };
   }
 
-  /** What is declared, rather than where the camera is. */
+  /** The declared values, which may differ from the current camera. */
   #addLens({ gui }: Rows): void {
     const viewer = this.#viewer;
     const history = historyOf(viewer);

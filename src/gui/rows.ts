@@ -104,7 +104,7 @@ export function addButton(gui: GUI, name: ViewerText, press: () => void): Functi
 
 type Choices<T> = { readonly [text in ViewerText]?: T };
 
-/** Choices whose texts are their values. */
+/** Choices that are shown as their values. */
 export const named = <T extends ViewerText>(values: readonly T[]): Choices<T> =>
   Object.fromEntries(values.map((value) => [value, value]));
 

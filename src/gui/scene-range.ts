@@ -5,7 +5,7 @@ import type { Vec3 } from '../math/vector.js';
 import { measure } from '../scene/bounds.js';
 import { linear, niceCeil, type Travel } from './travel.js';
 
-/** In radii of the scene: lights stand around a scene, not only inside it. */
+/** In radii of the scene, because lights are placed around a scene as well as inside it. */
 const REACH = 3;
 
 const EMPTY_REACH = 5;

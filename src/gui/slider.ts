@@ -1,4 +1,4 @@
-// How does a slider show and set a number? Its range grows to include the value, and stands still while it is dragged. Knows no
+// How does a slider show and set a number? Its range grows to include the value, but not while it is dragged. Knows no
 // light, mesh or camera.
 import type { Bound } from './bound.js';
 import { accepted } from './text-field.js';

@@ -1,4 +1,4 @@
-// Which keys and gestures in the panel mean undo, redo, or the end of a step? Knows nothing about what is undone.
+// Which keys and gestures in the panel mean undo, redo, or the end of a step? Does not know what is undone.
 import { type History, undoKey } from '../element/viewer/history.js';
 
 const isText = (target: EventTarget | undefined): target is HTMLInputElement | HTMLTextAreaElement =>

@@ -27,7 +27,7 @@ export function flatGeometry(source: BufferGeometry): BufferGeometry {
   return flat;
 }
 
-/** Brings the copy of `source`, if there is one, in step with its positions, tangents and bounds, which have changed. */
+/** Call when positions, tangents and bounds of `source` have changed: updates its flat copy, if there is one. */
 export function updateFlatGeometry(source: BufferGeometry): void {
   const flat = made.get(source);
   if (!flat) return;

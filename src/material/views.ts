@@ -33,7 +33,7 @@ export type View = (typeof VIEWS)[number];
 export interface PictureView {
   /** The only term that is summed, without emissive and unlit colours. Null: the terms of each material's style. */
   readonly term: Term | null;
-  /** Every triangle has vertices of its own, so that the vertex's index tells triangles apart. */
+  /** Every triangle has its own vertices, so that a vertex's index identifies the triangle. */
   readonly separate: boolean;
   /** The lights that are packed, for these. Called whenever lights, origin or the axes of camera space have changed. */
   lights(lights: readonly Readonly<LightValues>[], space: PackSpace): readonly Readonly<LightValues>[];

@@ -1,4 +1,4 @@
-// Does an exception say that memory could not be allocated? Knows nothing of what asked for it.
+// Does an exception say that memory could not be allocated? Does not know who allocates.
 
 /**
  * Browsers throw a RangeError for that, Firefox also an InternalError or a string. A RangeError can also mean an offset outside a

@@ -1,8 +1,8 @@
 // Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from Chromium's accessibility tree; rules by axe.
 
 import AxeBuilder from '@axe-core/playwright';
-import { PNG } from 'pngjs';
 import { expect, test } from '../support/test.js';
+import { contrast, screenshot } from './contrast.js';
 import { accessibleNode, accessibleNodes } from './tree.js';
 
 const scene = `<main><h1>Lights</h1><phong-viewer alt="A box" geometry="box" helpers="lights axes grid normals bounds">
@@ -49,15 +49,6 @@ test('helpers break no rule of axe', async ({ page, mount }) => {
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
 });
 
-const luminance = (color: readonly number[]): number => {
-  const [r, g, b] = color.map((code) => {
-    const c = code / 255;
-    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-  });
-  return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
-};
-const contrast = (a: number, b: number): number => (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
-
 for (const background of ['#fff', '#000', '#777', '#00f', '#595959', '#fc8'])
   test(`lights, arrows and names have a contrast of 3:1 on ${background}`, async ({ mount }) => {
     const lights = ['#00f', '#fc8', '#000', '#777', '#fff'].map(
@@ -70,15 +61,11 @@ for (const background of ['#fff', '#000', '#777', '#00f', '#595959', '#fc8'])
       { css: `phong-viewer { background: ${background} }` },
     );
     await expect(viewer.locator('svg text')).toHaveCount(6);
-    const { data, width } = PNG.sync.read(await viewer.screenshot());
-    const colorAt = (x: number, y: number): number[] => {
-      const at = 4 * (Math.round(y) * width + Math.round(x));
-      return [data[at]!, data[at + 1]!, data[at + 2]!];
-    };
-    const behind = luminance(colorAt(2, 2));
+    const colorAt = await screenshot(viewer);
+    const behind = colorAt(2, 2);
     /** The best contrast along a line of pixels across a shape. */
     const across = (x: number, y: number, length: number): number =>
-      Math.max(...Array.from({ length }, (_, i) => contrast(luminance(colorAt(x + i, y)), behind)));
+      Math.max(...Array.from({ length }, (_, i) => contrast(colorAt(x + i, y), behind)));
     for (const option of await viewer.getByRole('option').all()) {
       const { x, y, width: size, height } = (await option.boundingBox())!;
       expect(

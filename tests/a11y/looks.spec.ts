@@ -2,35 +2,12 @@
 // Measured on the drawn page.
 
 import type { Locator, Page } from '@playwright/test';
-import { PNG } from 'pngjs';
 import { expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support.js';
-
-type Rgb = readonly [number, number, number];
+import { contrast, type Rgb, screenshot } from './contrast.js';
 
 /** WCAG 2.2, 1.4.11: parts that are needed to understand a control stand out by this ratio. */
 const CONTRAST = 3;
-
-/** Relative luminance and contrast as WCAG 2.2 defines them. */
-const luminance = (color: Rgb): number => {
-  const [r, g, b] = color.map((code) => {
-    const c = code / 255;
-    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-  });
-  return 0.2126 * r! + 0.7152 * g! + 0.0722 * b!;
-};
-const contrast = (a: Rgb, b: Rgb): number => {
-  const [dark, light] = [luminance(a), luminance(b)].sort((x, y) => x - y);
-  return (light! + 0.05) / (dark! + 0.05);
-};
-
-async function screenshot(of: Locator): Promise<(x: number, y: number) => Rgb> {
-  const { data, width } = PNG.sync.read(await of.screenshot());
-  return (x, y) => {
-    const at = 4 * (y * width + x);
-    return [data[at]!, data[at + 1]!, data[at + 2]!];
-  };
-}
 
 for (const media of [
   {},

@@ -1,20 +1,12 @@
 // Which lights and meshes belong to a viewer? Those whose nearest enclosing viewer it is, at any depth and across shadow
 // trees, in document order, however they come, move and go.
 
-import type { Locator, Page } from '@playwright/test';
-import { allReady, compare, expect, pixels, test, type Picture } from '../support/test.js';
-import { nextFrame, type PhongViewer, shownBy } from './support.js';
+import type { Locator } from '@playwright/test';
+import { allReady, compare, expect, pixels, test } from '../support/test.js';
+import { nextFrame, type PhongViewer } from './support.js';
+import { green, open, red, same, scene, shown, size } from './plane-scene.js';
 
-const size = { width: 60, height: 40 };
-const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
-const red = '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
-const green =
-  '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
 const box = '<phong-mesh name="box" geometry="box" scale="0.3"></phong-mesh>';
-const scene = (...children: readonly string[]): string => `${open}${children.join('')}</phong-viewer>`;
-
-const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 
 const names = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element: PhongViewer) => [...element.lights, ...element.meshes].map(({ name }) => name));

@@ -52,8 +52,7 @@ const CHOICES: readonly Choice[] = [
 const LARGEST: Choice = { weight: 0.3, what: 'size', values: ['9000 9000'] };
 
 function step(dice: Dice, choices: readonly Choice[]): Step {
-  let left = dice.from(0, 1) * choices.reduce((sum, { weight }) => sum + weight, 0);
-  const { what, values, key = '' } = choices.find(({ weight }) => (left -= weight) <= 0) ?? choices[0]!;
+  const { what, values, key = '' } = dice.weighted(choices, ({ weight }) => weight);
   const viewer = Math.floor(dice.from(0, 5.999));
   return { what, viewer, child: 0, tag: 'phong-viewer', key, value: dice.pick(values) };
 }

@@ -237,9 +237,7 @@ const ANY_VALUE = Object.values(VALUES)
 
 function step(dice: Dice, mix: Mix): Step {
   if (mix === 'trees' && dice.chance(0.75)) return { ...made(dice), ...treeStep(dice, ANY_VALUE) };
-  const weights = MAKERS.map(({ weight, more }) => weight * (more?.[mix] ?? 1));
-  let left = dice.from(0, 1) * weights.reduce((sum, weight) => sum + weight, 0);
-  const maker = MAKERS.find((_, i) => (left -= weights[i]!) <= 0) ?? MAKERS[0]!;
+  const maker = dice.weighted(MAKERS, ({ weight, more }) => weight * (more?.[mix] ?? 1));
   return { ...made(dice), ...maker.make(dice) };
 }
 

@@ -1,23 +1,15 @@
 // Do lights match the markup, however it was created and changed? Small pictures of a plane seen from above are compared with those of the
 // same scene in markup.
 
-import type { Locator, Page } from '@playwright/test';
-import { allReady, compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
-import { type PhongViewer, record, shownBy } from './support.js';
+import type { Locator } from '@playwright/test';
+import { allReady, compare, expect, pixelAt, pixels, test } from '../support/test.js';
+import { type PhongViewer, record } from './support.js';
+import { different, green, red, same, shown, size } from './plane-scene.js';
 
-const size = { width: 60, height: 40 };
 const open = '<phong-viewer geometry="plane" kd="255" theta="0" phi="40" radius="1.2" target="0 0 0">';
-const red = '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
-const green =
-  '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
 const spot =
   '<phong-light diffuse="90 90 255" position="0 1 0" axis="0 -1 0" aperture="20" cutoff="3"></phong-light>';
 const scene = (...lights: readonly string[]): string => `${open}${lights.join('')}</phong-viewer>`;
-
-const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
-
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
-const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(20);
 
 const names = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element: PhongViewer) => element.lights.map((light) => light.name));
@@ -131,24 +123,6 @@ test.describe('the head-light', () => {
       return sent;
     });
     expect(frames).toEqual([0]);
-  });
-});
-
-test('three hundred lights render, none dropped', async ({ mount }) => {
-  // Each adds the same hundredth: 300 of them make three times what 100 make.
-  const light = '<phong-light position="0 1 0 0" diffuse="0.6 0.3 0.15" specular="0"></phong-light>';
-  const viewer = await mount(scene(light.repeat(300)), size);
-  const [r, g, b] = pixelAt(await pixels(viewer), 30, 20);
-  for (const [got, wanted] of [
-    [r, 180],
-    [g, 90],
-    [b, 45],
-  ] as const)
-    // prettier-ignore
-    expect(Math.abs(got - wanted)).toBeLessThanOrEqual(1);
-  expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({
-    lightsDeclared: 300,
-    lightsActive: 300,
   });
 });
 

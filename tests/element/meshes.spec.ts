@@ -2,22 +2,18 @@
 // declared camera, so that no refit hides a difference.
 
 import { readFileSync } from 'node:fs';
-import type { Page } from '@playwright/test';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../support/test.js';
 import { drawUntilSpecialised } from './driving.js';
 import { logGl } from './gl-log.js';
-import { assign, type PhongViewer, record, settled, shownBy } from './support.js';
+import { assign, type PhongViewer, record, settled } from './support.js';
+import { same, shown, size } from './plane-scene.js';
 
-const size = { width: 60, height: 40 };
 const open = '<phong-viewer theta="20" phi="60" radius="3" target="0 0 0">';
 const light = '<phong-light position="0.6 1 1.2 0" ambient="60" diffuse="120"></phong-light>';
 const box = '<phong-mesh name="crate" geometry="box" kd="200 40 40"></phong-mesh>';
 const ball = '<phong-mesh geometry="sphere" position="1 0 0" kd="40 200 40"></phong-mesh>';
 const scene = (...meshes: readonly string[]): string => `${open}${light}${meshes.join('')}</phong-viewer>`;
 
-const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
-
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
 const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(5);
 
 test('added, removed, reordered and changed meshes give the same picture as markup', async ({

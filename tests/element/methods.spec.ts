@@ -212,7 +212,9 @@ test('requestRender keeps target and radius, and refit fits them to the changed 
   expect(await changes.take()).toEqual([{ type: 'render', detail: null }]);
   await viewer.evaluate((element: PhongViewer) => element.refit());
   await settled(viewer);
-  expect((await cameraOf(viewer)).target).toEqual([2, 0, 0]);
+  const { target, radius } = await cameraOf(viewer);
+  expect(target).toEqual([2, 0, 0]);
+  expect(radius / before.radius).toBeCloseTo(Math.hypot(2.5, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
   expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
 });
 

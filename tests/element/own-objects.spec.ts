@@ -18,23 +18,6 @@ const addOwn = (element: PhongViewer): void => {
   element.scene.add(own);
 };
 
-test('requestRender keeps target and radius, refit frames the scene again', async ({ mount }) => {
-  const viewer = await mount(box, size);
-  const before = await cameraOf(viewer);
-  await viewer.evaluate(addOwn);
-  await viewer.evaluate(async (element: PhongViewer) => {
-    element.requestRender();
-    await element.ready;
-  });
-  expect(await cameraOf(viewer)).toEqual(before);
-  await viewer.evaluate((element: PhongViewer) => {
-    element.refit();
-  });
-  const after = await cameraOf(viewer);
-  expect(after.target).toEqual([2, 0, 0]);
-  expect(after.radius / before.radius).toBeCloseTo(Math.hypot(2.5, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
-});
-
 test('refit reads vertices that were written in place', async ({ mount }) => {
   const viewer = await mount(box, size);
   const before = await cameraOf(viewer);

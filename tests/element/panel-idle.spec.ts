@@ -1,62 +1,33 @@
 // What does an open panel cost while nothing changes, and for changes that it does not show?
 
-import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
+import { countEverything, countsOf, spentBetween, spentIn } from './counting.js';
 import { assign, type PhongViewer } from './support.js';
 import { field, folderOf, opened } from './panel-rows.js';
-
-declare global {
-  interface Window {
-    asked: string[];
-  }
-}
 
 const scene = `<phong-viewer gui geometry="box">
   <phong-light name="sun" position="1 2 1 0"></phong-light>
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20"></phong-light>
 </phong-viewer>`;
 
-/** Records every frame and timer that the page requests. */
-async function watch(page: Page): Promise<void> {
-  await page.addInitScript(() => {
-    window.asked = [];
-    for (const name of [
-      'requestAnimationFrame',
-      'setTimeout',
-      'setInterval',
-      'requestIdleCallback',
-    ] as const) {
-      const original = window[name].bind(window) as (...args: unknown[]) => number;
-      Object.assign(window, {
-        [name]: (...args: unknown[]) => {
-          window.asked.push(name);
-          return original(...args);
-        },
-      });
-    }
-  });
-}
-
-const asked = (page: Page): Promise<string[]> => page.evaluate(() => window.asked.splice(0));
+const RESTING = { frames: 0, timers: 0, idleCallbacks: 0 };
 
 test('requests no frame and no timer while nothing changes, folders open', async ({ page, mount }) => {
-  await watch(page);
+  await countEverything(page);
   const viewer = await mount(scene);
   for (const title of ['sun', 'spot', 'Camera', 'Shading', 'Show', 'Material']) await opened(viewer, title);
   await page.mouse.move(10, 390);
-  await page.waitForTimeout(300);
-  await asked(page);
-  await page.waitForTimeout(1000);
-  expect(await asked(page)).toEqual([]);
+  await spentIn(page, 300);
+  expect(await spentIn(page, 1000)).toMatchObject(RESTING);
 });
 
 test('opens folders without requesting a frame', async ({ page, mount }) => {
-  await watch(page);
+  await countEverything(page);
   const viewer = await mount(scene);
   await opened(viewer, 'Camera');
-  await asked(page);
+  const before = await countsOf(page);
   await opened(viewer, 'spot');
-  expect(await asked(page)).toEqual([]);
+  expect(spentBetween(before, await countsOf(page))).toMatchObject(RESTING);
 });
 
 test('updates no row of a closed folder when its light changes', async ({ mount }) => {

@@ -10,16 +10,6 @@ const light = (name: string): string => `<phong-light name="${name}" diffuse="90
 const scene = (attributes = 'gui', ...lights: readonly string[]): string =>
   `<phong-viewer geometry="box" theta="20" phi="60" ${attributes}>${lights.map(light).join('')}</phong-viewer>`;
 
-test('fetches its code on first use, and not before', async ({ page, mount }) => {
-  const fetched: string[] = [];
-  page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
-  const viewer = await mount(scene(''));
-  expect(fetched.filter((path) => path.includes('panel'))).toEqual([]);
-  await assign(viewer, { gui: true });
-  await expect(panelOf(viewer)).toBeVisible();
-  expect(fetched.filter((path) => path.includes('panel'))).toHaveLength(1);
-});
-
 test('has a folder for lights, camera, shading and material, and one for meshes if there are any', async ({
   mount,
 }) => {
@@ -354,14 +344,4 @@ test('has no full-screen button in browsers without full screen, and otherwise w
   await assign(viewer, { texts: { Controls: 'Regler' }, gui: false });
   await assign(viewer, { gui: true });
   await expect(titleOf(viewer, 'Regler')).toBeVisible();
-});
-
-test('texts name the panel and its full-screen button', async ({ mount }) => {
-  const viewer = await mount(scene());
-  await assign(viewer, { texts: { Controls: 'Regler', 'Full screen': 'Vollbild' } });
-  await expect(titleOf(viewer, 'Regler')).toBeVisible();
-  await expect(viewer.getByRole('group', { name: 'Regler' })).toBeVisible();
-  await expect(viewer.getByRole('button', { name: 'Vollbild' })).toBeVisible();
-  await assign(viewer, { texts: null });
-  await expect(titleOf(viewer, 'Controls')).toBeVisible();
 });

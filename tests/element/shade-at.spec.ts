@@ -1,9 +1,7 @@
 // What does shadeAt return for a fragment, and for which moment? Positions are CSS pixels of the viewer, colours 0–1.
 
 import { readFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
 import type { Locator } from '@playwright/test';
-import { outputFolder } from '../../.ci/output-folder.mjs';
 import { decodePng } from '../support/picture.js';
 import { expect, pixelAt, test } from '../support/test.js';
 import { nextFrame, type PhongMesh, type PhongViewer } from './support.js';
@@ -352,41 +350,6 @@ test('rejects invalid positions with TypeError or RangeError', async ({ mount })
     'TypeError: shadeAt: x must be a number of CSS pixels, got null',
     'TypeError: shadeAt: y must be a number of CSS pixels, got [object Object]',
   ]);
-});
-
-test('fetches picking with the first call and the equation with the first explanation, once', async ({
-  page,
-  mount,
-}) => {
-  const fetched: string[] = [];
-  page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
-  const viewer = await mount(floor(LIGHTS()), FLOOR);
-  const named = (name: string): string[] => fetched.filter((path) => path.includes(name));
-  expect(named('shade-at')).toEqual([]);
-  await explained(viewer, 1, 50); // hits nothing
-  expect(named('shade-at')).toHaveLength(1);
-  expect(named('reference')).toEqual([]);
-  const before = fetched.length;
-  await explained(viewer, 50, 50);
-  await explained(viewer, 51, 50);
-  expect(named('reference')).toHaveLength(1);
-  expect(fetched).toHaveLength(before + 1);
-});
-
-test('has the equation in a separate file in the ES modules too', () => {
-  const statically = /(?:\bfrom|\bimport)\s*["'`](\.[^"'`]+)["'`]/g;
-  const loaded = new Map<string, string>();
-  const load = (path: string): void => {
-    if (loaded.has(path)) return;
-    loaded.set(path, readFileSync(path, 'utf8'));
-    for (const [, next] of loaded.get(path)!.matchAll(statically)) load(join(dirname(path), next!));
-  };
-  const dist = outputFolder('dist');
-  load(join(dist, 'index.js'));
-  expect([...loaded.keys()].filter((path) => /reference|shade-at/.test(path))).toEqual([]);
-  expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/shared\/shade-at\.js["'`]\)/);
-  load(join(dist, 'shared/shade-at.js'));
-  expect([...loaded.values()].join()).toMatch(/import\(["'`]\.\/reference\.js["'`]\)/);
 });
 
 test.describe('shadeAt accepts the position of a pointer event', () => {

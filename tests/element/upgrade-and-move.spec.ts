@@ -1,21 +1,9 @@
 // Does a viewer find its children in any order of definition and insertion, and keep everything while it moves in the document?
 // Pictures are compared with those of the same markup, complete from the start.
 
-import type { Page } from '@playwright/test';
-import { allReady, compare, expect, pixels, test, type Picture } from '../support/test.js';
-import { assign, type PhongLight, type PhongViewer, shownBy } from './support.js';
-
-const size = { width: 60, height: 40 };
-const open = '<phong-viewer geometry="plane" theta="0" phi="40" radius="1.2" target="0 0 0">';
-const red = '<phong-light name="red" diffuse="200 0 0" specular="0" position="1 1 0 0"></phong-light>';
-const green =
-  '<phong-light name="green" diffuse="0 120 0" position="-0.3 0.5 0.2 1" ambient="0 9 0"></phong-light>';
-const scene = (...lights: readonly string[]): string => `${open}${lights.join('')}</phong-viewer>`;
-
-const shown = (page: Page, markup: string): Promise<Picture> => shownBy(page, markup, size);
-
-const same = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBe(0);
-const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(20);
+import { allReady, expect, pixels, test } from '../support/test.js';
+import { assign, type PhongLight, type PhongViewer } from './support.js';
+import { different, green, red, same, scene, shown, size } from './plane-scene.js';
 
 test.describe('the order of upgrades does not matter', () => {
   const inner = `${red}${green}<phong-mesh geometry="box" scale="0.3"></phong-mesh>`;

@@ -28,7 +28,7 @@ function around(angle: number): number[] {
 }
 
 const POLAR = [0, 45, 90, 135, 180].flatMap(around).filter((phi) => phi >= 0 && phi <= 180);
-const AZIMUTHS = [-180, -90, -45, 0, 30, 90, 180, 270].flatMap(around);
+const AZIMUTHS = [...[-180, -90, -45, 0, 30, 90, 180, 270].flatMap(around), 3600, 1e15, -1e300];
 
 describe('the basis', () => {
   const angles = repeats(1e6);

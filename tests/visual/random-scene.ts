@@ -36,6 +36,12 @@ export class Dice {
     return list[Math.floor(this.#next() * list.length)]!;
   }
 
+  /** One of the list, as often as its weight says. */
+  weighted<T>(list: readonly T[], weightOf: (one: T) => number): T {
+    let left = this.from(0, 1) * list.reduce((sum, one) => sum + weightOf(one), 0);
+    return list.find((one) => (left -= weightOf(one)) <= 0) ?? list[0]!;
+  }
+
   vector(low: number, high: number): Vec3 {
     return [this.from(low, high), this.from(low, high), this.from(low, high)];
   }

@@ -64,7 +64,7 @@ const GUESSES: Readonly<Record<string, Advice>> = {
   },
 };
 
-/** HTML's global attributes without a `-`, and those of RDFa. They are nobody's mistake, however near a real name they are. */
+/** HTML's global attributes without a `-`, and those of RDFa. They give no warning, even if they resemble a name of this package. */
 const GLOBAL = new Set(
   (
     'accesskey anchor autocapitalize autocorrect autofocus class contenteditable contextmenu dir draggable ' +

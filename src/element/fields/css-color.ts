@@ -9,7 +9,7 @@ let context: CanvasRenderingContext2D | null | undefined;
 const CACHE_SIZE = 1000;
 
 /**
- * Limits of what the browser is asked to parse. Chromium's time doubles with each unclosed `color-mix(` (20 take 6 s),
+ * Limits of the text that the browser parses. Chromium's time doubles with each unclosed `color-mix(` (20 take 6 s),
  * and 50,000 nested parentheses crash the tab.
  */
 const LONGEST = 200;

@@ -93,7 +93,7 @@ export class PageObservers {
     if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
     return {
-      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold tells.
+      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold detects that.
       intersection: new view.IntersectionObserver(
         (entries) => {
           for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);

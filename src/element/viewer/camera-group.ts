@@ -88,7 +88,7 @@ class CameraGroup implements CameraLink, SharedFit {
     for (const other of this.#members.keys()) if (other !== camera) other.place(placement, source, true);
   }
 
-  /** The first one that turns by itself turns all. A drag in any viewer stops it, as the drag would fight it. */
+  /** The first member with `auto-rotate` turns all. It pauses during a drag in any viewer. */
   turns(camera: ViewerCamera): boolean {
     const cameras = [...this.#members.keys()];
     return cameras.find(({ turning }) => turning) === camera && !cameras.some(({ dragging }) => dragging);

@@ -1,4 +1,4 @@
-// Which lights does the view `light-count` pack, so that one loop can ask each whether it adds something? All as spots, because only
+// Which lights does the view `light-count` pack, so that one loop can test each for an effect? All as spots, because only
 // spots are culled and divided into grids. Numbers that the count does not need make room for those that it reads. Knows no programs.
 import { isSpot, kindOf, packedLimit } from '../../light/light-features.js';
 import { LIMIT_OPEN } from '../../light/light-layout.js';

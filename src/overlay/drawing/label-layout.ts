@@ -1,5 +1,5 @@
 // Where do labels go, so that none covers another and all stay inside? One place after the other, the first ones first. CSS pixels of the
-// layer. Knows neither fonts nor what is labelled.
+// layer. Knows neither fonts nor the things labelled.
 import type { Point } from './projection.js';
 
 export interface LabelWish {

@@ -135,7 +135,7 @@ export class Projection {
     return this.#clipped(this.#onLayer(from[0], from[1], -from[2]), this.#onLayer(to[0], to[1], -to[2]));
   }
 
-  /** Where a segment comes nearest. Its depth is set: the difference of large coordinates would round to any. */
+  /** The segment's end at the near plane. The depth is set, because the difference of large coordinates would be lost to rounding. */
   #cut(a: Vec3, b: Vec3, share: number): Vec3 {
     const [x, y] = add(a, scale(subtract(b, a), share));
     return [x, y, -this.#near];

@@ -51,7 +51,7 @@ export class SvgLayer {
   }
 }
 
-/** Labels are placed anew for each list, but few of them move. */
+/** Labels are placed again for each list, but few of them move. */
 const isSame = (a: Primitive, b: Primitive): boolean =>
   a === b ||
   (a.kind === 'label' &&

@@ -32,9 +32,9 @@ export interface Picture {
 
 /** What a measurement fills in. */
 export interface Measured {
-  /** By pixel: the largest channel's difference; NaN where none is known. */
+  /** For each pixel the difference of the worst channel; NaN where it is not known. */
   readonly errors: Float32Array;
-  /** Pixels that the pass at hand has done, 0–1. */
+  /** Share of the pixels that the current pass has measured, 0–1. */
   readonly done: number;
   /** Largest difference away from edges; NaN until all is done. */
   readonly largest: number;
@@ -78,7 +78,7 @@ export class ErrorMeasure implements Measured {
   }
 
   /**
-   * Measures everything. `shown` is called for each block that is measured anew, `paused` before each pause.
+   * Measures everything. `shown` is called for each measured block, `paused` before each pause.
    * @throws the reason of the slices' signal after an abort.
    */
   async run(

@@ -124,7 +124,7 @@ async function codeOfPixels(): Promise<PixelCode> {
   return { ...pixel, equation };
 }
 
-/** Draws the error of a picture on the picture itself; where none is known, the picture stays. */
+/** Draws the error of a picture over the picture. Pixels without a known error stay. */
 export async function drawError(
   picture: HTMLCanvasElement,
   { scene, lights }: PictureSnapshot,

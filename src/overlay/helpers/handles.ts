@@ -37,7 +37,7 @@ export class Handles {
   readonly #ids = new Map<PhongLight, number>();
   readonly #move: LightMove;
   #lastId = 0;
-  /** The one that Tab reaches. */
+  /** The handle that Tab reaches. */
   #current: Shown | null = null;
 
   constructor(host: ExtraHost, place: HTMLElement) {
@@ -64,7 +64,7 @@ export class Handles {
     });
   }
 
-  /** Brings the elements in step with what is drawn. */
+  /** Updates the elements to what is drawn. */
   show(
     lights: readonly PhongLight[],
     marks: readonly LightMarks[],
@@ -143,7 +143,7 @@ export class Handles {
     const { at, outside } = handle;
     const { x, y } = inside(at, view, EDGE);
     element.style.transform = `translate(${x}px, ${y}px)`;
-    // Those of parts outside could not be told apart at the edge. Keys still reach them.
+    // At the edge, handles of parts outside would lie on each other. Keys still reach them.
     element.style.pointerEvents = part !== 'place' && outside ? 'none' : '';
     const { values } = fieldsOf(light).store;
     const name = values.name || numberedName(index, texts);

@@ -1,5 +1,5 @@
 // One move of a light by the user, from its start to its end: writes the light's values, and makes the move one step that undo takes back.
-// Goes on from where the light is if something else writes to it meanwhile. Knows neither keys nor pointers.
+// If something else writes to the light meanwhile, the move continues from there. Knows neither keys nor pointers.
 import { sameValue } from '../../fields/field-store.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
@@ -52,7 +52,7 @@ export class LightMove {
     return this.#move?.light === light;
   }
 
-  /** What is drawn now. A light that a pointer drags stays under it while the camera moves by itself. */
+  /** Call when the view changes: a dragged light stays under the pointer while something else moves the camera. */
   see(view: Projection, scene: SceneBall): void {
     const isNew = view !== this.#view;
     [this.#view, this.#scene] = [view, scene];
@@ -60,7 +60,7 @@ export class LightMove {
     if (isNew && move !== null && !move.byKeys && move.last !== null) this.to(...move.last, move.along);
   }
 
-  /** False if another move goes on, or there is nothing to move. */
+  /** False if another move is in progress, or there is nothing to move. */
   start(light: PhongLight, part: Part, byKeys: boolean): boolean {
     if (this.#move !== null) return false;
     const anchor = this.#anchor(light, part);
@@ -136,7 +136,7 @@ export class LightMove {
       fieldsOf(move.light).set(key as keyof Change, value);
   }
 
-  /** The light as its values are now: what is drawn may be older, as keys can be faster than frames. */
+  /** The light by its current values. What is drawn may be older, because keys can be faster than frames. */
   #anchor(light: PhongLight, part: Part): Anchor | null {
     const [view, scene] = [this.#view, this.#scene];
     if (view === null || scene === null) return null;

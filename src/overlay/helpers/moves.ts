@@ -160,7 +160,7 @@ const PIXELS_PER_DEGREE = 8;
 /** Degrees between the cones that are compared at first. */
 const COARSE = 2;
 
-/** Degrees. A cone of 180 is none, and would take its handle away in the middle of the move. */
+/** Degrees. At 180 there is no cone, and the handle would disappear during the move. */
 const WIDEST = 179;
 
 /** In degrees, to a tenth: the cone whose edge passes nearest to the pointer. */

@@ -1,4 +1,4 @@
-// Where does a light stand in the scene, as its helper shows it? World space and scene units, whatever the light's own space. Knows neither
+// At which place in the scene does a light's helper show it? World space and scene units, whatever the light's own space. Knows neither
 // pixels nor elements.
 import { isSpot } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
@@ -6,7 +6,7 @@ import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Projection } from '../drawing/projection.js';
 
-/** A sphere that holds the scene; its radius is above 0. */
+/** A sphere that contains the scene; its radius is above 0. */
 export interface SceneBall {
   readonly center: Vec3;
   readonly radius: number;
@@ -14,7 +14,7 @@ export interface SceneBall {
 
 export interface PlacedLight {
   readonly directional: boolean;
-  /** A directional light stands in its direction, at {@link DIRECTIONAL_AT} radii from the scene's centre. */
+  /** A directional light is placed in its direction, at {@link DIRECTIONAL_AT} radii from the scene's centre. */
   readonly place: Vec3;
   /** Unit vector in which a directional light shines; null for others, and without a direction. */
   readonly shines: Vec3 | null;

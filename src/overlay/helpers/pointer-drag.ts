@@ -1,5 +1,5 @@
 // How does a pointer drag one of several elements? Reports the press and the whole travel since then in the layer's own pixels, which CSS
-// transforms may turn. One pointer at a time. Knows nothing of what is dragged.
+// transforms may turn. One pointer at a time. Does not know what is dragged.
 import { PictureCorners } from '../../element/page/picture-box.js';
 import { alongAxes, type PictureBox } from '../../camera/gesture.js';
 

@@ -57,7 +57,7 @@ export class SceneHelpers {
     this.#drawing = NO_DRAWING;
   }
 
-  /** `asked` collects the places whose hiding matters. */
+  /** `asked` collects the places that have to be tested for being hidden. */
   #drawingOf(
     view: Projection,
     scene: SceneBall,

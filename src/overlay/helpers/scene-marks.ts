@@ -9,7 +9,7 @@ import { inside, type Point, type Projection } from '../drawing/projection.js';
 import type { Name } from './labels.js';
 import type { SceneBall } from './placed-light.js';
 
-/** How what hides places is asked: `key` names one from frame to frame. */
+/** Tells which places are hidden. `key` identifies a place across frames. */
 export interface Hiding {
   /** Something is in front of the place; false while that is not known. */
   hidden(key: string, place: Vec3): boolean;
@@ -101,7 +101,7 @@ const GRID = 1.5;
 /** Twice as many as a scene at the origin has. */
 const MOST_LINES = 40;
 
-/** 1, 2 or 5 times a power of ten, at least `length`. */
+/** 1, 2 or 5 times a power of ten, at least `length`. Chunks of overlays share no file, so legend/view-scale.ts has its own. */
 function roundStep(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
   return ([1, 2, 5, 10].find((step) => step * power >= length) ?? 10) * power;
@@ -142,7 +142,7 @@ export function boundsMarks(meshes: readonly Mesh[], view: Projection): Primitiv
   ];
 }
 
-/** More could not be told apart. */
+/** More would run into each other. */
 const MOST_BOXES = 200;
 
 function boxEdges(
@@ -205,7 +205,7 @@ const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
 /**
  * Normals as the picture shades with them, at a sample of the vertices, or of the triangles under flat shading: those that face the eye.
- * A surface with two sides has a normal on the one that is seen.
+ * A double-sided surface has a normal on its visible side.
  */
 export function normalMarks(
   meshes: readonly Mesh[],

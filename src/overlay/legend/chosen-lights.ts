@@ -12,11 +12,11 @@ const OF_ONE_LIGHT: ReadonlySet<View> = new Set(['n-dot-l', 'r-dot-v', 'attenuat
 /** Views that no light has a part in. */
 const OF_NO_LIGHT: ReadonlySet<View> = new Set(['normals', 'triangles']);
 
-/** Indices of the viewer's lights. A name that no light has counts as none given. */
+/** Indices of the viewer's lights. An unknown name is ignored. */
 export function chosenIndices({ values, viewport, children, viewer }: ExtraHost): number[] {
   const { lights } = viewport.lighting.lights;
   const { view, viewLight } = values;
-  // Lights without a name go by their English one, and by the one that the page's words give them.
+  // Lights without a name have an English one, and one by the page's texts.
   const isNamed = (state: LightState, i: number): boolean =>
     [null, viewer.texts].some((texts) => lightName(children.lightOf(state), state, i, texts) === viewLight);
   const named = viewLight === '' ? -1 : lights.findIndex(isNamed);

@@ -25,7 +25,7 @@ class ViewExtra implements Extra {
   /** Null before its code has arrived, and for other views. */
   #error: ErrorView | null = null;
   #errorWanted = false;
-  /** Of the error: the share that is measured, null while the picture moves, and the largest one once all is. */
+  /** `done`: the measured share of the error, null while the picture moves. `largest`: the largest error, NaN until all is measured. */
   #progress: { readonly done: number | null; readonly largest: number } = { done: null, largest: NaN };
   #scale: { readonly key: string; readonly bars: readonly Bar[] } = { key: '', bars: [] };
 
@@ -101,7 +101,7 @@ class ViewExtra implements Extra {
     this.#progress = { done: null, largest: NaN };
   }
 
-  /** What is said of the error, once it is known. */
+  /** The legend's line about the error. */
   get #note(): string {
     const { done, largest } = this.#progress;
     const { texts } = this.#host.viewer;

@@ -9,7 +9,7 @@ export interface Bar {
   /** Beside the bar; empty for none. */
   readonly label: string;
   readonly colors: readonly Vec3[];
-  /** Each colour is a field of its own, and a mark stands in the middle of its field; otherwise colours blend. */
+  /** Each colour is a field of its own, with a mark in its middle; otherwise colours blend. */
   readonly fields: boolean;
   readonly marks: readonly { readonly at: number; readonly text: string }[];
 }
@@ -20,7 +20,7 @@ const UNIT_MARKS = ['0', '0.5', '1'].map((text, i) => ({ at: i / 2, text }));
 /** The scale's colours from 0 to 1, close enough to be blended in straight lines. */
 const SCALE: readonly Vec3[] = Array.from({ length: 17 }, (_, i) => codes(scaleColor(i / 16)));
 
-/** Counts of which each has a field of its own. Beyond, fields would be narrower than 3 pixels. */
+/** Largest count with a field for each value. Beyond, fields would be narrower than 3 pixels. */
 const MOST_FIELDS = 48;
 
 /** Most marks that fit beside each other. */

@@ -5,7 +5,7 @@ import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import { add, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { byShare, degreesText, type Sum, type SumRow } from './sum.js';
 
-/** Lights with an arrow of their own. More arrows than these cannot be told apart. */
+/** Most lights with arrows. More arrows would be unreadable. */
 export const MOST_LIGHTS = 6;
 
 /** Points of an arc. Between two of them an arc of 180 degrees and 40 pixels strays by less than a pixel. */

@@ -1,4 +1,4 @@
-// What does the probe say beside the arrows? The colour, the table of its sum, and the steps of one light, in a box at the picture's lower or
+// What does the probe show beside the arrows? The colour, the table of its sum, and the steps of one light, in a box at the picture's lower or
 // upper edge, whichever is away from the point. Knows neither the scene nor the pointer.
 import { SvgLayer } from '../drawing/svg-layer.js';
 import type { Box } from '../drawing/label-layout.js';
@@ -114,7 +114,7 @@ export class ProbeBox {
     const { width, height } = this.#size;
     const room = { low: layer.height - y, high: y };
     const other = preferred === 'low' ? 'high' : 'low';
-    // What is chosen keeps a lead, so that the box does not go back and forth.
+    // The current place is preferred by a margin, so that the box does not jump back and forth.
     const lead = classList.contains(other) ? GAIN : -GAIN;
     const near = room[preferred] - lead < height + MARGIN + CLEARANCE;
     const edge = near && room[other] + lead > room[preferred] ? other : preferred;

@@ -1,6 +1,6 @@
 // What do pointer and keys on a picture mean for its probe? A mouse hovers, a click or tap without a drag pins, arrow keys move the
 // cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS pixels of the layer. Knows
-// nothing of what is explained.
+// nothing about the explanation.
 import { ARROWS } from '../arrow-keys.js';
 import type { Point } from '../drawing/projection.js';
 
@@ -8,7 +8,7 @@ export interface ProbeInputHost {
   /** Where the mouse is; null once it has left, or drags. */
   look(at: Point | null): void;
   pin(at: Point): void;
-  /** Takes the pin away. False if there is none. */
+  /** Removes the pin. False if there is none. */
   release(): boolean;
   /** Moves the cross-hair. */
   step(across: number, down: number): void;
@@ -78,7 +78,7 @@ export function listen(
     else return;
     event.preventDefault();
   });
-  // Escape must do nothing else, such as closing a dialog around the viewer, while it takes a pin away.
+  // Escape that removes a pin must do nothing else, such as closing a dialog around the viewer.
   for (const target of [surface, root])
     on(target, 'keydown', (event) => {
       if (event.key === 'Escape' && host.release()) event.preventDefault();

@@ -23,7 +23,7 @@ import { fragmentText } from './words.js';
 export interface Shown {
   /** Null: outside the picture. */
   readonly at: Point | null;
-  /** Null: nothing can be explained there, and `message` says why. */
+  /** Null if nothing can be explained there; `message` gives the reason. */
   readonly fragment: FragmentExplanation | null;
   readonly message: string;
   /** A point of the scene, rather than what is under the mouse or the cross-hair. */
@@ -46,7 +46,7 @@ export class ProbeView {
   readonly #box: ProbeBox;
   #shown: Shown | null = null;
 
-  /** `release` is called by the button that takes the pin away. */
+  /** `release` is called by the button that removes the pin. */
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
     this.#box = new ProbeBox(() => this.#show(), release);
@@ -100,7 +100,7 @@ export class ProbeView {
     const focused = this.#box.element.contains(this.#focus);
     this.#box.setPinned(shown?.pinned === true, releasable);
     this.#show();
-    // What had the focus may be gone: a row with its light, a button, or the box.
+    // The focused row, button or box may have been removed.
     const gone = shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();
     if (focused && gone) this.cursor.focus({ preventScroll: true });
   }
@@ -168,7 +168,7 @@ export class ProbeView {
     this.#box.show({ fragment, sum, row, halfway, gouraud }, this.#texts, this.size.width);
   }
 
-  /** The arrows at `at`, beside what is covered. */
+  /** The arrows at `at`, with labels outside the covered box. */
   #drawingOf(fragment: FragmentExplanation, at: Point, projection: Projection, covered: Box): Primitive[] {
     const sum = this.#sumOf(fragment);
     const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
@@ -177,7 +177,7 @@ export class ProbeView {
     return drawingOf(projection, fragment.p, at, figure, { outline, covered });
   }
 
-  /** The row that the figure is about. */
+  /** The row that the figure shows. */
   #rowOf({ rows }: Sum): SumRow | null {
     const { chosen } = this.#box;
     return (chosen === undefined ? byShare(rows)[0] : rows.find(({ light }) => light === chosen)) ?? null;

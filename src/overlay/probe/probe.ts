@@ -30,7 +30,7 @@ class Probe implements Extra, ProbeInputHost {
   #free: Point | null = null;
   /** The fragment here gets pinned with its explanation. */
   #toPin: Point | null = null;
-  /** The user has pointed or pressed something since the last explanation: only such are announced. */
+  /** The user has pointed or pressed something since the last explanation. Only such explanations are announced. */
   #acted = false;
   #busy = false;
   #again = false;
@@ -50,7 +50,7 @@ class Probe implements Extra, ProbeInputHost {
   update(): void {
     const { probeAt } = this.#host.values;
     if (!sameValue(probeAt, this.#declared)) {
-      // As with the camera: what is assigned takes the place of what the user did.
+      // As with the camera, an assignment replaces what the user did.
       this.#declared = probeAt;
       this.#pin = this.#free = null;
     }
@@ -58,7 +58,7 @@ class Probe implements Extra, ProbeInputHost {
     this.#explainOncePerFrame();
   }
 
-  /** Explained anew: the picture may be newer than what is shown. */
+  /** Explains the point again, because the picture may have changed. */
   async drawOver(picture: HTMLCanvasElement, { helpers }: PictureOptions): Promise<void> {
     if (helpers !== true) return;
     const draw = this.#view.drawerOf(picture);

@@ -10,7 +10,7 @@ import { numberText, type Sum, type SumRow, tripleText } from './sum.js';
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
 
-/** Id of the element that says how the chosen light's terms come about. */
+/** Id of the element with the steps to the chosen light's terms. */
 export const STEPS = 'probe-steps';
 
 interface Row {

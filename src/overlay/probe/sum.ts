@@ -84,10 +84,10 @@ const brightness = ([r, g, b]: Vec3): number => r + g + b;
 
 const codes = (color: Vec3): Vec3 => map(color, (x) => 255 * x);
 
-/** With a typographic minus, and none before a zero. */
+/** With a typographic minus; zero has no sign. */
 export function numberText(value: number, digits: number): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
-  // Below a million the digits tell; larger ones, of extreme lights, would not fit.
+  // Larger numbers, from extreme lights, would not fit with all digits.
   const text = Math.abs(value) < 1e6 ? value.toFixed(digits) : value.toExponential(1);
   return text.replace(/^-(?!0(\.0*)?$)/, '−').replace(/^-/, '');
 }

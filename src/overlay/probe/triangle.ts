@@ -2,7 +2,7 @@
 import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
 import type { Vec3 } from '../../math/vector.js';
 
-/** Three places; none if the object has another geometry by now. */
+/** Three places; empty if the object's geometry has changed. */
 export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[] {
   const { geometry, matrixWorld } = object;
   const { index } = geometry;

@@ -43,7 +43,7 @@ function rowText(texts: ViewerTexts | null, row: SumRow): string {
 const placeText = ({ p }: FragmentExplanation): string =>
   p.map((x) => String(Number(x.toPrecision(3))).replace('-', '−')).join(' ');
 
-/** How a light's cosines come about: the steps between its vectors and its terms. */
+/** The steps from a light's vectors through its cosines to its terms. */
 export function stepsText(
   texts: ViewerTexts | null,
   { share, name, absence }: SumRow,

@@ -4,7 +4,7 @@ import { findExtremePoints } from '../extreme-points.js';
 import type { Model } from './model.js';
 import { Slices } from './slices.js';
 
-/** Measures all that framing and culling will ask for. @throws the signal's reason after an abort. */
+/** Computes all bounds that framing and culling will need. @throws the signal's reason after an abort. */
 export async function measureModel({ parts }: Model, signal: AbortSignal): Promise<void> {
   const slices = new Slices(signal);
   for (const geometry of new Set(parts.map((part) => part.geometry))) {

@@ -29,7 +29,7 @@ export function requestFile(
   return { response, refusal, stop };
 }
 
-/** A fetch refused by the policy rejects like a network failure. Only an event tells them apart. */
+/** A fetch refused by the policy rejects like a network failure. Only an event distinguishes the two. */
 function refusalOf(url: URL, signal: AbortSignal): Promise<string> {
   const address = url.href.split('#', 1)[0];
   return new Promise((resolve) => {

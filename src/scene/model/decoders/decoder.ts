@@ -7,7 +7,7 @@ export type Decode<Job, Result> = (job: Job) => Decoded<Result> | Promise<Decode
 
 export interface Decoded<Result> {
   readonly result: Result;
-  /** Parts of the result that a worker hands over instead of copying them. Each once. */
+  /** Parts of the result that a worker transfers instead of copying. Each once. */
   readonly transfer: Transferable[];
 }
 

@@ -93,7 +93,7 @@ export class Deformation {
     for (const name of MOVING) this.#attribute(name)?.setUsage(DynamicDrawUsage);
   }
 
-  /** Brings the geometry in step with joints and weights, if they have changed. */
+  /** Updates the geometry if joints or weights have changed. */
   update(): void {
     const { joints, weights, flat } = this.#rig;
     const still = this.#version === (joints?.pose.version ?? 0);

@@ -8,7 +8,7 @@ import type { Deformation } from './deformation.js';
 import type { JointPose } from './joint-pose.js';
 import { type Keyframes, sample } from './tracks.js';
 
-/** What of a model can move. */
+/** The parts of a model that can move. */
 export interface Movable {
   readonly scene: Object3D;
   /** Parts that follow a node, in the model's order. */

@@ -40,7 +40,7 @@ const start = (wasm: ArrayBuffer): Promise<Basis> =>
     createBasis({
       print: silent,
       printErr: silent,
-      // By itself the transcoder would wait for ever where this fails.
+      // If this fails, the transcoder itself would wait for ever.
       instantiateWasm: (imports, done) => {
         WebAssembly.instantiate(wasm, imports).then(({ instance }) => {
           done(instance);

@@ -63,7 +63,7 @@ class ObjReader {
   #smoothing = UNSTATED;
   /** First corner of the run. */
   #runStart = 0;
-  /** The polygon at hand: position, texture coordinates and normal of each corner. */
+  /** The current polygon: position, texture coordinates and normal of each corner. */
   readonly #polygon: { readonly v: number[]; readonly t: number[]; readonly n: number[] } = {
     v: [],
     t: [],

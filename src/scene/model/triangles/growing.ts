@@ -1,4 +1,4 @@
-// Lists of numbers whose length is not known before the end of the file. Typed arrays, doubled when they are full. Knows no meaning.
+// Lists of numbers whose length is not known before the end of the file. Typed arrays, doubled when they are full. Does not know what the numbers mean.
 
 interface NumberArray {
   readonly length: number;
