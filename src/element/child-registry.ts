@@ -77,7 +77,7 @@ export class ChildRegistry {
     return this.#children;
   }
 
-  /** In document order. Sorted when it is asked for, in one pass over the viewer's tree; a new array after a change. */
+  /** In document order. Sorted on demand, in one pass over the viewer's tree; a new array after a change. */
   get inOrder(): readonly HTMLElement[] {
     this.#inOrder ??= sorted(this.#children, this.#viewer);
     return this.#inOrder;

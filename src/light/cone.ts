@@ -11,7 +11,7 @@ const EDGE = 1e-5;
 /** Times a box is halved where its bounding sphere is too large to decide: 64 parts at most. */
 const HALVINGS = 6;
 
-/** One spot's cone, read once and asked about many boxes. Open, so that it reaches everything, until it was read. */
+/** One spot's cone, read once and tested against many boxes. Before it is read it reaches everything. */
 export class Cone {
   #x = 0;
   #y = 0;

@@ -31,13 +31,10 @@ const isAttenuated = ({ position, attenuation }: Values): boolean =>
 const DECLARED = [
   ...['directional', 'point', 'spot', 'attenuation', 'cone', 'decay'],
   ...['ambient', 'diffuse', 'specular'],
-  ...['steepSpot', 'spotAmbient'],
+  'steepSpot',
 ] as const;
 
-/**
- * What any light declared so far needs: HAS_SPOT and so on in the GLSL. `steepSpot`: a cosine does not do for a cone or decay.
- * `spotAmbient`: a spot has ambient light.
- */
+/** What any light declared so far needs: HAS_SPOT and so on in the GLSL. `steepSpot`: a cosine is too inexact for a cone or decay. */
 export type DeclaredFeatures = Record<(typeof DECLARED)[number], boolean>;
 
 export const noFeatures = (): DeclaredFeatures =>
@@ -59,7 +56,6 @@ export function declareFeatures(light: Values, declared: DeclaredFeatures): bool
   declare('cone', kind === 'spot' && light.aperture < 180);
   declare('decay', kind === 'spot' && light.cutoff >= LEAST_EXPONENT);
   declare('steepSpot', kind === 'spot' && isSteep(light));
-  declare('spotAmbient', kind === 'spot' && !isBlack(light.ambient));
   declare('attenuation', isAttenuated(light));
   declare('ambient', !isBlack(light.ambient));
   declare('diffuse', !isBlack(light.diffuse));

@@ -41,7 +41,7 @@ export class LightSet {
     return this.#values;
   }
 
-  /** Makes these the lights, in this order. A light tells the set that took it last. */
+  /** Makes these the lights, in this order. A light notifies only the set that took it last. */
   assign(lights: readonly LightState[]): void {
     if (lights.length === this.#lights.length && lights.every((light, i) => light === this.#lights[i]))
       return;

@@ -76,7 +76,7 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
       if (shines(light, kind)) packLight(light, kind, factor, space, into);
     }
     into.counts[kind] = into.sent - before;
-    byKind[kind].length = 0; // holds on to no light that was removed
+    byKind[kind].length = 0; // so that removed lights can be collected
   }
   if (!follows) into.sources.length = 0;
   const { directional, point, spot } = into.counts;

@@ -23,7 +23,7 @@ export class LightBuffer {
   #described: { readonly counts: Counts; readonly masks: Counts } | null = null;
   #featureKey = '';
   #contentKey = 0;
-  /** three.js takes it as it is: a texture of three's own would ask for anisotropy, and wait for the answer. */
+  /** three.js uses it unchanged. A texture of three's own would query the anisotropy limit, which blocks. */
   readonly #texture = new ExternalTexture();
   /** Whose texture it is. three.js replaces a renderer's properties when a lost context is restored. */
   #owner: { readonly renderer: WebGLRenderer; readonly properties: object } | null = null;
@@ -41,7 +41,7 @@ export class LightBuffer {
   /** The last version that was counted as an upload; kept by its lighting. */
   counted = -1;
 
-  /** Goes up whenever a number changes. */
+  /** Increments whenever a number changes. */
   get version(): number {
     return this.#version;
   }
@@ -81,7 +81,7 @@ export class LightBuffer {
     this.#describe();
   }
 
-  /** Brings the texture in step and returns it. */
+  /** Sends changed rows to the texture and returns it. */
   sendTexture(renderer: WebGLRenderer): ExternalTexture {
     const { from, to } = this.#stale;
     const { state, properties } = renderer;
@@ -121,7 +121,7 @@ export class LightBuffer {
     this.#owner = null;
   }
 
-  /** Finds the feature key anew where counts or features changed. */
+  /** Computes the feature key again if counts or features have changed. */
   #describe(): void {
     const { counts } = this.packed;
     const masks = kindFeatures(this.packed);

@@ -54,7 +54,7 @@ export class PhongLighting {
   readonly #meshLights = new MeshLights();
   #view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
-  /** Goes up when general programs may have to change. */
+  /** Increments when general programs may have to change. */
   #featureVersion = 0;
   #lightVersion = -1;
   #kindVersion = -1;
@@ -107,7 +107,7 @@ export class PhongLighting {
     return this.#origin;
   }
 
-  /** Goes up when materials may need other general programs. */
+  /** Increments when materials may need other general programs. */
   get featureVersion(): number {
     return this.#featureVersion;
   }
@@ -163,7 +163,7 @@ export class PhongLighting {
       this.#pack(frame);
   }
 
-  /** Before each draw: brings {@link clip} in step with `camera`. The result differs from the last one's if it changed. */
+  /** Call before each draw: updates {@link clip} to `camera`. Returns a version that increments when it changes. */
   aim(camera: Camera): number {
     const { view: last, projection } = this.#aimed;
     const seen = camera === this.#frameCamera ? this.#frameView : this.#viewOf(camera);
@@ -215,7 +215,7 @@ export class PhongLighting {
     return capacities[this.#capacity] ?? 0;
   }
 
-  /** In which form a specialised program is to hold these lights; null: none, the general program is best. */
+  /** The form of a specialised program for these lights; null if the general program is best. */
   formFor(buffer: LightBuffer, grid: LightBuffer | null): Form | null {
     if (this.#device === null) return null;
     if (grid !== null) return 'grid';

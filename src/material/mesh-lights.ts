@@ -28,7 +28,7 @@ export class MeshLights {
   #frame = 0;
   /** Another number whenever a mesh may have moved. NaN: not known, so each draw compares the mesh's matrix. */
   places = NaN;
-  /** Another array when it has moved. */
+  /** A new array after each move, so that identity shows a change. */
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
 
@@ -127,7 +127,7 @@ export class MeshLights {
 
 const NO_MASK = new Uint8Array(0);
 
-/** What was found for one mesh. */
+/** The result of culling for one mesh. */
 class Choice {
   readonly #mesh: Mesh;
   buffer: LightBuffer;

@@ -9,7 +9,7 @@ export interface Framed {
   /** Phase 1: reads the page's layout. Nothing writes to the page before all pictures have read. */
   prepare(): void;
   /**
-   * Phase 2: moves what moves by itself, such as a turning camera; true requests another frame. `now` is the animation
+   * Phase 2: advances motion such as a turning camera; true requests another frame. `now` is the animation
    * frame's time in milliseconds. Pictures that move must all be out of date before the first one draws: only those
    * share an atlas.
    */

@@ -41,7 +41,7 @@ export class SceneTree {
   }
 
   /**
-   * Brings order and world matrices in step, before drawing or measuring. A mesh that has not moved costs one call. A user's
+   * Updates order and world matrices before drawing or measuring. A mesh that has not moved costs one call. A user's
    * objects are computed again each time, as three.js does.
    */
   update(): void {

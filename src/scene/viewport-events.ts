@@ -3,7 +3,7 @@
 export interface ViewportEvents {
   /** Before the first frame: size and visibility of the picture are not known yet. Set `near` and call `resize`. */
   needsLayout(): void;
-  /** Before each frame; true asks for another one. `now` in milliseconds, as animation frames have it. */
+  /** Before each frame; true requests another one. `now` in milliseconds, as animation frames have it. */
   beforeFrame(now: number): boolean;
   /** The scene as it is has been drawn without an exception. */
   painted(): void;

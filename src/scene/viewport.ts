@@ -210,7 +210,7 @@ export class Viewport implements StageClient, Framed {
       this.#dirty = true;
       return;
     }
-    // Before drawing: if that throws, it is tried again only after the next change.
+    // Before drawing: if that throws, the next attempt follows the next change.
     this.#dirty = false;
     try {
       if (this.#paint()) {
@@ -227,7 +227,7 @@ export class Viewport implements StageClient, Framed {
     }
   }
 
-  /** Fits the camera to the scene where `auto` asks for it and something has changed. */
+  /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
   settle(): void {
     // The first fit is not a move.
     if (this.fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();

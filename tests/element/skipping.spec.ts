@@ -233,7 +233,6 @@ test('the first light with a new kind or feature compiles at most one program, t
     cone: 'position="0 1 0 1" specular="0" axis="0 -1 0" aperture="40"',
     decay: 'position="0 1 0 1" specular="0" axis="0 -1 0" cutoff="3"',
     ambient: 'ambient="9" specular="0"',
-    'ambient of a spot': 'ambient="9" position="0 1 0 1" specular="0" axis="0 -1 0" aperture="40"',
     'narrow cone': 'position="0 1 0 1" specular="0" axis="0 -1 0" aperture="5"',
     specular: '',
     'spot with all of it': 'ambient="9" position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3" attenuation="1 1 1"', // prettier-ignore

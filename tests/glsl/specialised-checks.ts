@@ -243,10 +243,6 @@ const isGentle = ({ aperture, cutoff }: LightValues): boolean =>
   (aperture === 180 || (aperture >= 15 && aperture <= 165)) &&
   (cutoff === 0 || (cutoff >= 1 && cutoff <= 64));
 
-/** Ambient light in directional lights alone: SPOTS_LACK_AMBIENT. */
-const darkSpots = (lights: readonly LightValues[]): LightValues[] =>
-  lights.map((one) => (one.position[3] === 0 ? one : { ...one, ambient: [0, 0, 0] }));
-
 const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
 
 /**
@@ -261,7 +257,7 @@ export function specialisedChecks(every = 1): readonly Check[] {
     sumsOf('general', lights, { reflection: 'blinn-phong' }),
     sumsOf('general', lights, { terms: ['diffuse'] }),
     sumsOf('general', lights.filter(isGentle)),
-    sumsOf('general', darkSpots(lights.filter(isGentle)), { reflection: 'blinn-phong' }),
+    sumsOf('general', lights.filter(isGentle), { reflection: 'blinn-phong' }),
     sumsOf('counted', lights),
     sumsOf('counted', lights, { terms: ['diffuse', 'specular'], integerShininess: false }),
     sumsOf('inlined', lights),

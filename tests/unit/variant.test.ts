@@ -82,7 +82,7 @@ describe('the general program', () => {
     ['another decay', { cutoff: 7.5 }, 1],
     ['a narrow cone, which a cosine does not find,', { aperture: 5 }, 2],
     ['a decay above 64', { cutoff: 100 }, 2],
-    ['ambient light', { ambient: [9, 9, 9] }, 2],
+    ['ambient light', { ambient: [9, 9, 9] }, 1],
   ])('with %s in a second spot makes %3$i in all', (_, values, programs) => {
     const first = [light({ ambient: [9, 9, 9] }), light({ ...spot, cutoff: 2 })];
     const second = light({ ...spot, cutoff: 2, ...values });

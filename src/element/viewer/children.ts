@@ -1,5 +1,5 @@
 // Which lights and meshes does a viewer have? Follows its registry: children take effect when they register, and are
-// brought into document order once, before the next frame or when a script asks. Knows neither camera nor frames.
+// brought into document order once, before the next frame or when a script reads them. Knows neither camera nor frames.
 import type { LightSet } from '../../light/light-set.js';
 import { LightState } from '../../light/light-state.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';

@@ -22,7 +22,7 @@ export class ViewerFailure {
     return [...this.#present.values()].at(-1) ?? null;
   }
 
-  /** Something has failed that may work when it is tried again. A lost context comes back by itself. */
+  /** Something has failed that a retry may fix. A lost context needs no retry. */
   get retryable(): boolean {
     return [...this.#present.values()].some(({ code }) => code !== 'context-lost');
   }

@@ -8,8 +8,8 @@ import type { Variant } from './variant.js';
 /** Drawn frames with the same key before a specialised program is requested: a third of a second of motion. */
 const SETTLED_FRAMES = 20;
 
-/** Frames after which a program counts as linked where the browser does not tell: asking then no longer waits. */
-const UNTOLD_FRAMES = 4;
+/** Frames after which a program counts as linked if the browser cannot say. A query then no longer blocks. */
+const UNKNOWN_LINK_FRAMES = 4;
 
 /** Most entries kept. Those of lights and materials that are no longer drawn go first. */
 const MOST_ENTRIES = 32;
@@ -44,7 +44,7 @@ interface Probe {
   readonly renderer: WebGLRenderer;
 }
 
-/** Programs compiled in the background and not drawn yet: asking whether they linked could wait. */
+/** Programs compiled in the background and not drawn yet. A query of their link status could block. */
 export const compilingPrograms = new WeakSet<object>();
 
 /** Take-overs of the page so far: see {@link ProgramCache.begin}. */
@@ -88,7 +88,7 @@ export class ProgramCache {
     return null;
   }
 
-  /** Gives all programs back. */
+  /** Disposes of all programs. */
   dispose(): void {
     for (const entry of this.#entries.values()) disposeOf(entry);
     this.#entries.clear();
@@ -130,7 +130,7 @@ export class ProgramCache {
     const gl = renderer.getContext();
     const program = programOf(probe);
     const tells = renderer.extensions.has('KHR_parallel_shader_compile');
-    if (program !== undefined && !(tells ? program.isReady() : frames >= UNTOLD_FRAMES)) {
+    if (program !== undefined && !(tells ? program.isReady() : frames >= UNKNOWN_LINK_FRAMES)) {
       entry.state = { ...state, frames: frames + 1 };
       return;
     }
@@ -149,7 +149,7 @@ export class ProgramCache {
     entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };
   }
 
-  /** At most one program of the page is drawn for the first time in a frame: none was since this cache's last frame. */
+  /** At most one program of the page is drawn for the first time in a frame. Waits if another one was since this cache's last frame. */
   #takeOver(entry: Entry, probe: Probe): Variant | null {
     if (takeOvers !== this.#seen.before) return null;
     takeOvers += 1;

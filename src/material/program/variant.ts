@@ -1,5 +1,5 @@
 // Which code does a program hold? A variant is the defines of one program and its text. The general variant of a material works
-// for any number of its lights; specialised variants are made from it for the lights at hand.
+// for any number of its lights; specialised variants are derived from it for the current lights.
 import type { Texture } from 'three';
 import { kindFeatures } from '../../light/kind-features.js';
 import { type DeclaredFeatures, KINDS, type LightKind, noFeatures } from '../../light/light-features.js';
@@ -21,7 +21,7 @@ export interface MaterialFeatures {
   readonly shininessTo64: boolean;
 }
 
-/** The defines and the text of one program; `key` tells variants apart. */
+/** The defines and the text of one program; `key` identifies the variant. */
 export interface Variant extends Shaders {
   readonly defines: Readonly<Record<string, string>>;
   readonly key: string;
@@ -34,7 +34,7 @@ export function generalVariant(
   capacity: number,
 ): Variant {
   const { unlit, alphaMode } = look;
-  const { steepSpot, spotAmbient, ...needed } = unlit ? noFeatures() : declared;
+  const { steepSpot, ...needed } = unlit ? noFeatures() : declared;
   for (const term of TERMS) needed[term] &&= style.terms.includes(term);
   // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
   const gouraud = style.shading === 'gouraud';
@@ -45,7 +45,6 @@ export function generalVariant(
     FILTER_HIGHLIGHTS: style.antialias === 'highlights' && needed.specular && !gouraud,
     SHININESS_TO_64: shininessTo64,
     SPOTS_ARE_GENTLE: needed.spot && !steepSpot,
-    SPOTS_LACK_AMBIENT: needed.spot && needed.ambient && !spotAmbient,
     IS_LINEAR: linear,
     IS_UNLIT: unlit,
     IS_BLENDED: alphaMode === 'blend',

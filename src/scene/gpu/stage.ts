@@ -64,7 +64,7 @@ class Stage {
     this.#context.retry();
   }
 
-  /** If there was no context to be had, the next drawing asks for one again. */
+  /** After a refused context, the next drawing requests one again. */
   retry(): void {
     this.#context.retry();
   }

@@ -104,7 +104,7 @@ export function placeRoot(root: Object3D, position: Vec3, rotation: Vec3, scale:
   root.updateMatrix();
 }
 
-/** Brings meshes in step with the pose that their content has now. */
+/** Updates meshes to their content's current pose. */
 export function followPose(parts: readonly Part[]): void {
   for (const { mesh, source } of parts) {
     mesh.matrix.copy(source.matrix);

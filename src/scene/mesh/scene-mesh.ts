@@ -107,7 +107,7 @@ export class SceneMesh implements Animated, ContentOwner {
     return this.#shown.parts;
   }
 
-  /** Brings the scene in step with the values. Cheap where nothing changed. */
+  /** Updates the scene to the values. Cheap if nothing has changed. */
   update(): void {
     this.#load.request(this.#values);
     const { animation, parts } = this.#shown;
@@ -155,7 +155,7 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#load.fail(failed.url, isOutOfMemory(error) ? error : undrawable(error));
   }
 
-  /** Brings materials and flat normals in step: the mesh's own style or the picture's may have changed. */
+  /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
   restyle(): void {
     const { reflection = null } = this.#values;
     const { materials } = this.#host;
