@@ -31,12 +31,6 @@ export interface ShadingFrame {
 /** Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two cores). */
 const MOST_INLINED = 16;
 
-/**
- * Most lights of a counted program: those whose first draw lengthens no frame by more than 50 ms. On an H200 these are 18 to 25 ms
- * with 16 lights through Vulkan and 24 to 32 through OpenGL, which links in the background; with 32 lights 20 and 65.
- */
-const MOST_COUNTED = 16;
-
 /** Rows of the uniform array in general programs: what WebGL 2 promises (224), then 1,000. Other uniforms need RESERVED. */
 const CAPACITIES = [200, 1000] as const;
 const RESERVED = 24;
@@ -223,7 +217,7 @@ export class PhongLighting {
     const { software, capacities } = this.#device;
     // Inlined numbers that change in every frame would make a key each, for nothing.
     if (software) return sent <= MOST_INLINED && !this.#changed ? 'inlined' : null;
-    return sent <= MOST_COUNTED && this.#capacity < capacities.length ? 'counted' : null;
+    return this.#capacity < capacities.length ? 'counted' : null;
   }
 
   /** Counts a draw that sent these lights. */

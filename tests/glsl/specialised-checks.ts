@@ -259,6 +259,7 @@ export function specialisedChecks(every = 1): readonly Check[] {
     sumsOf('general', lights.filter(isGentle)),
     sumsOf('general', lights.filter(isGentle), { reflection: 'blinn-phong' }),
     sumsOf('counted', lights),
+    sumsOf('counted', [...lights, ...lights]), // more than are unrolled
     sumsOf('counted', lights, { terms: ['diffuse', 'specular'], integerShininess: false }),
     sumsOf('inlined', lights),
     sumsOf('inlined', lights, { terms: ['specular'] }),

@@ -115,7 +115,8 @@ describe('another program', () => {
     ['16 lights in software', { name: 'llvmpipe' }, 16, 1],
     ['17 lights in software', { name: 'Google SwiftShader' }, 17, 0],
     ['16 lights on a GPU', {}, 16, 1],
-    ['17 lights on a GPU', {}, 17, 0],
+    ['200 lights on a GPU', {}, 200, 1],
+    ['400 lights on a GPU, which reads a texture,', {}, 400, 0],
   ])('is specialised or not for %s', (_, device, lights, programs) => {
     const { gpu, draw } = lit(
       Array.from({ length: lights }, () => ({ position: [1, 2, 3, 1] as const })),

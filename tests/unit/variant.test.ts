@@ -174,6 +174,18 @@ describe('a specialised program', () => {
     ).toBe(programs);
   });
 
+  it('has literal addresses for up to 16 lights, which a GPU unrolls, and counts addresses up beyond', () => {
+    const statements = (n: number): string =>
+      specialisedVariant(
+        generalVariant(materialOf(), declaredBy([light(lamp)]), 1000),
+        { terms: TERMS, integerShininess: null },
+        'counted',
+        pack(Array.from({ length: n }, () => light(lamp))),
+      ).defines['LIGHT_STATEMENTS']!;
+    expect(statements(16)).not.toContain('row+=');
+    expect(statements(17)).toContain('row+=');
+  });
+
   it('depends on the terms that are summed and on an integer exponent', () => {
     const keys = [{}, { terms: ['diffuse'] as const }, { integerShininess: 8 }, { integerShininess: null }];
     expect(count(keys.map((material) => keyOf('counted', lights, material)))).toBe(4);

@@ -146,19 +146,26 @@ const TERM_FEATURES: Readonly<Record<Term, number>> = {
 };
 
 /**
- * A loop for each kind. Bounds and addresses are literals: with `row += 3` as in the general loops, an H200's driver does not
- * unroll them, and a picture with 16 lights takes 0.82 of MeshPhongMaterial's time instead of 0.71.
+ * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: a picture with 16 lights takes 0.71 of
+ * MeshPhongMaterial's time instead of 0.82. But with 32 lights the first frame takes 65 ms longer (OpenGL), without 29.
  */
+const MOST_UNROLLED = 16;
+
+/** A loop for each kind, its bounds literals. */
 function countedLoops(packed: Readonly<PackedLights>, mask: number): string {
   const features = kindFeatures(packed);
-  let row: number = HEADER.rows;
-  return KINDS.map((kind) => {
+  const unrolled = packed.sent <= MOST_UNROLLED;
+  let first: number = HEADER.rows;
+  const loops = KINDS.map((kind) => {
     const { rows } = ROWS[kind];
-    const call = add(kind, `${String(row)}+i*${String(rows)}`, features[kind] & mask);
+    const row = unrolled ? `${String(first)}+i*${String(rows)}` : 'row';
+    const step = unrolled ? '' : `,row+=${String(rows)}`;
     const count = packed.counts[kind];
-    row += count * rows;
-    return count > 0 ? `for(int i=0;i<${String(count)};i++)${call}` : '';
-  }).join('');
+    first += count * rows;
+    const call = add(kind, row, features[kind] & mask);
+    return count > 0 ? `for(int i=0;i<${String(count)};i++${step})${call}` : '';
+  });
+  return (unrolled ? '' : `int row=${String(HEADER.rows)};`) + loops.join('');
 }
 
 /** A call for each light. */
