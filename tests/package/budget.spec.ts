@@ -16,7 +16,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 112_896, modules: 48_384 } as const;
+const budgets = { standalone: 113_920, modules: 49_152 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -47,14 +47,14 @@ test('the standalone file is about as large as a bundle of plain three.js with i
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
   // Measured: 1.06. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.065);
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.07);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
   // Measured: 164 kB, because bundlers keep three.js's shader chunks, and 113 kB.
-  expect(await bundled('index.js')).toBeLessThan(165_000);
+  expect(await bundled('index.js')).toBeLessThan(166_000);
   expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(114_000);
 });
 
