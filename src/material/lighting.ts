@@ -6,6 +6,7 @@ import { type DeclaredFeatures, declareFeatures, noFeatures } from '../light/lig
 import { LightSet } from '../light/light-set.js';
 import { moveLights, packLights, type PackedLights } from '../light/pack-lights.js';
 import { dot, type Vec3 } from '../math/vector.js';
+import { type Device, deviceOf } from './device.js';
 import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
@@ -30,10 +31,6 @@ export interface ShadingFrame {
 
 /** Most lights that software inlines: 16 take 291 ms to compile, 32 take 897 (SwiftShader on two cores). */
 const MOST_INLINED = 16;
-
-/** Rows of the uniform array in general programs: what WebGL 2 promises (224), then 1,000. Other uniforms need RESERVED. */
-const CAPACITIES = [200, 1000] as const;
-const RESERVED = 24;
 
 export class PhongLighting {
   readonly lights: LightSet;
@@ -270,37 +267,6 @@ export class PhongLighting {
     }
     if (added) this.#featureVersion += 1;
   }
-}
-
-interface Device {
-  readonly renderer: WebGLRenderer;
-  /** A software renderer. An unknown name means a GPU. */
-  readonly software: boolean;
-  /** Rows of the uniform array, in steps. */
-  readonly capacities: readonly number[];
-}
-
-const devices = new WeakMap<WebGLRenderer, Device>();
-
-function deviceOf(renderer: WebGLRenderer): Device {
-  const known = devices.get(renderer);
-  if (known !== undefined) return known;
-  const gl = renderer.getContext() as WebGL2RenderingContext;
-  const info = gl.getExtension('WEBGL_debug_renderer_info');
-  const name = String(gl.getParameter(info?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
-  const most = Math.min(
-    gl.getParameter(gl.MAX_FRAGMENT_UNIFORM_VECTORS) as number,
-    gl.getParameter(gl.MAX_VERTEX_UNIFORM_VECTORS) as number,
-  );
-  const software = /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
-  const device = {
-    renderer,
-    software,
-    // SwiftShader draws 1.4 times as long with a uniform array, which it reads float by float.
-    capacities: software ? [] : CAPACITIES.filter((rows) => rows <= most - RESERVED),
-  };
-  devices.set(renderer, device);
-  return device;
 }
 
 /** Overwritten by each call of `#viewOf`. */

@@ -1,6 +1,7 @@
 // The life of the page's one WebGL context: opened with the first drawing, lost and restored, refused and tried again, closed
 // with the last picture. Sizes its canvas. Knows nothing of pictures or where they lie.
 import type { WebGLRenderer } from 'three';
+import { deviceOf } from '../../material/device.js';
 import type { AtlasLimit, Size } from './atlas.js';
 import {
   canBeCopied,
@@ -133,6 +134,7 @@ export class SharedContext {
     try {
       this.#limit = { ...this.#limit, side: largestSideOf(gl) };
       this.#renderer = rendererOf(gl);
+      deviceOf(this.#renderer); // in the first frame the answer would wait for the commands before it
       this.#linkCheck = new LinkCheck(this.#renderer);
     } catch (error) {
       if (!this.noticeLoss()) throw error;
