@@ -15,7 +15,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 114_432, modules: 48_384 } as const;
+const budgets = { standalone: 114_688, modules: 48_640 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -52,8 +52,8 @@ test('the standalone file is about as large as a bundle of plain three.js with i
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 164 kB, because bundlers keep three.js's shader chunks, and 114 kB.
-  expect(await bundled('index.js')).toBeLessThan(165_000);
+  // Measured: 165 kB, because bundlers keep three.js's shader chunks, and 114 kB.
+  expect(await bundled('index.js')).toBeLessThan(165_500);
   expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(115_000);
 });
 
