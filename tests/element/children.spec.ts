@@ -259,10 +259,20 @@ test.describe('moves of children', () => {
   });
 });
 
-test('many lights connected one per microtask make one frame, in document order', async ({ mount }) => {
+test('many lights connected one per microtask make one frame and one search, in document order', async ({
+  mount,
+}) => {
   const viewer = await mount(open + '</phong-viewer>', size);
   const facts = await viewer.evaluate(async (element: PhongViewer) => {
     const { frames } = element.stats;
+    let searches = 0;
+    const search = Reflect.get(Element.prototype, 'querySelector') as (...given: unknown[]) => unknown;
+    Object.defineProperty(element, 'querySelector', {
+      value: (...given: unknown[]) => {
+        searches += 1;
+        return Reflect.apply(search, element, given);
+      },
+    });
     for (let i = 0; i < 300; i++) {
       const light = document.createElement('phong-light');
       light.diffuse = 0.5;
@@ -274,9 +284,9 @@ test('many lights connected one per microtask make one frame, in document order'
     await element.ready;
     const { stats } = element;
     const inOrder = element.lights.every((light, i) => light === element.children[i]);
-    return [inOrder, stats.lightsActive, stats.frames - frames];
+    return [inOrder, stats.lightsActive, stats.frames - frames, searches <= 1];
   });
-  expect(facts).toEqual([true, 300, 1]);
+  expect(facts).toEqual([true, 300, 1, true]);
 });
 
 test('a light added and removed in one task changes nothing', async ({ page, mount }) => {

@@ -19,11 +19,25 @@ export function inspect(element: Element): void {
   else inspectSoon();
 }
 
-/** Tests a viewer again, if it contains an element that is not defined. Call it when its content changes. */
+/** Viewers whose content has changed in this task. */
+const changed = new Set<Element>();
+
+/**
+ * Tests a viewer again after the task, if it contains an element that is not defined. Call it when its content changes. Thousands of
+ * children may come one by one, and the search reads all of them: it runs once.
+ */
 export function inspectAgain(viewer: Element): void {
-  if (viewer.querySelector(':not(:defined)') === null) return;
-  inspected.delete(viewer);
-  inspect(viewer);
+  if (changed.size === 0) setTimeout(inspectChanged);
+  changed.add(viewer);
+}
+
+function inspectChanged(): void {
+  for (const viewer of changed) {
+    if (viewer.querySelector(':not(:defined)') === null) continue;
+    inspected.delete(viewer);
+    inspect(viewer);
+  }
+  changed.clear();
 }
 
 /** Attributes of `element` that could be a mistake: not its own, and not as HTML and frameworks name theirs. */
