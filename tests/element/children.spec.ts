@@ -266,9 +266,9 @@ test('many lights connected one per microtask make one frame and one search, in 
   const facts = await viewer.evaluate(async (element: PhongViewer) => {
     const { frames } = element.stats;
     let searches = 0;
-    const search = Reflect.get(Element.prototype, 'querySelector') as (...given: unknown[]) => unknown;
+    const search: (...given: never[]) => unknown = Reflect.get(Element.prototype, 'querySelector');
     Object.defineProperty(element, 'querySelector', {
-      value: (...given: unknown[]) => {
+      value: (...given: never[]) => {
         searches += 1;
         return Reflect.apply(search, element, given);
       },
