@@ -196,3 +196,22 @@ it('sameValue compares lists item by item', () => {
   expect(sameValue(null, null)).toBe(true);
   expect(sameValue(0, false)).toBe(false);
 });
+
+it('a default that is restored leaves other given values given', () => {
+  const one = lamp();
+  one.set('power', 5);
+  one.set('on', false);
+  one.set('power', 6);
+  one.set('power', null);
+  expect([one.given('power'), one.given('on'), one.values.on]).toEqual([false, true, false]);
+  one.set('power', null);
+  expect(one.given('on')).toBe(true);
+});
+
+it('a list is never the same as a value that is none', () => {
+  expect(sameValue([1], 1)).toBe(false);
+  expect(sameValue(1, [1])).toBe(false);
+  expect(sameValue([], '')).toBe(false);
+  expect(sameValue([1, 2], [1, 2])).toBe(true);
+  expect(sameValue([1, undefined], [1])).toBe(false);
+});

@@ -9,6 +9,7 @@ import {
   type Field,
   homogeneousField,
   numberField,
+  numbersField,
   optional,
   orWord,
   presenceField,
@@ -307,4 +308,90 @@ describe('the error repeats what was given', () => {
     expect(messageOf(kinds.vector, [1, 2, 3, 4, 5, 6])).toContain('got [1, 2, 3, 4, 5, ...]');
     expect(messageOf(kinds.vector, [1, [2], 3])).toContain('got [1, an object, 3]');
   });
+});
+
+describe('what a field expects, in words,', () => {
+  const words: Record<Kind, string> = {
+    number: 'a number from 0 to 10',
+    'positive number': 'a number above 0, up to 1e15',
+    'whole number': 'a whole number from 1 to 512',
+    vector: '3 numbers, each a number from -10 to 10',
+    homogeneous: '3 or 4 numbers x y z w, each a number from -10 to 10, w 0 or 1',
+    scale: '1 or 3 numbers, each a number from -2 to 2',
+    color: 'r g b (or one number), each a number from 0 to 1e6 with 255 full, or a CSS colour in sRGB',
+    boolean: 'true or false',
+    presence: 'true or false',
+    text: 'text',
+    choice: 'one of red, green',
+    subset: 'any of a, b, c',
+    'optional number': 'a number from 0 to 10',
+    'number or word': 'auto or a number from 0 to 10',
+  };
+  it.each(Object.entries(words) as [Kind, string][])('is right for a %s', (kind, expected) => {
+    expect(kinds[kind].expected).toBe(expected);
+  });
+
+  it.each([
+    [{}, 'a number'],
+    [{ max: 3 }, 'a number'],
+    [{ min: 3 }, 'a number'],
+    [{ above: 3 }, 'a number'],
+    [{ min: 99_999, max: 100_000 }, 'a number from 99999 to 1e5'],
+    [{ min: -100_000, max: 0 }, 'a number from -1e5 to 0'],
+  ])('names the bounds of %o', (range, expected) => {
+    expect(numberField(0, range).expected).toBe(expected);
+  });
+
+  it('names an empty choice', () => {
+    expect(choiceField<'' | 'a'>('', ['', 'a']).expected).toBe('one of (empty), a');
+  });
+});
+
+describe('numbers in ascending order', () => {
+  const field = numbersField('places from 0 to 1', 0, 1);
+
+  it('may be equal, and one may stand alone', () => {
+    expect(field.check([0, 0.5, 0.5, 1])).toEqual([0, 0.5, 0.5, 1]);
+    expect(field.check(0.5)).toEqual([0.5]);
+    expect(field.check([0.5])).toEqual([0.5]);
+  });
+
+  it('must ascend', () => {
+    expect(() => field.check([0.5, 0.4])).toThrow(
+      new RangeError('expected places from 0 to 1, got [0.5, 0.4]'),
+    );
+    expect(() => field.check([0, 0.5, 0.4, 1])).toThrow(RangeError);
+  });
+
+  it('are at least one, at most a thousand, and numbers', () => {
+    expect(() => field.check([])).toThrow(new TypeError('expected places from 0 to 1, got []'));
+    expect(field.check(new Array(1000).fill(0))).toHaveLength(1000);
+    expect(() => field.check(new Array(1001).fill(0))).toThrow(TypeError);
+    expect(() => field.check('0.5')).toThrow(TypeError);
+  });
+});
+
+describe('a message', () => {
+  const messageFor = (value: unknown): string => {
+    try {
+      return String(kinds.vector.check(value));
+    } catch (error) {
+      return (error as Error).message;
+    }
+  };
+
+  it('repeats up to five items whole', () => {
+    expect(messageFor([1, 2, 3, 4, 5])).toContain('got [1, 2, 3, 4, 5]');
+  });
+
+  it('names functions and objects by what they are', () => {
+    expect(messageFor(() => 0)).toContain('got a function');
+    expect(messageFor({})).toContain('got an object');
+    expect(messageFor(null)).toContain('got null');
+  });
+});
+
+it('a list of a thousand words is still a list of words', () => {
+  expect(kinds.subset.check(new Array(1000).fill('a'))).toEqual(['a']);
+  expect(() => kinds.subset.check(new Array(1001).fill('a'))).toThrow(TypeError);
 });
