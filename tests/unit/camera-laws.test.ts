@@ -190,3 +190,25 @@ it.each([
   if (!(height > 0)) expect(shift(start, 10, 10, nowhere)).toBe(start);
   for (const bad of [NaN, Infinity]) expect(turn(start, bad, 0, view)).toBe(start);
 });
+
+describe('a picture without size', () => {
+  const pose: Pose = { theta: 10, phi: 20, radius: 3, target: [1, 2, 3] };
+
+  it.each([
+    [0, 100],
+    [100, 0],
+    [0, 0],
+    [NaN, 100],
+  ])('%i × %i does not turn or shift', (width, height) => {
+    const view = { width, height, fov: 45 };
+    expect(turn(pose, 10, 10, view)).toBe(pose);
+    expect(turn(pose, 0, 10, view)).toBe(pose);
+    if (!(height > 0)) expect(shift(pose, 10, 10, view)).toBe(pose);
+  });
+
+  it('turns by one axis alone without touching the other angle', () => {
+    const view = { width: 100, height: 100, fov: 45 };
+    expect(turn({ ...pose, theta: 370 }, 0, 10, view).theta).toBe(370);
+    expect(turn(pose, 10, 0, view)).toEqual({ ...pose, theta: -26 });
+  });
+});

@@ -194,3 +194,18 @@ describe('a turntable', () => {
     expect(Math.abs(turnedBy(360.001, 1e12))).toBeLessThan(360);
   });
 });
+
+it('turns at up to 1e15 degrees per second and ignores faster speeds and bad times each by itself', () => {
+  const turned = (time: number, speed: number): boolean => {
+    const orbit = new Orbit();
+    const table = new Turntable();
+    table.step(orbit, 0, speed);
+    return table.step(orbit, time, speed);
+  };
+  expect(turned(1, 1e15)).toBe(true);
+  expect(turned(1, -1e15)).toBe(true);
+  expect(turned(1, 2e15)).toBe(false);
+  expect(turned(NaN, 9)).toBe(false);
+  expect(turned(Infinity, 9)).toBe(false);
+  expect(turned(0, 9)).toBe(false);
+});

@@ -262,3 +262,90 @@ describe('coming and going', () => {
     expect(log).toStrictEqual(['held', 'let go', 'key']);
   });
 });
+
+describe('defaults of the browser', () => {
+  it.each(['selectstart', 'dragstart'])('%s is prevented during a drag alone', (type) => {
+    const { fire, mouse } = setUp();
+    expect(fire(type)).toBe(false);
+    mouse('pointerdown', 0);
+    expect(fire(type)).toBe(true);
+    mouse('pointerup', 0);
+    expect(fire(type)).toBe(false);
+  });
+
+  it.each(['touchstart', 'touchmove'])('%s is prevented for two fingers that hold the picture', (type) => {
+    const { fire, touch } = setUp();
+    const fingers = (length: number): boolean => fire(type, { targetTouches: { length } });
+    expect(fingers(2)).toBe(false);
+    touch('pointerdown', 1, 0);
+    expect(fingers(1)).toBe(false);
+    expect(fingers(2)).toBe(true);
+    touch('pointerdown', 2, 50);
+    expect(fingers(3)).toBe(true);
+  });
+
+  it('the context menu opens after a press of the secondary button, but not during or once after its drag', () => {
+    const { surface, fire, mouse } = setUp();
+    const window = surface.ownerDocument.defaultView;
+    const menu = (timeStamp: number): boolean => fire('contextmenu', { timeStamp }, window);
+    const secondary = { button: 2, buttons: 2 };
+    expect(menu(0)).toBe(false);
+    mouse('pointerdown', 0, secondary);
+    expect(menu(1)).toBe(true);
+    mouse('pointerup', 0, { ...secondary, buttons: 0, timeStamp: 2 });
+    expect(menu(2)).toBe(false);
+    mouse('pointerdown', 0, secondary);
+    mouse('pointermove', 80, secondary);
+    mouse('pointerup', 80, { ...secondary, buttons: 0, timeStamp: 10 });
+    expect(menu(10)).toBe(true);
+    expect(menu(10)).toBe(false);
+  });
+
+  it('a context menu ends the drag of a mouse, which it captures, but not of a finger', () => {
+    const { surface, log, fire, mouse, touch } = setUp();
+    const window = surface.ownerDocument.defaultView;
+    mouse('pointerdown', 0);
+    expect(fire('contextmenu', { timeStamp: 1e6 }, window)).toBe(false);
+    expect(log).toEqual(['held', 'let go']);
+    touch('pointerdown', 1, 0);
+    expect(fire('contextmenu', { timeStamp: 1e6 }, window)).toBe(false);
+    expect(log).toEqual(['held', 'let go', 'held']);
+  });
+
+  it('a press whose default a script has prevented begins no drag', () => {
+    const { input, surface, log, mouse } = setUp();
+    const prevent = (event: Event): void => {
+      event.preventDefault();
+    };
+    input.disconnect();
+    surface.addEventListener('pointerdown', prevent); // before the viewer's own listener
+    input.connect();
+    mouse('pointerdown', 0);
+    expect(log).toEqual([]);
+  });
+});
+
+describe('keys', () => {
+  it.each([
+    ['ArrowLeft', true, false, true],
+    ['ArrowLeft', false, true, false],
+    ['+', true, false, false],
+    ['+', false, true, true],
+    ['Home', true, false, true],
+    ['Home', false, true, true],
+    ['Home', false, false, false],
+  ])('%s with orbit %s and zoom %s is taken: %s', (name, orbit, zoom, taken) => {
+    const { allows, key } = setUp();
+    Object.assign(allows, { orbit, zoom });
+    expect(key(name)).toBe(taken);
+  });
+});
+
+it('after disconnect the window is not listened to either', () => {
+  const { input, surface, log, fire, mouse } = setUp();
+  input.disconnect();
+  mouse('pointerdown', 0);
+  expect(fire('contextmenu', { timeStamp: 0 }, surface.ownerDocument.defaultView)).toBe(false);
+  expect(fire('selectstart')).toBe(false);
+  expect(log).toEqual([]);
+});
