@@ -71,7 +71,8 @@ export default defineConfig(
     plugins: { house: { rules: { layers: layersRule } } },
     rules: {
       'house/layers': 'error',
-      'max-lines': ['error', { max: 250, skipBlankLines: true, skipComments: true }],
+      // Longer than this, a file has more than one subject. Shorter files are not better: what changes together stays together.
+      'max-lines': ['error', { max: 330, skipBlankLines: true, skipComments: true }],
       'no-console': ['error', { allow: ['warn'] }],
       'no-restricted-syntax': [
         'error',

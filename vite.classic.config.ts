@@ -4,19 +4,20 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
-import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
+import { basisTranscoder } from './.ci/basis-transcoder.js';
 import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { standaloneThree } from './.ci/standalone-three/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
+import { wasmFiles } from './.ci/wasm-files.js';
 
 export default defineConfig({
   publicDir: false,
   plugins: [
     dracoDecoder(),
     basisTranscoder(),
-    basisFile({ file: false }),
+    wasmFiles({ file: false }),
     standaloneThree(),
     strippedGlsl(),
     licences({ listed: false }),

@@ -34,7 +34,7 @@ export default defineConfig({
       'three/addons/loaders/GLTFLoader.js',
       'three/addons/geometries/TeapotGeometry.js',
       'three/addons/libs/meshopt_decoder.module.js',
-      '@lit/reactive-element',
+      'lit',
       'lil-gui',
     ],
   },

@@ -1,15 +1,17 @@
-// Builds the package's ES modules: dist/index.js, core.js, reference.js, react.js and playwright.js. three, Lit, lil-gui, React and
+// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js, react.js and playwright.js. three, Lit, lil-gui, React and
 // Playwright stay imports for the user's bundler. `npm run build` runs this first; the standalone and the classic file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
-import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
+import { basisTranscoder } from './.ci/basis-transcoder.js';
 import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
+import { inPage } from './.ci/in-page.js';
 import { modelChunks } from './.ci/model-chunks.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { strippedGlsl } from './.ci/strip-glsl.js';
+import { wasmFiles } from './.ci/wasm-files.js';
 
 const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, import.meta.url));
 
@@ -17,7 +19,7 @@ const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, im
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier || /libs\/basis/.test(specifier))
     return false;
-  return /^(three|@lit\/reactive-element|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
+  return /^(three|lit|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
 }
 
 /** dist/react.js imports dist/index.js, so that a page has one copy of the elements. */
@@ -27,12 +29,26 @@ const besideIndex: Plugin = {
   resolveId: (specifier) => (specifier === './index.js' ? { id: './index.js', external: 'relative' } : null),
 };
 
+/**
+ * dist/index.js imports dist/trusted-types.js before Lit. As part of index.js it would run after Lit, which stays an import, and too late
+ * to report that Lit was refused.
+ */
+const beforeLit: Plugin = {
+  name: 'before-lit',
+  enforce: 'pre',
+  resolveId: (specifier, importer) =>
+    importer !== undefined && specifier.endsWith('/trusted-types.js')
+      ? { id: './trusted-types.js', external: 'relative', moduleSideEffects: true }
+      : null,
+};
+
 /** React's servers look for this line before any other. */
 const clientDirective = "'use client';\n";
 
 /** Built one by one: each is a single file, which compresses better than several files with shared parts. */
 const entries: Readonly<Record<string, string>> = {
   index: source('index.ts'),
+  'trusted-types': source('element/page/trusted-types.ts'),
   core: source('core.ts'),
   reference: source('reference/index.ts'),
   react: source('react.ts'),
@@ -47,9 +63,11 @@ export default defineConfig(({ mode }) => ({
   plugins: [
     dracoDecoder(),
     basisTranscoder(),
-    basisFile(),
+    wasmFiles(),
     strippedGlsl(),
+    inPage(),
     decoderWorkers({ plugins: workerPlugins }),
+    beforeLit,
     ...(mode === 'react'
       ? [besideIndex, licences({ listed: false, directive: clientDirective })]
       : [licences({ listed: false })]),

@@ -4,7 +4,7 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
 import { licences } from './.ci/licences/plugin.js';
-import { basisFile, basisTranscoder } from './.ci/basis-transcoder.js';
+import { basisTranscoder } from './.ci/basis-transcoder.js';
 import { decoderWorkers } from './.ci/decoder-workers.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { modelChunks } from './.ci/model-chunks.js';
@@ -12,6 +12,7 @@ import { outputFolder } from './.ci/output-folder.mjs';
 import { retriedImports } from './.ci/retried-imports.js';
 import { standaloneThree } from './.ci/standalone-three/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
+import { wasmFiles } from './.ci/wasm-files.js';
 
 export default defineConfig({
   base: './',
@@ -19,7 +20,7 @@ export default defineConfig({
   plugins: [
     dracoDecoder(),
     basisTranscoder(),
-    basisFile(),
+    wasmFiles(),
     standaloneThree(),
     strippedGlsl(),
     licences(),

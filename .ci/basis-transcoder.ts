@@ -1,14 +1,10 @@
-// How do three's copy of the Basis Universal transcoder and its WebAssembly become parts of the package? The script becomes a module that
-// needs no eval: its compiler's output makes functions from text in two places, which a strict Content-Security-Policy refuses. In dist/
-// the WebAssembly is a file beside the code, at an address that users' bundlers know.
+// Makes a module of three's copy of the Basis Universal transcoder, one that needs no eval: its compiler's output makes functions from text
+// in two places, which a strict Content-Security-Policy refuses.
 
-import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 import { scriptAsModule } from './script-as-module.js';
 
 const SCRIPT = '/libs/basis/basis_transcoder.js';
-const FILE = 'basis_transcoder.wasm';
 
 /**
  * From the first text to the second, and what stands there instead. The variables are those of Emscripten's own functions: values go to
@@ -67,34 +63,6 @@ export function basisTranscoder(): Plugin {
     transform(code, id) {
       if (!id.endsWith(SCRIPT)) return null;
       return scriptAsModule(withoutEval(code));
-    },
-  };
-}
-
-/**
- * `import address from '….wasm?url'` as Vite's own servers understand it, in a library: Vite would put the bytes into the script.
- * @param file false: there is no file, and the address is empty. For scripts that are no modules.
- */
-export function basisFile({ file = true } = {}): Plugin {
-  const wanted = `/libs/basis/${FILE}?url`;
-  const placeholder = 'basis-file:address';
-  return {
-    name: 'basis-file',
-    enforce: 'pre',
-    resolveId: (specifier) => (specifier.endsWith(wanted) ? `\0${specifier}` : null),
-    load(id) {
-      if (!id.endsWith(wanted)) return null;
-      // The sum hides it from Vite, and is one text after minification.
-      return `export default ${file ? `new URL('' + '${placeholder}', import.meta.url).href` : "''"};`;
-    },
-    generateBundle(_options, bundle) {
-      for (const chunk of Object.values(bundle)) {
-        if (chunk.type !== 'chunk' || !chunk.code.includes(placeholder)) continue;
-        chunk.code = chunk.code.replace(placeholder, `./${FILE}`);
-        const folder = chunk.fileName.slice(0, chunk.fileName.lastIndexOf('/') + 1);
-        const path = fileURLToPath(import.meta.resolve(`three/examples/jsm/libs/basis/${FILE}`));
-        this.emitFile({ type: 'asset', fileName: folder + FILE, source: readFileSync(path) });
-      }
     },
   };
 }

@@ -10,7 +10,7 @@ import { build, type Plugin, type Rolldown } from 'vite';
 const WORKER = /new Worker\(\s*new URL\('\.\/([\w-]+)-worker\.ts', import\.meta\.url\),/g;
 
 /** In the place of a file's name until that is known. No bundler takes the text for an address. */
-const placeholder = (name: string): string => `decoder-worker:${name}`;
+const placeholder = (name: string): string => `decoder-worker:${name}:`;
 
 export interface WorkerOptions {
   /** Plugins that the workers' own code needs. */

@@ -296,14 +296,6 @@ function ktx2Glb(image) {
   const nanJson = document({ attributes: { POSITION: 0 }, accessors: claims(3, 3), indices: 1, packed: nan });
   write('not-a-number.glb', glb(nanJson, nan.bytes));
 }
-{
-  const packed = pack(quadBlobs);
-  const { material, more } = textured({ uri: 'x.dds' });
-  more.textures = [{ sampler: 0, extensions: { MSFT_texture_dds: { source: 0 } } }];
-  const json = document({ ...quadParts, material, more, packed });
-  json.extensionsUsed = ['MSFT_texture_dds'];
-  write('dds.glb', glb(json, packed.bytes));
-}
 writeJson(
   'other-origin.gltf',
   quadFile({ uri: dataUri('image/png', texture) }, 'https://example.com/quad.bin'),

@@ -31,6 +31,6 @@ float specularLobe(vec3 N, vec3 L, PixelView view, float n) {
   vec3 e = N - H;
   vec3 dx = view.dxN - turning(H, view.dxSum, squared);
   vec3 dy = view.dyN - turning(H, view.dySum, squared);
-  float average = averagedLobe(e, 1.0 - 0.5 * dot(e, e), n, footprintOf(dx, dy, n));
+  float average = averagedLobe(e, n, footprintOf(dx, dy, n));
   return squared >= LEAST_SUM ? average : 0.0;
 }

@@ -12,7 +12,7 @@ struct PixelView {
 
 /** The view at p, for directional lights. Call only in uniform control flow: uses dFdx/dFdy. */
 PixelView pixelView(vec3 p, vec3 N, vec3 V, float n) {
-  vec3 W = specularView(N, V);
+  vec3 W = mirroredView(N, V);
   vec3 dxW = dFdx(W);
   vec3 dyW = dFdy(W);
   return PixelView(W, dxW, dyW, dFdx(p), dFdy(p), footprintOf(dxW, dyW, n));
@@ -29,6 +29,6 @@ PixelView pixelViewNear(PixelView view, vec3 L, float d, float n) {
 /** max(dot(R, V), 0)^n averaged over the pixel. N, L unit; NoL > 0. */
 float specularLobe(vec3 N, vec3 L, PixelView view, float n) {
   // A zero W is no view: its lobe is 0, not the one of a chord of length 1.
-  float average = averagedLobe(L - view.W, dot(L, view.W), n, view.pixel);
+  float average = averagedLobe(L - view.W, n, view.pixel);
   return dot(view.W, view.W) > 0.5 ? average : 0.0;
 }

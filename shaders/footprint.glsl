@@ -50,19 +50,18 @@ Footprint footprintOf(vec3 dx, vec3 dy, float n) {
   return Footprint(first, second, pull, turn, share, inversesqrt(grown.x * grown.y));
 }
 
-/** The average of the lobe x^n over the footprint, where x = 1 - |e|²/2. In [0, 1]. */
-float averagedLobe(vec3 e, float x, float n, Footprint pixel) {
+/** The average of the lobe (1 - |e|²/2)^n over the footprint. In [0, 1]. */
+float averagedLobe(vec3 e, float n, Footprint pixel) {
   vec2 along = vec2(dot(e, pixel.first), dot(e, pixel.second));
   vec2 t = pixel.pull * along;
-  float nearer = 0.5 * dot(along, t);
-  x = min(x + nearer, 1.0);
-#if defined(INTEGER_SHININESS)
-  float lobe = powInteger(max(x, 0.0), INTEGER_SHININESS);
-#elif defined(SHININESS_TO_64)
-  float lobe = powTo64(x, n);
-#else
   // |e|² is at least what is taken from it, but for rounding.
-  float lobe = powNearOne(x, max(0.5 * dot(e, e) - nearer, 0.0), n);
+  float y = max(0.5 * dot(e, e) - 0.5 * dot(along, t), 0.0);
+#if defined(INTEGER_SHININESS)
+  float lobe = powInteger(max(1.0 - y, 0.0), INTEGER_SHININESS);
+#elif defined(SHININESS_IS_MILD)
+  float lobe = powMild(1.0 - y, n);
+#else
+  float lobe = powNearOne(1.0 - y, y, n);
 #endif
   vec2 s = vec2(pixel.turn.x * t.x - pixel.turn.y * t.y, pixel.turn.y * t.x + pixel.turn.x * t.y);
   vec2 s2 = s * s;

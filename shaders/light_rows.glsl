@@ -6,13 +6,6 @@ uniform highp vec4 uLightRows[LIGHT_ROWS];
 vec4 lightRow(int i) {
   return uLightRows[i];
 }
-#elif LIGHT_STORAGE == STORAGE_BLOCK
-layout(std140) uniform LightRows {
-  highp vec4 uLightRows[BLOCK_ROWS];
-};
-vec4 lightRow(int i) {
-  return uLightRows[i];
-}
 #elif LIGHT_STORAGE == STORAGE_TEXTURE
 uniform highp sampler2D uLightTexture;
 uniform highp vec2 uLightTextureScale; // 1 / its width, 1 / its height

@@ -18,19 +18,19 @@ float powNearOne(float x, float y, float k) {
   return exp2(k * log2x);
 }
 
-/** x^k as powNearOne, for k up to LARGEST_COSINE_POWER (64): log2's error near 1 is too small there to need the series. */
-float powTo64(float x, float k) {
+/** x^k as powNearOne, for k up to LARGEST_MILD_POWER: log2's error near 1 is too small there to need the series. */
+float powMild(float x, float k) {
   float power = exp2(k * log2(max(x, TINY)));
   return x >= TINY || k < LEAST_EXPONENT ? power : 0.0;
 }
 
-/** The same for k from 1, where a base near 0 gives a result near 0. x may be negative by rounding. */
+/** The same for k from 1 to LARGEST_MILD_POWER, where a base near 0 gives a result near 0. x may be negative by rounding. */
 float powFrom1(float x, float k) {
   return exp2(k * log2(max(x, TINY)));
 }
 
 /**
- * x^k for an integer k from 1 to LARGEST_COSINE_POWER. Pass k as a literal: only its multiplications are left then. A
+ * x^k for an integer k from 1 to LARGEST_INTEGER_POWER. Pass k as a literal: only its multiplications are left then. A
  * relative error of x is multiplied by k.
  */
 float powInteger(float x, int k) {

@@ -18,17 +18,16 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   // Where light and eye are almost opposite the sum is short, and errors of the two lengths are most of it.
   vec3 sum = refined(L) + refined(V);
   float squared = dot(sum, sum);
-#if defined(INTEGER_SHININESS)
-  float NoH = dot(N, sum) * inversesqrt(max(squared, LEAST_SUM));
-  return squared >= LEAST_SUM ? powInteger(clamp(NoH, 0.0, 1.0), INTEGER_SHININESS) : 0.0;
-#else
-  vec3 H = squared >= LEAST_SUM ? sum * inversesqrt(squared) : vec3(0.0);
-#if defined(SHININESS_TO_64)
-  return powTo64(dot(N, H), n);
-#else
+  bool hasHalf = squared >= LEAST_SUM;
+  vec3 H = sum * inversesqrt(max(squared, LEAST_SUM));
   vec3 d = N - H;
-  return powNearOne(dot(N, H), 0.5 * dot(d, d), n);
-#endif
+  float y = 0.5 * dot(d, d); // 1 - dot(N, H), as in specular_phong
+#if defined(INTEGER_SHININESS)
+  return hasHalf ? powInteger(max(1.0 - y, 0.0), INTEGER_SHININESS) : 0.0;
+#elif defined(SHININESS_IS_MILD)
+  return powMild(hasHalf ? 1.0 - y : 0.0, n);
+#else
+  return powNearOne(hasHalf ? dot(N, H) : 0.0, y, n);
 #endif
 }
 #endif

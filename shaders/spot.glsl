@@ -25,7 +25,6 @@ float spotDecay(float sinHalfSquared, float cosHalfSquared, float cutoff, int fe
   bool chords = (features & FEATURE_CHORDS) != 0;
   if (integer > 0) return powInteger(chords ? 1.0 - sinHalfSquared : cosHalfSquared, integer);
   if ((features & FEATURE_DECAY) != 0 && !chords) return powFrom1(cosHalfSquared, cutoff);
-  if ((features & FEATURE_DECAY_TO64) != 0) return powTo64(cosHalfSquared, cutoff);
   if ((features & FEATURE_DECAY) != 0) return powNearOne(cosHalfSquared, sinHalfSquared, cutoff);
   return 1.0;
 }

@@ -1,6 +1,5 @@
 // How many lights add something, in place of the surface's colour. Takes the place of surface_color. Needs light_loop, and
-// light_grid with HAS_LIGHT_GRID. Every light is packed as a spot whose attenuation and cutoff hold what is read here:
-// src/material/view/count-lights.ts.
+// light_grid with HAS_LIGHT_GRID. Lights are packed in rows of their own (COUNTED_…) by src/material/view/count-lights.ts.
 
 uniform float uViewLights; // lights that could be counted, at least 1
 uniform float uViewOpen; // leading lights that have no cone
@@ -33,8 +32,8 @@ bool adds(vec4 light, vec3 v, Counted at) {
 
 /** 1 if the light whose first row is `row` adds something, else 0. */
 int countLight(int row, Counted at) {
-  vec4 light = lightRow(row + SPOT_POSITION);
-  vec4 axis = lightRow(row + SPOT_AXIS);
+  vec4 light = lightRow(row + COUNTED_POSITION);
+  vec4 axis = lightRow(row + COUNTED_AXIS);
   float d, squared;
   vec3 L = towardLight(light.xyz, at.p, d, squared);
   // A limit below 0 is compared on the far side of the axis: see insideCone.
@@ -55,16 +54,16 @@ vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float
   CellSpots cell = cellSpots(p);
   for (int i = 0; i < cell.count; i++) count += countLight(listedRow(cell.first + i), at);
   int spots = unlistedSpots();
-  for (int i = 0; i < spots; i++, row += SPOT_ROWS) count += countLight(row, at);
+  for (int i = 0; i < spots; i++, row += COUNTED_ROWS) count += countLight(row, at);
 #else
   int open = int(uViewOpen);
-  for (int i = 0; i < open; i++, row += SPOT_ROWS) {
-    vec4 light = lightRow(row + SPOT_POSITION);
+  for (int i = 0; i < open; i++, row += COUNTED_ROWS) {
+    vec4 light = lightRow(row + COUNTED_POSITION);
     count += int(adds(light, light.xyz - p, at));
   }
-#ifdef HAS_CONE
+#if (DECLARED_FEATURES & FEATURE_WIDE) != 0
   int cones = int(lightRow(HEADER_COUNTS).z) - open;
-  for (int i = 0; i < cones; i++, row += SPOT_ROWS) count += countLight(row, at);
+  for (int i = 0; i < cones; i++, row += COUNTED_ROWS) count += countLight(row, at);
 #endif
 #endif
 #endif

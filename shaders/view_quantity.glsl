@@ -1,35 +1,55 @@
 // One quantity of the equation in place of the surface's colour: the normal, or a number of one light. Takes the place of
-// surface_color. Needs light_loop. VIEW_… names the quantity.
+// surface_color. Needs light_loop. VIEW_VALUE is an expression of `at` with one of the functions below.
 
-#ifndef VIEW_NORMALS
 uniform vec4 uViewPosition; // of the light, in shading space; w = 0: xyz is L, unit or zero
 uniform vec4 uViewAxis; // A, unit or zero; w = cutoff
 uniform vec4 uViewAttenuation; // kc, kl, kq; w = 1, or 0 without a light
-#endif
 
-/** Grey from 0 to 1, or (N + 1)/2. Shading space. N is unit, or zero. */
+/** A fragment, and where the view's light is from there. Shading space. */
+struct Viewed {
+  vec3 N; // unit, or zero
+  vec3 V; // unit, or zero
+  vec3 L; // unit, or zero where there is no direction
+  float d; // distance; 0 for a directional light
+  float squared; // d²
+};
+
+vec3 normalColor(Viewed at) {
+  return 0.5 * at.N + 0.5;
+}
+
+/** A number of the light; 0 without one. */
+vec3 grey(float value) {
+  return vec3(value * uViewAttenuation.w);
+}
+
+float nDotL(Viewed at) {
+  return diffuseLobe(dot(at.N, at.L));
+}
+
+/** The lobe with the exponent 1. */
+float rDotV(Viewed at) {
+  return dot(at.N, at.L) > 0.0 ? specularLobe(at.N, at.L, specularView(at.N, at.V), 1.0) : 0.0;
+}
+
+float attenuationOf(Viewed at) {
+  if (uViewPosition.w == 0.0) return 1.0;
+  return attenuation(uViewAttenuation.xyz, at.d, at.squared, FEATURE_CLAMPED + FEATURE_LINEAR);
+}
+
+float decayOf(Viewed at) {
+  bool aimed = dot(at.L, at.L) > 0.5 && dot(uViewAxis.xyz, uViewAxis.xyz) > 0.5; // unit vectors or zero
+  float sinHalfSquared = quarterLengthSquared(at.L + uViewAxis.xyz);
+  float cosHalfSquared = quarterLengthSquared(at.L - uViewAxis.xyz);
+  return aimed ? spotDecay(sinHalfSquared, cosHalfSquared, uViewAxis.w, FEATURE_DECAY + FEATURE_CHORDS) : 1.0;
+}
+
+/** Shading space. N is unit, or zero. */
 vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
-#ifdef VIEW_NORMALS
-  return 0.5 * N + 0.5;
-#else
   float d = 0.0;
   float squared = 0.0;
   vec3 L = uViewPosition.xyz;
   if (uViewPosition.w > 0.0) L = towardLight(L, p, d, squared);
-  float value = 1.0;
-#if defined(VIEW_N_DOT_L)
-  value = diffuseLobe(dot(N, L));
-#elif defined(VIEW_R_DOT_V)
-  // The lobe with the exponent 1.
-  value = dot(N, L) > 0.0 ? specularLobe(N, L, specularView(N, unitInRange(eye - p)), 1.0) : 0.0;
-#elif defined(VIEW_ATTENUATION)
-  if (uViewPosition.w > 0.0) value = attenuation(uViewAttenuation.xyz, d, squared, FEATURE_CLAMPED + FEATURE_LINEAR);
-#elif defined(VIEW_DECAY)
-  bool aimed = dot(L, L) > 0.5 && dot(uViewAxis.xyz, uViewAxis.xyz) > 0.5; // unit vectors or zero
-  float sinHalfSquared = quarterLengthSquared(L + uViewAxis.xyz);
-  float cosHalfSquared = quarterLengthSquared(L - uViewAxis.xyz);
-  if (aimed) value = spotDecay(sinHalfSquared, cosHalfSquared, uViewAxis.w, FEATURE_DECAY + FEATURE_CHORDS);
-#endif
-  return vec3(value * uViewAttenuation.w);
-#endif
+  Viewed at = Viewed(N, unitInRange(eye - p), L, d, squared);
+  return VIEW_VALUE;
 }

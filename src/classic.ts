@@ -1,3 +1,3 @@
-// What does a page load that is opened from disk? The entry of dist/phong-viewer.classic.js, a script that is no module.
-// Registers the elements and exports nothing, so the page gets no global.
+// Entry of dist/phong-viewer.classic.js, one script that is no module, for pages opened from disk. Registers the
+// elements and exports nothing, so the page gets no global.
 import './index.js';

@@ -1,6 +1,6 @@
 /**
- * `phong-viewer/core`: the material, the lights and the orbit for plain three.js, without elements; and the light loop's
- * GLSL with the function that packs lights for it, for any WebGL 2 program.
+ * `phong-viewer/core`: the material, the lights and the orbit for plain three.js, without elements; and the light
+ * loop's GLSL with the function that packs lights for it, for any WebGL 2 program.
  */
 export { type Basis, Orbit, type Pose } from './camera/orbit.js';
 export { OrbitInput, type OrbitInputHost } from './camera/orbit-input.js';
@@ -8,10 +8,12 @@ export { HEADER, ROWS } from './light/light-layout.js';
 export { LightSet } from './light/light-set.js';
 export { LIGHT_FIELDS, type LightSpace, LightState, type LightValues } from './light/light-state.js';
 export { emptyPack, type PackedLights, packLights, type PackSpace } from './light/pack-lights.js';
-export { coneLimit } from './light/light-features.js';
+export { coneLimit, declaredFeatures } from './light/light-features.js';
 export { SURFACE_FIELDS, type SurfaceValues } from './material/material-values.js';
 export { PhongLighting, type ShadingFrame } from './material/lighting.js';
-export { type BaseLook, PhongMaterial, type ShadingStyle } from './material/phong-material.js';
+export { type BaseLook } from './material/base-look.js';
+export { PhongMaterial } from './material/phong-material.js';
+export { type ShadingStyle } from './material/shading-style.js';
 export { type Sides } from './material/back-faces.js';
 export { LIGHT_LOOP_GLSL } from './material/program/source.js';
 export type { Vec3, Vec4 } from './math/vector.js';

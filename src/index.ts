@@ -1,14 +1,17 @@
 /**
- * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>` and `<phong-compare>`. Importing it without a DOM does nothing.
- * A second copy on a page leaves the first copy's elements alone.
+ * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>` and `<phong-compare>`. Importing it
+ * without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
  */
+// First, because it must run before Lit does.
+import { litWasImported } from './element/page/trusted-types.js';
 import { PhongCompare } from './element/phong-compare.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { providePanel } from './element/viewer/panel.js';
-import { lazyCode } from './scene/lazy-code.js';
+import { lazyCode } from './model/lazy-code.js';
 
+litWasImported();
 providePanel(lazyCode(() => import('./gui/panel.js'), 'the control panel'));
 
 // Children first: the viewer then finds all of them at once when it is upgraded.
@@ -24,7 +27,14 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
 }
 
 export { PhongCompare, PhongLight, PhongMesh, PhongViewer };
-export type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './element/events.js';
+export type {
+  LoadDetail,
+  PhongCompareEventMap,
+  PhongMeshEventMap,
+  PhongViewerEventMap,
+  ViewerErrorCode,
+  ViewerErrorDetail,
+} from './element/events.js';
 export type { NumberList } from './element/fields/properties.js';
 export type { ViewerTexts } from './element/fields/texts.js';
 export type { PhongCompareProps, PhongLightProps, PhongMeshProps, PhongViewerProps } from './element/jsx.js';
@@ -33,8 +43,7 @@ export type {} from './element/types/svelte.js';
 export type {} from './element/types/tag-names.js';
 export type {} from './element/types/vue.js';
 export type { PictureOptions } from './element/viewer/picture-blob.js';
-export type { FragmentExplanation, LightExplanation } from './element/viewer/shade-at.js';
-export type { CameraSource, CameraState } from './element/viewer/camera.js';
-export type { ViewerErrorCode, ViewerErrorDetail } from './element/viewer/loading.js';
+export type { FragmentExplanation, LightExplanation } from './element/explanation.js';
+export type { CameraSource, CameraState } from './element/camera-state.js';
 export type { ViewerStats } from './element/viewer/stats.js';
 export type { Vec3, Vec4 } from './math/vector.js';

@@ -1,12 +1,12 @@
 /**
- * `phong-viewer/playwright`: visual tests of pages with `<phong-viewer>`, for `@playwright/test`. Compares pictures with the
- * equation rather than with files. Runs in Node; knows the elements by their public API only.
+ * `phong-viewer/playwright`: visual tests of pages with `<phong-viewer>`, for `@playwright/test`. Compares pictures
+ * with the equation rather than with files. Runs in Node; knows the elements by their public API only.
  */
 import { expect as playwrightExpect, type Locator, test } from '@playwright/test';
 import { LIGHT_FIELDS } from './light/light-state.js';
 import type { PhongViewer } from './index.js';
-import { judgeInPage, type Judgement, type Suspect } from './playwright/judge-in-page.js';
-import { settleInPage } from './playwright/settle-in-page.js';
+import { judgeInPage, settleInPage } from './playwright/in-page.js';
+import type { Judgement, Suspect } from './playwright/judge-in-page.js';
 import { codesOff } from './playwright/subpixel.js';
 
 export interface SettledOptions {
@@ -15,17 +15,23 @@ export interface SettledOptions {
 }
 
 export interface EquationOptions extends SettledOptions {
-  /** Largest difference of a channel from the equation, in 8-bit codes. Whole, 0–255, default 1: what the element promises. */
+  /**
+   * Largest difference of a channel from the equation, in 8-bit codes. Whole, 0–255, default 1: what the element
+   * promises.
+   */
   readonly codes?: number;
   /**
-   * Least share of the surfaces' pixels that can be judged, 0–1, default 0.25. Fewer fail the test, because it would say little:
-   * make the viewer larger or move the camera closer. Small triangles leave few pixels inside a single face.
+   * Least share of the surfaces' pixels that can be judged, 0–1, default 0.25. Fewer fail the test, because it would
+   * say little: make the viewer larger or move the camera closer. Small triangles leave few pixels inside a single
+   * face.
    */
   readonly share?: number;
 }
 
 export interface SnapshotOptions extends SettledOptions {
-  /** Pixels, whole, at least 1. Default: the viewer's size in CSS pixels, so that dense screens give the same picture. */
+  /**
+   * Pixels, whole, at least 1. Default: the viewer's size in CSS pixels, so that dense screens give the same picture.
+   */
   readonly width?: number;
   readonly height?: number;
 }
@@ -43,9 +49,9 @@ const MOST_SUSPECTS = 2000;
 const LISTED = 5;
 
 /**
- * Waits until a viewer's picture stands still: everything requested is loaded and drawn, faster programs have taken over, nothing
- * moves. Scrolls it into view. Throws after the timeout and says why, for example because of `auto-rotate`: set it to 0, or
- * emulate reduced motion.
+ * Waits until a viewer's picture stands still: everything requested is loaded and drawn, faster programs have taken
+ * over, nothing moves. Scrolls it into view. Throws after the timeout and says why, for example because of
+ * `auto-rotate`: set it to 0, or emulate reduced motion.
  */
 export async function settled(viewer: Locator, { timeout = 20_000 }: SettledOptions = {}): Promise<void> {
   await viewer.scrollIntoViewIfNeeded({ timeout });
@@ -53,8 +59,8 @@ export async function settled(viewer: Locator, { timeout = 20_000 }: SettledOpti
 }
 
 /**
- * The settled picture as a PNG of exactly this size, without page, panel or background: the same bytes wherever browser and GPU
- * are the same, whatever the screen. For `expect(await snapshot(viewer)).toMatchSnapshot('lamp.png')`.
+ * The settled picture as a PNG of exactly this size, without page, panel or background: the same bytes wherever browser
+ * and GPU are the same, whatever the screen. For `expect(await snapshot(viewer)).toMatchSnapshot('lamp.png')`.
  */
 export async function snapshot(
   viewer: Locator,
@@ -83,10 +89,10 @@ export async function snapshot(
 /** Playwright's `expect` with the matcher of this package. `mergeExpects` combines it with others. */
 export const expect = playwrightExpect.extend({
   /**
-   * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face. A pixel also passes if the
-   * equation takes its colour within one step of the device's subpixel grid, to which rasterisers move vertices. Not judged:
-   * edges of triangles, translucent surfaces, textures with several texels to a pixel, and own objects in `scene`. The message and
-   * an annotation of the test report how many pixels were judged.
+   * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face. A pixel also
+   * passes if the equation takes its colour within one step of the device's subpixel grid, to which rasterisers move
+   * vertices. Not judged: edges of triangles, translucent surfaces, textures with several texels to a pixel, and own
+   * objects in `scene`. The message and an annotation of the test report how many pixels were judged.
    */
   async toShowTheEquation(
     viewer: Locator,

@@ -1,7 +1,7 @@
 /**
- * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client. Values are
- * written as the text of attributes: React omits arrays and `false` from a server's markup and does not set them when it hydrates.
- * Knows neither the values' names nor their domains.
+ * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client.
+ * Values are written as the text of attributes: React omits arrays and `false` from a server's markup and does not set
+ * them when it hydrates. Knows neither the values' names nor their domains.
  */
 import {
   createElement,
@@ -14,9 +14,8 @@ import {
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
-import type { ViewerTexts } from './element/fields/texts.js';
 import type { ComponentProps } from './element/jsx.js';
-import type { Handlers } from './element/types/markup.js';
+import type { Elements, Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
 
 export type PhongLightElement = elements.PhongLight;
@@ -30,7 +29,9 @@ export type PhongViewerProps = ComponentProps<elements.PhongViewerProps, element
 
 export type PhongCompareProps = ComponentProps<elements.PhongCompareProps, elements.PhongCompareEventMap>;
 
-/** `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default. */
+/**
+ * `<phong-light>`. Props are its values in camel case, and what every HTML element accepts. `null` restores a default.
+ */
 export const PhongLight: ForwardRefExoticComponent<PhongLightProps> = component(
   'phong-light',
   elements.PhongLight.observedAttributes,
@@ -43,15 +44,18 @@ export const PhongMesh: ForwardRefExoticComponent<PhongMeshProps> = component(
 );
 
 /**
- * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`, `onProbeChange`
- * and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but `ref.current.loaded` is true.
+ * `<phong-viewer>`, as {@link PhongLight}, with `onLoad`, `onProgress`, `onError`, `onCameraChange`, `onLightChange`,
+ * `onProbeChange` and `onRender`. A model may load before the page hydrates: then there is no `onLoad`, but
+ * `ref.current.loaded` is true.
  */
 export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = component(
   'phong-viewer',
   elements.PhongViewer.observedAttributes,
 );
 
-/** `<phong-compare>`, as {@link PhongLight}, with the event `onDividerChange`. Its children are {@link PhongViewer}s. */
+/**
+ * `<phong-compare>`, as {@link PhongLight}, with the event `onDividerChange`. Its children are {@link PhongViewer}s.
+ */
 export const PhongCompare: ForwardRefExoticComponent<PhongCompareProps> = component(
   'phong-compare',
   elements.PhongCompare.observedAttributes,
@@ -85,7 +89,7 @@ function component<P extends object>(
     const handlers: [type: string, handler: EventListener][] = [];
     for (const [name, value] of Object.entries(props)) {
       const type = EVENTS.get(name);
-      if (name === 'texts') continue;
+      if (name === 'texts' || name === 'maxTriangles') continue;
       const attribute = attributeOf(name);
       const text = isValue.has(attribute) ? attributeText(value) : undefined;
       if (type !== undefined) {
@@ -96,10 +100,14 @@ function component<P extends object>(
     }
     useImperativeHandle(ref, () => element.current, []);
     // A property without an attribute: React 18 would write one, and no version sets it when it hydrates.
-    const { texts } = props as { readonly texts?: ViewerTexts | null };
+    const { texts, maxTriangles } = props as Elements['viewer']['properties'];
     useClientEffect(() => {
       if (element.current !== null && 'texts' in element.current) element.current.texts = texts;
     }, [texts]);
+    useClientEffect(() => {
+      if (element.current !== null && 'maxTriangles' in element.current)
+        element.current.maxTriangles = maxTriangles;
+    }, [maxTriangles]);
     useClientEffect(() => {
       const target = element.current;
       for (const [type, handler] of handlers) target?.addEventListener(type, handler);
@@ -115,12 +123,15 @@ function component<P extends object>(
 
 const onServer = typeof document === 'undefined';
 
-/** Runs in the task that inserts or hydrates an element, before its events. React 18 warns of layout effects on servers. */
+/**
+ * Runs in the task that inserts or hydrates an element, before its events. React 18 warns of layout effects on servers.
+ */
 const useClientEffect = onServer ? useEffect : useLayoutEffect;
 
 /**
- * The prop that React writes as this attribute. Where an element has a property of a prop's exact name, React would write the
- * property, which throws for a bad value and leaves the server's attribute as it was. Attribute names ignore case.
+ * The prop that React writes as this attribute. Where an element has a property of a prop's exact name, React would
+ * write the property, which throws for a bad value and leaves the server's attribute as it was. Attribute names ignore
+ * case.
  */
 const attributeProp = (attribute: string): string => (onServer ? attribute : attribute.toUpperCase());
 

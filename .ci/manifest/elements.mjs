@@ -45,7 +45,9 @@ export function describeElements({ fields, attributeOf, formatValue }) {
   return tags.map((tag) => {
     const file = program.getSourceFile(join(folder, `${tag}.ts`));
     const className = tag.replace(/(?:^|-)(\w)/g, (_, letter) => letter.toUpperCase());
-    const declaration = file?.statements.find((s) => ts.isClassDeclaration(s) && s.name?.text === className);
+    const declaration = file?.statements.find(
+      (s) => ts.isClassDeclaration(s) && implementsElement(s, className),
+    );
     if (!declaration || !ts.isClassDeclaration(declaration) || !eventsFile)
       throw new Error(`${tag}: no class`);
     const parts = reader.classParts(declaration);
@@ -63,6 +65,15 @@ export function describeElements({ fields, attributeOf, formatValue }) {
       events: reader.events(eventsFile, `${className}EventMap`),
     };
   });
+}
+
+/** `class ViewerElement extends … implements PhongViewer`, under whatever name that is imported. @param {ts.ClassDeclaration} declaration @param {string} className */
+function implementsElement({ heritageClauses, name }, className) {
+  const isImplements = (/** @type {ts.HeritageClause} */ clause) =>
+    clause.token === ts.SyntaxKind.ImplementsKeyword;
+  return (
+    name?.text === className.replace('Phong', '') + 'Element' && heritageClauses?.some(isImplements) === true
+  );
 }
 
 /** The default of an attribute that must be absent for it: false, or an empty list. @param {{ kind: string }} field */

@@ -121,7 +121,7 @@ const files: readonly (readonly [words: string, folder: string, pattern: RegExp]
   ['the reader of OBJ and MTL', 'chunks', /^read-obj-/],
   ['the reader of STL', 'chunks', /^read-stl-/],
   ['the reader of PLY', 'chunks', /^read-ply-/],
-  ['the Draco decoder, if a model needs it', 'chunks', /^draco-/],
+  ['the Draco decoder, if a model needs it', 'chunks', /^draco_decoder/],
   ['the meshopt decoder, if a model needs it', 'chunks', /^meshopt-/],
 ];
 

@@ -1,6 +1,7 @@
-// How does a drag move the camera? Pure functions from the pose at the start of the drag and the total travel since then to a
-// new pose. Nothing accumulates: zero travel returns the start pose itself. Travel in CSS pixels, right and down positive; angles
-// in degrees, lengths in scene units. A travel that would give a pose that is not finite moves nothing.
+// Camera poses of a drag. Pure functions from the pose at the start of the drag and the total travel since then to a
+// new pose. Nothing accumulates: zero travel returns the start pose itself. Travel in CSS pixels, right and down
+// positive; angles in degrees, lengths in scene units. A travel that would give a pose that is not finite moves
+// nothing.
 
 import { cosDegrees, sinDegrees, wrapDegrees } from '../math/angle.js';
 import { basisOf, clampLength } from './orbit.js';
@@ -21,7 +22,9 @@ export interface RadiusLimits {
   readonly max: number;
 }
 
-/** One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles. */
+/**
+ * One width is 360° of azimuth, one height 180° of polar angle. The shape follows the pointer. φ stops at the poles.
+ */
 export function turn(start: Pose, dx: number, dy: number, { width, height }: View): Pose {
   if (!(width > 0 && height > 0)) return start;
   return turnBy(start, -(360 * dx) / width, -(180 * dy) / height);

@@ -1,5 +1,6 @@
-// Which radius shows the whole scene, how far can the user zoom, and where are the near and far planes? All three follow from one
-// bounding sphere. Lengths in scene units, world space; angles in degrees. Every result is finite and above 0, for any input.
+// The radius that shows the whole scene, the limits of zoom, and the near and far planes. All three follow from one
+// bounding sphere. Lengths in scene units, world space; angles in degrees. Every result is finite and above 0, for any
+// input.
 
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
@@ -9,7 +10,7 @@ import type { Pose } from './orbit.js';
 
 /** A sphere that contains every vertex of the scene. `null` stands for an empty scene. */
 export interface Bounds {
-  readonly centre: Vec3;
+  readonly center: Vec3;
   /** Reaches the farthest vertex; 0 for a single point. */
   readonly radius: number;
 }
@@ -17,6 +18,8 @@ export interface Bounds {
 export interface DepthRange {
   near: number;
   far: number;
+  /** Whether parts of the sphere may be nearer than `near`. */
+  cuts: boolean;
 }
 
 /** Free space around the scene: the sphere fills 1/1.05 of the sine of half the smaller field of view. */
@@ -24,17 +27,19 @@ const MARGIN = 1.05;
 const EMPTY_RADIUS = 4;
 const ZOOM_REACH = 1e3;
 
-/** The target and radius that `auto` stands for. An empty scene gives the origin and 4, a single point its place and 4. */
+/**
+ * The target and radius that `auto` stands for. An empty scene gives the origin and 4, a single point its place and 4.
+ */
 export function fitPose(bounds: Bounds | null, fov: number, aspect: number): Pick<Pose, 'target' | 'radius'> {
-  if (bounds === null || !bounds.centre.every(Number.isFinite)) {
+  if (bounds === null || !bounds.center.every(Number.isFinite)) {
     return { target: [0, 0, 0], radius: EMPTY_RADIUS };
   }
-  return { target: bounds.centre, radius: fitRadius(bounds.radius, fov, aspect) };
+  return { target: bounds.center, radius: fitRadius(bounds.radius, fov, aspect) };
 }
 
 /**
- * 1.05 R / sin(half the smaller of the vertical and horizontal fields), at most {@link LARGEST_LENGTH}. `fov` is vertical,
- * in degrees; `aspect` is width over height, and counts as 1 if the picture has no size.
+ * 1.05 R / sin(half the smaller of the vertical and horizontal fields), at most {@link LARGEST_LENGTH}. `fov` is
+ * vertical, in degrees; `aspect` is width over height, and counts as 1 if the picture has no size.
  */
 export function fitRadius(sphereRadius: number, fov: number, aspect: number): number {
   const sinVertical = sinDegrees(fov / 2);
@@ -54,30 +59,43 @@ export function zoomLimits(bounds: Bounds | null): RadiusLimits {
 }
 
 /**
- * Near and far as distances along the view, written to `out`. They enclose a sphere that lies wholly in front of the eye while
- * far/near stays below 1000. Otherwise (the eye inside the sphere, or just outside) near is far/1000, or a tenth of the orbit's
- * radius if that is less, so the target is never clipped however close the user zooms.
+ * Near and far as distances along the view, written to `out`. They enclose a sphere that lies wholly in front of the
+ * eye while far/near stays below 1000. Otherwise (the eye inside the sphere, or just outside) near is far/1000, or a
+ * tenth of the orbit's radius if that is less, and the scene may reach nearer: see {@link nearBefore}.
  */
 export function depthRange(
   pose: Pose,
   bounds: Bounds | null,
-  out: DepthRange = { near: 0, far: 0 },
+  out: DepthRange = { near: 0, far: 0, cuts: false },
 ): DepthRange {
   const radius = Math.max(pose.radius, SMALLEST_DEPTH);
   const { back } = basisOf(pose, scratch);
-  let centre = radius;
-  for (let i = 0; bounds !== null && i < 3; i++) centre += (pose.target[i]! - bounds.centre[i]!) * back[i]!;
+  let center = radius;
+  for (let i = 0; bounds !== null && i < 3; i++) center += (pose.target[i]! - bounds.center[i]!) * back[i]!;
   let reach = bounds === null ? 0 : Math.max(bounds.radius, 0);
-  if (!(Math.abs(centre) + reach < LARGEST_DEPTH)) {
-    centre = radius;
+  if (!(Math.abs(center) + reach < LARGEST_DEPTH)) {
+    center = radius;
     reach = 0;
   }
   // 1 % covers rounding to float32 and keeps near and far apart for a single point. For a sphere behind the eye the
   // result only has to be a valid range.
-  out.far = 1.01 * Math.max(centre + reach, radius / 1000);
-  out.near = Math.max(0.99 * (centre - reach), Math.min(out.far / 1000, radius / 10));
+  out.far = 1.01 * Math.max(center + reach, radius / 1000);
+  out.near = Math.max(0.99 * (center - reach), Math.min(out.far / 1000, radius / 10));
+  out.cuts = bounds !== null && center - reach < out.near;
   return out;
 }
+
+/**
+ * A near plane before a surface at this depth. A tenth is more than float32 loses where vertices are 1e5 times as far
+ * away.
+ */
+export const nearBefore = (depth: number, radius: number): number =>
+  Math.max(0.9 * depth, LEAST_NEAR * radius);
+
+/**
+ * What is nearer than this share of the orbit's radius, no float32 position relative to the target tells from the eye.
+ */
+const LEAST_NEAR = 2 ** -23;
 
 // Between these limits near and far are normal float32 numbers, with room to spare.
 const SMALLEST_DEPTH = 1e-30;

@@ -1,6 +1,6 @@
-// How do the pointers that are down move the camera? From the pose at the anchor and from where each finger was then and is now.
-// Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS pixels; travel is measured
-// along the picture's own axes. Knows no DOM events: the caller reports which pointers press, move and lift.
+// Camera poses of a gesture with one or more pointers: from the pose at the anchor and from where each finger was then
+// and is now. Nothing accumulates, so returning to the start restores the start pose exactly. Client coordinates in CSS
+// pixels; travel is measured along the picture's own axes.
 
 import { pinch, shift, turn } from './drag.js';
 import type { RadiusLimits, View } from './drag.js';
@@ -12,8 +12,8 @@ export interface PictureBox {
   readonly width: number;
   readonly height: number;
   /**
-   * Client coordinates of one of the box's own pixels: x and y of a pixel to the right, x and y of a pixel down. CSS transforms
-   * of the box or its parents change them. Default: 1, 0, 0, 1.
+   * Client coordinates of one of the box's own pixels: x and y of a pixel to the right, x and y of a pixel down. CSS
+   * transforms of the box or its parents change them. Default: 1, 0, 0, 1.
    */
   readonly axes?: PictureAxes;
 }
@@ -56,7 +56,10 @@ interface Anchor {
   readonly axes: PictureAxes;
   readonly orbit: boolean;
   readonly zoom: boolean;
-  /** The orbit's version after the last move of this gesture; a different one means that something else moved the camera. */
+  /**
+   * The orbit's version after the last move of this gesture; a different one means that something else moved the
+   * camera.
+   */
   version: number;
 }
 
@@ -171,7 +174,10 @@ export class PointerGesture {
   }
 }
 
-/** A pointer's travel in pixels of the picture. No travel where the picture is seen edge-on: nothing can be pressed there. */
+/**
+ * A pointer's travel in pixels of the picture. No travel where the picture is seen edge-on: nothing can be pressed
+ * there.
+ */
 export function alongAxes(
   [rightX, rightY, downX, downY]: PictureAxes = UPRIGHT,
   x: number,

@@ -1,6 +1,6 @@
-// What do pointers, wheel and keys on a picture do to its camera? The only file in this folder that knows the DOM: it turns events
-// into numbers for the pure functions and notifies the host. Each event is handled synchronously; no frame is requested and
-// nothing is drawn. CSS pixels. Must not know what the picture shows.
+// Pointer, wheel and key events on a picture, turned into camera moves. The only file in this folder that knows the
+// DOM: it turns events into numbers for the pure functions and notifies the host. Each event is handled synchronously;
+// no frame is requested and nothing is drawn. CSS pixels.
 
 import { PointerGesture } from './gesture.js';
 import type { GestureHost } from './gesture.js';
@@ -25,14 +25,15 @@ const SECONDARY = 2;
 const MENU_DELAY = 300;
 
 /**
- * CSS pixels that a finger can move mainly up or down before the camera turns. The browser treats such a stroke as scrolling
- * within its own slop (15 px in Chromium) and cancels the pointer. Without this limit, scrolling past would tilt the picture.
+ * CSS pixels that a finger can move mainly up or down before the camera turns. The browser treats such a stroke as
+ * scrolling within its own slop (15 px in Chromium) and cancels the pointer. Without this limit, scrolling past would
+ * tilt the picture.
  */
 const SCROLL_SLOP = 32;
 
 /**
- * Connects a surface to an orbit. The surface holds the picture and nothing else that needs pointers (the panel is its sibling).
- * It must be focusable, with `touch-action: pan-y` and `user-select: none` in its CSS.
+ * Connects a surface to an orbit. The surface holds the picture and nothing else that needs pointers (the panel is its
+ * sibling). It must be focusable, with `touch-action: pan-y` and `user-select: none` in its CSS.
  */
 export class OrbitInput {
   readonly #surface: HTMLElement;
@@ -97,7 +98,10 @@ export class OrbitInput {
     this.#end();
   }
 
-  /** Call when something else has changed the camera or the picture: a drag in progress continues from the current camera. */
+  /**
+   * Call when something else has changed the camera or the picture: a drag in progress continues from the current
+   * camera.
+   */
   reanchor(): void {
     if (this.#gesture.active) this.#gesture.reanchor();
   }
@@ -170,8 +174,8 @@ export class OrbitInput {
   }
 
   /**
-   * Suppresses the context menu while the secondary button drags and once after a drag. Linux and macOS open it at the press,
-   * when it is not yet known whether a drag follows; it is suppressed there too.
+   * Suppresses the context menu while the secondary button drags and once after a drag. Linux and macOS open it at the
+   * press, when it is not yet known whether a drag follows; it is suppressed there too.
    */
   #onMenu(event: MouseEvent): void {
     const wanted =

@@ -1,6 +1,6 @@
-// Where is the eye? On a sphere around the target, given by azimuth and polar angle, in float64. Angles in degrees, lengths in
-// scene units, world axes. The basis comes from the angles, never from an up vector, so it is orthonormal at the poles too.
-// Knows neither pointers nor pictures.
+// The camera's pose: the eye lies on a sphere around the target, given by azimuth and polar angle, in float64. Angles
+// in degrees, lengths in scene units, world axes. The basis comes from the angles, never from an up vector, so it is
+// orthonormal at the poles too.
 
 import { cosDegrees, sinDegrees } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';

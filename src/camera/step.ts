@@ -1,4 +1,4 @@
-// What does one wheel event or one key do to the camera? Pure functions to degrees and zoom factors; no event is kept.
+// What one wheel event or one key does to the camera. Pure functions to degrees and zoom factors; no event is kept.
 
 import type { Pose } from './orbit.js';
 import { turnBy, zoomBy } from './drag.js';
@@ -19,7 +19,9 @@ const KEY_ZOOM = 1.1;
 const KEY_DEGREES = 5;
 const KEY_DEGREES_FINE = 1;
 
-/** Multiplies the radius by exp(0.001 · pixels), so turning back undoes turning forth. `height`: one page, CSS pixels. */
+/**
+ * Multiplies the radius by exp(0.001 · pixels), so turning back undoes turning forth. `height`: one page, CSS pixels.
+ */
 export function wheelZoom(start: Pose, wheel: WheelTurn, height: number, limits: RadiusLimits): Pose {
   const unit = wheel.deltaMode === 1 ? LINE_PIXELS : wheel.deltaMode === 2 ? height : 1;
   return zoomBy(start, Math.exp(WHEEL_RATE * wheel.deltaY * unit), limits);

@@ -1,6 +1,6 @@
-// Which elements belong to which viewer? Each light and mesh registers with the nearest enclosing <phong-viewer>, at any
-// depth and across shadow roots, but not from the content of a slot (slot="error"). A viewer that is not upgraded yet finds
-// them when it is. Knows neither lights nor meshes.
+// Which elements belong to which viewer. Each light and mesh registers with the nearest enclosing <phong-viewer>, at
+// any depth and across shadow roots, but not from the content of a slot (slot="error"). A viewer that is not upgraded
+// yet finds them when it is.
 
 /** A viewer's response to its children. Called synchronously. */
 export interface ChildListener {

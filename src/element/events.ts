@@ -1,14 +1,31 @@
 // The elements' events: names, details and when they are dispatched. `addEventListener`, JSX and the editors' data take
 // their types and descriptions from this list. Types only.
-import type { PhongLight } from './phong-light.js';
-import type { CameraSource } from './viewer/camera.js';
-import type { ViewerErrorDetail } from './viewer/loading.js';
-import type { FragmentExplanation } from './viewer/shade-at.js';
+import type { CameraSource } from './camera-state.js';
+import type { PhongLight } from './elements.js';
+import type { FragmentExplanation } from './explanation.js';
+
+export type ViewerErrorCode =
+  'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
+
+export interface ViewerErrorDetail {
+  readonly code: ViewerErrorCode;
+  /** For the page's author. */
+  readonly message: string;
+  /** The address that could not be loaded; null if the error is about something else. */
+  readonly url: string | null;
+}
+
+/** What was loaded. */
+export interface LoadDetail {
+  readonly url: string;
+  /** Images and material libraries that are missing or broken, by the names in the model; empty if all are there. */
+  readonly missing: readonly string[];
+}
 
 /** Events of `<phong-mesh>`. None bubbles. */
 export interface PhongMeshEventMap {
-  /** Its `src` is shown; `detail.url` is where it came from. */
-  load: CustomEvent<{ readonly url: string }>;
+  /** Its `src` is shown; `detail.url` is where it came from, `detail.missing` what it is shown without. */
+  load: CustomEvent<LoadDetail>;
   /** Its `src` cannot be shown; `detail.code` and `detail.message` say why. */
   error: CustomEvent<ViewerErrorDetail>;
 }
@@ -26,19 +43,25 @@ export interface ProbeDetail {
 
 /** Events of `<phong-viewer>`. None bubbles; several of one type in a task become one. */
 export interface PhongViewerEventMap {
-  /** A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from. */
-  load: CustomEvent<{ readonly url: string }>;
+  /**
+   * A `src` is shown, the viewer's own or a child's; `detail.url` is where it came from, `detail.missing` what it is
+   * shown without.
+   */
+  load: CustomEvent<LoadDetail>;
   /** Bytes of models have arrived; `detail.totalProgress` is from 0 to 1. */
   progress: CustomEvent<{ readonly totalProgress: number }>;
   /** Something failed; `detail.code` and `detail.message` say what, `detail.url` which address, if any. */
   error: CustomEvent<ViewerErrorDetail>;
-  /** The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another viewer of its `camera-group`. */
+  /**
+   * The camera moved; `detail.source` says what moved it. `detail.linked`: it followed another viewer of its
+   * `camera-group`.
+   */
   'camera-change': CustomEvent<{ readonly source: CameraSource; readonly linked?: true }>;
   /** Lights were written to (`detail.lights`, in that order), added, removed or reordered (then it may be empty). */
   'light-change': CustomEvent<{ readonly lights: readonly PhongLight[] }>;
   /** The probe shows another point, or the point has changed: `detail.fragment` at `detail.x` and `detail.y`. */
   'probe-change': CustomEvent<ProbeDetail>;
-  /** A frame was drawn. */
+  /** A changed picture is on the canvas. Its pixels can be read in the listener, but not later. */
   render: CustomEvent<null>;
 }
 

@@ -1,11 +1,11 @@
-// What this package's own code, the panel included, can reach on an element while users cannot: its declared values, its
-// camera, and what its probe is pinned to.
+// What this package's own code, the panel included, can reach on an element while users cannot: its declared values,
+// its camera, and what its probe is pinned to.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import type { CompareValues } from './fields/compare-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
-import type { PhongViewer } from './phong-viewer.js';
+import type { PhongViewer } from './elements.js';
 import type { Vec3 } from '../math/vector.js';
 import type { ViewerCamera } from './viewer/camera.js';
 

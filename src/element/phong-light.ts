@@ -1,6 +1,7 @@
 // <phong-light>: a light as markup. It renders nothing; its attributes and properties write into one LightState, which
-// the viewer around it shades with. Knows no lighting.
+// the viewer around it shades with.
 import { LIGHT_FIELDS, LightState, type LightValues } from '../light/light-state.js';
+import type { ElementClass, PhongLight as PublicLight } from './elements.js';
 import { childBinding, ChildElement } from './child-element.js';
 import { registryAround } from './child-registry.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
@@ -8,23 +9,24 @@ import type { LightProperties } from './fields/properties.js';
 import { phrase, type ViewerTexts } from './fields/texts.js';
 import { fieldsOf } from './internals.js';
 
-export interface PhongLight extends LightProperties {
-  readonly localName: 'phong-light';
-}
-
 /** The values of a light that an element declares. */
 export class ElementLight extends LightState {
   /** Null only while the element is constructed. */
-  element: PhongLight | null = null;
+  element: PublicLight | null = null;
   /** The last `light-change` that reports it: see EventQueue. */
   batch = 0;
+}
+
+/** The accessors come from the table of fields. */
+interface LightElement extends LightProperties {
+  readonly localName: 'phong-light';
 }
 
 /**
  * A light of the `<phong-viewer>` around it. Its properties have the attributes' names. A bad attribute value warns and
  * gives the default; a bad property value throws.
  */
-export class PhongLight extends ChildElement<LightValues> {
+class LightElement extends ChildElement<LightValues> implements PublicLight {
   static readonly observedAttributes: readonly string[] = attributesOf(LIGHT_FIELDS);
 
   constructor() {
@@ -33,11 +35,10 @@ export class PhongLight extends ChildElement<LightValues> {
     state.element = this;
   }
 
-  /** Text shown in the panel and in explanations. Default: `light N`, N counting the viewer's lights from 1. */
   get name(): LightProperties['name'] {
     const { name } = fieldsOf(this).store.values;
     if (name !== '') return name;
-    const lights = registryAround(this)?.inOrder.filter((child) => child instanceof PhongLight) ?? [];
+    const lights = registryAround(this)?.inOrder.filter((child) => child instanceof LightElement) ?? [];
     return numberedName(Math.max(lights.indexOf(this), 0));
   }
 
@@ -50,4 +51,7 @@ export class PhongLight extends ChildElement<LightValues> {
 export const numberedName = (index: number, texts: ViewerTexts | null = null): string =>
   phrase(texts, 'light {number}', { number: String(index + 1) });
 
-defineProperties(PhongLight.prototype, LIGHT_FIELDS, childBinding);
+defineProperties(LightElement.prototype, LIGHT_FIELDS, childBinding);
+
+export type PhongLight = PublicLight;
+export const PhongLight: ElementClass<PhongLight> = LightElement;

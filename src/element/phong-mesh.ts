@@ -1,13 +1,15 @@
-// <phong-mesh>: a mesh as markup. It renders nothing; its attributes and properties write into one FieldStore, which the
-// viewer around it shows. Knows nothing of geometry or materials.
+// <phong-mesh>: a mesh as markup. It renders nothing; its attributes and properties write into one FieldStore, which
+// the viewer around it shows.
 import { FieldStore } from '../fields/field-store.js';
 import { MESH_FIELDS, type MeshValues } from '../scene/mesh/mesh-fields.js';
 import { childBinding, ChildElement } from './child-element.js';
+import type { ElementClass, PhongMesh as PublicMesh } from './elements.js';
 import type { Listen, PhongMeshEventMap } from './events.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { MeshProperties } from './fields/properties.js';
 
-export interface PhongMesh extends MeshProperties {
+/** The accessors come from the table of fields. */
+interface MeshElement extends MeshProperties {
   readonly localName: 'phong-mesh';
   addEventListener: Listen<this, PhongMeshEventMap>;
   removeEventListener: Listen<this, PhongMeshEventMap>;
@@ -17,7 +19,7 @@ export interface PhongMesh extends MeshProperties {
  * A mesh of the `<phong-viewer>` around it. Its properties have the attributes' names. A bad attribute value warns and
  * gives the default; a bad property value throws.
  */
-export class PhongMesh extends ChildElement<MeshValues> {
+class MeshElement extends ChildElement<MeshValues> implements PublicMesh {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);
 
   constructor() {
@@ -30,4 +32,7 @@ function assigned(key: keyof MeshValues, store: FieldStore<MeshValues>): void {
   if (key === 'src' || key === 'geometry') store.notify(key);
 }
 
-defineProperties(PhongMesh.prototype, MESH_FIELDS, childBinding);
+defineProperties(MeshElement.prototype, MESH_FIELDS, childBinding);
+
+export type PhongMesh = PublicMesh;
+export const PhongMesh: ElementClass<PhongMesh> = MeshElement;

@@ -1,5 +1,5 @@
-// How much of a text from outside (attributes, files, addresses) does a message repeat? Enough to recognise it, and never
-// so much that the page suffers: Chromium lays out a word of 100,000 letters for 20 s. Knows no message.
+// Cuts texts from outside (attributes, files, addresses) for messages: enough stays to recognise them, and never so
+// much that the page suffers. Chromium lays out a word of 100,000 letters for 20 s.
 
 /** Longest text that a message repeats, in UTF-16 units. */
 const LONGEST = 100;
@@ -7,7 +7,10 @@ const LONGEST = 100;
 /** Longest message. The longest of our own sentences has 250 characters and repeats two texts. */
 const LONGEST_MESSAGE = 500;
 
-/** The first `longest` characters of `text` (default 100) and an ellipsis; shorter text as it is. Cuts no surrogate pair. */
+/**
+ * The first `longest` characters of `text` (default 100) and an ellipsis; shorter text as it is. Cuts no surrogate
+ * pair.
+ */
 export function clip(text: string, longest = LONGEST): string {
   return text.length > longest ? text.slice(0, longest).replace(/[\ud800-\udbff]$/, '') + '...' : text;
 }

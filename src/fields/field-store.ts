@@ -1,5 +1,5 @@
-// The declared values of one light, mesh or viewer: each has its default until it is set, is checked when it is set, and
-// notifies one listener when it changes. There is no second copy of them. Knows no DOM.
+// The declared values of one light, mesh or viewer: each has its default until it is set, is checked when it is set,
+// and notifies one listener when it changes. There is no second copy of them.
 import type { Field } from './field.js';
 
 export type Fields<V> = { readonly [K in keyof V]: Field<V[K]> };
@@ -42,8 +42,8 @@ export class FieldStore<V extends object> {
   }
 
   /**
-   * Sets a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError` for a value outside the
-   * field's domain and then changes nothing.
+   * Sets a value; `null` and `undefined` restore the default. Throws `TypeError` or `RangeError` for a value outside
+   * the field's domain and then changes nothing.
    */
   set<K extends keyof V>(key: K, value: unknown): void {
     const given = value !== undefined && value !== null;

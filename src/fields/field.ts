@@ -1,6 +1,6 @@
 // A declared value's default, its domain in words, and the one check for everything that sets it: attributes after
 // parsing, properties, and the plain objects of `phong-viewer/core`. Values are in HTML's units (degrees, 255 = full
-// colour). Knows neither the DOM nor the purpose of a value.
+// colour).
 import type { Vec3, Vec4 } from '../math/vector.js';
 import { clip } from './clip.js';
 

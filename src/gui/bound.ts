@@ -1,6 +1,7 @@
-// How does a getter and a setter become the object with a property that lil-gui binds to?
+// A value that a control reads and writes: a getter and a setter as the object with a property that lil-gui binds to.
 
-export interface Bound<T> {
+/** Invariant in `T`: a control for any text is no control for one of three words. */
+export interface Bound<in out T> {
   value: T;
 }
 
@@ -12,3 +13,14 @@ export const bound = <T>(get: () => T, set: (value: T) => void = () => undefined
     set(value);
   },
 });
+
+/** Runs `write`. False if the element refuses the value. */
+export function accepted(write: () => void): boolean {
+  try {
+    write();
+    return true;
+  } catch (error) {
+    if (error instanceof RangeError || error instanceof TypeError) return false;
+    throw error;
+  }
+}

@@ -1,4 +1,4 @@
-// How are several buttons shown in one row? Knows nothing about what they do.
+// Several buttons in one row.
 import { Controller, type GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/text-list.js';
 import { bound } from './bound.js';

@@ -1,5 +1,4 @@
-// How does the panel add, duplicate, reorder and remove children? Each is one step that can be undone. The focus follows the child. Knows
-// neither lights nor meshes.
+// Adds, duplicates, reorders and removes children. Each is one step that can be undone. The focus follows the child.
 import type { GUI } from 'lil-gui';
 import { fieldsOf } from '../element/internals.js';
 import type { PhongLight } from '../element/phong-light.js';
@@ -42,15 +41,15 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
     });
   }
 
-  /** Keys on the child's title; `rename` shows its name field. */
-  listenToKeys({ gui }: Folder, child: E, rename: () => void): void {
-    const title = gui.$title;
+  /** Keys on the child's title. */
+  listenToKeys(folder: Folder<E>, child: E): void {
+    const title = folder.gui.$title;
     title.setAttribute('aria-keyshortcuts', 'Alt+ArrowUp Alt+ArrowDown Delete F2');
     title.addEventListener('keydown', (event) => {
       const { key, altKey } = event;
       if (altKey && (key === 'ArrowUp' || key === 'ArrowDown')) this.#move(child, key === 'ArrowUp' ? -1 : 1);
       else if (key === 'Delete') this.#remove(child);
-      else if (key === 'F2') rename();
+      else if (key === 'F2') folder.edit('name');
       else return;
       event.preventDefault();
     });
@@ -63,7 +62,7 @@ export class ChildEditor<E extends PhongLight | PhongMesh> {
     });
     const folder = this.#folders.folderOf(child);
     if (folder === undefined) return;
-    folder.gui.open();
+    folder.open();
     focus(folder.gui.$title);
     const list = folder.gui.root.$children;
     list.scrollTop += folder.gui.domElement.getBoundingClientRect().top - list.getBoundingClientRect().top;

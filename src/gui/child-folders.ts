@@ -1,25 +1,64 @@
-// Which folders do the child elements have? One per child, in document order. A folder keeps its state while children are added,
-// removed and reordered. Knows nothing about what the children are.
+// The folders of the child elements: one per child, in document order. A folder keeps its state while children are
+// added, removed and reordered.
 import type { GUI } from 'lil-gui';
-import type { Folder } from './folder.js';
+import type { PhongLight } from '../element/phong-light.js';
+import type { PhongMesh } from '../element/phong-mesh.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+import type { ChildEditor } from './child-editor.js';
+import { Folder } from './folder.js';
+import type { Rows } from './rows.js';
+import type { SceneRange } from './scene-range.js';
 
-export interface ChildFolder {
-  readonly folder: Folder;
+export abstract class ChildFolder<E extends PhongLight | PhongMesh> {
+  readonly folder: Folder<E>;
+  protected readonly element: E;
+  protected readonly viewer: PhongViewer;
+  #title = '';
+
+  constructor(
+    group: GUI,
+    element: E,
+    viewer: PhongViewer,
+    range: SceneRange,
+    rows: Rows<E>,
+    editor: ChildEditor<E>,
+  ) {
+    this.element = element;
+    this.viewer = viewer;
+    const place = { element, viewer, range, title: () => this.#title };
+    this.folder = new Folder(group, null, place, rows, (gui) => {
+      editor.addButtons(gui, element);
+    });
+    editor.listenToKeys(this.folder, element);
+  }
+
   /** Refreshes title and rows. `index`: position among the children, from 0. */
-  update(index: number): void;
+  update(index: number): void {
+    const title = this.titleAt(index);
+    if (title !== this.#title) this.showTitle(title);
+    this.folder.update();
+  }
+
+  /** The element's name, or what stands for it, in the page's words. */
+  protected abstract titleAt(index: number): string;
+
+  protected showTitle(title: string): void {
+    this.#title = title;
+    this.folder.gui.title(title);
+  }
 }
 
-export class ChildFolders<E extends HTMLElement> {
+export class ChildFolders<E extends PhongLight | PhongMesh> {
   readonly #group: GUI;
-  readonly #make: (element: E) => ChildFolder;
-  readonly #folders = new Map<E, ChildFolder>();
+  readonly #make: (element: E) => ChildFolder<E>;
+  readonly #folders = new Map<E, ChildFolder<E>>();
 
-  constructor(group: GUI, make: (element: E) => ChildFolder) {
+  constructor(group: GUI, make: (element: E) => ChildFolder<E>) {
     this.#group = group;
     this.#make = make;
   }
 
-  folderOf(element: E): Folder | undefined {
+  folderOf(element: E): Folder<E> | undefined {
     return this.#folders.get(element)?.folder;
   }
 
@@ -58,7 +97,7 @@ export class ChildFolders<E extends HTMLElement> {
     });
   }
 
-  #add(element: E): ChildFolder {
+  #add(element: E): ChildFolder<E> {
     const child = this.#make(element);
     this.#folders.set(element, child);
     return child;

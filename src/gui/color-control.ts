@@ -1,16 +1,16 @@
-// How does the user edit a colour? By a picker, by text as in HTML (`200 80 60`, `#c85`, `orange`), and by a slider for its brightness.
-// 255 is full, more is brighter. Knows no light or mesh.
+// A row for a colour: a picker, text as in HTML (`200 80 60`, `#c85`, `orange`), and a slider for its brightness. 255
+// is full, more is brighter.
 import { Controller, type GUI } from 'lil-gui';
 import { parseText } from '../element/fields/attribute-text.js';
 import type { ViewerText } from '../element/fields/text-list.js';
 import { sameValue } from '../fields/field-store.js';
 import { LIGHT_FIELDS } from '../light/light-state.js';
 import type { Vec3 } from '../math/vector.js';
-import { bound, type Bound } from './bound.js';
+import { accepted, bound, type Bound } from './bound.js';
 import { brightnessOf, colorOf, ColorMix, hexOf } from './color-mix.js';
 import { explain, label, nameRow } from './label.js';
-import { Slider } from './slider.js';
-import { accepted, TextField } from './text-field.js';
+import { Slider } from './number-controls.js';
+import { TextField } from './text-control.js';
 import { linear, numberText } from './travel.js';
 
 /** Reads and checks text as every colour attribute does. */

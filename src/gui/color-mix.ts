@@ -1,5 +1,5 @@
-// How does a colour map to a picker, which ends at 255, and to a brightness, and back? 255 = full. A picked colour is the value
-// itself; a value above 255 keeps its factor. Numbers only: knows no controls and no elements.
+// How a colour maps to a picker, which ends at 255, and to a brightness, and back; 255 is full. A picked colour is the
+// value itself; a value above 255 keeps its factor.
 import { LIMITS } from '../light/light-state.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';

@@ -1,26 +1,30 @@
-// When are a folder's rows built and refreshed? Built when the folder is first opened, refreshed only while they are visible.
-// Opens without animation, so no frame is requested. Knows nothing about what its rows show.
+// A folder of the panel. Its rows are built when it is first opened and refreshed only while they are visible. It opens
+// without animation, so it requests no frame.
 import type { GUI } from 'lil-gui';
 import type { ViewerText } from '../element/fields/text-list.js';
 import { label } from './label.js';
-import { type Edit, refresh, type Rows } from './rows.js';
+import { type AddedRow, addRows, type Editable, type Place, type Rows } from './rows.js';
 
-/** Builds the rows. Returns a function to call before each refresh, if one is needed. */
-export type BuildRows = (rows: Rows) => (() => void) | undefined;
-
-export class Folder {
+export class Folder<E extends Editable> {
   readonly gui: GUI;
-  readonly #edit: Edit;
-  readonly #build: BuildRows;
-  #prepare: (() => void) | undefined;
-  #built = false;
+  readonly #place: Place<E>;
+  readonly #table: Rows<E>;
+  readonly #built: (gui: GUI) => void;
+  #rows: ReadonlyMap<string, AddedRow<E>> | null = null;
   #stale = true;
 
-  /** Starts closed. `title`: null if the caller writes it. `edit`: how its rows write. */
-  constructor(parent: GUI, title: ViewerText | null, edit: Edit, build: BuildRows) {
+  /** Starts closed. `title`: null if the caller writes it. `built`: adds what stands below the table's rows. */
+  constructor(
+    parent: GUI,
+    title: ViewerText | null,
+    place: Place<E>,
+    table: Rows<E>,
+    built: (gui: GUI) => void = () => undefined,
+  ) {
     this.gui = addGroup(parent, title).close();
-    this.#edit = edit;
-    this.#build = build;
+    this.#place = place;
+    this.#table = table;
+    this.#built = built;
   }
 
   /** Marks the rows as outdated and refreshes them if they are visible. */
@@ -31,14 +35,39 @@ export class Folder {
 
   /** Refreshes outdated rows if they are visible. To be called whenever a folder around it opens. */
   refreshVisible(): void {
-    if (!this.#stale || !isVisible(this.gui)) return;
+    if (!this.#stale || this.gui.domElement.closest('.lil-closed') !== null) return;
     this.#stale = false;
-    if (!this.#built) {
-      this.#built = true;
-      this.#prepare = this.#build({ gui: this.gui, edit: this.#edit });
+    if (this.#rows === null) {
+      this.#rows = addRows(this.gui, this.#place, this.#table);
+      this.#built(this.gui);
     }
-    this.#prepare?.();
-    for (const row of this.gui.controllers) refresh(row);
+    this.#showRows([...this.#rows.values()]);
+    for (const control of this.gui.controllers) control.updateDisplay();
+  }
+
+  /** Opens the folder with its rows. */
+  open(): void {
+    this.gui.open();
+    this.refreshVisible();
+  }
+
+  /** Opens the folder and puts the focus into a field's row. */
+  edit(field: string): void {
+    this.open();
+    const [control] = this.#rows?.get(field)?.controls ?? [];
+    control?.domElement.querySelector('input')?.focus();
+  }
+
+  /** A row stays while it, or a row under the same condition, is being edited. */
+  #showRows(rows: readonly AddedRow<E>[]): void {
+    for (const { row, controls } of rows) {
+      const { shown } = row;
+      if (shown === undefined) continue;
+      const together = rows.filter((other) => other.row.shown === shown).flatMap((other) => other.controls);
+      const visible =
+        shown(this.#place.element) || together.some(({ domElement }) => domElement.matches(':focus-within'));
+      for (const control of controls) control.show(visible);
+    }
   }
 }
 
@@ -54,6 +83,3 @@ export function withoutAnimation(gui: GUI): GUI {
   gui.openAnimated = (open = true) => gui.open(open);
   return gui;
 }
-
-const isVisible = (gui: GUI | undefined): boolean =>
-  gui === undefined || (!gui._closed && !gui._hidden && isVisible(gui.parent));

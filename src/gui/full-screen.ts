@@ -1,5 +1,4 @@
-// How does the user see the viewer in full screen? A button beside the panel's title, where the browser has full screen. Escape
-// leaves it, as everywhere. Knows nothing about the panel's rows.
+// A button beside the panel's title that shows the viewer in full screen, where the browser has full screen.
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { explain } from './label.js';
 

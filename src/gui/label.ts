@@ -1,5 +1,4 @@
-// How do the panel's texts follow `viewer.texts`? An element that shows one keeps the function that writes it. Knows neither controls nor
-// languages.
+// The panel's texts, which follow `viewer.texts`: an element that shows one keeps the function that writes it.
 import type { Controller } from 'lil-gui';
 import type { ViewerText } from '../element/fields/text-list.js';
 import { phrase } from '../element/fields/texts.js';
@@ -10,7 +9,10 @@ export type Say = (text: ViewerText, values?: Readonly<Record<string, string>>) 
 
 const writers = new WeakMap<Element, (say: Say) => void>();
 
-/** Writes what `element`, a part of the panel, shows: now and whenever the texts change. An element has one such function. */
+/**
+ * Writes what `element`, a part of the panel, shows: now and whenever the texts change. An element has one such
+ * function.
+ */
 export function label(element: Element, write: (say: Say) => void): void {
   writers.set(element, write);
   write(sayIn(element));

@@ -1,55 +1,97 @@
-// How does the user edit a light? One row per attribute of <phong-light>, written through the element's public properties. Units as
-// in HTML. Knows neither the other lights nor the panel around it.
+// A light's folder: its rows, and a switch beside the title.
 import type { GUI } from 'lil-gui';
-import type { ViewerText } from '../element/fields/text-list.js';
 import { fieldsOf } from '../element/internals.js';
 import { numberedName, type PhongLight } from '../element/phong-light.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { isSpot, kindOf } from '../light/light-features.js';
-import { LIGHT_SPACES } from '../light/light-state.js';
-import type { Vec3 } from '../math/vector.js';
 import { historyOf, valuesOf } from '../element/viewer/history.js';
+import { isSpot, kindOf } from '../light/light-features.js';
+import { LIGHT_SPACES, type LightValues } from '../light/light-state.js';
+import type { Vec3, Vec4 } from '../math/vector.js';
 import type { ChildEditor } from './child-editor.js';
-import type { ChildFolder } from './child-folders.js';
-import { Folder } from './folder.js';
-import { KindChoice, LIGHT_KINDS } from './kind-choice.js';
-import { explain, label, type Say } from './label.js';
+import { ChildFolder } from './child-folders.js';
+import { label } from './label.js';
+import { KindChange, LIGHT_KINDS } from './light-values.js';
 import {
-  addChoice,
-  addColor,
-  addFlag,
-  addNumber,
-  addText,
-  addVector,
-  type Edit,
-  named,
-  type Rows,
+  color,
+  edited,
+  flag,
+  mapped,
+  number,
+  oneOf,
+  type Place,
+  type Row,
+  type RowTable,
+  text,
+  vector,
 } from './rows.js';
 import type { SceneRange } from './scene-range.js';
-import type { TextControl } from './text-control.js';
 import { linear, logarithmic } from './travel.js';
-import { AXES } from './vector-control.js';
 
-/** Tooltip of the kind. */
-const KIND_RULE: ViewerText =
-  'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.';
-
-/** Initial end of the brightness slider. */
+/** Initial end of the brightness slider; 1 is 255. */
 const USUAL_BRIGHTNESS = 4;
 
-export class LightFolder implements ChildFolder {
-  readonly folder: Folder;
-  readonly #light: PhongLight;
-  readonly #viewer: PhongViewer;
-  readonly #range: SceneRange;
-  readonly #editor: ChildEditor<PhongLight>;
-  readonly #edit: Edit;
-  readonly #kind = new KindChoice();
+const valuesIn = (light: PhongLight): Readonly<LightValues> => fieldsOf(light).store.values;
+const hasPlace = (light: PhongLight): boolean => valuesIn(light).position[3] === 1;
+const hasCone = (light: PhongLight): boolean => isSpot(valuesIn(light));
+
+/** Sliders for a place follow the scene, those for a direction or in camera space surround zero. */
+const position: Row<Vec3, PhongLight> = vector('position', ({ element, range }, axis) =>
+  hasPlace(element) && valuesIn(element).space === 'world' ? range.place(axis) : range.vector(),
+);
+
+/** No field says the kind: position, axis, aperture and cutoff do. */
+const kind: Row<unknown, PhongLight> = {
+  add: (gui, place) => {
+    const { element: light, viewer } = place;
+    const change = new KindChange();
+    const row = oneOf(
+      'kind',
+      LIGHT_KINDS,
+      'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.',
+    );
+    const value = edited(
+      viewer,
+      valuesOf(light),
+      () => kindOf(valuesIn(light)),
+      (next) => {
+        const { store } = fieldsOf(light);
+        Object.assign(light, change.writesFor(store.values, next, store.given('axis'), aimOf(place)));
+      },
+    );
+    row.add(gui, place, value);
+  },
+};
+
+/** The point that a new spot is aimed at, in the light's own space. */
+function aimOf({ element, viewer }: Place<PhongLight>): Vec3 {
+  const { target, radius } = viewer.camera;
+  return element.space === 'camera' ? [0, 0, -radius] : target;
+}
+
+export const LIGHT_ROWS = {
+  name: text('name'),
+  active: flag('active'),
+  kind,
+  ambient: color('ambient', USUAL_BRIGHTNESS),
+  diffuse: color('diffuse', USUAL_BRIGHTNESS),
+  specular: color('specular', USUAL_BRIGHTNESS),
+  position: mapped(
+    position,
+    ([x, y, z]: Vec4): Vec3 => [x, y, z],
+    ([x, y, z], [, , , w]) => [x, y, z, w],
+  ),
+  axis: { ...vector('axis', linear(-1, 1, 0.01)), shown: hasCone },
+  aperture: { ...number('aperture °', linear(0, 180, 0.5)), shown: hasCone },
+  cutoff: { ...number('cutoff', logarithmic(1, 1000)), shown: hasCone },
+  attenuation: {
+    ...vector('attenuation', linear(0, 2, 0.01), ['kc constant', 'kl linear', 'kq quadratic']),
+    shown: hasPlace,
+  },
+  space: oneOf('space', LIGHT_SPACES),
+} satisfies RowTable<LightValues, PhongLight, 'kind'>;
+
+export class LightFolder extends ChildFolder<PhongLight> {
   readonly #switch = document.createElement('input');
-  #nameRow: TextControl | null = null;
-  #index = -1;
-  #name = '';
-  #title = '';
 
   constructor(
     group: GUI,
@@ -58,160 +100,40 @@ export class LightFolder implements ChildFolder {
     range: SceneRange,
     editor: ChildEditor<PhongLight>,
   ) {
-    this.#light = light;
-    this.#viewer = viewer;
-    this.#range = range;
-    this.#editor = editor;
-    const history = historyOf(viewer);
-    this.#edit = (write, gesture) => {
-      history.edit(valuesOf(light), write, gesture);
-    };
-    this.folder = new Folder(group, null, this.#edit, (rows) => this.#build(rows));
+    super(group, light, viewer, range, LIGHT_ROWS, editor);
     this.#addSwitch();
-    editor.listenToKeys(this.folder, light, () => {
-      this.folder.gui.open();
-      this.#nameRow?.input.focus();
-    });
   }
 
-  update(index: number): void {
-    const { name, active } = fieldsOf(this.#light).store.values;
-    if (index !== this.#index || name !== this.#name) {
-      this.#index = index;
-      this.#name = name;
-      label(this.folder.gui.$title, (say) => {
-        this.#writeTitle(say);
-      });
-    }
+  override update(index: number): void {
+    const { active } = valuesIn(this.element);
     this.#switch.checked = active;
     this.folder.gui.domElement.classList.toggle('off', !active);
-    this.folder.update();
+    super.update(index);
   }
 
-  #writeTitle(say: Say): void {
-    // The same default as the element's `name`, without its search through all siblings, which is slow with hundreds of lights.
-    const name = this.#name === '' ? numberedName(this.#index, this.#viewer.texts) : this.#name;
-    this.#title = name;
-    this.folder.gui.title(name);
-    this.#switch.setAttribute('aria-label', say('{name} active', { name }));
-    if (this.#nameRow !== null) this.#nameRow.input.placeholder = name;
+  /**
+   * The same default as the element's `name`, without its search through all siblings, which is slow with hundreds of
+   * lights.
+   */
+  protected override titleAt(index: number): string {
+    return valuesIn(this.element).name || numberedName(index, this.viewer.texts);
+  }
+
+  protected override showTitle(title: string): void {
+    super.showTitle(title);
+    label(this.#switch, (say) => {
+      this.#switch.setAttribute('aria-label', say('{name} active', { name: title }));
+    });
   }
 
   /** Turns the light on and off without opening the folder. */
   #addSwitch(): void {
+    const { element: light, viewer } = this;
     this.#switch.type = 'checkbox';
     this.#switch.className = 'switch';
     this.#switch.addEventListener('change', () => {
-      this.#edit(() => (this.#light.active = this.#switch.checked), null);
+      historyOf(viewer).edit(valuesOf(light), () => (light.active = this.#switch.checked));
     });
     this.folder.gui.$title.after(this.#switch);
-  }
-
-  #build(rows: Rows): () => void {
-    const light = this.#light;
-    const { store } = fieldsOf(light);
-    const { values } = store;
-    const name = addText(
-      rows,
-      'name',
-      () => values.name,
-      (text) => (light.name = text),
-    );
-    this.#nameRow = name;
-    addFlag(
-      rows,
-      'active',
-      () => values.active,
-      (active) => (light.active = active),
-    );
-    const kind = addChoice(
-      rows,
-      'kind',
-      named(LIGHT_KINDS),
-      () => kindOf(values),
-      (choice) => {
-        Object.assign(light, this.#kind.writesFor(values, choice, store.given('axis'), this.#target));
-      },
-    );
-    explain(kind.domElement, KIND_RULE);
-    for (const key of ['ambient', 'diffuse', 'specular'] as const) {
-      addColor(
-        rows,
-        key,
-        USUAL_BRIGHTNESS,
-        () => values[key],
-        (color) => (light[key] = color),
-      );
-    }
-    const position = addVector(
-      rows,
-      'position',
-      AXES,
-      () => this.#range.vector(),
-      () => [values.position[0], values.position[1], values.position[2]],
-      ([x, y, z]) => (light.position = [x, y, z, values.position[3]]),
-    );
-    const spot = this.#addSpot(rows);
-    const attenuation = addVector(
-      rows,
-      'attenuation',
-      ['kc constant', 'kl linear', 'kq quadratic'],
-      () => linear(0, 2, 0.01),
-      () => values.attenuation,
-      (factors) => (light.attenuation = factors),
-    );
-    addChoice(
-      rows,
-      'space',
-      named(LIGHT_SPACES),
-      () => values.space,
-      (space) => (light.space = space),
-    );
-    this.#editor.addButtons(rows.gui, light);
-    return () => {
-      name.input.placeholder = this.#title;
-      const placed = values.position[3] === 1;
-      attenuation.show(placed);
-      // Keep a row visible while it is being edited.
-      const cone = isSpot(values) || spot.some((row) => row.domElement.matches(':focus-within'));
-      for (const row of spot) row.show(cone);
-      const inWorld = placed && values.space === 'world';
-      position.travel = (axis) => (inWorld ? this.#range.place(axis) : this.#range.vector());
-    };
-  }
-
-  #addSpot(rows: Rows) {
-    const light = this.#light;
-    const { values } = fieldsOf(light).store;
-    return [
-      addVector(
-        rows,
-        'axis',
-        AXES,
-        () => linear(-1, 1, 0.01),
-        () => values.axis,
-        (axis) => (light.axis = axis),
-      ),
-      addNumber(
-        rows,
-        'aperture °',
-        linear(0, 180, 0.5),
-        () => values.aperture,
-        (aperture) => (light.aperture = aperture),
-      ),
-      addNumber(
-        rows,
-        'cutoff',
-        logarithmic(1, 1000),
-        () => values.cutoff,
-        (cutoff) => (light.cutoff = cutoff),
-      ),
-    ];
-  }
-
-  /** The point that a new spot is aimed at, in the light's own space. */
-  get #target(): Vec3 {
-    const { target, radius } = this.#viewer.camera;
-    return this.#light.space === 'camera' ? [0, 0, -radius] : target;
   }
 }

@@ -1,34 +1,34 @@
-// Which folders does the control panel have, and which change refreshes which? It writes through the elements' public properties only
-// and requests no frames. Loaded on demand. Must not know how anything is drawn.
+// The control panel: its folders, and which change refreshes which. It writes through the elements' public properties
+// only and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import type { ViewerTexts } from '../element/fields/texts.js';
 import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
-import { historyOf, valuesOf } from '../element/viewer/history.js';
-import { ButtonRow } from './button-row.js';
-import { CameraFolder } from './camera-folder.js';
+import { addStyles, removeStyles } from '../element/page/style-sheets.js';
 import { ChildEditor } from './child-editor.js';
 import { ChildFolders } from './child-folders.js';
-import { CopyButton } from './copy-html.js';
+import controls from './controls.css?inline';
+import { addFiles, type CopyButton } from './files-row.js';
 import { FullScreenButton } from './full-screen.js';
-import { addGroup, withoutAnimation, type Folder } from './folder.js';
+import { addGroup, Folder, withoutAnimation } from './folder.js';
 import { label, relabel } from './label.js';
 import { LightFolder } from './light-folder.js';
-import { MeshFolder, ownSurfaceFolder } from './mesh-folder.js';
-import { chooseModel } from './model-choice.js';
-import { newLight } from './new-light.js';
-import { adoptStyles } from './panel-styles.js';
-import { addButton, type Edit } from './rows.js';
-import { savePicture } from './save-picture.js';
+import { newLight } from './light-values.js';
+import { MeshFolder } from './mesh-folder.js';
+import panelStyles from './panel.css?inline';
+import { addButton, rowsIn } from './rows.js';
 import { SceneRange } from './scene-range.js';
-import { shadingFolder } from './shading-folder.js';
-import { showFolder } from './show-folder.js';
-import { listenForUndo } from './undo-keys.js';
+import targets from './targets.css?inline';
+import { addUndo } from './undo.js';
+import { VIEWER_ROWS } from './viewer-folders.js';
 
 /** In viewers narrower than this, in CSS pixels, the panel starts closed, because it would hide the picture. */
 const WIDE = 480;
+
+/** Added to the viewer's own sheets, so that they follow it into other documents. */
+const STYLES = panelStyles + controls + targets;
 
 export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
 
@@ -40,13 +40,14 @@ class ControlPanel implements Panel {
   readonly #lights: ChildFolders<PhongLight>;
   readonly #meshGroup: GUI;
   readonly #meshes: ChildFolders<PhongMesh>;
-  readonly #camera: CameraFolder;
-  readonly #shading: Folder;
-  readonly #show: Folder;
-  readonly #surface: ReturnType<typeof ownSurfaceFolder>;
+  readonly #camera: Folder<PhongViewer>;
+  readonly #shading: Folder<PhongViewer>;
+  readonly #show: Folder<PhongViewer>;
+  /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
+  readonly #surface: Folder<PhongViewer>;
   readonly #copy: CopyButton;
   readonly #fullScreen: FullScreenButton;
-  readonly #dropStyles: () => void;
+  readonly #root: ShadowRoot;
   readonly #stopWaiting: () => void;
   readonly #stopHistory: () => void;
   #meshList: readonly PhongMesh[] = [];
@@ -56,54 +57,66 @@ class ControlPanel implements Panel {
   constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
     this.#viewer = viewer;
     this.#texts = viewer.texts;
-    this.#dropStyles = adoptStyles(root);
+    this.#root = root;
+    addStyles(root, STYLES);
     const gui = newRoot(place);
     this.#gui = gui;
     this.#fullScreen = new FullScreenButton(gui.$title, viewer);
     this.#range = new SceneRange(viewer);
     this.#stopHistory = addUndo(gui, viewer);
     this.#lightGroup = addGroup(gui, 'Lights');
-    this.#lights = new ChildFolders(
-      this.#lightGroup,
-      (light) => new LightFolder(this.#lightGroup, light, viewer, this.#range, lights),
-    );
-    const lights = new ChildEditor(viewer, this.#lightGroup, this.#lights, () => viewer.lights);
-    addButton(this.#lightGroup, 'add light', () => {
-      const light = document.createElement('phong-light');
-      Object.assign(light, newLight(viewer.lights.length, this.#range.center, this.#range.reach));
-      lights.add(light, () => {
-        viewer.append(light);
-      });
-    });
-    const edit: Edit = (write, gesture) => {
-      historyOf(viewer).edit(valuesOf(viewer), write, gesture);
-    };
-    this.#camera = new CameraFolder(gui, viewer, this.#range);
-    this.#shading = shadingFolder(gui, viewer, edit);
-    this.#show = showFolder(gui, viewer, edit);
-    this.#surface = ownSurfaceFolder(gui, viewer, edit);
+    this.#lights = this.#addLights();
+    this.#camera = this.#folder('Camera');
+    this.#shading = this.#folder('Shading');
+    this.#show = this.#folder('Show');
+    this.#surface = this.#folder('Material');
     this.#meshGroup = addGroup(gui, 'Meshes').close();
-    this.#meshes = new ChildFolders(
-      this.#meshGroup,
-      (mesh) => new MeshFolder(this.#meshGroup, mesh, viewer, this.#range, meshes),
-    );
-    const meshes = new ChildEditor(viewer, this.#meshGroup, this.#meshes, () => viewer.meshes);
-    const files = new ButtonRow(gui, 'Files');
-    files.add('open model…', () => {
-      chooseModel((file) => {
-        edit(() => (viewer.src = file), null);
-      });
-    });
-    files.add('save PNG', () => {
-      void savePicture(viewer);
-    });
-    this.#copy = new CopyButton(files, () => viewer.toHTML());
+    this.#meshes = this.#addMeshes();
+    this.#copy = addFiles(gui, viewer);
     for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.update(change);
     gui.onOpenClose(() => {
-      this.#refreshVisible();
+      // lil-gui calls before it has marked the folder as open.
+      queueMicrotask(() => {
+        this.#refreshVisible();
+      });
     });
     viewer.addEventListener('load', this.#loaded);
     this.#stopWaiting = openIfWide(gui, viewer);
+  }
+
+  #folder(title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> {
+    const viewer = this.#viewer;
+    const place = { element: viewer, viewer, range: this.#range, title: () => title };
+    return new Folder(this.#gui, title, place, rowsIn(title, VIEWER_ROWS));
+  }
+
+  #addLights(): ChildFolders<PhongLight> {
+    const viewer = this.#viewer;
+    const group = this.#lightGroup;
+    const folders: ChildFolders<PhongLight> = new ChildFolders(
+      group,
+      (light) => new LightFolder(group, light, viewer, this.#range, editor),
+    );
+    const editor = new ChildEditor(viewer, group, folders, () => viewer.lights);
+    addButton(group, 'add light', () => {
+      const light = document.createElement('phong-light');
+      Object.assign(light, newLight(viewer.lights.length, this.#range.center, this.#range.reach));
+      editor.add(light, () => {
+        viewer.append(light);
+      });
+    });
+    return folders;
+  }
+
+  #addMeshes(): ChildFolders<PhongMesh> {
+    const viewer = this.#viewer;
+    const group = this.#meshGroup;
+    const folders: ChildFolders<PhongMesh> = new ChildFolders(
+      group,
+      (mesh) => new MeshFolder(group, mesh, viewer, this.#range, editor),
+    );
+    const editor = new ChildEditor(viewer, group, folders, () => viewer.meshes);
+    return folders;
   }
 
   update(change: PanelChange): void {
@@ -114,12 +127,15 @@ class ControlPanel implements Panel {
     if (change !== 'viewer') return;
     if (this.#texts !== this.#viewer.texts) this.#relabel();
     this.#shading.update();
+    this.#surface.gui.show(this.#viewer.geometry !== null || this.#viewer.src !== '');
     this.#surface.update();
   }
 
   #relabel(): void {
     this.#texts = this.#viewer.texts;
     relabel(this.#gui.domElement);
+    this.#lights.update(this.#viewer.lights);
+    this.#updateMeshes();
   }
 
   dispose(): void {
@@ -129,15 +145,14 @@ class ControlPanel implements Panel {
     this.#copy.dispose();
     this.#fullScreen.dispose();
     this.#gui.destroy();
-    this.#dropStyles();
+    removeStyles(this.#root, STYLES);
   }
 
   /** A folder was opened: refreshes rows that have become visible. */
   #refreshVisible(): void {
     this.#lights.refreshVisible();
     this.#meshes.refreshVisible();
-    for (const folder of [this.#camera.folder, this.#shading, this.#show, this.#surface.folder])
-      folder.refreshVisible();
+    for (const folder of [this.#camera, this.#shading, this.#show, this.#surface]) folder.refreshVisible();
   }
 
   #updateMeshes(): void {
@@ -156,23 +171,6 @@ class ControlPanel implements Panel {
   };
 }
 
-/** Buttons and keys for undo and redo. The returned function stops following the history. */
-function addUndo(gui: GUI, viewer: PhongViewer): () => void {
-  const history = historyOf(viewer);
-  const row = new ButtonRow(gui, 'Undo');
-  const undo = row.add('undo', () => history.undo());
-  const redo = row.add('redo', () => history.redo());
-  undo.setAttribute('aria-keyshortcuts', 'Control+Z Meta+Z');
-  redo.setAttribute('aria-keyshortcuts', 'Control+Shift+Z Meta+Shift+Z Control+Y');
-  const update = (): void => {
-    undo.setAttribute('aria-disabled', String(!history.canUndo));
-    redo.setAttribute('aria-disabled', String(!history.canRedo));
-  };
-  update();
-  listenForUndo(gui.domElement, history);
-  return history.listen(update);
-}
-
 function newRoot(place: HTMLElement): GUI {
   const gui = withoutAnimation(new GUI({ container: place, injectStyles: false }));
   // A press between the controls must focus the panel: otherwise the picture gets the focus and reacts to keys.
@@ -188,8 +186,8 @@ function newRoot(place: HTMLElement): GUI {
 }
 
 /**
- * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed dialog, decides when it
- * first has one; until then the panel is closed. The returned function stops waiting for that.
+ * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed dialog, decides
+ * when it first has one; until then the panel is closed. The returned function stops waiting for that.
  */
 function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   const hasDecided = (): boolean => {

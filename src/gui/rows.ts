@@ -1,116 +1,239 @@
-// How is a row made for each kind of value? One function per kind, bound to a getter and a setter, whose writes can be undone. Knows no
-// light, mesh or camera.
-import { type Controller, FunctionController, type GUI, OptionController } from 'lil-gui';
+// The rows of a table: one function for each kind of control. A table has a row for each field of an element, or says
+// that the field has none; a folder is built from it. Each write can be undone.
+import { type Controller, FunctionController, type GUI } from 'lil-gui';
+import { bindingOf } from '../element/fields/field-binding.js';
 import type { ViewerText } from '../element/fields/text-list.js';
+import type { PhongLight } from '../element/phong-light.js';
+import type { PhongMesh } from '../element/phong-mesh.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+import { historyOf, type Subject, valuesOf } from '../element/viewer/history.js';
 import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { ColorControl } from './color-control.js';
-import { label, nameRow } from './label.js';
-import { NumberControl } from './number-control.js';
-import { TextControl } from './text-control.js';
+import { explain, nameRow, type Say } from './label.js';
+import { type Axis, type ComponentNames, NumberControl, VectorControl } from './number-controls.js';
+import type { SceneRange } from './scene-range.js';
+import { SelectControl } from './select-control.js';
+import { Readout, TextControl } from './text-control.js';
 import type { Travel } from './travel.js';
-import { type ComponentNames, VectorControl } from './vector-control.js';
 
-/** Runs `write` as a step that can be undone. Writes with the same `gesture` are one step until the user lets go. */
-export type Edit = (write: () => void, gesture: object | null) => void;
+export type Editable = PhongLight | PhongMesh | PhongViewer;
 
-/** Where rows are added, and how they write. */
-export interface Rows {
-  readonly gui: GUI;
-  readonly edit: Edit;
+/** What a folder edits, and what its rows depend on. */
+export interface Place<E> {
+  readonly element: E;
+  readonly viewer: PhongViewer;
+  readonly range: SceneRange;
+  /** The title of the folder, in the page's words. */
+  title(): string;
 }
 
-function edited<T>({ edit }: Rows, get: () => T, set: (value: T) => void): Bound<T> {
-  const row: Bound<T> = bound(get, (value) => {
-    edit(() => {
-      set(value);
-    }, row);
-  });
-  return row;
+/** How one field of an element `E` is edited. */
+export interface Row<T, E> {
+  /** Adds the controls to the folder. `value` reads and writes the field. */
+  readonly add: (gui: GUI, place: Place<E>, value: Bound<T>) => void;
+  /** When the row is shown; always, if left out. Rows with the same condition stay while one of them has the focus. */
+  readonly shown?: (element: E) => boolean;
+  /** The folder of the row, where an element has several. */
+  readonly folder?: ViewerText;
 }
 
-export function addNumber(
-  rows: Rows,
-  name: ViewerText,
-  travel: Travel,
-  get: () => number,
-  set: (value: number) => void,
-): NumberControl {
-  return new NumberControl(rows.gui, edited(rows, get, set), name, travel);
+/** For a field that the panel does not edit. */
+export const NO_ROW = null;
+
+/** A decision for each field of `V`, in the order shown. `Own`: rows that belong to no field. */
+export type RowTable<V, E, Own extends string = never> = {
+  readonly [K in keyof V]: Row<V[K], E> | typeof NO_ROW;
+} & { readonly [K in Own]: Row<unknown, E> };
+
+/** A row of any field. */
+type AnyRow<E> = Omit<Row<unknown, E>, 'add'> & {
+  readonly add: (gui: GUI, place: Place<E>, value: never) => void;
+};
+
+/** Any table for `E`. */
+export type Rows<E> = Readonly<Record<string, AnyRow<E> | typeof NO_ROW>>;
+
+/** The same rows, in the folder of that name. */
+export const inFolder = <R extends Rows<never>>(folder: ViewerText, rows: R): R =>
+  Object.fromEntries(Object.entries(rows).map(([key, row]) => [key, row && { ...row, folder }])) as R;
+
+/** The rows of one folder. */
+export const rowsIn = <E>(folder: ViewerText, rows: Rows<E>): Rows<E> =>
+  Object.fromEntries(Object.entries(rows).filter(([, row]) => row?.folder === folder));
+
+/** A row's controls, and when they are shown. */
+export interface AddedRow<E> {
+  readonly row: AnyRow<E>;
+  readonly controls: readonly Controller[];
 }
 
-/** `components`: accessible names of x, y and z. */
-export function addVector(
-  rows: Rows,
-  name: ViewerText,
-  components: ComponentNames,
-  travel: (axis: 0 | 1 | 2) => Travel,
-  get: () => Vec3,
-  set: (value: Vec3) => void,
-): VectorControl {
-  return new VectorControl(rows.gui, edited(rows, get, set), name, components, travel);
+/** Adds the rows of a table, and returns them by their fields. */
+export function addRows<E extends Editable>(
+  gui: GUI,
+  place: Place<E>,
+  rows: Rows<E>,
+): ReadonlyMap<string, AddedRow<E>> {
+  const { element } = place;
+  const { values } = bindingOf<Record<string, unknown>>(element).store;
+  const subject = valuesOf(element);
+  const added = new Map<string, AddedRow<E>>();
+  for (const [key, row] of Object.entries(rows)) {
+    if (row === NO_ROW) continue;
+    const before = gui.controllers.length;
+    const value = edited(
+      place.viewer,
+      subject,
+      () => values[key],
+      // Through the property, which checks the value.
+      (next) => Reflect.set(element, key, next),
+    );
+    row.add(gui, place, value as never);
+    added.set(key, { row, controls: gui.controllers.slice(before) });
+  }
+  return added;
 }
 
-/** `usual`: the end of the brightness slider; 1 is 255. */
-export function addColor(
-  rows: Rows,
-  name: ViewerText,
-  usual: number,
-  get: () => Vec3,
-  set: (value: Vec3) => void,
-): void {
-  new ColorControl(rows.gui, edited(rows, get, set), name, usual);
-}
-
-export function addFlag(
-  rows: Rows,
-  name: ViewerText,
-  get: () => boolean,
-  set: (value: boolean) => void,
-): Controller {
-  return nameRow(rows.gui.add(edited(rows, get, set), 'value'), name);
-}
-
-export function addText(
-  rows: Rows,
-  name: ViewerText,
-  get: () => string,
-  set: (value: string) => void,
-): TextControl {
-  return new TextControl(rows.gui, edited(rows, get, set), name);
-}
-
-/** `choices`: from the texts shown, or names, to their values. */
-export function addChoice<T extends string | null>(
-  rows: Rows,
-  name: ViewerText,
-  choices: Choices<T> | Readonly<Record<string, T>>,
+/** A value whose writes can be undone. Writes of one gesture are one step. */
+export function edited<T>(
+  viewer: PhongViewer,
+  subject: Subject<unknown>,
   get: () => T,
   set: (value: T) => void,
-): OptionController {
-  const row = nameRow(new OptionController(rows.gui, edited(rows, get, set), 'value', choices), name);
-  const { $select } = row;
-  const texts = Object.keys(choices) as ViewerText[];
-  label($select, (say) => {
-    texts.forEach((text, i) => ($select.options[i]!.textContent = say(text)));
+): Bound<T> {
+  const value: Bound<T> = bound(get, (next) => {
+    historyOf(viewer).edit(
+      subject,
+      () => {
+        set(next);
+      },
+      value,
+    );
   });
-  return row;
+  return value;
 }
 
-/** The press is no step of its own: it edits what it needs to. */
-export function addButton(gui: GUI, name: ViewerText, press: () => void): FunctionController {
-  return nameRow(new FunctionController(gui, { value: press }, 'value'), name);
-}
+/** A row whose control edits `A` for a field that holds `B`. `write` gets the field's present value too. */
+export const mapped = <A, B, E>(
+  row: Row<A, E>,
+  read: (value: B) => A,
+  write: (value: A, before: B) => B,
+): Row<B, E> => ({
+  ...row,
+  add: (gui, place, field) => {
+    const value = bound(
+      () => read(field.value),
+      (next: A) => (field.value = write(next, field.value)),
+    );
+    row.add(gui, place, value);
+  },
+});
 
-type Choices<T> = { readonly [text in ViewerText]?: T };
+/** A slider's scale, or how it follows from the scene. */
+type TravelOf<E> = Travel | ((place: Place<E>) => Travel);
 
-/** Choices that are shown as their values. */
-export const named = <T extends ViewerText>(values: readonly T[]): Choices<T> =>
-  Object.fromEntries(values.map((value) => [value, value]));
+export const number = <E>(label: ViewerText, travel: TravelOf<E>, hint?: ViewerText): Row<number, E> => ({
+  add: (gui, place, value) => {
+    const control = new NumberControl(gui, value, label, () =>
+      typeof travel === 'function' ? travel(place) : travel,
+    );
+    if (hint !== undefined) explain(control.domElement, hint);
+  },
+});
 
-/** Updates a row. Rows keep what the user is typing. */
-export function refresh(row: Controller): void {
-  // Assigning the index, even the same one, would close an open list.
-  if (row instanceof OptionController && row._values[row.$select.selectedIndex] === row.getValue()) return;
-  row.updateDisplay();
-}
+/** `components`: accessible names of x, y and z. */
+export const vector = <E>(
+  label: ViewerText,
+  travel: Travel | ((place: Place<E>, axis: Axis) => Travel),
+  components?: ComponentNames,
+): Row<Vec3, E> => ({
+  add: (gui, place, value) => {
+    const travelOf = (axis: Axis): Travel => (typeof travel === 'function' ? travel(place, axis) : travel);
+    new VectorControl(gui, value, label, travelOf, components);
+  },
+});
+
+/** `usual`: the end of the brightness slider; 1 is 255. */
+export const color = (label: ViewerText, usual: number): Row<Vec3, unknown> => ({
+  add: (gui, _, value) => {
+    new ColorControl(gui, value, label, usual);
+  },
+});
+
+export const flag = (label: ViewerText): Row<boolean, unknown> => ({
+  add: (gui, _, value) => {
+    nameRow(gui.add(value, 'value'), label);
+  },
+});
+
+/** A flag for each word that the field can list. */
+export const flags = <T extends string>(
+  words: readonly T[],
+  label: (word: T) => ViewerText,
+): Row<readonly T[], unknown> => ({
+  add: (gui, place, value) => {
+    for (const word of words) {
+      const hasWord = mapped<boolean, readonly T[], unknown>(
+        flag(label(word)),
+        (listed) => listed.includes(word),
+        (wanted, listed) => words.filter((other) => (other === word ? wanted : listed.includes(other))),
+      );
+      hasWord.add(gui, place, value);
+    }
+  },
+});
+
+/** A line of text; empty, it shows the folder's title. */
+export const text = (label: ViewerText): Row<string, unknown> => ({
+  add: (gui, place, value) => {
+    new TextControl(gui, value, label, () => place.title());
+  },
+});
+
+/** One of several words; null is the viewer's own value. `hint`: the tooltip. */
+export const oneOf = <T extends ViewerText | null>(
+  label: ViewerText,
+  words: readonly T[],
+  hint?: ViewerText,
+): Row<T, unknown> => ({
+  add: (gui, _, value) => {
+    const control = new SelectControl(gui, value, label, {
+      values: () => words,
+      text: (word, say) => say(word ?? 'as viewer'),
+    });
+    if (hint !== undefined) explain(control.domElement, hint);
+  },
+});
+
+/** One of the names that `values` lists, which depend on the scene. */
+export const oneName = <E>(
+  label: ViewerText,
+  values: (element: E) => readonly string[],
+  textOf: (name: string, element: E, say: Say) => string,
+): Row<string, E> => ({
+  add: (gui, { element }, value) => {
+    new SelectControl(gui, value, label, {
+      values: () => values(element),
+      text: (name, say) => textOf(name, element, say),
+    });
+  },
+});
+
+/** Text that the user cannot edit. */
+export const readout = <E>(label: ViewerText, read: (element: E) => string): Row<unknown, E> => ({
+  add: (gui, { element }) => {
+    new Readout(gui, () => read(element), label);
+  },
+});
+
+/** A button in a row of its own. The press edits what it needs to. */
+export const button = <E>(label: ViewerText, press: (place: Place<E>) => void): Row<unknown, E> => ({
+  add: (gui, place) => {
+    addButton(gui, label, () => {
+      press(place);
+    });
+  },
+});
+
+export const addButton = (gui: GUI, name: ViewerText, press: () => void): FunctionController =>
+  nameRow(new FunctionController(gui, { value: press }, 'value'), name);

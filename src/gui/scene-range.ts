@@ -1,5 +1,5 @@
-// Which range do sliders for positions cover? The surroundings of the scene. Measured when meshes are added, removed or loaded, and
-// not while one of them is being moved by a slider. World space, scene units.
+// The range that sliders for positions cover: the surroundings of the scene. Measured when meshes are added, removed or
+// loaded, and not while one of them is being moved by a slider. World space, scene units.
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Vec3 } from '../math/vector.js';
 import { measure } from '../scene/bounds.js';

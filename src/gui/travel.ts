@@ -1,5 +1,4 @@
-// Which range does a slider cover, and how do its positions map to values? Values in the unit of the control. Numbers only: knows
-// neither the DOM nor what a value means.
+// The range that a slider covers, and how its positions map to values, in the unit of the control.
 
 /** A slider's scale: positions from `start` to `end` in steps, and the value at each. */
 export interface Travel {

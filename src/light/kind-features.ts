@@ -1,4 +1,4 @@
-// What code do the packed lights of each kind need? Knows neither programs nor GLSL.
+// The features that the packed lights of each kind need.
 import { KINDS, type LightKind, unionOf } from './light-features.js';
 import type { PackedLights } from './pack-lights.js';
 

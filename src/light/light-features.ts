@@ -1,8 +1,14 @@
-// What code does a light need? Its kind, its feature mask (LIGHT_FEATURES) and the packed limit of its cone. Also collects the
-// features of everything declared so far, which the general program is compiled for. Knows nothing of packing or GLSL.
+// The code that a light needs: its kind, its feature mask (LIGHT_FEATURES) and the packed limit of its cone; and the
+// mask of all lights declared so far, which the general program is compiled for.
 import { radians } from '../math/angle.js';
 import type { Vec3 } from '../math/vector.js';
-import { LARGEST_COSINE_POWER, LEAST_EXPONENT, LIGHT_FEATURES, LIMIT_OPEN } from './light-layout.js';
+import {
+  LARGEST_INTEGER_POWER,
+  LARGEST_MILD_POWER,
+  LEAST_EXPONENT,
+  LIGHT_FEATURES,
+  LIMIT_OPEN,
+} from './light-layout.js';
 import type { LightValues } from './light-state.js';
 
 export type LightKind = 'directional' | 'point' | 'spot';
@@ -28,39 +34,40 @@ export function kindOf(light: Values): LightKind {
 const isAttenuated = ({ position, attenuation }: Values): boolean =>
   position[3] === 1 && (attenuation[0] > 1 || attenuation[1] > 0 || attenuation[2] > 0);
 
-const DECLARED = [
-  ...['directional', 'point', 'spot', 'attenuation', 'cone', 'decay'],
-  ...['ambient', 'diffuse', 'specular'],
-  'steepSpot',
-] as const;
-
-/** What any light declared so far needs: HAS_SPOT and so on in the GLSL. `steepSpot`: a cosine is too inexact for a cone or decay. */
-export type DeclaredFeatures = Record<(typeof DECLARED)[number], boolean>;
-
-export const noFeatures = (): DeclaredFeatures =>
-  Object.fromEntries(DECLARED.map((name) => [name, false])) as DeclaredFeatures;
-
 /**
- * Adds what this light needs, active or not, so that toggling it never needs another program. Features are never removed:
- * a light that was declared once may come again. True where one was new.
+ * What a program for any number of such lights needs, as bits of LIGHT_FEATURES without integer powers: the lights'
+ * kinds, and their features with those that another colour, cone or cutoff of the same kind would add. Inactive lights
+ * count, so that toggling or recolouring one never needs another program. DECLARED_FEATURES in the GLSL.
  */
-export function declareFeatures(light: Values, declared: DeclaredFeatures): boolean {
+export function declaredFeatures(lights: Iterable<Values>): number {
+  let declared = 0;
+  for (const light of lights) declared |= declaredByOne(light);
+  // Without a cone there is no side to compare it on.
+  return (declared & LIGHT_FEATURES.wide) === 0 ? declared & ~LIGHT_FEATURES.narrow : declared;
+}
+
+function declaredByOne(light: Values): number {
   const kind = kindOf(light);
-  let added = false;
-  const declare = (name: keyof DeclaredFeatures, needed: boolean): void => {
-    if (!needed || declared[name]) return;
-    declared[name] = true;
-    added = true;
-  };
-  declare(kind, true);
-  declare('cone', kind === 'spot' && light.aperture < 180);
-  declare('decay', kind === 'spot' && light.cutoff >= LEAST_EXPONENT);
-  declare('steepSpot', kind === 'spot' && isSteep(light));
-  declare('attenuation', isAttenuated(light));
-  declare('ambient', !isBlack(light.ambient));
-  declare('diffuse', !isBlack(light.diffuse));
-  declare('specular', !isBlack(light.specular));
-  return added;
+  const { ambient, diffuse, specular } = light;
+  return (
+    LIGHT_FEATURES[kind] |
+    (isBlack(ambient) ? 0 : LIGHT_FEATURES.ambient) |
+    (isBlack(diffuse) ? 0 : LIGHT_FEATURES.diffuse | LIGHT_FEATURES.tintedDiffuse) |
+    (isBlack(specular) ? 0 : LIGHT_FEATURES.specular | LIGHT_FEATURES.tintedSpecular) |
+    (isAttenuated(light) ? ANY_ATTENUATION : 0) |
+    (kind === 'spot' ? declaredCone(light) : 0)
+  );
+}
+
+const ANY_ATTENUATION = LIGHT_FEATURES.attenuated | LIGHT_FEATURES.clamped | LIGHT_FEATURES.linear;
+
+/** Steep cones are compared on either side, gentle ones on the far side. */
+function declaredCone(light: Values): number {
+  return (
+    (light.aperture < 180 ? LIGHT_FEATURES.wide : 0) |
+    (light.cutoff < LEAST_EXPONENT ? 0 : LIGHT_FEATURES.decay) |
+    (isSteep(light) ? LIGHT_FEATURES.chords | LIGHT_FEATURES.narrow : 0)
+  );
 }
 
 /** The feature mask of a light of this kind. */
@@ -94,8 +101,8 @@ function attenuationFeatures(light: Values): number {
 }
 
 /**
- * Least angle in degrees between a cone's edge and 0 or 180 for which a cosine finds the edge: float32 leaves an error of
- * 4e-7 in the cosine on the worst lawful driver, 1.5e-6 rad at this angle.
+ * Least angle in degrees between a cone's edge and 0 or 180 for which a cosine finds the edge: float32 leaves an error
+ * of 4e-7 in the cosine on the worst lawful driver, 1.5e-6 rad at this angle.
  */
 const LEAST_BY_COSINE = 15;
 
@@ -103,9 +110,12 @@ const LEAST_BY_COSINE = 15;
 const isBlunt = (aperture: number): boolean =>
   aperture >= LEAST_BY_COSINE && aperture <= 180 - LEAST_BY_COSINE;
 
-/** A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_COSINE_POWER at the axis. */
+/**
+ * A cone or decay that needs chords. A power below 1 is steep behind the light, one above LARGEST_MILD_POWER at the
+ * axis.
+ */
 function isSteep({ aperture, cutoff }: Values): boolean {
-  const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && cutoff <= LARGEST_COSINE_POWER);
+  const gentle = cutoff < LEAST_EXPONENT || (cutoff >= 1 && isMildPower(cutoff));
   return !gentle || !(aperture >= 180 || isBlunt(aperture));
 }
 
@@ -115,31 +125,26 @@ function coneFeatures(light: Values): number {
   const cone = (aperture >= 180 ? 0 : side) + (isSteep(light) ? LIGHT_FEATURES.chords : 0);
   if (cutoff < LEAST_EXPONENT) return cone;
   if (isIntegerPower(cutoff)) return cone + (cutoff << LIGHT_FEATURES.powerShift);
-  return cone + LIGHT_FEATURES.decay + (isPowerTo64(cutoff) ? LIGHT_FEATURES.decayTo64 : 0);
+  return cone + LIGHT_FEATURES.decay;
 }
 
 /** An exponent that a specialised program multiplies out. */
 export const isIntegerPower = (exponent: number): boolean =>
-  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_COSINE_POWER;
+  Number.isInteger(exponent) && exponent >= 1 && exponent <= LARGEST_INTEGER_POWER;
 
 /** An exponent whose power needs no series near 1; 0 included. */
-export const isPowerTo64 = (exponent: number): boolean => exponent <= LARGEST_COSINE_POWER;
+export const isMildPower = (exponent: number): boolean => exponent <= LARGEST_MILD_POWER;
 
 /** The bits of a mask; above them is an integer power. */
 const BITS = (1 << LIGHT_FEATURES.powerShift) - 1;
-const DECAYS = LIGHT_FEATURES.decay | LIGHT_FEATURES.decayTo64;
 
 /** What lights of both masks need. Cutoffs that differ need a general power. */
 export function unionOf(a: number, b: number): number {
   const power = a >> LIGHT_FEATURES.powerShift;
-  const samePower = power === b >> LIGHT_FEATURES.powerShift && (a & DECAYS) === (b & DECAYS);
-  if (samePower) return ((a | b) & BITS) | (power << LIGHT_FEATURES.powerShift);
-  const to64 = decaysTo64(a) && decaysTo64(b) ? LIGHT_FEATURES.decayTo64 : 0;
-  return ((a | b) & BITS & ~DECAYS) | LIGHT_FEATURES.decay | to64;
+  const samePower = power === b >> LIGHT_FEATURES.powerShift && ((a ^ b) & LIGHT_FEATURES.decay) === 0;
+  const decay = samePower ? power << LIGHT_FEATURES.powerShift : LIGHT_FEATURES.decay;
+  return ((a | b) & BITS) | decay;
 }
-
-/** No decay, or one with an exponent to 64. */
-const decaysTo64 = (features: number): boolean => (features & DECAYS) !== LIGHT_FEATURES.decay;
 
 /** An aperture in degrees as the one float that the shader compares with; see LIMIT_OPEN. */
 export function coneLimit(aperture: number): number {
@@ -152,8 +157,8 @@ export function coneLimit(aperture: number): number {
 const farLimit = (aperture: number): number => -(Math.sin(radians(180 - aperture) / 2) ** 2);
 
 /**
- * The limit for float32. A fragment exactly on the axis can be 1e-6 rad off it there (inversesqrt may be 2 ULP off), so a
- * cone of no width must be that wide to hold its axis. An edge that a cosine finds is compared on the far side.
+ * The limit for float32. A fragment exactly on the axis can be 1e-6 rad off it there (inversesqrt may be 2 ULP off), so
+ * a cone of no width must be that wide to hold its axis. An edge that a cosine finds is compared on the far side.
  */
 export const packedLimit = (aperture: number): number =>
   isOnFarSide(aperture) ? farLimit(aperture) : Math.max(coneLimit(aperture), LEAST_LIMIT);

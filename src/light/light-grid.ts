@@ -1,6 +1,6 @@
-// A light grid: a box divided into cells, each with a list of the spots that can reach it. For many narrow spots on one large
-// mesh a fragment loops over a few lights instead of all. The grid stands in shading space, so it stays while the camera
-// turns. Knows neither meshes nor where rows are stored.
+// A light grid: a box divided into cells, each with a list of the spots that can reach it. For many narrow spots on one
+// large mesh a fragment loops over a few lights instead of all. The grid stands in shading space, so it stays while the
+// camera turns.
 import { Cone } from './cone.js';
 import type { Box } from './cull-lights.js';
 import { GRID, HEADER, ROWS } from './light-layout.js';
@@ -16,8 +16,8 @@ export const LEAST_DIVIDED = 24;
 const MOST_OF_THEM = 0.5;
 
 /**
- * Cells are taken a little larger than they are, because fragments find theirs by float32 coordinates. As a share of a cell,
- * and of the largest coordinate (float32 rounds by 6e-8 of it).
+ * Cells are taken a little larger than they are, because fragments find theirs by float32 coordinates. As a share of a
+ * cell, and of the largest coordinate (float32 rounds by 6e-8 of it).
  */
 const PADDING = { cell: 1e-3, coordinate: 1e-6 } as const;
 
@@ -135,12 +135,13 @@ function writeLights(
   into.active = packed.active;
   into.sent = packed.sent;
   into.rows = packed.rows;
+  into.cone = packed.cone;
   Object.assign(into.counts, packed.counts);
   const ordered = [
     ...reaches.filter(({ cells }) => cells === null),
     ...reaches.filter(({ cells }) => cells !== null),
   ];
-  const { rows } = ROWS.spot;
+  const { rows } = packed.cone;
   return ordered.map(({ light, row, cells }, i) => {
     const newRow = firstRow + i * rows;
     into.data.set(packed.data.subarray(row * 4, (row + rows) * 4), newRow * 4);

@@ -1,14 +1,14 @@
-// Where is each number of a packed light? These tables give the offsets that pack-lights writes to and the defines that the
-// GLSL reads with, so the two cannot disagree. A row is a vec4. Knows nothing of three.js or storage.
+// Where each number of a packed light is. These tables give the offsets that pack-lights writes to and the defines that
+// the GLSL reads with, so the two cannot disagree. A row is a vec4.
 
 /** Rows before the first light: the number of lights of each kind, and the ambient light that reaches everywhere. */
 export const HEADER = { counts: 0, ambient: 1, rows: 2 } as const;
 
 /**
- * Rows of a light grid, relative to the row that the counts' w names. `low`: the box's low corner, w = the first cell's row;
- * `scale`: cells per unit, w = the first row of the list of spots, four to a row; `size`: cells along each axis, w = the
- * number of leading spots that stand in no list because they reach most cells.
- * A cell's row: the index of its first spot in the list, and its number of spots.
+ * Rows of a light grid, relative to the row that the counts' w names. `low`: the box's low corner, w = the first cell's
+ * row; `scale`: cells per unit, w = the first row of the list of spots, four to a row; `size`: cells along each axis, w
+ * = the number of leading spots that stand in no list because they reach most cells. A cell's row: the index of its
+ * first spot in the list, and its number of spots.
  */
 export const GRID = { low: 0, scale: 1, size: 2, rows: 3 } as const;
 
@@ -44,7 +44,27 @@ export const ROWS = {
     ambient: 4,
     rows: 5,
   },
+  /** A light of the view `light-count`, in place of a spot. */
+  counted: {
+    /** Position; w = bits of the channels that are not black: ambient 0–2, diffuse 3–5, specular 6–8. */
+    position: 0,
+    /** A, unit; w = the cone's limit. */
+    axis: 1,
+    rows: 2,
+  },
 } as const;
+
+/** Where packed spots have what culling and light grids read. */
+export interface ConeRows {
+  readonly rows: number;
+  readonly position: number;
+  readonly axis: number;
+  /** The float that holds the cone's limit, counted from the light's first. */
+  readonly limit: number;
+}
+
+export const SPOT_CONE: ConeRows = { ...ROWS.spot, limit: ROWS.spot.ambient * 4 + 3 };
+export const COUNTED_CONE: ConeRows = { ...ROWS.counted, limit: ROWS.counted.axis * 4 + 3 };
 
 /**
  * The cone's limit is one float: from 0 the largest allowed (1 - c)/2, below 0 minus the smallest allowed (1 + c)/2;
@@ -53,9 +73,9 @@ export const ROWS = {
 export const LIMIT_OPEN = 4;
 
 /**
- * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL share. Each bit adds code,
- * so the union of several lights' masks is right for all of them. `power` and above hold a spot's cutoff where it is an
- * integer from 1 to LARGEST_COSINE_POWER; other cutoffs above 0 set `decay`, and `decayTo64` too up to that limit.
+ * The code that a light needs beyond its kind, as bits of one mask that the packing and the GLSL share. Each bit adds
+ * code, so the union of several lights' masks is right for all of them. `power` and above hold a spot's cutoff where it
+ * is an integer from 1 to LARGEST_INTEGER_POWER; other cutoffs above 0 set `decay`.
  */
 export const LIGHT_FEATURES = {
   ambient: 1,
@@ -66,27 +86,33 @@ export const LIGHT_FEATURES = {
   narrow: 16,
   wide: 32,
   decay: 64,
-  decayTo64: 128,
   /** Cone or decay are too steep for a cosine. */
-  chords: 256,
+  chords: 128,
   /** kc below 1: near the light, attenuation is clamped to 1. */
-  clamped: 512,
+  clamped: 256,
   /** kl above 0: attenuation needs the distance, not its square alone. */
-  linear: 1024,
+  linear: 512,
   /** Channels differ; grey light is summed as one number. */
-  tintedDiffuse: 2048,
-  tintedSpecular: 4096,
-  powerShift: 13,
+  tintedDiffuse: 1024,
+  tintedSpecular: 2048,
+  /** Kinds that a scene has declared. Packed lights are sorted by kind instead. */
+  directional: 4096,
+  point: 8192,
+  spot: 16384,
+  powerShift: 15,
 } as const;
 
 /**
- * Largest exponent of a cosine that stays precise: errors of a float32 cosine, 2e-7, and of log2 near 1, 2^-21 by
- * specification, grow to 3e-5 at 64, or 0.008 of a code.
+ * Largest exponent that log2 and a spot's cosine are precise enough for. log2 near 1 may be 2^-21 off, a spot's (c +
+ * 1)/2 2e-7: an exponent of 32 makes 1.1e-5 and 6e-6 of them, and both powers of one light 0.007 of a code at most.
  */
-export const LARGEST_COSINE_POWER = 64;
+export const LARGEST_MILD_POWER = 32;
 
-/** Rows of a uniform block: 16 KiB, which every WebGL 2 device has (MAX_UNIFORM_BLOCK_SIZE). */
-export const BLOCK_ROWS = 1024;
+/**
+ * Largest integer exponent that a specialised program multiplies out: six squarings (powInteger) round to 0.001 of a
+ * code.
+ */
+export const LARGEST_INTEGER_POWER = 64;
 
 /** Width of the light texture in texels, one row of a light each: a power of two within every device's limit. */
 export const TEXTURE_ROWS_LOG2 = 10;
@@ -101,8 +127,8 @@ export const NEAREST = 1e-15;
 export const LEAST_EXPONENT = 1e-6;
 
 /**
- * Positive numbers below this count as zero: a device may flush numbers below 2^-126. Not 2^-126 itself, because Firefox
- * on Mesa reads literals of 1.2e-38 and less as zero.
+ * Positive numbers below this count as zero: a device may flush numbers below 2^-126. Not 2^-126 itself, because
+ * Firefox on Mesa reads literals of 1.2e-38 and less as zero.
  */
 const TINY = 2 ** -120;
 
@@ -116,7 +142,6 @@ const integer = (n: number): string => n.toFixed();
 export function layoutDefines(): string {
   const lines = [
     `#define LIMIT_OPEN ${float(LIMIT_OPEN)}`,
-    `#define BLOCK_ROWS ${integer(BLOCK_ROWS)}`,
     `#define TEXTURE_ROWS_LOG2 ${integer(TEXTURE_ROWS_LOG2)}`,
     `#define NEAREST_SQUARED ${float(NEAREST * NEAREST)}`,
     `#define LEAST_EXPONENT ${float(LEAST_EXPONENT)}`,

@@ -1,5 +1,4 @@
-// Which lights there are, in which order, and whether anything about them has changed. Knows neither the DOM nor
-// how lights are packed.
+// Which lights there are, in which order, and whether anything about them has changed.
 import type { LightState, LightValues } from './light-state.js';
 
 /** The lights of one picture, in order. */
@@ -10,7 +9,6 @@ export class LightSet {
   readonly #changed: (light: LightState | null) => void;
   #version = 0;
   #kindVersion = 0;
-  #codeVersion = 0;
 
   /** `changed` is called after each change: with the light written to, or null when lights came, went or moved. */
   constructor(changed: (light: LightState | null) => void = () => undefined) {
@@ -25,11 +23,6 @@ export class LightSet {
   /** Increments with every change but of positions: a move does not change the code that lights need. */
   get kindVersion(): number {
     return this.#kindVersion;
-  }
-
-  /** Increments with every change that can change which code lights need: not by moving, toggling or naming one. */
-  get codeVersion(): number {
-    return this.#codeVersion;
   }
 
   get lights(): readonly LightState[] {
@@ -77,10 +70,7 @@ export class LightSet {
     const { values } = light;
     let w = values.position[3];
     const listener = (key: keyof LightValues): void => {
-      if (key !== 'position' || values.position[3] !== w) {
-        this.#kindVersion += 1;
-        if (key !== 'active' && key !== 'name') this.#codeVersion += 1;
-      }
+      if (key !== 'position' || values.position[3] !== w) this.#kindVersion += 1;
       w = values.position[3];
       this.#bump(light);
     };
@@ -90,7 +80,6 @@ export class LightSet {
 
   #changeAll(): void {
     this.#kindVersion += 1;
-    this.#codeVersion += 1;
     this.#bump(null);
   }
 

@@ -1,5 +1,5 @@
-// One light's values in HTML's units, with their domains and defaults. Elements, the panel and plain JavaScript all write
-// here. Knows neither the DOM nor three.js, nor how a light is packed or shaded.
+// One light's values in HTML's units, with their domains and defaults. Elements, the panel and plain JavaScript all
+// write here.
 import { FieldStore } from '../fields/field-store.js';
 import {
   booleanField,

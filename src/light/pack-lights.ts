@@ -1,6 +1,6 @@
-// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black lights
-// left out. Everything that is the same for all fragments is computed here in float64: units, cosines, unit vectors, the sum
-// of ambient light, a directional light's cone. A pure function. Knows neither three.js nor where rows are stored.
+// Lights into the rows that the GLSL reads: doubles in, shading-space floats out, sorted by kind, inactive and black
+// lights left out. Everything that is the same for all fragments is computed here in float64: units, cosines, unit
+// vectors, the sum of ambient light, a directional light's cone. A pure function.
 import { srgbDecode } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3, type Vec4 } from '../math/vector.js';
 import {
@@ -13,7 +13,7 @@ import {
   type LightKind,
   packedLimit,
 } from './light-features.js';
-import { HEADER, LEAST_EXPONENT, ROWS } from './light-layout.js';
+import { type ConeRows, HEADER, LEAST_EXPONENT, ROWS, SPOT_CONE } from './light-layout.js';
 import type { LightValues } from './light-state.js';
 
 /** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
@@ -33,6 +33,8 @@ export interface PackedLights {
   /** Rows of four floats; those from `rows` on are stale. */
   data: Float32Array;
   rows: number;
+  /** The rows of its spots. */
+  cone: ConeRows;
   /** Lights that take part. */
   active: number;
   /** Lights that the loop runs over. The others add ambient light only, or nothing. */
@@ -48,6 +50,7 @@ export interface PackedLights {
 export const emptyPack = (): PackedLights => ({
   data: new Float32Array(64),
   rows: HEADER.rows,
+  cone: SPOT_CONE,
   active: 0,
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
@@ -58,10 +61,7 @@ export const emptyPack = (): PackedLights => ({
 /** Packs the active lights of `lights` for one shading space, into `into`. */
 export function packLights(lights: readonly Values[], space: PackSpace, into: PackedLights): void {
   const ambient: [number, number, number] = [0, 0, 0];
-  into.rows = HEADER.rows;
-  into.sent = 0;
-  into.active = 0;
-  into.sources.length = 0;
+  packNothing(into);
   let follows = true;
   for (const light of lights) if (light.active) byKind[kindOf(light)].push(light);
   for (const kind of KINDS) {
@@ -79,14 +79,33 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
     byKind[kind].length = 0; // so that removed lights can be collected
   }
   if (!follows) into.sources.length = 0;
-  const { directional, point, spot } = into.counts;
-  write(into.data, HEADER.counts * 4, directional, point, spot, 0);
+  writeCounts(into);
   write(into.data, HEADER.ambient * 4, ambient[0], ambient[1], ambient[2], 0);
 }
 
+/** Packs no light. */
+export function packNothing(into: PackedLights): void {
+  into.rows = HEADER.rows;
+  into.cone = SPOT_CONE;
+  into.sent = 0;
+  into.active = 0;
+  into.sources.length = 0;
+  for (const kind of KINDS) into.counts[kind] = 0;
+  into.data.fill(0, 0, HEADER.rows * 4);
+}
+
+/** Writes the header's counts, without a grid. */
+export function writeCounts({ data, counts }: PackedLights): void {
+  write(data, HEADER.counts * 4, counts.directional, counts.point, counts.spot, 0);
+}
+
+/** Rows of each packed light of a kind. */
+const rowsOf = ({ cone }: Readonly<PackedLights>, kind: LightKind): number =>
+  kind === 'spot' ? cone.rows : ROWS[kind].rows;
+
 /**
- * Writes the places and axes of the lights that `into` was packed with again, where nothing else about them has changed but the
- * space's matrices. False where they need other rows: then call {@link packLights}.
+ * Writes the places and axes of the lights that `into` was packed with again, where nothing else about them has changed
+ * but the space's matrices. False where they need other rows: then call {@link packLights}.
  */
 export function moveLights(space: PackSpace, into: PackedLights): boolean {
   const { data, sources, sent, counts } = into;
@@ -168,8 +187,8 @@ function addAmbient(sum: [number, number, number], color: Vec3, factor: number, 
 }
 
 /**
- * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the cone. A zero vector has
- * no angle to the axis: inside any cone, decay 1.
+ * A directional light's L is the same everywhere, and so are its cone and its decay: 0 outside the cone. A zero vector
+ * has no angle to the axis: inside any cone, decay 1.
  */
 function directionalDecay(light: Values): number {
   const L = normalize([light.position[0], light.position[1], light.position[2]]);
@@ -193,8 +212,17 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
   return dot(sum, sum) / 4;
 }
 
-/** A unit vector along v, not zero: scaled by its largest component first, so that a denormal vector has its direction too. */
-function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3 | Vec4, scalar: number): void {
+/**
+ * A unit vector along v, not zero: scaled by its largest component first, so that a denormal vector has its direction
+ * too.
+ */
+export function writeDirection(
+  m: Mat4,
+  data: Float32Array,
+  at: number,
+  v: Vec3 | Vec4,
+  scalar: number,
+): void {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const x = v[0] / largest;
   const y = v[1] / largest;
@@ -204,7 +232,7 @@ function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3 | Vec4,
 }
 
 /** A position (w = 1) or a direction (w = 0) through a matrix, and a scalar in w. */
-function writeThrough(
+export function writeThrough(
   m: Mat4,
   data: Float32Array,
   at: number,
@@ -249,7 +277,8 @@ export function forEachLight(
   let row: number = HEADER.rows;
   let light = 0;
   for (const kind of KINDS) {
-    for (let i = 0; i < packed.counts[kind]; i++, row += ROWS[kind].rows) visit(light++, kind, row);
+    const rows = rowsOf(packed, kind);
+    for (let i = 0; i < packed.counts[kind]; i++, row += rows) visit(light++, kind, row);
   }
 }
 
@@ -260,18 +289,18 @@ export function selectLights(packed: Readonly<PackedLights>, mask: Uint8Array, i
   into.active = packed.active;
   into.sent = 0;
   into.rows = HEADER.rows;
+  into.cone = packed.cone;
   for (const kind of KINDS) into.counts[kind] = 0;
   forEachLight(packed, (light, kind, row) => {
     if (mask[light] !== 1) return;
-    const { rows } = ROWS[kind];
+    const rows = rowsOf(packed, kind);
     into.data.set(packed.data.subarray(row * 4, (row + rows) * 4), into.rows * 4);
     into.features[into.sent] = packed.features[light]!;
     into.rows += rows;
     into.sent += 1;
     into.counts[kind] += 1;
   });
-  const { directional, point, spot } = into.counts;
-  write(into.data, HEADER.counts * 4, directional, point, spot, 0);
+  writeCounts(into);
 }
 
 /** Makes room for this many rows and lights in all; what is there stays. */

@@ -1,17 +1,20 @@
-// Can a mesh's back faces be seen? Where they cannot, they are culled: half of a closed shape's fragments. Decided for each
-// draw, so that moving into a shape compiles nothing. Knows neither materials nor programs.
+// Decides whether a mesh's back faces can be seen. Where they cannot, they are culled: half of a closed shape's
+// fragments. Decided for each draw, so that moving into a shape compiles nothing.
 import type { BufferGeometry, Camera, Matrix4 } from 'three';
 
 /**
- * Which sides a surface has. `closed`: an opaque shape without holes, whose inside is seen only from inside. `single`: back
- * faces are never drawn (glTF's `doubleSided: false`). `double`: both sides are drawn.
+ * Which sides a surface has. `closed`: an opaque shape without holes, whose inside is seen only from inside. `single`:
+ * back faces are never drawn (glTF's `doubleSided: false`). `double`: both sides are drawn.
  */
 export type Sides = 'closed' | 'single' | 'double';
 
 /** Determinants below this share of the column lengths' product are 0 but for rounding: the mesh is flattened. */
 const FLATTENED = 1e-9;
 
-/** Whether back faces are culled. Never on a flattened mesh: its two sides coincide. `matrixWorld` and camera are up to date. */
+/**
+ * Whether back faces are culled. Never on a flattened mesh: its two sides coincide. `matrixWorld` and camera are up to
+ * date.
+ */
 export function cullsBackFaces(
   sides: Sides,
   geometry: BufferGeometry,
@@ -57,7 +60,8 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
   const boxDepth = hx * Math.abs(ax) + hy * Math.abs(ay) + hz * Math.abs(az);
   const depth = dx * backX + dy * backY + dz * backZ;
   if (depth - Math.min(sphereDepth, boxDepth) > nearOf(camera)) return true;
-  // Otherwise beside or behind the eye: the near plane's corners are within `reach`. The box's face normals separate it.
+  // Otherwise beside or behind the eye: the near plane's corners are within `reach`. The box's face normals separate
+  // it.
   const reach = nearReach(camera);
   return (
     isBeyond(m, 4, 8, 0, hx, dx, dy, dz, reach) ||
@@ -67,8 +71,8 @@ function isOutside(geometry: BufferGeometry, matrixWorld: Matrix4, camera: Camer
 }
 
 /**
- * Whether the vector d from the box's centre is longer than `half` of the column at `axis`, plus `reach`, along the normal of
- * the columns at `u` and `v`.
+ * Whether the vector d from the box's centre is longer than `half` of the column at `axis`, plus `reach`, along the
+ * normal of the columns at `u` and `v`.
  */
 function isBeyond(
   m: ArrayLike<number>,

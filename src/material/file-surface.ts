@@ -1,5 +1,6 @@
-// What may a model's file say about a surface besides its base colour, and how does that enter the equation? Roughness becomes
-// an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes the same per fragment.
+// What a model's file may say about a surface besides its base colour, and how that enters the equation. Roughness
+// becomes an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes the same
+// per fragment.
 import type { Texture } from 'three';
 import { isBlack } from '../light/light-features.js';
 import type { Vec3 } from '../math/vector.js';
@@ -36,23 +37,27 @@ export const NO_FILE_SURFACE: FileSurface = {
 };
 
 /**
- * Roughness below this makes no narrower highlight: its exponent is 121,932. The smallest one that a float32 renderer can
- * tell from a mirror, by Filament's documentation ("Physically Based Rendering in Filament", section 4.8.3.3).
+ * Roughness below this makes no narrower highlight: its exponent is 121,932. The smallest one that a float32 renderer
+ * can tell from a mirror, by Filament's documentation ("Physically Based Rendering in Filament", section 4.8.3.3).
  */
 export const LEAST_ROUGHNESS = 0.045;
 
 /** The (n + 2)/(2π) of Lafortune and Willems' modified Phong lobe, without 1/(2π), at the default exponent 32. */
 export const FULL_LOBE = 34;
 
-/** Reached at a roughness of 0.76. A lobe with a smaller exponent is a flat patch that ends in an edge where R·V reaches 0. */
+/**
+ * Reached at a roughness of 0.76. A lobe with a smaller exponent is a flat patch that ends in an edge where R·V reaches
+ * 0.
+ */
 export const LEAST_FILE_EXPONENT = 1;
 
 /**
  * The exponent n of R·V for a roughness of 0–1: 1 from 0.76 on, 7.5 for 0.5, 312 for 0.2.
  *
- * Roughness is squared (alpha, Burley, "Physically-Based Shading at Disney", 2012). A Blinn–Phong lobe of that alpha has the
- * exponent 2/alpha² − 2 (Walter and others, "Microfacet Models for Refraction through Rough Surfaces", 2007). R turns twice
- * as fast as H, so R·V needs a quarter of it (Fisher and Woo, "R.E versus N.H Specular Highlights", Graphics Gems IV, 1994).
+ * Roughness is squared (alpha, Burley, "Physically-Based Shading at Disney", 2012). A Blinn–Phong lobe of that alpha
+ * has the exponent 2/alpha² − 2 (Walter and others, "Microfacet Models for Refraction through Rough Surfaces", 2007). R
+ * turns twice as fast as H, so R·V needs a quarter of it (Fisher and Woo, "R.E versus N.H Specular Highlights",
+ * Graphics Gems IV, 1994).
  */
 export function exponentOfRoughness(roughness: number): number {
   const alpha = Math.max(roughness, LEAST_ROUGHNESS) ** 2;
@@ -60,9 +65,9 @@ export function exponentOfRoughness(roughness: number): number {
 }
 
 /**
- * The share of Ks that is left for a lobe of exponent n, at most 1: a broad lobe then reflects as much light as one of the
- * default exponent (Lafortune and Willems, "Using the Modified Phong Reflectance Model for Physically Based Rendering", 1994).
- * Metals keep all of Ks, which is the only light that they reflect.
+ * The share of Ks that is left for a lobe of exponent n, at most 1: a broad lobe then reflects as much light as one of
+ * the default exponent (Lafortune and Willems, "Using the Modified Phong Reflectance Model for Physically Based
+ * Rendering", 1994). Metals keep all of Ks, which is the only light that they reflect.
  */
 export const lobeScale = (n: number): number => Math.min((n + 2) / FULL_LOBE, 1);
 

@@ -1,6 +1,7 @@
-// Which uniforms hold what a file says about a surface? Their first values; the material writes those that depend on its style.
+// The uniforms that hold what a file says about a surface. Their first values; the material writes those that depend on
+// its style.
 import { Matrix3, type Texture, Vector3 } from 'three';
-import type { BaseLook } from './phong-material.js';
+import type { BaseLook } from './base-look.js';
 
 /** Uniforms of what a file says; those of a map that a program does not sample are never sent. */
 export function fileUniforms(look: BaseLook) {

@@ -21,10 +21,19 @@ export function flatGeometry(source: BufferGeometry): BufferGeometry {
   made.set(source, flat);
   sources.set(flat, source);
   // It stays the source's copy: a source disposed of may be drawn again, and so may its copy.
-  source.addEventListener('dispose', () => {
-    flat.dispose();
-  });
+  source.addEventListener('dispose', disposeFlat);
   return flat;
+}
+
+/** Frees the copy of `source`, if there is one, which nothing may show any more. */
+export function forgetFlatGeometry(source: BufferGeometry): void {
+  disposeFlat({ target: source });
+  source.removeEventListener('dispose', disposeFlat);
+  made.delete(source);
+}
+
+function disposeFlat({ target }: { readonly target: BufferGeometry }): void {
+  made.get(target)?.dispose();
 }
 
 /** Call when positions, tangents and bounds of `source` have changed: updates its flat copy, if there is one. */

@@ -1,5 +1,5 @@
-// The packed lights that some meshes are drawn with, as the GPU reads them: a uniform array while they fit, a float texture
-// beyond. Sends only what changed. Knows neither meshes nor programs.
+// The packed lights that some meshes are drawn with, as the GPU reads them: a uniform array while they fit, a float
+// texture beyond. Sends only what changed.
 import { ExternalTexture, Vector2, type WebGLRenderer } from 'three';
 import { TEXTURE_ROWS_LOG2 } from '../light/light-layout.js';
 import { kindFeatures } from '../light/kind-features.js';
@@ -8,8 +8,8 @@ import { emptyPack, type PackedLights } from '../light/pack-lights.js';
 
 const TEXTURE_WIDTH = 1 << TEXTURE_ROWS_LOG2;
 
-/** Contents of all buffers so far: tells them apart. */
-let contents = 0;
+/** The last revision that any buffer was given. */
+let revisions = 0;
 
 export class LightBuffer {
   readonly packed: PackedLights;
@@ -18,11 +18,10 @@ export class LightBuffer {
   #rows = this.#data.subarray(0, 0);
   /** Most rows ever held. Those beyond the last row stay: lights that come back find theirs unchanged. */
   #written = 0;
-  #version = 0;
   /** What the feature key was made of. */
   #described: { readonly counts: Counts; readonly masks: Counts } | null = null;
   #featureKey = '';
-  #contentKey = 0;
+  #revision = 0;
   /** three.js uses it unchanged. A texture of three's own would query the anisotropy limit, which blocks. */
   readonly #texture = new ExternalTexture();
   /** Whose texture it is. three.js replaces a renderer's properties when a lost context is restored. */
@@ -38,22 +37,17 @@ export class LightBuffer {
   /** 1 / the texture's width and height. */
   readonly textureScale = new Vector2(1 / TEXTURE_WIDTH, 1);
 
-  /** The last version that was counted as an upload; kept by its lighting. */
+  /** The last revision that was counted as an upload; kept by its lighting. */
   counted = -1;
-
-  /** Increments whenever a number changes. */
-  get version(): number {
-    return this.#version;
-  }
 
   /** The counts and features of each kind of light, as text: what a specialised program on a GPU depends on. */
   get featureKey(): string {
     return this.#featureKey;
   }
 
-  /** Changes with every number, and is no other buffer's: what a program with inlined lights depends on. */
-  get contentKey(): number {
-    return this.#contentKey;
+  /** Increases whenever a number changes, and is no other buffer's. What is made from the lights remembers it. */
+  get revision(): number {
+    return this.#revision;
   }
 
   /** All rows, for a uniform array. */
@@ -75,8 +69,7 @@ export class LightBuffer {
     let last = end - 1;
     while (kept[last] === data[last]) last -= 1;
     kept.set(data.subarray(first, last + 1), first);
-    this.#version += 1;
-    this.#contentKey = contents += 1;
+    this.#revision = revisions += 1;
     this.#addStale(first >> 2, (last >> 2) + 1);
     this.#describe();
   }

@@ -1,8 +1,8 @@
-// The lights of one picture on their way to its materials: packs them when lights, origin or colour space changed, collects
-// the features that programs need, and holds what all materials of the picture share. Knows neither meshes' shapes nor frames.
+// The lights of one picture on their way to its materials: packs them when lights, origin or colour space changed,
+// collects the features that programs need, and holds what all materials of the picture share.
 import { type Camera, Matrix4, type Mesh, Vector3, type WebGLRenderer } from 'three';
 import { sameValue } from '../fields/field-store.js';
-import { type DeclaredFeatures, declareFeatures, noFeatures } from '../light/light-features.js';
+import { declaredFeatures } from '../light/light-features.js';
 import { LightSet } from '../light/light-set.js';
 import { moveLights, packLights, type PackedLights } from '../light/pack-lights.js';
 import { dot, type Vec3 } from '../math/vector.js';
@@ -11,12 +11,12 @@ import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
 import type { Form } from './program/variant.js';
-import type { PictureView } from './views.js';
+import type { PictureView } from './picture-view.js';
 
 /**
- * From where a picture is seen. Shading space has the world's axes and its origin at `origin`. Differences to it are taken
- * in float64, so that scenes far from the world's origin shade like scenes at it. It does not move while the camera turns
- * about its target, and the packed lights stay as they are.
+ * From where a picture is seen. Shading space has the world's axes and its origin at `origin`. Differences to it are
+ * taken in float64, so that scenes far from the world's origin shade like scenes at it. It does not move while the
+ * camera turns about its target, and the packed lights stay as they are.
  */
 export interface ShadingFrame {
   /** World position of shading space's origin: the camera's target. */
@@ -38,20 +38,14 @@ export class PhongLighting {
   readonly eye = { value: new Vector3() };
   /** Uniform `uShadingToClip`, shared by all materials; see {@link aim}. */
   readonly clip = { value: new Matrix4() };
-  /** What any light declared so far needs. Only ever grows. */
-  readonly declared: DeclaredFeatures = noFeatures();
   /** Specialised programs of this picture. */
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();
   #view: PictureView | null = null;
   #origin: Vec3 = [0, 0, 0];
-  /** Increments when general programs may have to change. */
-  #featureVersion = 0;
-  #lightVersion = -1;
-  #kindVersion = -1;
-  #codeVersion = -1;
-  /** Pack all rows again, whatever the versions say. */
-  #repack = true;
+  #declared = 0;
+  /** What the lights were last packed for; null: nothing yet. */
+  #packedFor: PackedFor | null = null;
   /** This frame changed the packed lights. */
   #changed = false;
   /** A light turns with the eye, active or not. */
@@ -77,20 +71,19 @@ export class PhongLighting {
   }
 
   set linear(linear: boolean) {
-    if (linear === this.#space.linear) return;
     this.#space.linear = linear;
-    this.#repack = true;
-    this.#featureVersion += 1;
   }
 
-  /** What is shown in place of the shaded colour; null, the default, for that. Materials need a call of `setStyle` afterwards. */
+  /**
+   * What is shown in place of the shaded colour; null, the default, for that. Materials need a call of `setStyle`
+   * afterwards.
+   */
   get view(): PictureView | null {
     return this.#view;
   }
 
   set view(view: PictureView | null) {
     this.#view = view;
-    this.#repack = true;
   }
 
   /** World position that fragments are shaded relative to. */
@@ -98,9 +91,9 @@ export class PhongLighting {
     return this.#origin;
   }
 
-  /** Increments when materials may need other general programs. */
-  get featureVersion(): number {
-    return this.#featureVersion;
+  /** What all lights since load need: see {@link declaredFeatures}. Bits are only ever added. */
+  get declared(): number {
+    return this.#declared;
   }
 
   /** The lights as last packed. */
@@ -108,7 +101,9 @@ export class PhongLighting {
     return this.#meshLights.all.packed;
   }
 
-  /** Set it before a frame to a number that changes whenever a mesh may have moved. Default NaN: each draw finds out. */
+  /**
+   * Set it before a frame to a number that changes whenever a mesh may have moved. Default NaN: each draw finds out.
+   */
   set places(places: number) {
     this.#meshLights.places = places;
   }
@@ -121,8 +116,8 @@ export class PhongLighting {
   /**
    * Call before each frame, after moving the camera: takes its world matrix and whatever changed about the lights.
    * @param camera any three.js camera with an up-to-date `matrixWorld`
-   * @param target where the scene is, in world coordinates: shading is computed relative to it. Default: the world's origin.
-   *   For scenes far away give their centre, and keep it still while only the camera moves.
+   * @param target where the scene is, in world coordinates: shading is computed relative to it. Default: the world's
+   *   origin. For scenes far away give their centre, and keep it still while only the camera moves.
    */
   update(camera: Camera, target: Vec3 = [0, 0, 0]): void {
     const e = camera.matrixWorld.elements;
@@ -136,8 +131,8 @@ export class PhongLighting {
   }
 
   /**
-   * The same from a frame whose eye is known relative to the origin, more precisely than world coordinates can say. `camera`
-   * is the one that stands there: vertices are then placed by the frame, not by its matrices.
+   * The same from a frame whose eye is known relative to the origin, more precisely than world coordinates can say.
+   * `camera` is the one that stands there: vertices are then placed by the frame, not by its matrices.
    */
   updateFrame(frame: ShadingFrame, camera: Camera | null = null): void {
     const { origin, eye } = frame;
@@ -148,10 +143,18 @@ export class PhongLighting {
     if (moved) this.#origin = [origin[0], origin[1], origin[2]];
     this.#meshLights.begin(this.#origin);
     this.programs.begin();
-    this.#declare();
     this.#changed = false;
-    if (this.#repack || moved || this.#followsCamera || this.#lightVersion !== this.lights.version)
-      this.#pack(frame);
+    const { lights, kinds, view, linear } = this.#packedFor ?? NEVER;
+    const isOther = view !== this.#view || linear !== this.linear;
+    const { version, kindVersion } = this.lights;
+    if (kinds !== kindVersion) this.#declare();
+    if (isOther || moved || this.#followsCamera || lights !== version)
+      this.#pack(frame, isOther || kinds !== kindVersion);
+  }
+
+  /** Shading space to the view of the frame's own camera; null for any other camera. */
+  frameViewOf(camera: Camera): Matrix4 | null {
+    return camera === this.#frameCamera ? this.#frameView : null;
   }
 
   /** Call before each draw: updates {@link clip} to `camera`. Returns a version that increments when it changes. */
@@ -186,24 +189,18 @@ export class PhongLighting {
     return count;
   }
 
-  /**
-   * Before drawing with `renderer`: rows of the uniform array in general programs there, or 0 for a texture. Another renderer is
-   * sent everything again.
-   */
-  capacityFor(renderer: WebGLRenderer): number {
-    if (this.#device?.renderer !== renderer) {
-      this.dispose();
-      this.#device = deviceOf(renderer);
-      this.#capacity = 0;
-    }
-    const { rows } = this.packed;
-    const { capacities } = this.#device;
-    // Never shrinks: lights that come and go compile once.
-    while (rows > (capacities[this.#capacity] ?? Infinity)) {
-      this.#capacity += 1;
-      this.#featureVersion += 1;
-    }
-    return capacities[this.#capacity] ?? 0;
+  /** Call before drawing with `renderer`. Another renderer is sent everything again. */
+  drawWith(renderer: WebGLRenderer): void {
+    if (this.#device?.renderer === renderer) return;
+    this.dispose();
+    this.#device = deviceOf(renderer);
+    this.#capacity = 0;
+    this.#fit();
+  }
+
+  /** Rows of the uniform array in general programs, or 0 for a texture. */
+  get capacity(): number {
+    return this.#device?.capacities[this.#capacity] ?? 0;
   }
 
   /** The form of a specialised program for these lights; null if the general program is best. */
@@ -219,8 +216,8 @@ export class PhongLighting {
 
   /** Counts a draw that sent these lights. */
   countUpload(buffer: LightBuffer): void {
-    if (buffer.counted === buffer.version) return;
-    buffer.counted = buffer.version;
+    if (buffer.counted === buffer.revision) return;
+    buffer.counted = buffer.revision;
     this.#uploads += 1;
   }
 
@@ -237,37 +234,46 @@ export class PhongLighting {
     return view.makeTranslation(x, y, z).premultiply(matrixWorldInverse);
   }
 
-  #pack(frame: ShadingFrame): void {
+  /** `all`: more than places and the space's matrices may have changed. */
+  #pack(frame: ShadingFrame, all: boolean): void {
     const { origin, right, up, back, eye } = frame;
-    const { all } = this.#meshLights;
-    const { packed, version } = all;
-    const { values, kindVersion } = this.lights;
+    const buffer = this.#meshLights.all;
+    const { packed, revision } = buffer;
+    const { values, version, kindVersion } = this.lights;
     const space = this.#space;
     writeColumns(space.worldToShading, X, Y, Z, -origin[0], -origin[1], -origin[2]);
     writeColumns(space.cameraToShading, right, up, back, eye[0], eye[1], eye[2]);
-    if (this.#view !== null) packLights(this.#view.lights(values, space), space, packed);
-    else if (this.#repack || this.#kindVersion !== kindVersion || !moveLights(space, packed))
-      packLights(values, space, packed);
-    this.#repack = false;
-    this.#kindVersion = kindVersion;
-    this.#lightVersion = this.lights.version;
-    this.#meshLights.changed();
-    this.#changed = all.version !== version;
+    if (this.#view !== null) this.#view.pack(values, space, packed);
+    else if (all || !moveLights(space, packed)) packLights(values, space, packed);
+    this.#packedFor = { lights: version, kinds: kindVersion, view: this.#view, linear: space.linear };
+    this.#fit();
+    buffer.changed();
+    this.#changed = buffer.revision !== revision;
   }
 
   #declare(): void {
-    const { codeVersion, values } = this.lights;
-    if (this.#codeVersion === codeVersion) return;
-    this.#codeVersion = codeVersion;
-    this.#followsCamera = false;
-    let added = false;
-    for (const light of values) {
-      if (declareFeatures(light, this.declared)) added = true;
-      if (light.space === 'camera') this.#followsCamera = true;
-    }
-    if (added) this.#featureVersion += 1;
+    const { values } = this.lights;
+    this.#declared |= declaredFeatures(values);
+    this.#followsCamera = values.some(({ space }) => space === 'camera');
+  }
+
+  /** Makes the uniform array long enough. It never shrinks: lights that come and go compile once. */
+  #fit(): void {
+    const { rows } = this.packed;
+    const capacities = this.#device?.capacities ?? [];
+    while (rows > (capacities[this.#capacity] ?? Infinity)) this.#capacity += 1;
   }
 }
+
+/** Versions of the light set, and what else decides how lights are packed. */
+interface PackedFor {
+  readonly lights: number;
+  readonly kinds: number;
+  readonly view: PictureView | null;
+  readonly linear: boolean;
+}
+
+const NEVER: PackedFor = { lights: -1, kinds: -1, view: null, linear: false };
 
 /** Overwritten by each call of `#viewOf`. */
 const view = /* @__PURE__ */ new Matrix4();

@@ -1,4 +1,4 @@
-// What does the page learn of a program that does not link?
+// Reports a program that does not link.
 
 /** Reports it to the page's error handlers, with the driver's logs. */
 export function reportLinkFailure(

@@ -1,4 +1,4 @@
-// A surface's values in HTML's units (255 = 1), their domains and defaults. Knows nothing of shaders.
+// A surface's values in HTML's units (255 = 1), their domains and defaults.
 import { LIMITS } from '../light/light-state.js';
 import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';

@@ -1,5 +1,6 @@
-// Which lights is each mesh drawn with? All of them, or those whose cones reach its bounds. Meshes that the same lights reach
-// share one buffer; many narrow spots on one mesh get a light grid. Culls again only where lights or mesh changed.
+// The lights that each mesh is drawn with: all of them, or those whose cones reach its bounds. Meshes that the same
+// lights reach share one buffer; many narrow spots on one mesh get a light grid. Culls again only where lights or mesh
+// changed.
 import { Box3, type BufferGeometry, Matrix4, type Mesh } from 'three';
 import { sameValue } from '../fields/field-store.js';
 import { type Box, cullLights } from '../light/cull-lights.js';
@@ -12,8 +13,8 @@ interface Subset {
   /** Its place in the map: the mask as text. */
   readonly key: string;
   readonly buffer: LightBuffer;
-  /** The version of all lights that it was selected from. */
-  version: number;
+  /** The revision of all lights that it was selected from. */
+  source: number;
   /** The last frame that used it. */
   frame: number;
 }
@@ -23,8 +24,7 @@ export class MeshLights {
   readonly #subsets = new Map<string, Subset>();
   /** Those that the last frame used. */
   readonly #grids = new Set<MeshLightGrid>();
-  readonly #choices = new WeakMap<Mesh, Choice>();
-  #version = 0;
+  readonly #culled = new WeakMap<Mesh, CulledLights>();
   #frame = 0;
   /** Another number whenever a mesh may have moved. NaN: not known, so each draw compares the mesh's matrix. */
   places = NaN;
@@ -48,35 +48,29 @@ export class MeshLights {
     if (!sameValue(origin, this.#origin)) this.#origin = origin;
   }
 
-  /** The lights in `all.packed` changed. */
-  changed(): void {
-    this.all.changed();
-    this.#version += 1;
-  }
-
   /** The lights for `mesh`, whose world matrix is up to date. */
   of(mesh: Mesh): LightBuffer {
     if (this.all.packed.counts.spot === 0) return this.all;
-    const choice = this.#choiceOf(mesh);
-    const { subset } = choice;
-    if (subset !== null && subset.version === this.#version) subset.frame = this.#frame;
-    return choice.buffer;
+    const culled = this.#culledFor(mesh);
+    const { subset } = culled;
+    if (subset !== null && subset.source === this.all.revision) subset.frame = this.#frame;
+    return culled.buffer;
   }
 
   /** The same lights divided into a grid; null where that is not worth it. */
   gridOf(mesh: Mesh): LightBuffer | null {
     if (this.all.packed.counts.spot < LEAST_DIVIDED) return null;
     if (this.of(mesh).packed.counts.spot < LEAST_DIVIDED) return null;
-    const choice = this.#choiceOf(mesh);
-    const grid = (choice.grid ??= new MeshLightGrid());
+    const culled = this.#culledFor(mesh);
+    const grid = (culled.grid ??= new MeshLightGrid());
     grid.frame = this.#frame;
     this.#grids.add(grid);
-    return grid.of(choice);
+    return grid.of(culled);
   }
 
   /** Whether `light`, an index among all sent lights, is among those for `mesh`. */
   reaches(mesh: Mesh, light: number): boolean {
-    return this.of(mesh) === this.all || this.#choiceOf(mesh).mask[light] === 1;
+    return this.of(mesh) === this.all || this.#culledFor(mesh).mask[light] === 1;
   }
 
   dispose(): void {
@@ -85,40 +79,40 @@ export class MeshLights {
     for (const grid of this.#grids) grid.dispose();
   }
 
-  #choiceOf(mesh: Mesh): Choice {
-    let choice = this.#choices.get(mesh);
-    if (choice === undefined) this.#choices.set(mesh, (choice = new Choice(mesh, this.all)));
-    const moved = choice.moved(this.#origin, this.places);
-    const kept = choice.subset === null || this.#subsets.get(choice.subset.key) === choice.subset;
-    if (moved || !kept || choice.version !== this.#version) this.#cull(choice);
-    return choice;
+  #culledFor(mesh: Mesh): CulledLights {
+    let culled = this.#culled.get(mesh);
+    if (culled === undefined) this.#culled.set(mesh, (culled = new CulledLights(mesh, this.all)));
+    const moved = culled.moved(this.#origin, this.places);
+    const kept = culled.subset === null || this.#subsets.get(culled.subset.key) === culled.subset;
+    if (moved || !kept || culled.source !== this.all.revision) this.#cull(culled);
+    return culled;
   }
 
-  #cull(choice: Choice): void {
-    const { packed } = this.all;
-    choice.version = this.#version;
-    choice.changes += 1;
-    choice.subset = null;
-    choice.buffer = this.all;
-    if (choice.box === null) return;
+  #cull(culled: CulledLights): void {
+    const { packed, revision } = this.all;
+    culled.source = revision;
+    culled.subset = null;
+    culled.buffer = this.all;
+    if (culled.box === null) return;
     if (this.#mask.length < packed.sent) this.#mask = new Uint8Array(packed.features.length);
     const mask = this.#mask.subarray(0, packed.sent);
-    if (cullLights(packed, choice.box, mask) === packed.sent) return;
-    choice.mask = mask.slice();
-    choice.subset = this.#subsetOf(choice.mask);
-    choice.buffer = choice.subset.buffer;
+    if (cullLights(packed, culled.box, mask) === packed.sent) return;
+    culled.mask = mask.slice();
+    culled.subset = this.#subsetOf(culled.mask);
+    culled.buffer = culled.subset.buffer;
   }
 
   #subsetOf(mask: Uint8Array): Subset {
     const key = asText.decode(mask);
     let subset = this.#subsets.get(key);
     if (subset === undefined) {
-      subset = { key, buffer: new LightBuffer(), version: -1, frame: 0 };
+      subset = { key, buffer: new LightBuffer(), source: -1, frame: 0 };
       this.#subsets.set(key, subset);
     }
     subset.frame = this.#frame;
-    if (subset.version === this.#version) return subset;
-    subset.version = this.#version;
+    const { revision } = this.all;
+    if (subset.source === revision) return subset;
+    subset.source = revision;
     selectLights(this.all.packed, mask, subset.buffer.packed);
     subset.buffer.changed();
     return subset;
@@ -127,23 +121,23 @@ export class MeshLights {
 
 const NO_MASK = new Uint8Array(0);
 
-/** The result of culling for one mesh. */
-class Choice {
+/** The lights that reach one mesh. */
+class CulledLights {
   readonly #mesh: Mesh;
   buffer: LightBuffer;
   /** Null: all lights. */
   subset: Subset | null = null;
   mask = NO_MASK;
-  /** The version of the lights that this was found for. */
-  version = -1;
-  /** Goes up with each culling. */
-  changes = 0;
+  /** The revision of all lights that they were culled from. */
+  source = -1;
   grid: MeshLightGrid | null = null;
   #geometry: BufferGeometry | null = null;
   /** The geometry's bounds: another object when its vertices have changed. */
   #bounds: Box3 | null = null;
   #origin: Vec3 = [0, 0, 0];
-  /** Where {@link #places} is the same, the matrix is: reading it again for 2,000 meshes takes a tenth of their frame. */
+  /**
+   * Where {@link #places} is the same, the matrix is: reading it again for 2,000 meshes takes a tenth of their frame.
+   */
   readonly #matrix = new Matrix4();
   #places = NaN;
   #box: Box | null = null;
@@ -185,15 +179,18 @@ class MeshLightGrid {
   /** The last frame that used it. */
   frame = 0;
   readonly #buffer = new LightBuffer();
-  #changes = -1;
+  /** What it was divided for. */
+  #source = -1;
+  #box: Box | null = null;
   #divided = false;
   #skips = 0;
   /** Doubles with each failure. */
   #nextSkips = 0;
 
-  of({ buffer, box, changes }: Choice): LightBuffer | null {
-    if (changes !== this.#changes) {
-      this.#changes = changes;
+  of({ buffer, box }: CulledLights): LightBuffer | null {
+    if (buffer.revision !== this.#source || box !== this.#box) {
+      this.#source = buffer.revision;
+      this.#box = box;
       this.#divided = false;
       if (this.#skips > 0) this.#skips -= 1;
       else if (box !== null) this.#divide(buffer, box);

@@ -1,7 +1,7 @@
-// A three.js material that draws with the hand-written light loop. Keeps uniforms and program in step with its surface, its
-// style and its picture's lights, and decides per draw which program and which sides of a mesh it needs. Knows neither
-// elements nor the scene it is used in.
+// A three.js material that draws with the hand-written light loop. Keeps uniforms and program in step with its surface,
+// its style and its picture's lights, and decides per draw which program and which sides of a mesh it needs.
 import {
+  type Camera,
   DoubleSide,
   FrontSide,
   GLSL3,
@@ -12,43 +12,23 @@ import {
   type Texture,
   Vector2,
   Vector3,
+  Vector4,
 } from 'three';
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
-import { type FileSurface, lobeScale, NO_FILE_SURFACE, usesRoughnessMap } from './file-surface.js';
+import { type BaseLook, PLAIN_LOOK } from './base-look.js';
+import { lobeScale, usesRoughnessMap } from './file-surface.js';
 import { fileUniforms } from './file-uniforms.js';
+import { facesOf, faceUniforms, isNear, writeFaces } from './flat-faces.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
-import { ProgramChoice } from './program/program-choice.js';
+import { MaterialPrograms } from './program/material-programs.js';
 import type { Variant } from './program/variant.js';
 import { DEFAULT_STYLE, type ShadingStyle, type Term } from './shading-style.js';
-
-export { DEFAULT_STYLE, type ShadingStyle } from './shading-style.js';
-
-/** What a file says about a surface. Its base colour multiplies Ka and Kd. */
-export interface BaseLook extends FileSurface {
-  /** Encoded sRGB, 0–1. */
-  readonly baseColor: Vec3;
-  readonly opacity: number;
-  readonly alphaMode: 'opaque' | 'mask' | 'blend';
-  readonly alphaCutoff: number;
-  readonly map: Texture | null;
-  readonly vertexColors: boolean;
-}
-
-export const PLAIN_LOOK: BaseLook = {
-  baseColor: [1, 1, 1],
-  opacity: 1,
-  alphaMode: 'opaque',
-  alphaCutoff: 0.5,
-  map: null,
-  vertexColors: false,
-  ...NO_FILE_SURFACE,
-};
 
 const DEFAULT_SURFACE: SurfaceValues = {
   ka: SURFACE_FIELDS.ka.fallback,
@@ -59,9 +39,13 @@ const DEFAULT_SURFACE: SurfaceValues = {
 
 const BLACK: Vec3 = [0, 0, 0];
 
+/** Overwritten by each call of `#placeFaces`. */
+const scratch = /* @__PURE__ */ new Vector4();
+
 /**
- * The rows that each program's uniform array holds, by the keys of variant and content. Sending 1,000 rows with every mesh is
- * what many meshes would spend their frame on. Forgotten with every disposed material: a program made again starts empty.
+ * The rows that each program's uniform array holds, by the variant's key, as the revision of their buffer. Sending
+ * 1,000 rows with every mesh is what many meshes would spend their frame on. Forgotten with every disposed material: a
+ * program made again starts empty.
  */
 let programRows = new WeakMap<object, Map<string, number>>();
 
@@ -70,8 +54,8 @@ type BeforeRender = Parameters<RawShaderMaterial['onBeforeRender']>;
 
 /**
  * Draws opaque or blended 8-bit colour: the sum is clamped to 0–1 and rounded to the nearest code, whatever the target.
- * Call {@link PhongLighting.update} before each frame. A raw material, because three.js's key for its programs then leaves out
- * `side`: culling back faces in one draw and not in the next compiles nothing.
+ * Call {@link PhongLighting.update} before each frame. A raw material, because three.js's key for its programs then
+ * leaves out `side`: culling back faces in one draw and not in the next compiles nothing.
  */
 export class PhongMaterial extends RawShaderMaterial {
   /** Which sides can be seen: back faces that cannot are culled. Default `double`. */
@@ -80,12 +64,14 @@ export class PhongMaterial extends RawShaderMaterial {
   readonly #lighting: PhongLighting;
   #surface: Readonly<SurfaceValues> = DEFAULT_SURFACE;
   #style: ShadingStyle = DEFAULT_STYLE;
-  readonly #programs: ProgramChoice;
+  readonly #programs: MaterialPrograms;
   #linear = false;
   #variant: Variant | null = null;
   /** The lights and the aim of the last draw. */
   #lights: LightBuffer | null = null;
   #aim = 0;
+  /** Null until a flat face needs them. */
+  #faceUniforms: ReturnType<typeof faceUniforms> | null = null;
   readonly #uniforms;
 
   /** What `look` leaves out is as in a file that says nothing. */
@@ -119,7 +105,7 @@ export class PhongMaterial extends RawShaderMaterial {
     this.#uniforms = uniforms;
     this.#lighting = lighting;
     this.look = look;
-    this.#programs = new ProgramChoice(lighting, look);
+    this.#programs = new MaterialPrograms(lighting, look);
     this.#writeSurface();
   }
 
@@ -169,10 +155,10 @@ export class PhongMaterial extends RawShaderMaterial {
     const culls = cullsBackFaces(this.sides, geometry, mesh.matrixWorld, camera);
     this.side = culls ? FrontSide : DoubleSide;
     if (this.#linear !== this.linear) this.#writeSurface();
-    const programs = this.#programs;
-    const { variant, lights } =
-      this.#lighting.view?.choose?.(programs, this.#lighting, mesh, this.uniforms) ??
-      programs.choose({ renderer, camera, mesh });
+    const mirrors = this.#place(mesh);
+    this.#programs.hasFacePoints = this.#placeFaces(renderer, camera, mesh);
+    const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
+    Object.assign(this.uniforms, this.#lighting.view?.program?.uniforms);
     this.#use(variant);
     const { uLightRows, uLightTexture, uLightTextureScale } = this.#uniforms;
     const storage = variant.defines['LIGHT_STORAGE'];
@@ -183,11 +169,14 @@ export class PhongMaterial extends RawShaderMaterial {
       uLightTexture.value = lights.sendTexture(renderer);
       uLightTextureScale.value.copy(lights.textureScale);
     }
-    const mirrors = this.#place(mesh);
     const aim = this.#lighting.aim(camera);
     // three.js sends a material's uniforms once per frame, unless they change between two of its draws.
     this.uniformsNeedUpdate =
-      aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
+      aim !== this.#aim ||
+      lights !== this.#lights ||
+      uLightRows.needsUpdate ||
+      mirrors ||
+      this.#programs.hasFacePoints;
     this.#aim = aim;
     this.#lights = lights;
   }
@@ -199,13 +188,13 @@ export class PhongMaterial extends RawShaderMaterial {
   }
 
   /** Whether the program of this draw holds these rows already; from now on it does. */
-  #holdsRows({ properties }: BeforeRender[0], { contentKey }: LightBuffer): boolean {
+  #holdsRows({ properties }: BeforeRender[0], { revision }: LightBuffer): boolean {
     // three.js replaces a renderer's properties when a lost context is restored.
     let held = programRows.get(properties);
     if (held === undefined) programRows.set(properties, (held = new Map<string, number>()));
     const program = this.#variant?.key ?? '';
-    if (held.get(program) === contentKey) return true;
-    held.set(program, contentKey);
+    if (held.get(program) === revision) return true;
+    held.set(program, revision);
     return false;
   }
 
@@ -217,8 +206,8 @@ export class PhongMaterial extends RawShaderMaterial {
   }
 
   /**
-   * Writes the mesh's place in shading space into the matrices that three.js sends with each mesh, in place of those for its
-   * own materials. True where the uniform for mirrored meshes has changed.
+   * Writes the mesh's place in shading space into the matrices that three.js sends with each mesh, in place of those
+   * for its own materials. True where the uniform for mirrored meshes has changed.
    */
   #place(mesh: Mesh): boolean {
     const { origin } = this.#lighting;
@@ -233,6 +222,26 @@ export class PhongMaterial extends RawShaderMaterial {
     const before = uMirrored.value;
     uMirrored.value = model.determinant() < 0 ? -1 : 1;
     return uMirrored.value !== before;
+  }
+
+  /** Writes the uniforms for flat faces, if the eye is near one of them that is shaded per fragment. */
+  #placeFaces(
+    renderer: BeforeRender[0],
+    camera: Camera,
+    { geometry, modelViewMatrix, normalMatrix }: Mesh,
+  ): boolean {
+    const faces = facesOf(geometry);
+    if (faces === undefined) return false;
+    const lighting = this.#lighting;
+    const perFragment = this.#style.shading !== 'gouraud' || (lighting.view?.program ?? null) !== null;
+    const view = lighting.frameViewOf(camera);
+    const eye = lighting.eye.value;
+    if (!perFragment || view === null || !isNear(geometry, modelViewMatrix, normalMatrix, eye)) return false;
+    const uniforms = (this.#faceUniforms ??= Object.assign(this.uniforms, faceUniforms()));
+    const { projectionMatrix: projection } = camera;
+    const viewport = renderer.getCurrentViewport(scratch);
+    writeFaces(uniforms, faces, modelViewMatrix, normalMatrix, { eye, view, projection, viewport });
+    return true;
   }
 
   #writeSurface(): void {

@@ -1,4 +1,4 @@
-// How is a surface shaded, besides its colours? Names that markup, panel, material and programs share. Knows no programs.
+// How a surface is shaded, besides its colours. Names that markup, panel, material and programs share.
 
 export const SHADINGS = ['phong', 'gouraud', 'flat'] as const;
 export const REFLECTIONS = ['phong', 'blinn-phong'] as const;
@@ -16,8 +16,9 @@ export interface ShadingStyle {
   readonly reflection: Reflection;
   readonly terms: readonly Term[];
   /**
-   * `edges` (default): one sample per pixel inside faces; the renderer smooths edges. `highlights`: the specular lobe is
-   * also averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`.
+   * `edges` (default): one sample per pixel inside faces; the renderer smooths edges. `highlights`: the specular lobe
+   * is also averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under
+   * `gouraud`.
    */
   readonly antialias: Antialias;
 }

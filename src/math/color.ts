@@ -1,5 +1,5 @@
-// The sRGB transfer curve, on single channels where 1 is full. Knows nothing of lights or textures.
-// Constants: IEC 61966-2-1. The GLSL of the same curve is generated from SRGB.
+// The sRGB transfer curve, on single channels where 1 is full. Constants: IEC 61966-2-1. The GLSL of the same curve is
+// generated from SRGB.
 
 export const SRGB = {
   /** Encoded value up to which the curve is a straight line. */

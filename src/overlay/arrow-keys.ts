@@ -1,4 +1,4 @@
-// In which direction does an arrow key point on the screen? For everything in a layer that arrow keys move.
+// The direction on the screen that an arrow key points in. For everything in a layer that arrow keys move.
 
 /** Steps to the right and down by `KeyboardEvent.key`; other keys have no entry. */
 export const ARROWS: Readonly<Record<string, readonly [right: number, down: number]>> = {

@@ -1,5 +1,6 @@
-// Is a pixel right if the device has moved the face by one subpixel step? Evaluates the equation in float64 around the pixel's centre,
-// from what shadeAt gives there and one pixel to the right and below. World space; knows neither pages nor Playwright.
+// Tests whether a pixel is right if the device has moved the face by one subpixel step. Evaluates the equation in
+// float64 around the pixel's centre, from what shadeAt gives there and one pixel to the right and below. World space;
+// knows neither pages nor Playwright.
 import { LightState } from '../light/light-state.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';
 import { add, cross, dot, map, normalize, scale, subtract, type Vec3 } from '../math/vector.js';
@@ -10,8 +11,8 @@ import type { Judgement, Suspect } from './judge-in-page.js';
 const HEAD_LIGHT = new LightState({ space: 'camera', position: [0, 0, 1, 0] }).values;
 
 /**
- * How many codes the pixel is from the range of colours within one step of the device's subpixel grid on each axis. 0 inside it.
- * A pixel that is not opaque is 255 off.
+ * How many codes the pixel is from the range of colours within one step of the device's subpixel grid on each axis. 0
+ * inside it. A pixel that is not opaque is 255 off.
  */
 export function codesOff(suspect: Suspect, judgement: Judgement): number {
   const { drawn, expected } = suspect;
@@ -69,7 +70,9 @@ function colorAt(
   }).color;
 }
 
-/** Where the ray through that place meets the face, in steps to the points on the right and below: exact in perspective. */
+/**
+ * Where the ray through that place meets the face, in steps to the points on the right and below: exact in perspective.
+ */
 function weightsAt(
   { here, right, below }: Suspect,
   eye: Vec3,

@@ -1,5 +1,5 @@
-// What does the shading equation give, in float64? The picture is measured against this file, so it follows the textbook rather than
-// the shader. World space throughout. Colours come in as in HTML (255 = 1) and go out with 1 as full. Knows neither GLSL nor three.js.
+// The shading equation in float64. The picture is measured against this file, so it follows the textbook rather than
+// the shader. World space throughout. Colours come in as in HTML (255 = 1) and go out with 1 as full.
 import { LEAST_EXPONENT, NEAREST } from '../light/light-layout.js';
 import type { LightValues } from '../light/light-state.js';
 import { radians } from '../math/angle.js';
@@ -212,8 +212,8 @@ function placeLight(light: Readonly<LightValues>, p: Vec3, eye: Vec3, camera: Ca
 }
 
 /**
- * Tolerance of the cone's edge in radians: a few roundings of float64. Simple directions do lie exactly on an edge, such as
- * 0 1 1 seen along 1 0 1 at 120°.
+ * Tolerance of the cone's edge in radians: a few roundings of float64. Simple directions do lie exactly on an edge,
+ * such as 0 1 1 seen along 1 0 1 at 120°.
  */
 const EDGE = 16 * Number.EPSILON;
 

@@ -1,5 +1,5 @@
-// How far have the animations of a picture's models played? One clock for all of them, which stands still while motion is not allowed.
-// Knows neither models nor what allows motion.
+// The time that the animations of a picture's models have played. One clock for all of them, which stands still while
+// motion is not allowed.
 
 /** What can play an animation. */
 export interface Animated {

@@ -1,5 +1,5 @@
-// Where does `auto` put the camera, and how deep is the scene? Measures the scene when its meshes have changed, and moves the
-// orbit when scene, field of view or the picture's aspect have. Knows nothing of drawing.
+// Fits the camera to the scene for `auto`, and measures how deep the scene is. Measures the scene when its meshes have
+// changed, and moves the orbit when scene, field of view or the picture's aspect have.
 import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
@@ -68,15 +68,15 @@ export class AutoFit {
   }
 
   /**
-   * A sphere about the same centre that holds everything visible under the present world matrices, objects that moved since
-   * the last measurement included. The same object while nothing changes. Null where the scene shows nothing.
+   * A sphere about the same centre that holds everything visible under the present world matrices, objects that moved
+   * since the last measurement included. The same object while nothing changes. Null where the scene shows nothing.
    */
   depthBounds(): Bounds | null {
-    const centre = this.#bounds?.centre ?? ORIGIN;
-    const radius = radiusOf(this.#tree.scene, centre);
+    const center = this.#bounds?.center ?? ORIGIN;
+    const radius = radiusOf(this.#tree.scene, center);
     const last = this.#depthBounds;
-    if (last === null || last.centre !== centre || last.radius !== radius)
-      this.#depthBounds = radius === 0 && this.#bounds === null ? null : { centre, radius };
+    if (last === null || last.center !== center || last.radius !== radius)
+      this.#depthBounds = radius === 0 && this.#bounds === null ? null : { center, radius };
     return this.#depthBounds;
   }
 
@@ -104,7 +104,9 @@ export class AutoFit {
     return this.#fit(fov);
   }
 
-  /** Where this framing puts the camera for this picture alone. The radius is that of `auto`, whatever the framing says. */
+  /**
+   * Where this framing puts the camera for this picture alone. The radius is that of `auto`, whatever the framing says.
+   */
   fitOf({ target }: Framing, fov: number): Fit {
     if (this.#extentStale) this.#measure();
     const { empty } = this.#extent;
@@ -124,7 +126,7 @@ export class AutoFit {
     this.#tree.update();
     this.#extent = measure(this.#tree.scene);
     const { center } = this.#extent;
-    this.#bounds = this.#extent.empty ? null : { centre: center, radius: this.#extent.radiusAbout(center) };
+    this.#bounds = this.#extent.empty ? null : { center, radius: this.#extent.radiusAbout(center) };
   }
 
   #fit(fov: number): boolean {

@@ -1,8 +1,8 @@
-// How large is a scene? The centre of its box and its farthest vertex, in world space and float64, from the extreme points
-// of its geometries: after the first time a moved mesh costs no pass over vertices. Knows nothing of cameras.
+// The size of a scene: the centre of its box and its farthest vertex, in world space and float64, from the extreme
+// points of its geometries: after the first time a moved mesh costs no pass over vertices.
 import { type BufferGeometry, DynamicDrawUsage, type Mesh, type Object3D, type Sphere } from 'three';
 import type { Vec3 } from '../math/vector.js';
-import { type ExtremePoints, extremePointsOf, forgetExtremePoints } from './extreme-points.js';
+import { type ExtremePoints, extremePointsOf, forgetExtremePoints } from '../model/extreme-points.js';
 
 /** Centre of a scene's box, and its farthest vertex from any point; `empty` where it shows nothing. */
 export interface Extent {
@@ -68,35 +68,57 @@ export function measure(root: Object3D): Extent {
 }
 
 /**
- * Radius of a sphere about `point` that holds everything visible below `root`: meshes, points, lines and sprites. At least as
- * large as needed. World matrices must be up to date. Costs one step per object.
+ * Radius of a sphere about `point` that holds everything visible below `root`: meshes, points, lines and sprites. At
+ * least as large as needed. World matrices must be up to date. Costs one step per object.
  */
 export function radiusOf(root: Object3D, point: Vec3): number {
   if (!root.visible) return 0;
-  let radius = 0;
-  const { geometry, boundingSphere } = root as Partial<Mesh> & { boundingSphere?: Sphere | null };
-  const e = root.matrixWorld.elements;
-  if (boundingSphere !== undefined) {
-    // Instanced, skinned and batched meshes know where their parts are.
-    const sphere = boundingSphere ?? ownSphere(root);
-    const { x, y, z } = sphere.center;
-    if (sphere.radius >= 0) radius = reachOf(e, x, y, z, sphere.radius, point);
-  } else if (geometry !== undefined) {
-    const moving = movingBounds(geometry);
-    const extremes = moving === null ? extremesOf(geometry) : null;
-    if (moving !== null) {
-      const { x, y, z } = moving.center;
-      radius = reachOf(e, x, y, z, moving.radius, point);
-    } else if (extremes !== null) {
-      const [x, y, z] = extremes.center;
-      radius = reachOf(e, x, y, z, extremes.radius, point);
-    }
-  }
+  let radius = boundsOf(root, ball) ? reachOf(root.matrixWorld.elements, ball, point) : 0;
   for (const child of root.children) {
     const other = radiusOf(child, point);
     if (other > radius) radius = other;
   }
   return radius;
+}
+
+/** A sphere in an object's own space. */
+export interface Ball {
+  x: number;
+  y: number;
+  z: number;
+  radius: number;
+}
+
+export const newBall = (): Ball => ({ x: 0, y: 0, z: 0, radius: 0 });
+
+/** Used within one call of {@link radiusOf}. */
+const ball = newBall();
+
+/** Writes a sphere that holds an object's own vertices, where they are now. False where it has none. */
+export function boundsOf(object: Object3D, into: Ball): boolean {
+  const { geometry, boundingSphere } = object as Partial<Mesh> & { boundingSphere?: Sphere | null };
+  // Instanced, skinned and batched meshes know where their parts are.
+  if (boundingSphere !== undefined) return writeBall(into, boundingSphere ?? ownSphere(object));
+  if (geometry === undefined) return false;
+  const moving = movingBounds(geometry);
+  if (moving !== null) return writeBall(into, moving);
+  const extremes = extremesOf(geometry);
+  if (extremes === null) return false;
+  const { center, radius } = extremes;
+  into.x = center[0];
+  into.y = center[1];
+  into.z = center[2];
+  into.radius = radius;
+  return true;
+}
+
+/** False for an empty sphere. */
+function writeBall(into: Ball, { center, radius }: Sphere): boolean {
+  into.x = center.x;
+  into.y = center.y;
+  into.z = center.z;
+  into.radius = radius;
+  return radius >= 0;
 }
 
 /** The vertices of what is below `root` may have changed: reads them again when they are next needed. */
@@ -195,10 +217,10 @@ const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =
   Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
 
 /**
- * At most so many times as long becomes a vector: the square root of the largest row sum of MᵀM, which is no less than its
- * largest eigenvalue, and equal to it where the matrix does not shear.
+ * Upper bound of the factor by which a matrix lengthens vectors: the square root of the largest row sum of MᵀM, which is no less than
+ * its largest eigenvalue, and equal to it where the matrix does not shear.
  */
-function stretch(m: readonly number[]): number {
+export function stretch(m: readonly number[]): number {
   const along = (i: number, j: number): number =>
     Math.abs(m[i]! * m[j]! + m[i + 1]! * m[j + 1]! + m[i + 2]! * m[j + 2]!);
   const xy = along(0, 4);
@@ -207,7 +229,7 @@ function stretch(m: readonly number[]): number {
   return Math.sqrt(Math.max(along(0, 0) + xy + xz, along(4, 4) + xy + yz, along(8, 8) + xz + yz));
 }
 
-function reachOf(m: readonly number[], x: number, y: number, z: number, radius: number, point: Vec3): number {
+function reachOf(m: readonly number[], { x, y, z, radius }: Ball, point: Vec3): number {
   // For every object in every frame: no list for the place.
   const dx = m[0]! * x + m[4]! * y + m[8]! * z + m[12]! - point[0];
   const dy = m[1]! * x + m[5]! * y + m[9]! * z + m[13]! - point[1];

@@ -1,6 +1,5 @@
-// When does a picture draw? At most one animation frame is pending for each window, and none while nothing changes.
-// A frame has three phases, and every picture finishes one before any picture starts the next. Knows nothing of what is
-// drawn.
+// Decides when pictures are drawn. At most one animation frame is pending for each window, and none while nothing
+// changes. A frame has three phases, and every picture finishes one before any picture starts the next.
 
 /** The window that shows a picture. Frames come from there: another one may be hidden, minimised or closed. */
 export type FrameSource = Pick<Window, 'requestAnimationFrame' | 'cancelAnimationFrame'>;

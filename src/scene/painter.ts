@@ -1,8 +1,9 @@
-// Draws one picture's meshes with its lights, and counts what that costs. Knows neither when to draw nor where pixels go.
+// Draws one picture's meshes with its lights, and counts what that costs.
 import { Scene, type WebGLRenderer } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/lighting.js';
 import { releaseGpu } from './gpu/release-gpu.js';
+import { HugeShapes } from './huge-shapes.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import type { ViewCamera } from './view-camera.js';
 import type { ViewportStats } from './viewport-stats.js';
@@ -11,6 +12,7 @@ export class Painter {
   readonly scene = new Scene();
   readonly lighting: PhongLighting;
   readonly #meshes: ReadonlySet<SceneMesh>;
+  readonly #huge = new HugeShapes();
   #drawCalls = 0;
 
   constructor(lights: LightSet, meshes: ReadonlySet<SceneMesh>) {
@@ -20,15 +22,22 @@ export class Painter {
   }
 
   /** Draws what `view` was last aimed at. */
-  paint(renderer: WebGLRenderer, { camera, frame }: ViewCamera): void {
+  paint(renderer: WebGLRenderer, { camera, frame, view }: ViewCamera): void {
     this.lighting.updateFrame(frame, camera);
-    renderer.render(this.scene, camera);
+    try {
+      const separate = this.lighting.view?.separate === true;
+      this.#huge.replace(this.#meshes, view, camera.near, camera.far, separate);
+      renderer.render(this.scene, camera);
+    } finally {
+      this.#huge.restore();
+    }
     this.#drawCalls = renderer.info.render.calls;
   }
 
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
     releaseGpu(this.scene);
+    this.#huge.dispose();
     this.lighting.dispose();
   }
 

@@ -1,5 +1,5 @@
-// Which objects does the scene hold, in which order, and where are they? Meshes come first, in document order, because of
-// surfaces in one place the last one drawn shows; then the page author's own objects. Knows neither camera nor lights.
+// The objects of a scene, their order, and where they are. Meshes come first, in document order, because of surfaces in
+// one place the last one drawn shows; then the page author's own objects.
 import type { Object3D, Scene } from 'three';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 

@@ -1,11 +1,10 @@
-// One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed. Knows neither Lit
-// nor attributes nor where input comes from.
+// One viewer's picture: scene, lights, camera and size, drawn on the page's stage when something has changed.
 import type { Object3D, Scene, WebGLRenderer } from 'three';
 import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
-import type { ShadingStyle } from '../material/phong-material.js';
+import type { ShadingStyle } from '../material/shading-style.js';
 import { Animations } from './animations.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
@@ -14,11 +13,12 @@ import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-sn
 import { Painter } from './painter.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
+import { TriangleBudget } from './mesh/triangle-budget.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
 import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
-import type { ViewportEvents } from './viewport-events.js';
+import type { ViewportSignals } from './viewport-signals.js';
 import type { ViewportStats } from './viewport-stats.js';
 
 export class Viewport implements StageClient, Framed {
@@ -26,10 +26,11 @@ export class Viewport implements StageClient, Framed {
   readonly orbit = new Orbit();
   readonly materials: SharedMaterials;
   readonly animations = new Animations();
+  readonly budget = new TriangleBudget();
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly fit: AutoFit;
-  readonly #events: ViewportEvents;
+  readonly #signals: ViewportSignals;
   readonly #view = new ViewCamera(this.orbit);
   /** Requested size in device pixels. */
   #wanted: Size = { width: 0, height: 0 };
@@ -40,18 +41,27 @@ export class Viewport implements StageClient, Framed {
   #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
+  /** A changed picture was drawn and has not been reported as shown. */
+  #unshown = false;
   #fov = 45;
   #frames = 0;
+  /**
+   * Moves what moves by itself to where it is at `now`, the time of an animation frame in ms. True while it keeps
+   * moving.
+   */
+  moveTo: (now: number) => boolean = () => false;
+  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
+  recover: (error: unknown, draw: () => void) => boolean = () => false;
 
   /** `holder` is an element that holds nothing but the canvas. */
-  constructor(holder: HTMLElement, lights: LightSet, events: ViewportEvents) {
+  constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
     this.holder = holder;
     const meshes = new Set<SceneMesh>();
     this.#painter = new Painter(lights, meshes);
     this.materials = new SharedMaterials(this.#painter.lighting);
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
-    this.#events = events;
+    this.#signals = signals;
   }
 
   /** Device pixels, at most what the GPU can draw. */
@@ -78,8 +88,8 @@ export class Viewport implements StageClient, Framed {
     this.#loop = frameLoopOf(view);
     stage.add(this);
     this.#attached = true;
-    if (stage.lost) this.#events.contextLost();
-    else this.#events.contextRestored();
+    if (stage.lost) this.#signals.contextLost.emit();
+    else this.#signals.contextRestored.emit();
     this.invalidate();
   }
 
@@ -142,6 +152,10 @@ export class Viewport implements StageClient, Framed {
     this.#wake();
   }
 
+  get meshes(): ReadonlySet<SceneMesh> {
+    return this.#tree.meshes;
+  }
+
   add(mesh: SceneMesh): void {
     this.#tree.add(mesh);
     this.reshaped();
@@ -187,18 +201,18 @@ export class Viewport implements StageClient, Framed {
     this.animate();
   }
 
-  /** Requests a frame for motion; `beforeFrame` says whether it goes on. */
+  /** Requests a frame for motion; {@link moveTo} says whether it goes on. */
   animate(): void {
     // Moving lights come by one by one: the first question is the cheapest.
     if (this.#loop?.latest !== this && this.drawable) this.#loop?.request(this);
   }
 
   prepare(): void {
-    if (this.#near === undefined) this.#events.needsLayout();
+    if (this.#near === undefined) this.#signals.layoutNeeded.emit();
   }
 
   advance(now: number): boolean {
-    return this.drawable && this.#events.beforeFrame(now);
+    return this.drawable && this.moveTo(now);
   }
 
   draw(): void {
@@ -210,31 +224,35 @@ export class Viewport implements StageClient, Framed {
       this.#dirty = true;
       return;
     }
+    const changed = this.#dirty;
     // Before drawing: if that throws, the next attempt follows the next change.
     this.#dirty = false;
     try {
       if (this.#paint()) {
-        this.#events.painted();
+        this.#signals.painted.emit();
+        // A picture that is drawn again because its pixels were overwritten is not reported again.
+        this.#unshown ||= changed;
         this.#frames += 1;
-        this.#events.drawn();
+        this.#signals.drawn.emit();
       } else this.#dirty = true; // drawn once there is a context
       this.materials.sweep();
     } catch (error) {
-      if (!this.#events.undrawable(error, this.#paint)) throw error;
+      if (!this.recover(error, this.#paint)) throw error;
+      this.#dirty = changed;
       this.redraw();
     } finally {
-      this.#events.afterFrame();
+      this.#signals.frameEnded.emit();
     }
   }
 
   /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
   settle(): void {
     // The first fit is not a move.
-    if (this.fit.settle(this.#fov) && this.#frames > 0) this.#events.fitted();
+    if (this.fit.settle(this.#fov) && this.#frames > 0) this.#signals.fitted.emit();
   }
 
-  /** The meshes' bounds as last measured; null where the scene shows nothing. */
-  get bounds(): Bounds | null {
+  /** Measures the meshes' bounds, unless nothing has changed since; null where the scene shows nothing. */
+  measure(): Bounds | null {
     this.settle();
     return this.fit.bounds;
   }
@@ -244,7 +262,7 @@ export class Viewport implements StageClient, Framed {
     this.#bringInStep();
     this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#view.aim(this.#fov, this.fit.depthBounds(), width, height, part);
+      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
       this.#painter.paint(renderer, this.#view);
     });
   }
@@ -253,7 +271,7 @@ export class Viewport implements StageClient, Framed {
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
     this.#bringInStep();
-    this.#view.aim(this.#fov, this.fit.depthBounds(), width, height);
+    this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
     for (const mesh of this.#tree.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
@@ -266,17 +284,23 @@ export class Viewport implements StageClient, Framed {
     return { ...this.#painter.stats, frames: this.#frames, programs, viewersDrawn };
   }
 
+  shown(): void {
+    if (!this.#unshown) return;
+    this.#unshown = false;
+    this.#signals.shown.emit();
+  }
+
   contextLost(): void {
     this.#dirty = true;
     this.#loop?.cancel(this);
     this.#releaseGpu();
-    this.#events.contextLost();
-    this.#events.afterFrame();
+    this.#signals.contextLost.emit();
+    this.#signals.frameEnded.emit();
   }
 
   contextRestored(): void {
     this.#wake();
-    this.#events.contextRestored();
+    this.#signals.contextRestored.emit();
   }
 
   /** False where there is no context. */
@@ -286,14 +310,14 @@ export class Viewport implements StageClient, Framed {
   };
 
   readonly #render = (renderer: WebGLRenderer): void => {
-    this.#view.aim(this.#fov, this.fit.depthBounds(), this.width, this.height);
+    this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height);
     this.#painter.paint(renderer, this.#view);
   };
 
   contextMissing(error: NoWebGL2Error): void {
     this.#loop?.cancel(this);
-    this.#events.contextMissing(error);
-    this.#events.afterFrame();
+    this.#signals.contextMissing.emit(error);
+    this.#signals.frameEnded.emit();
   }
 
   /** Order, matrices and camera of the scene as they are now. */

@@ -2,11 +2,18 @@
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { nextFrame, type PhongViewer } from '../element/support.js';
+import { nextFrame, type PhongViewer } from '../element/support/viewer.js';
 
 const WARNING =
   'warning: A <phong-viewer> has no alt. Write alt="…", the picture in words for people who do not see it, or alt="" if it is decoration.';
 const size = { width: 60, height: 40, nameless: true };
+declare global {
+  interface Window {
+    /** Milliseconds since the page began. */
+    firstPicture?: number;
+  }
+}
+
 const viewer = (attributes = ''): string => `<phong-viewer geometry="box" ${attributes}></phong-viewer>`;
 
 /** Waits until all warnings so far have been printed. */
@@ -20,6 +27,27 @@ test('viewers without an alt are reported once a page', async ({ page, mount, co
   await expect.poll(() => warnings).toEqual([WARNING]);
   await page.evaluate(() => document.body.append(document.createElement('phong-viewer')));
   await reported(page);
+});
+
+test('the check of a name is fetched after the first picture, or after two seconds without one', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/has no alt/, 2);
+  await page.addInitScript(() => {
+    addEventListener('render', () => (window.firstPicture ??= performance.now()), true);
+  });
+  const startOfCheck = (): Promise<number | undefined> =>
+    page.evaluate(
+      () =>
+        performance.getEntriesByType('resource').find(({ name }) => name.includes('/diagnose-'))?.startTime,
+    );
+  await mount(viewer(), size);
+  await expect.poll(startOfCheck).toBeGreaterThan(0);
+  expect(await startOfCheck()).toBeGreaterThan(await page.evaluate(() => window.firstPicture!));
+  await mount(viewer(), { ...size, css: 'phong-viewer { display: none }' });
+  await expect.poll(startOfCheck).toBeGreaterThan(2000);
 });
 
 test('viewers that have a name, need none or are hidden are not reported', async ({

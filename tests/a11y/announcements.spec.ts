@@ -2,8 +2,8 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { opened } from '../element/panel-rows.js';
-import { assign, drag, type PhongViewer } from '../element/support.js';
+import { opened } from '../element/panel/panel-rows.js';
+import { assign, drag, type PhongViewer } from '../element/support/viewer.js';
 
 const scene = (attributes = ''): string =>
   `<phong-viewer alt="A box" geometry="box" theta="30" phi="70" radius="4" ${attributes}>

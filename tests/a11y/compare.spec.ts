@@ -2,7 +2,7 @@
 
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '../support/test.js';
-import { drag, nextFrame } from '../element/support.js';
+import { drag, nextFrame } from '../element/support/viewer.js';
 import { accessibleNodes } from './tree.js';
 
 const css = 'phong-compare { display: block; width: 400px; height: 200px }';

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { nextFrame } from '../element/support.js';
+import { nextFrame } from '../element/support/viewer.js';
 import { contrast, type Rgb, screenshot } from './contrast.js';
 
 /** WCAG 2.2, 1.4.11: parts that are needed to understand a control stand out by this ratio. */

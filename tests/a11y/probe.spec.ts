@@ -3,7 +3,7 @@
 import AxeBuilder from '@axe-core/playwright';
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { assign, nextFrame, type PhongViewer } from '../element/support.js';
+import { assign, nextFrame, type PhongViewer } from '../element/support/viewer.js';
 
 const scene = (attributes = 'probe'): string =>
   `<main><phong-viewer alt="A sphere" geometry="sphere" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>

@@ -2,7 +2,7 @@
 
 import type { Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { assign, type PhongViewer } from '../element/support.js';
+import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { accessibleNode, accessibleNodes } from './tree.js';
 
 const sun = '<phong-light name="sun" position="1 2 3 0"></phong-light>';

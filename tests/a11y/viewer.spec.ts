@@ -2,7 +2,7 @@
 
 import AxeBuilder from '@axe-core/playwright';
 import { expect, test } from '../support/test.js';
-import { cameraOf, type PhongViewer } from '../element/support.js';
+import { cameraOf, type PhongViewer } from '../element/support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const viewer = (attributes = ''): string =>

@@ -83,7 +83,7 @@ function versions() {
   return {
     revision: git('rev-parse', '--short', 'HEAD') + changed,
     three: version('three'),
-    lit: version('@lit/reactive-element'),
+    lit: version('lit'),
     vite: version('vite'),
   };
 }

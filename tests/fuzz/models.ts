@@ -1,6 +1,7 @@
 // Files that claim too much, or are wrong in ways that authors and attackers come by: constructed ones, each about one claim, and real
 // ones with something changed. The same seed gives the same files. Knows nothing about how they are loaded.
 import type { Random } from '../stress/random.js';
+import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, glbOfText, type Json, openGlb, pngWith, viewsOf } from './glb.js';
 
 export interface HostileFile {
@@ -126,11 +127,35 @@ function varint(value: number): Buffer {
   }
 }
 
+/** A skinned, morphed and animated bar, as a GLB whose buffer is a data: URI. */
+export const barGlb = (more: Json = {}): Buffer => glbOf({ ...bar(), ...more });
+
+/** The bar with one accessor that claims `count` elements that are not in the file. */
+export function barClaimsGlb(index: number, count: number, componentType: number, sparse: boolean): Buffer {
+  const accessors = bar()['accessors'] as Json[];
+  const values = { bufferView: 0 };
+  const replaced = {
+    ...accessors[index % accessors.length],
+    ...{ bufferView: undefined, count, componentType },
+    ...(sparse ? { sparse: { count: 1, indices: { bufferView: 0, componentType: 5121 }, values } } : {}),
+  };
+  accessors[index % accessors.length] = replaced;
+  return barGlb({ accessors });
+}
+
 const whole = (random: Random, low: number, high: number): number => Math.floor(random.magnitude(low, high));
 
 type Construct = (random: Random) => HostileFile;
 
 const CONSTRUCTED: readonly Construct[] = [
+  (random) => {
+    const [index, count, componentType] = [whole(random, 1, 15), whole(random, 3, 1e9), random.pick(TYPES)];
+    const sparse = random.chance(0.3);
+    return {
+      what: `a bar whose accessor ${index - 1} claims ${count} of ${componentType}${sparse ? ', sparse' : ''}`,
+      bytes: barClaimsGlb(index - 1, count, componentType, sparse),
+    };
+  },
   (random) => {
     const [count, mode] = [whole(random, 3, 1e9), random.pick([4, 5, 6])];
     return {
@@ -224,11 +249,23 @@ const EXTREMES: readonly unknown[] = [
   ],
 ];
 
-/** A real file with one to four changed values, keys or bytes. */
-function mutated(random: Random, files: readonly Buffer[]): HostileFile {
-  const file = random.pick(files);
-  if (random.chance(0.4)) return changedBytes(random, file);
-  const { json, body } = openGlb(file);
+/** A real file with changes. */
+const mutated = (random: Random, files: readonly Buffer[]): HostileFile =>
+  changed(random, random.pick(files));
+
+/** JSON longer than this is not parsed again: a constructed file of a million values has one change. */
+const PARSED_JSON = 1e6;
+
+/** The file with one to four changed values, keys or bytes. */
+function changed(random: Random, file: Buffer): HostileFile {
+  if (random.chance(0.4) || file.readUInt32LE(12) > PARSED_JSON) return changedBytes(random, file);
+  let opened: ReturnType<typeof openGlb>;
+  try {
+    opened = openGlb(file);
+  } catch {
+    return changedBytes(random, file); // its JSON is broken on purpose
+  }
+  const { json, body } = opened;
   const changes = Array.from({ length: whole(random, 1, 5) }, () => changeValue(random, json));
   return { what: changes.join('; '), bytes: glbOf(json, body) };
 }
@@ -269,7 +306,11 @@ function changeValue(random: Random, root: Json): string {
   }
 }
 
-/** One hostile file: constructed, or made of one of these. */
+/** One hostile file: constructed, made of one of these, or both: two changes can pass where each alone is refused. */
 export function hostileFile(random: Random, files: readonly Buffer[]): HostileFile {
-  return random.chance(0.4) ? random.pick(CONSTRUCTED)(random) : mutated(random, files);
+  if (random.chance(0.6)) return mutated(random, files);
+  const first = random.pick(CONSTRUCTED)(random);
+  if (random.chance(0.4)) return first;
+  const second = changed(random, first.bytes);
+  return { what: `${first.what}; ${second.what}`, bytes: second.bytes };
 }

@@ -1,13 +1,15 @@
 // The averaged lobe and what it is made of, in float32 against float64, with footprints that are given; and with the
 // derivatives of neighbours that may be anything.
 import { add, dot, normalize, scale, subtract, type Vec3, type Vec4 } from '../../src/math/vector.js';
+import { declaredFeatures } from '../../src/light/light-features.js';
 import { emptyPack, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
+import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
 import { BRANCHES } from '../stress/contract.js';
 import { float32, type Random } from '../stress/random.js';
 import type { Check, Numbers } from './chunk-checks.js';
 import { closedAverage, type Sides } from './filtered-lobe.js';
-import { POWER_TO_64_ERROR } from './worst-driver.js';
+import { MILD_POWER_ERROR } from './worst-driver.js';
 
 const f = Math.fround;
 const FILTER = 'FILTER_HIGHLIGHTS';
@@ -53,7 +55,7 @@ const averaged = (
   title,
   defines: [FILTER, ...defines],
   glsl: `${GIVEN}
-  result.x = averagedLobe(e, 1.0 - 0.5 * dot(e, e), a.w, footprintOf(dx, dy, a.w));`,
+  result.x = averagedLobe(e, a.w, footprintOf(dx, dy, a.w));`,
   inputs: (random) => footprints(random, exponent(random)),
   expected(a, b) {
     const { e, sides, n } = given(a, b);
@@ -95,7 +97,7 @@ const LOBES: readonly Check[] = [
     defines: [FILTER],
     glsl: `${SIDES}
       vec3 N = vec3(0.0, 0.0, 1.0);
-      PixelView view = PixelView(specularView(N, b.xyz), dx, dy, vec3(0.0), vec3(0.0), footprintOf(dx, dy, a.w));
+      PixelView view = PixelView(mirroredView(N, b.xyz), dx, dy, vec3(0.0), vec3(0.0), footprintOf(dx, dy, a.w));
       result.x = specularLobe(N, a.xyz, view, a.w);`,
     inputs: lobeInputs,
     expected([x, y, z, n], [u, v, w, side]) {
@@ -112,7 +114,7 @@ const LOBES: readonly Check[] = [
     defines: [FILTER],
     glsl: `${SIDES}
       vec3 N = vec3(0.0, 0.0, 1.0);
-      vec3 W = specularView(N, b.xyz);
+      vec3 W = mirroredView(N, b.xyz);
       PixelView view = PixelView(W, dx, dy, dy, -dx, footprintOf(dx, dy, a.w));
       result.x = specularLobe(N, a.xyz, pixelViewNear(view, a.xyz, 0.5, a.w), a.w);`,
     inputs: lobeInputs,
@@ -195,12 +197,13 @@ function anythingGoes(reflection: 'phong' | 'blinn-phong'): Check {
   const packed = emptyPack();
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   const space = { worldToShading: identity, cameraToShading: identity, linear: false };
-  packLights([lamp([0, 0, 1, 0]), lamp([0, 0, 3, 1]), lamp([1e15, 1e15, 0, 1])], space, packed);
+  const lamps = [lamp([0, 0, 1, 0]), lamp([0, 0, 3, 1]), lamp([1e15, 1e15, 0, 1])];
+  packLights(lamps, space, packed);
   const rows = Array.from({ length: packed.rows }, (_, row) => {
     const four = [...packed.data.subarray(row * 4, row * 4 + 4)];
     return `vec4(${four.map((x) => x.toExponential(9)).join(', ')})`;
   });
-  const facts = ['HAS_SPECULAR', 'HAS_DIRECTIONAL', 'HAS_POINT'];
+  const facts = [`DECLARED_FEATURES ${String(declaredFeatures(lamps))}`];
   return {
     title: `surfaceColor of ${reflection} stays between 0 and what the lights bring, whatever its neighbours are`,
     defines: [FILTER, ...facts, ...(reflection === 'phong' ? [] : ['REFLECTION_BLINN_PHONG'])],
@@ -224,10 +227,10 @@ export const FOOTPRINT_CHECKS: readonly Check[] = [
   ),
   averaged('averagedLobe multiplies a whole exponent out', ['INTEGER_SHININESS 8'], () => 8, 1e-6),
   averaged(
-    'averagedLobe raises a mild exponent without the series',
-    ['SHININESS_TO_64'],
-    (random) => random.magnitude(1, 64),
-    POWER_TO_64_ERROR,
+    'averagedLobe raises a mild exponent from the chord, without the series',
+    ['SHININESS_IS_MILD'],
+    (random) => random.magnitude(1, LARGEST_MILD_POWER),
+    MILD_POWER_ERROR,
   ),
   {
     title: 'turning is the sine that a unit vector turns by, of at most 1',

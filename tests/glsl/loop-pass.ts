@@ -1,8 +1,13 @@
-// The whole shipped light loop on stress cases: one fragment a texel, each with lights of its own, packed by the shipped
-// packing. Only where the rows lie is the harness's own.
+// The whole shipped light loop on stress cases, in any form of program: one fragment a texel, each with lights of its own,
+// packed by the shipped packing. Only where rows and feature masks lie is the harness's own.
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
+import type { LoopForm } from './loop-forms.js';
 import { type Driver, onDriver, spoiledBy } from './worst-driver.js';
+import { kindFeatures } from '../../src/light/kind-features.js';
+import { KINDS } from '../../src/light/light-features.js';
+import { GRID, HEADER, ROWS } from '../../src/light/light-layout.js';
+import type { PackedLights } from '../../src/light/pack-lights.js';
 import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode } from '../../src/math/color.js';
 import type { Surface } from '../../src/reference/equation.js';
@@ -14,64 +19,49 @@ const INPUTS = ['place', 'side', 'seer', 'ka', 'kd', 'ks', 'matrix0', 'matrix1',
 const ROWS_WIDTH_LOG2 = 11;
 const CASES_WIDTH = 256;
 
+/** Rows, masks and whatever else a shipped program has as literals, of the case at hand. */
 const OWN_ROWS = `
 uniform sampler2D u_rows;
 int firstRow;
+int firstMask;
+int integerShininess;
 vec4 lightRow(int i) {
   int at = firstRow + i;
   return texelFetch(u_rows, ivec2(at & ${String((1 << ROWS_WIDTH_LOG2) - 1)}, at >> ${String(ROWS_WIDTH_LOG2)}), 0);
 }
+int maskOf(int i) { return int(lightRow(firstMask + i).x); }
 `;
 
-/** All code that lights may need: `HAS_` and these. */
-export const FACTS = [
-  'AMBIENT',
-  'DIFFUSE',
-  'SPECULAR',
-  'DIRECTIONAL',
-  'POINT',
-  'SPOT',
-  'ATTENUATION',
-  'CONE',
-  'DECAY',
-];
-
-function loopSource({ reflection, linear }: Variant, driver: Driver, edit: Edit | null): string {
+function loopSource(defines: readonly string[], driver: Driver, edit: Edit | null): string {
   const text = edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit);
-  const defines = [
-    'LIGHT_STORAGE STORAGE_OWN',
-    ...FACTS.map((fact) => `HAS_${fact}`),
-    ...(reflection === 'blinn-phong' ? ['REFLECTION_BLINN_PHONG'] : []),
-    ...(linear ? ['IS_LINEAR'] : []),
-  ];
   return `${defines.map((define) => `#define ${define}`).join('\n')}\n${OWN_ROWS}\n${onDriver(text, driver)}`;
 }
 
-// As phong.vert and phong.frag do it.
+// As phong.vert and phong.frag do it. Linear light is a flag of the case: IS_LINEAR changes nothing before the last line.
 const MAIN = `
   firstRow = int(side.w);
+  firstMask = int(seer.w);
+  integerShininess = int(place.w);
   mat3 normalMatrix = mat3(matrix0.xyz, matrix1.xyz, matrix2.xyz);
   vec3 normal = matrix0.w == 0.0 ? side.xyz : unitOrZero(normalMatrix * side.xyz);
   vec3 color = surfaceColor(place.xyz, normal, seer.xyz, ka.xyz, kd.xyz, ks.xyz, place.w);
-#ifdef IS_LINEAR
-  color = srgbEncode(color);
-#endif
+  if (ka.w != 0.0) color = srgbEncode(color);
   result = vec4(color, 1.0);
   shown = vec4(nearestCode(color), 1.0);`;
 
+/** One program's text, for any cases that it draws. */
 export class LoopPass {
   readonly #pass: FloatPass;
-  readonly #variant: Variant;
 
+  /** @param defines - of a {@link LoopProgram} */
   constructor(
     gl: WebGL2RenderingContext,
-    variant: Variant,
+    defines: readonly string[],
     driver: Driver = 'shipped',
     edit: Edit | null = null,
   ) {
-    this.#variant = variant;
     this.#pass = new FloatPass(gl, {
-      glsl: loopSource(variant, driver, edit),
+      glsl: loopSource(defines, driver, edit),
       inputs: INPUTS,
       textures: ['u_rows'],
       main: MAIN + spoiledBy(driver),
@@ -79,36 +69,42 @@ export class LoopPass {
   }
 
   /** Four floats and four codes per case, in order, and a few texels of padding. */
-  run(cases: readonly StressCase[]): PassResult {
+  run(form: LoopForm, variant: Variant, cases: readonly StressCase[]): PassResult {
     const height = Math.ceil(cases.length / CASES_WIDTH);
     const inputs = INPUTS.map(() => new Float32Array(CASES_WIDTH * height * 4));
-    const rows = new RowStore();
-    cases.forEach((stress, i) => this.#write(stress, i * 4, inputs, rows));
+    const rows = new RowStore(form, variant);
+    cases.forEach((stress, i) => writeCase(stress, i * 4, inputs, rows, variant));
     return this.#pass.run([...inputs.map((data) => ({ data, width: CASES_WIDTH })), rows.texture()]);
   }
 
   dispose(): void {
     this.#pass.dispose();
   }
+}
 
-  #write(stress: StressCase, at: number, inputs: readonly Float32Array[], rows: RowStore): void {
-    const { p, eye, normal, normalMatrix, surface } = stress;
-    const material = surfaceUniforms(surface, this.#variant.linear);
-    const first = rows.add(stress, this.#variant);
-    const m = normalMatrix;
-    const values = [
-      [...p, material.shininess],
-      [...normal, first],
-      eye,
-      material.ka,
-      material.kd,
-      material.ks,
-      m === undefined ? [] : [m[0]!, m[1]!, m[2]!, 1],
-      m === undefined ? [] : m.slice(3, 6),
-      m === undefined ? [] : m.slice(6, 9),
-    ];
-    values.forEach((texel, k) => inputs[k]!.set(texel, at));
-  }
+function writeCase(
+  stress: StressCase,
+  at: number,
+  inputs: readonly Float32Array[],
+  rows: RowStore,
+  { linear }: Variant,
+): void {
+  const { p, eye, normal, normalMatrix, surface } = stress;
+  const material = surfaceUniforms(surface, linear);
+  const { first, masks } = rows.add(stress);
+  const m = normalMatrix;
+  const values = [
+    [...p, material.shininess],
+    [...normal, first],
+    [...eye, masks],
+    [...material.ka, linear ? 1 : 0],
+    material.kd,
+    material.ks,
+    m === undefined ? [] : [m[0]!, m[1]!, m[2]!, 1],
+    m === undefined ? [] : m.slice(3, 6),
+    m === undefined ? [] : m.slice(6, 9),
+  ];
+  values.forEach((texel, k) => inputs[k]!.set(texel, at));
 }
 
 /** Ka, Kd and Ks as the material sends them. */
@@ -117,27 +113,41 @@ function surfaceUniforms({ ka, kd, ks, shininess }: Surface, linear: boolean) {
   return { ka: ka.map(channel), kd: kd.map(channel), ks: ks.map(channel), shininess };
 }
 
-/** Packed lights of all cases one after another; those of cases that share their lights once. */
+/** Where a case's rows begin, and its masks relative to them. */
+interface Place {
+  readonly first: number;
+  readonly masks: number;
+}
+
+/** Packed lights of all cases one after another, each with its masks; those of cases that share their lights once. */
 class RowStore {
+  readonly #form: LoopForm;
+  readonly #variant: Variant;
   #data = new Float32Array(1 << 16);
   #used = 0;
-  #last: { lights: StressCase['lights']; origin: StressCase['origin']; first: number } | null = null;
+  #last: { lights: StressCase['lights']; origin: StressCase['origin']; place: Place } | null = null;
 
-  add(stress: StressCase, variant: Variant): number {
+  constructor(form: LoopForm, variant: Variant) {
+    this.#form = form;
+    this.#variant = variant;
+  }
+
+  add(stress: StressCase): Place {
     const last = this.#last;
-    if (last?.lights === stress.lights && last.origin === stress.origin) return last.first;
-    const { data, rows } = pack(stress, variant);
-    const first = this.#used;
-    const end = (first + rows) * 4;
-    if (end > this.#data.length) {
-      const grown = new Float32Array(Math.max(end, this.#data.length * 2));
-      grown.set(this.#data);
-      this.#data = grown;
-    }
-    this.#data.set(data.subarray(0, rows * 4), first * 4);
-    this.#used += rows;
-    this.#last = { lights: stress.lights, origin: stress.origin, first };
-    return first;
+    if (last?.lights === stress.lights && last.origin === stress.origin) return last.place;
+    const packed = pack(stress, this.#variant);
+    const lights = packed.data.subarray(0, packed.rows * 4);
+    const grid = this.#form === 'grid' ? oneCell(packed) : [];
+    const masks = masksOf(this.#form, packed).flatMap((mask) => [mask, 0, 0, 0]);
+    const place = { first: this.#used, masks: packed.rows + grid.length / 4 };
+    const at = this.#used * 4;
+    this.#reserve(at + lights.length + grid.length + masks.length);
+    this.#data.set(lights, at);
+    if (grid.length > 0) this.#data[at + HEADER.counts * 4 + 3] = packed.rows;
+    this.#data.set([...grid, ...masks], at + lights.length);
+    this.#used += (lights.length + grid.length + masks.length) / 4;
+    this.#last = { lights: stress.lights, origin: stress.origin, place };
+    return place;
   }
 
   texture(): { data: Float32Array; width: number } {
@@ -147,4 +157,31 @@ class RowStore {
     data.set(this.#data.subarray(0, Math.min(this.#data.length, data.length)));
     return { data, width };
   }
+
+  #reserve(floats: number): void {
+    if (floats <= this.#data.length) return;
+    const grown = new Float32Array(Math.max(floats, this.#data.length * 2));
+    grown.set(this.#data);
+    this.#data = grown;
+  }
+}
+
+/** The feature masks that a specialised program of this form has as literals: of each light, or of each kind in a grid. */
+function masksOf(form: LoopForm, packed: PackedLights): number[] {
+  if (form === 'general') return [];
+  if (form === 'inlined') return [...packed.features.subarray(0, packed.sent)];
+  const ofKind = kindFeatures(packed);
+  if (form === 'grid') return KINDS.map((kind) => ofKind[kind]);
+  return KINDS.flatMap((kind) => Array.from({ length: packed.counts[kind] }, () => ofKind[kind]));
+}
+
+/** A light grid of one cell that lists every spot: {@link GRID}. Which lights a cell lists is for the check of real grids. */
+function oneCell({ rows, counts }: PackedLights): number[] {
+  const firstSpot = HEADER.rows + counts.directional * ROWS.directional.rows + counts.point * ROWS.point.rows;
+  const list = Array.from({ length: counts.spot }, (_, i) => firstSpot + i * ROWS.spot.rows);
+  while (list.length % 4 > 0) list.push(0);
+  const cell = rows + GRID.rows;
+  const grid: number[] = [];
+  grid.push(0, 0, 0, cell, 1, 1, 1, cell + 1, 1, 1, 1, 0);
+  return [...grid, 0, counts.spot, 0, 0, ...list];
 }

@@ -1,16 +1,17 @@
 // What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and inlined lights.
 // Also the lobes that a program with a known exponent has. Each against the same law in float64.
-import { declareFeatures, noFeatures } from '../../src/light/light-features.js';
+import { declaredFeatures } from '../../src/light/light-features.js';
+import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
-import { PLAIN_LOOK } from '../../src/material/phong-material.js';
+import { PLAIN_LOOK } from '../../src/material/base-look.js';
 import { type Form, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
 import { DEFAULT_STYLE, type Reflection, type Term, TERMS } from '../../src/material/shading-style.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Surface } from '../../src/reference/equation.js';
 import { float32, Random } from '../stress/random.js';
 import type { Check } from './chunk-checks.js';
-import { POWER_TO_64_ERROR } from './worst-driver.js';
+import { MILD_POWER_ERROR } from './worst-driver.js';
 
 /** L of a light in front, and V anywhere, exactly opposite L and zero among them. */
 function lobeInputs(random: Random): readonly [number[], number[]] {
@@ -57,7 +58,7 @@ const lobe = (
 });
 
 const LOBES: readonly Check[] = [
-  ...['SHININESS_TO_64', 'INTEGER_SHININESS 8', 'ANY_SHININESS'].map((define) => ({
+  ...['SHININESS_IS_MILD', 'INTEGER_SHININESS 8', 'ANY_SHININESS'].map((define) => ({
     ...lobe(
       [define, 'REFLECTION_BLINN_PHONG'],
       `specularLobe makes no half vector of what rounding leaves of L + V (${define})`,
@@ -79,28 +80,30 @@ const LOBES: readonly Check[] = [
     5e-6,
   ),
   lobe(
-    ['SHININESS_TO_64', 'REFLECTION_BLINN_PHONG'],
-    'specularLobe raises Blinn’s exponent to 64 without the series',
+    ['SHININESS_IS_MILD', 'REFLECTION_BLINN_PHONG'],
+    'specularLobe raises Blinn’s mild exponent without the series',
     blinn,
     2e-5,
   ),
   lobe(
-    ['SHININESS_TO_64'],
-    'specularLobe raises an exponent to 64 without the series',
+    ['SHININESS_IS_MILD'],
+    'specularLobe raises a mild exponent without the series',
     ([x, y, z], V) => [Math.max(dot([-x!, -y!, z!], V as unknown as Vec3), 0) ** 8],
     2e-5,
   ),
   {
-    title: 'powTo64 keeps x^k to the error of log2 for exponents to 64, 0^k = 0 and x^0 = 1',
-    glsl: 'result.x = powTo64(a.x, a.y);',
+    title: 'powMild keeps x^k to the error of log2, 0^k = 0 and x^0 = 1',
+    glsl: 'result.x = powMild(a.x, a.y);',
     inputs: (random) => [
       [
         Math.fround(random.pick([0, 1, random.from(0, 1), 1 - random.magnitude(1e-7, 0.1)])),
-        Math.fround(random.pick([0, 1e-7, 0.01, 64, random.magnitude(1e-6, 64)])),
+        Math.fround(
+          random.pick([0, 1e-7, 0.01, LARGEST_MILD_POWER, random.magnitude(1e-6, LARGEST_MILD_POWER)]),
+        ),
       ],
     ],
     expected: ([x, k]) => [k! < 1e-6 ? 1 : x! ** k!],
-    bound: POWER_TO_64_ERROR,
+    bound: MILD_POWER_ERROR,
     floor: 1,
   },
 ];
@@ -185,15 +188,13 @@ export function programOf(
   packed: PackedLights,
   { terms = TERMS, reflection = 'phong', integerShininess = true }: SumsOptions = {},
 ): Pick<Check, 'defines' | 'rows' | 'table'> {
-  const declared = noFeatures();
-  for (const one of lights) declareFeatures(one, declared);
   const general = generalVariant(
     {
       look: PLAIN_LOOK,
       style: { ...DEFAULT_STYLE, reflection, terms: form === 'general' ? terms : TERMS },
-      ...{ linear: false, shininessTo64: true },
+      ...{ linear: false, mildShininess: true },
     },
-    declared,
+    declaredFeatures(lights),
     0,
   );
   const material = { terms, integerShininess: integerShininess ? SURFACE.shininess : null };
@@ -238,10 +239,10 @@ export function isAtEdge({ position, axis, aperture }: LightValues, p: Vec3): bo
   return Math.abs(Math.acos(c) - (aperture * Math.PI) / 180) < 1e-4;
 }
 
-/** No cone or decay is steep, so that cosines do: SPOTS_ARE_GENTLE in the general program. */
+/** No cone or decay is steep, so that cosines do: the general program has no chords. */
 const isGentle = ({ aperture, cutoff }: LightValues): boolean =>
   (aperture === 180 || (aperture >= 15 && aperture <= 165)) &&
-  (cutoff === 0 || (cutoff >= 1 && cutoff <= 64));
+  (cutoff === 0 || (cutoff >= 1 && cutoff <= LARGEST_MILD_POWER));
 
 const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
 

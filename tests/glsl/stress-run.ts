@@ -1,16 +1,18 @@
-// A stress run in this browser: every category, so many cases each, from one seed, on one driver.
+// A stress run in this browser: every category in every form of program, so many cases each, from one seed, on one driver.
 import type { Category } from '../stress/category.js';
 import { CATEGORIES } from '../stress/categories.js';
-import { type Measured, measureBatch, nothingMeasured } from '../stress/measure.js';
+import { type Judged, judged, type Measured, measureBatch, nothingMeasured } from '../stress/measure.js';
 import type { Variant } from '../stress/case.js';
 import { partSeed, Random } from '../stress/random.js';
 import type { Edit } from './edit.js';
+import type { PassResult } from './float-pass.js';
+import { type LoopProgram, programsFor } from './loop-forms.js';
 import { LoopPass } from './loop-pass.js';
 import type { Driver } from './worst-driver.js';
 
 export interface RunOptions {
   readonly seed: number;
-  /** Fragments in all, shared by the categories alike; those with many lights take fewer. */
+  /** Fragments in all programs together, shared by the categories alike; those with many lights take fewer. */
   readonly cases: number;
   readonly driver: Driver;
   readonly edit?: Edit | null;
@@ -20,33 +22,40 @@ export interface RunOptions {
 }
 
 /** Few enough that a batch is done between two frames of a browser in most cases. */
-const BATCH = 1 << 14;
+const BATCH = 1 << 12;
+
+/** Of every category, however many lights it has: of two cases both may lie beside a branch point. */
+const LEAST_CASES = 8;
+
+/** At least so many programs draw a case, each a fragment: see {@link programsFor}. */
+const PROGRAMS_A_CASE = 4;
 
 export async function stressRun(
   gl: WebGL2RenderingContext,
   { seed, cases, driver, edit = null, only = [], progress }: RunOptions,
 ): Promise<Measured[]> {
   const chosen = CATEGORIES.filter(({ id }) => only.length === 0 || only.includes(id));
-  const passes = new Map<Variant, LoopPass>();
-  const passFor = (variant: Variant): LoopPass => {
-    const present = passes.get(variant) ?? new LoopPass(gl, variant, driver, edit);
-    passes.set(variant, present);
-    return present;
-  };
+  const passes = new Passes(gl, driver, edit);
   // Where many lights make a case, the share of the work is what counts.
   const weight = ({ lights = 1 }: Category): number => 1 / Math.max(1, lights / 8);
-  const each = cases / chosen.reduce((sum, category) => sum + weight(category), 0);
+  const each = cases / PROGRAMS_A_CASE / chosen.reduce((sum, category) => sum + weight(category), 0);
   const results: Measured[] = [];
   for (const category of chosen) {
     const measured = nothingMeasured(category);
     const { variants } = category;
-    const wanted = Math.ceil((each * weight(category)) / variants.length);
+    const wanted = Math.max(
+      Math.min(cases, LEAST_CASES),
+      Math.ceil((each * weight(category)) / variants.length),
+    );
     for (const [v, variant] of variants.entries()) {
       for (let done = 0, batch = 0; done < wanted; batch++) {
         const random = new Random(partSeed(seed, `${category.id} ${v} ${batch}`));
         const count = Math.min(BATCH, wanted - done);
-        const list = Array.from({ length: count }, () => category.make(random, variant));
-        measureBatch(measured, category, variant, list, passFor(variant).run(list));
+        const list = Array.from({ length: count }, () => judged(category.make(random, variant), variant));
+        for (const [program, part] of byProgram(list, variant)) {
+          const result = passes.run(program, variant, part);
+          measureBatch(measured, category, program.name, part, result);
+        }
         done += count;
         progress?.((results.length + (v + done / wanted) / variants.length) / chosen.length, category.id);
         await new Promise((resolve) => setTimeout(resolve));
@@ -54,6 +63,48 @@ export async function stressRun(
     }
     results.push(measured);
   }
-  for (const pass of passes.values()) pass.dispose();
+  passes.dispose();
   return results;
+}
+
+/** The cases of each program; a case is drawn by several. */
+function byProgram(list: readonly Judged[], variant: Variant): Map<LoopProgram, Judged[]> {
+  const parts = new Map<LoopProgram, Judged[]>();
+  for (const one of list) {
+    for (const program of programsFor(one.stress, variant)) {
+      const part = parts.get(program);
+      if (part === undefined) parts.set(program, [one]);
+      else part.push(one);
+    }
+  }
+  return parts;
+}
+
+/** Programs by their text: forms that differ in their masks alone share one. */
+class Passes {
+  readonly #gl: WebGL2RenderingContext;
+  readonly #driver: Driver;
+  readonly #edit: Edit | null;
+  readonly #made = new Map<string, LoopPass>();
+
+  constructor(gl: WebGL2RenderingContext, driver: Driver, edit: Edit | null) {
+    this.#gl = gl;
+    this.#driver = driver;
+    this.#edit = edit;
+  }
+
+  run({ defines, form }: LoopProgram, variant: Variant, part: readonly Judged[]): PassResult {
+    const key = defines.join();
+    const pass = this.#made.get(key) ?? new LoopPass(this.#gl, defines, this.#driver, this.#edit);
+    this.#made.set(key, pass);
+    return pass.run(
+      form,
+      variant,
+      part.map(({ stress }) => stress),
+    );
+  }
+
+  dispose(): void {
+    for (const pass of this.#made.values()) pass.dispose();
+  }
 }

@@ -11,7 +11,8 @@ import type * as angle from '../../src/math/angle.js';
 import type * as color from '../../src/math/color.js';
 import type * as vector from '../../src/math/vector.js';
 import type * as equation from '../../src/reference/equation.js';
-import type * as linkedUrls from '../../src/scene/model/linked-url.js';
+import type * as linkedUrls from '../../src/model/linked-url.js';
+import type * as nearDepth from '../../src/scene/near-depth.js';
 import type * as sampling from '../../src/scene/snapshot/sample.js';
 
 export interface Guard {
@@ -121,6 +122,9 @@ export const GUARDS: readonly Guard[] = [
       return range;
     },
   })),
+  guard<typeof nearDepth>('nothing in view is cut', 'scene/near-depth', 'near-depth', () => ({
+    nearestDepth: (_root, _view, limit) => limit,
+  })),
   guard<typeof step>(
     'many small wheel turns zoom as far as one large one',
     'camera/step',
@@ -155,7 +159,7 @@ export const GUARDS: readonly Guard[] = [
   ),
   guard<typeof linkedUrls>(
     'a model’s files come from its own folder',
-    'scene/model/linked-url',
+    'model/linked-url',
     'model-sources',
     () => ({
       linkedUrl: (uri, model) => new URL(uri, model),

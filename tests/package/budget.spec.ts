@@ -5,7 +5,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { allReady, expect, test } from '../support/test.js';
-import { nextFrame } from '../element/support.js';
+import { nextFrame } from '../element/support/viewer.js';
 import { bundleOf } from './bundle.js';
 import { brotliSize, Requests, sentSize, usages } from './requests.js';
 
@@ -16,7 +16,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 113_920, modules: 49_152 } as const;
+const budgets = { standalone: 123_392, modules: 56_064 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -29,7 +29,9 @@ for (const usage of ['standalone', 'modules'] as const) {
     await allReady(page);
     await nextFrame(page);
     const fetched = requests.take();
-    expect(fetched).toEqual([usage === 'standalone' ? 'phong-viewer.standalone.js' : 'index.js']);
+    expect(fetched.sort()).toEqual(
+      usage === 'standalone' ? ['phong-viewer.standalone.js'] : ['index.js', 'trusted-types.js'],
+    );
     const bytes = sentSize(fetched);
     expect(bytes).toBeLessThanOrEqual(budgets[usage]);
     // A budget far above the real size would let new code in unnoticed.
@@ -46,21 +48,21 @@ test('the standalone file is about as large as a bundle of plain three.js with i
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.07. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.07);
+  // Measured: 1.154. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.16);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 166 kB, because bundlers keep three.js's shader chunks, and 114 kB.
-  expect(await bundled('index.js')).toBeLessThan(166_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(115_000);
+  // Measured: 174.9 kB, because bundlers keep three.js's shader chunks, and about 123 kB.
+  expect(await bundled('index.js')).toBeLessThan(176_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(124_500);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 304 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(305_000);
+  // Measured: 315.8 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(316_000);
 });
 
 test("the React components add little to the elements' own code", () => {

@@ -1,7 +1,7 @@
 // Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel fails, and messages give the reason.
 import type { Locator } from '@playwright/test';
-import { expect, settled, snapshot } from 'phong-viewer/playwright';
-import type { PhongViewer } from '../element/support.js';
+import { expect, settled, snapshot } from '../support/built-playwright.js';
+import type { PhongViewer } from '../element/support/viewer.js';
 import { test } from '../support/test.js';
 
 const SIZE = { width: 150, height: 100 };

@@ -2,15 +2,19 @@
 // One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check
 // says otherwise.
 import { expect } from '@playwright/test';
+import { inPageModule } from '../../.ci/in-page.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
-import { judgeInPage } from '../../src/playwright/judge-in-page.js';
-import { settleInPage } from '../../src/playwright/settle-in-page.js';
+import type * as InPage from '../../src/playwright/in-page.js';
 import { codesOff } from '../../src/playwright/subpixel.js';
-import type { PhongViewer } from '../element/support.js';
+import type { PhongViewer } from '../element/support/viewer.js';
 import { decodePng } from '../support/picture.js';
 import { named, wasmPolicy } from '../support/site.js';
 import { randomScene, sceneMarkup } from '../visual/random-scene.js';
 import type { Tab } from './tabs.js';
+
+const { judgeInPage, settleInPage } = (await import(
+  `data:text/javascript,${encodeURIComponent(await inPageModule())}`
+)) as typeof InPage;
 
 export interface Check {
   readonly title: string;

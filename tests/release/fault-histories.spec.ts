@@ -1,7 +1,7 @@
-// The long form of element/fault-histories.spec.ts: more and longer histories, with pictures of 9000 × 9000 pixels.
+// The long form of element/faults/fault-histories.spec.ts: more and longer histories, with pictures of 9000 × 9000 pixels.
 
-import { expectRecovery } from '../element/fault-history.js';
-import { seedsFrom } from '../element/history.js';
+import { expectRecovery } from '../element/faults/fault-history.js';
+import { seedsFrom } from '../element/histories/history.js';
 import { test } from '../support/test.js';
 
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);

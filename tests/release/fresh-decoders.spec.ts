@@ -7,7 +7,7 @@ import { fileURLToPath } from 'node:url';
 import type { Page } from '@playwright/test';
 import { startSite } from '../support/site.js';
 import { expect, test } from '../support/test.js';
-import type { PhongViewer } from '../element/support.js';
+import type { PhongViewer } from '../element/support/viewer.js';
 import { freshProject, type FreshProject } from './fresh-project.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -16,8 +16,15 @@ const body =
   '<script type="module" src="./main.js"></script>' +
   '<phong-viewer alt="A bunny" src="bunny.glb"></phong-viewer><phong-viewer alt="A picture" src="ktx2.glb"></phong-viewer>';
 
-/** Whether the models are shown, and how many workers are there for them. */
-async function show(page: Page, address: string): Promise<{ loaded: readonly boolean[]; workers: number }> {
+interface Shown {
+  readonly loaded: readonly boolean[];
+  /** How many workers are there for the models, and whether Draco's found its WebAssembly. */
+  readonly workers: number;
+  readonly wasm: boolean;
+}
+
+/** Whether the models are shown, and where they were unpacked. */
+async function show(page: Page, address: string): Promise<Shown> {
   await page.goto(address);
   const loaded = await page.evaluate(async () => {
     await customElements.whenDefined('phong-viewer');
@@ -25,7 +32,8 @@ async function show(page: Page, address: string): Promise<{ loaded: readonly boo
     await Promise.all(viewers.map((viewer) => viewer.ready));
     return viewers.map((viewer) => viewer.loaded);
   });
-  return { loaded, workers: page.workers().length };
+  const urls = page.workers().map((worker) => worker.url());
+  return { loaded, workers: urls.length, wasm: urls.some((url) => url.includes('draco-wasm')) };
 }
 
 test.describe('the decoders of the packed tarball @release', () => {
@@ -47,7 +55,7 @@ test.describe('the decoders of the packed tarball @release', () => {
     const site = await startSite({ '/': project.build(body) }, '');
     const shown = await show(page, `${site.origin}/`);
     await site.close();
-    expect(shown).toEqual({ loaded: [true, true], workers: 2 });
+    expect(shown).toEqual({ loaded: [true, true], workers: 2, wasm: true });
   });
 
   test("run in Vite's development server", async ({ page, consoleGuard }) => {
@@ -62,7 +70,7 @@ test.describe('the decoders of the packed tarball @release', () => {
     const server = await project.serve('../serve.js', []);
     const shown = await show(page, `${server.origin}/`);
     server.stop();
-    expect(shown).toEqual({ loaded: [true, true], workers: 2 });
+    expect(shown).toEqual({ loaded: [true, true], workers: 2, wasm: true });
   });
 
   test('run in workers that webpack built', async ({ page, consoleGuard }) => {
@@ -76,7 +84,7 @@ test.describe('the decoders of the packed tarball @release', () => {
     const site = await startSite({ '/': join(project.folder, 'public') }, '');
     const shown = await show(page, `${site.origin}/`);
     await site.close();
-    expect(shown).toEqual({ loaded: [true, true], workers: 2 });
+    expect(shown).toEqual({ loaded: [true, true], workers: 2, wasm: true });
   });
 
   test('run on the main thread where Rollup left the workers out, but for KTX2', async ({
@@ -92,6 +100,6 @@ test.describe('the decoders of the packed tarball @release', () => {
     const shown = await show(page, `${site.origin}/`);
     await site.close();
     // The transcoder's WebAssembly is left out too.
-    expect(shown).toEqual({ loaded: [true, false], workers: 0 });
+    expect(shown).toEqual({ loaded: [true, false], workers: 0, wasm: false });
   });
 });

@@ -1,4 +1,4 @@
-// The long form of tests/element/fuzz-models.spec.ts: 2,400 hostile models.
+// The long form of tests/element/models/fuzz-models.spec.ts: 2,400 hostile models.
 import { fuzzModels } from '../fuzz/model-run.js';
 import { test } from '../support/test.js';
 
@@ -9,8 +9,9 @@ for (let seed = FIRST; seed < FIRST + 6; seed++) {
     browser,
     page,
     mount,
+    consoleGuard,
   }) => {
     test.setTimeout(1_800_000);
-    await fuzzModels(browser, page, mount, { seed, count: 400 });
+    await fuzzModels(browser, page, mount, { seed, count: 400, consoleGuard });
   });
 }

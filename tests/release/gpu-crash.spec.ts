@@ -3,7 +3,7 @@
 import { chromium } from '@playwright/test';
 import { findBrowser, softwareGl } from '../../.ci/browser.mjs';
 import { compare, expect, pixels, test, type Picture } from '../support/test.js';
-import type { PhongViewer } from '../element/support.js';
+import type { PhongViewer } from '../element/support/viewer.js';
 
 const light = '<phong-light position="1 2 3 0"></phong-light>';
 const scenes = ['geometry="box"', 'geometry="sphere" ka="0"'].map(

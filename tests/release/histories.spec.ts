@@ -1,6 +1,6 @@
-// The long form of element/histories.spec.ts: more and longer histories.
+// The long form of element/histories/histories.spec.ts: more and longer histories.
 
-import { expectAsNew, seedsFrom } from '../element/history.js';
+import { expectAsNew, seedsFrom } from '../element/histories/history.js';
 import { test } from '../support/test.js';
 
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);

@@ -1,9 +1,9 @@
-// The long forms of visual/skipping.spec.ts and element/programs.spec.ts: more scenes, longer walks.
+// The long forms of visual/skipping.spec.ts and element/frames/programs.spec.ts: more scenes, longer walks.
 
 import { expect, pixels, test } from '../support/test.js';
-import { logGl } from '../element/gl-log.js';
-import { expectFewPrograms } from '../element/program-walk.js';
-import type { PhongViewer } from '../element/support.js';
+import { logGl } from '../element/support/gl-log.js';
+import { expectFewPrograms } from '../element/frames/program-walk.js';
+import type { PhongViewer } from '../element/support/viewer.js';
 import { betweenPrograms, DifferenceSum, picturesBy } from '../visual/between-programs.js';
 import { compareRandomScenes, SIZE } from '../visual/program-scenes.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from '../visual/random-scene.js';

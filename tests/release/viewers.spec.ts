@@ -1,9 +1,9 @@
-// The long forms of element/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page, a long scroll, a thousand that come and go.
+// The long forms of element/page/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page, a long scroll, a thousand that come and go.
 
 import { expect, test } from '../support/test.js';
-import { countEverything, countsOf, NOTHING, spentIn } from '../element/counting.js';
-import { comeAndGo, holdContext, Ledger, loseAndRestore, redsShown, reddening, scrollThrough } from '../element/many-viewers.js'; // prettier-ignore
-import { nextFrame, type PhongViewer } from '../element/support.js';
+import { countEverything, countsOf, NOTHING, spentIn } from '../element/support/counting.js';
+import { comeAndGo, holdContext, Ledger, loseAndRestore, redsShown, reddening, scrollThrough } from '../element/page/many-viewers.js'; // prettier-ignore
+import { nextFrame, type PhongViewer } from '../element/support/viewer.js';
 
 const small = { width: 60, height: 40, css: 'phong-viewer { float: left }' };
 

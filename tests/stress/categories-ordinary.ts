@@ -1,11 +1,12 @@
 // Scenes as people write them, and the same pushed to the ends of what their attributes can hold.
 import type { LightValues } from '../../src/light/light-state.js';
-import { add, scale, subtract, type Vec3 } from '../../src/math/vector.js';
-import { lightWith, type StressCase } from './case.js';
+import { add, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';
+import { lightWith, type StressCase, type Variant } from './case.js';
 import { BOTH, type Category, LINEAR } from './category.js';
 import { BOUNDS } from './contract.js';
 import {
   anyLight,
+  chordAngle,
   colors,
   direction,
   highlight,
@@ -36,6 +37,23 @@ function inCamera(light: LightValues, eye: Vec3): LightValues {
   const [x, y, z, w] = light.position;
   const from: Vec3 = w === 1 ? subtract([x, y, z], eye) : [x, y, z];
   return { ...light, space: 'camera', position: [...from, w] };
+}
+
+/** Exponents as most scenes have them, whole ones among them. */
+const mildExponent = (random: Random): number =>
+  random.chance(0.5) ? random.from(1, 64) : Math.ceil(random.from(0, 64));
+
+/** In and around a highlight, under a spot near its axis: the errors of both powers add up. */
+function mildPowers(random: Random, variant: Variant): StressCase {
+  const stress = highlight(random, mildExponent(random), variant);
+  const light = stress.lights[0]!;
+  if (light.position[3] === 0) return stress;
+  const cutoff = mildExponent(random);
+  const [x, y, z] = light.position;
+  const toFragment = normalize(subtract(stress.p, [x, y, z]));
+  const axis = random.around(toFragment, chordAngle((2 * random.magnitude(1e-3, 30)) / cutoff));
+  const aperture = random.chance(0.5) ? 180 : random.from(15, 165);
+  return { ...stress, lights: [{ ...light, axis, aperture, cutoff }] };
 }
 
 /** Light that grazes the surface: NoL from −1e-2 to 1e-2. */
@@ -144,6 +162,13 @@ export const ordinaryCategories: readonly Category[] = [
     bound: BOUNDS.shininess1e6,
     variants: BOTH,
     make: (random, variant) => highlight(random, random.magnitude(1e5, 1e6), variant),
+  },
+  {
+    id: 'mild-powers',
+    title: 'shininess and cutoff from 1 to 64 at once, in and around the highlight, near the axis',
+    bound: BOUNDS.generic,
+    variants: BOTH,
+    make: mildPowers,
   },
   {
     id: 'grazing',

@@ -1,4 +1,5 @@
 // Are the adversarial cases valid: within the attributes' domains, the same for the same seed, and float32 for the shader?
+import { serialize } from 'node:v8';
 import { describe, expect, it } from 'vitest';
 import { SURFACE_FIELDS } from '../../src/material/material-values.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
@@ -25,15 +26,14 @@ describe('the adversarial categories', () => {
     const count = lights > 64 ? 2 : 50;
 
     it('hold only values within the attributes’ domains', () => {
+      // Fields throw at values outside of their domains. One expectation for each value took most of the time.
       for (const { lights: declared, surface } of cases(make, variants[0]!, count)) {
         for (const light of declared) {
-          for (const [key, field] of Object.entries(LIGHT_FIELDS)) {
-            expect(() => field.check(light[key as keyof typeof light])).not.toThrow();
-          }
+          for (const [key, field] of Object.entries(LIGHT_FIELDS))
+            field.check(light[key as keyof typeof light]);
         }
-        for (const [key, field] of Object.entries(SURFACE_FIELDS)) {
-          expect(() => field.check(surface[key as keyof typeof surface])).not.toThrow();
-        }
+        for (const [key, field] of Object.entries(SURFACE_FIELDS))
+          field.check(surface[key as keyof typeof surface]);
       }
     });
 
@@ -48,7 +48,8 @@ describe('the adversarial categories', () => {
 
     it('are reproducible by their seed', () => {
       const [first, second] = [0, 1].map(() => cases(make, variants[0]!, 3));
-      expect(first).toStrictEqual(second);
+      // Bytes, in which -0 and NaN count too, are quicker than a walk through thousands of lights.
+      expect(serialize(first).equals(serialize(second))).toBe(true);
     });
   });
 

@@ -1,6 +1,7 @@
 // How far what a driver made of stress cases is from float64: errors, wrong codes, numbers that are none.
 import type { PassResult } from '../glsl/float-pass.js';
 import type { Category } from './category.js';
+import type { Shaded } from '../../src/reference/equation.js';
 import { intensity, reference, type StressCase, type Variant } from './case.js';
 import { branch, coneMargin } from './contract.js';
 
@@ -15,6 +16,8 @@ export interface Measured {
   /** Channels that are NaN or infinite. */
   notFinite: number;
   max: number;
+  /** The largest of each form of program, by its name. */
+  readonly forms: Record<string, number>;
   /** Root of the mean square. */
   rms: number;
   channels: number;
@@ -40,6 +43,7 @@ export const nothingMeasured = ({
   excluded: {},
   notFinite: 0,
   max: 0,
+  forms: {},
   rms: 0,
   channels: 0,
   exact: 0,
@@ -60,6 +64,8 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
       sum.excluded[name] = (sum.excluded[name] ?? 0) + count;
     }
     sum.edge = Math.max(sum.edge, part.edge);
+    for (const [name, max] of Object.entries(part.forms))
+      sum.forms[name] = Math.max(sum.forms[name] ?? 0, max);
     if (part.max > sum.max) {
       sum.max = part.max;
       sum.worst = part.worst;
@@ -69,39 +75,54 @@ export function mergeMeasured(parts: readonly Measured[]): Measured {
   return sum;
 }
 
-/** Adds a batch to what was measured before. */
+/** A case and what float64 makes of it, for all programs that draw it. */
+export interface Judged {
+  readonly stress: StressCase;
+  readonly variant: Variant;
+  readonly shaded: Shaded;
+  /** The branch point that the case is beside: {@link branch}. */
+  readonly beside: string | null;
+}
+
+export function judged(stress: StressCase, variant: Variant): Judged {
+  const shaded = reference(stress, variant);
+  return { stress, variant, shaded, beside: branch(stress, shaded, variant) };
+}
+
+/** Adds what the program of this name made of a batch to what was measured before. */
 export function measureBatch(
   into: Measured,
   category: Category,
-  variant: Variant,
-  cases: readonly StressCase[],
+  program: string,
+  cases: readonly Judged[],
   { floats, codes }: PassResult,
 ): void {
   let squares = into.rms ** 2 * into.channels;
-  cases.forEach((stress, i) => {
+  let max = into.forms[program] ?? 0;
+  cases.forEach(({ stress, variant, shaded, beside }, i) => {
     into.cases += 1;
     const got = floats.subarray(i * 4, i * 4 + 3);
-    const shaded = reference(stress, variant);
     for (const x of got) if (!Number.isFinite(x)) into.notFinite += 1;
     const scale = 255 / Math.max(1, intensity(stress));
     const error = (channel: number): number => {
       const off = Math.abs(got[channel]! - shaded.sum[channel]!) * scale;
       return Number.isNaN(off) ? Infinity : off; // a comparison with NaN would let it pass
     };
-    const found = branch(stress, shaded, variant);
-    if (found === 'edge') measureEdge(into, category, stress, Math.max(error(0), error(1), error(2)), shaded);
-    if (found !== null) {
-      into.excluded[found] = (into.excluded[found] ?? 0) + 1;
+    if (beside === 'edge')
+      measureEdge(into, category, stress, Math.max(error(0), error(1), error(2)), shaded);
+    if (beside !== null) {
+      into.excluded[beside] = (into.excluded[beside] ?? 0) + 1;
       return;
     }
     for (let channel = 0; channel < 3; channel++) {
       const off = error(channel);
       squares += off * off;
       into.channels += 1;
-      if (!(off <= into.max)) {
+      max = Math.max(max, off);
+      if (off > into.max) {
         into.max = off;
         if (off > category.bound)
-          into.worst = JSON.stringify({ variant, stress, got: [...got], expected: shaded.sum });
+          into.worst = JSON.stringify({ program, variant, stress, got: [...got], expected: shaded.sum });
       }
       const code = codes[i * 4 + channel]!;
       const exact = shaded.color[channel]! * 255;
@@ -111,6 +132,7 @@ export function measureBatch(
       if (Math.abs(code - Math.round(exact)) > allowed) into.wrongCodes += 1;
     }
   });
+  into.forms[program] = max;
   into.rms = into.channels === 0 ? 0 : Math.sqrt(squares / into.channels);
 }
 

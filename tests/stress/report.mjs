@@ -78,15 +78,16 @@ either way by chance, and that gives NaN wherever the result is undefined.
 
 ## Categories
 
-Largest error of each category on each stack, and on the worst drivers of all stacks.
+Largest error of each category on each stack, over all forms of programs that were measured there, and on the worst drivers of
+all stacks. *Not measured here* is what came after a stack's run.
 
 ${table(
   ['category', 'bound', ...stacks.map(({ name }) => name), 'worst drivers', 'exact codes, least', 'left out'],
   rowsOf(stacks).map(({ title, bound, id }) => [
     title,
     String(bound),
-    ...stacks.map((stack) => digits(largest([stack], id, ['shipped']))),
-    digits(largest(stacks, id, WORST)),
+    ...stacks.map((stack) => measured(largest([stack], id, ['shipped']))),
+    measured(largest(stacks, id, WORST)),
     percent(leastExact(stacks, id)),
     leftOut(stacks, id),
   ]),
@@ -97,6 +98,24 @@ On all stacks and drivers together: ${String(total(stacks, 'notFinite'))} channe
   )} 8-bit codes off by more than one (where lights are brighter than full: by more than the bound), of ${millions(total(stacks, 'channels'))} channels; exactly the nearest code
 on at least ${percent(Math.min(...stacks.map(exactOfAll)))} of the channels of every stack with its own driver. The farthest from a cone's edge that a
 fragment was taken for one of the other side: ${digits(widestEdge(stacks, ['shipped']))} rad, on the worst drivers ${digits(widestEdge(stacks, WORST))} rad.
+
+## Forms of programs
+
+The largest error of each program that the viewer draws with, over the categories whose bound is ${String(leastBound(stacks))}. *general*: loops over any
+number of lights; *counted*, *inlined* and *grid*: for exactly the lights at hand. \`SHININESS_IS_MILD\`: all exponents are at
+most 32. \`INTEGER_SHININESS\`: a whole exponent to 64, multiplied out. Without chords and narrow
+cones: no cone is within 15° of 0 or 180, and no cutoff below 1 or above 32. The harness reads at run time what these programs have as literals (feature masks, the
+exponent); the sums of such programs with their literals are under *Chunks alone*. Averaged highlights (\`FILTER_HIGHLIGHTS\`)
+are another law, and are there too.
+
+${table(
+  ['program', ...stacks.map(({ name }) => name), 'worst drivers'],
+  formNames(stacks).map((form) => [
+    formTitle(form),
+    ...stacks.map((stack) => measured(largestOfForm([stack], form, ['shipped']))),
+    measured(largestOfForm(stacks, form, WORST)),
+  ]),
+)}
 
 ## What is left out
 
@@ -109,11 +128,11 @@ number that they hold).
 
 ${table(
   ['what holds', 'bound', ...stacks.map(({ name }) => name), 'worst drivers'],
-  (stacks[0]?.drivers['shipped']?.checked ?? []).map(({ title, bound }) => [
+  checksOf(stacks).map(({ title, bound }) => [
     title,
     String(bound),
-    ...stacks.map((stack) => digits(largestCheck([stack], title, ['shipped']))),
-    digits(largestCheck(stacks, title, WORST)),
+    ...stacks.map((stack) => measured(largestCheck([stack], title, ['shipped']))),
+    measured(largestCheck(stacks, title, WORST)),
   ]),
 )}
 
@@ -162,7 +181,9 @@ ${table(
 
 ${millions(total(stacks, 'cases'))} fragments on ${String(stacks.length)} stacks: ${stacks
     .map(({ name }) => name)
-    .join(', ')}. ${String(total(stacks, 'notFinite'))} channels NaN or infinite; ${String(
+    .join(
+      ', ',
+    )}${formsText(stacks)}. ${String(total(stacks, 'notFinite'))} channels NaN or infinite; ${String(
     total(stacks, 'wrongCodes'),
   )} 8-bit codes off by more than one (where lights are brighter than full: by more than the bound); over all categories, at
 least ${percent(Math.min(...stacks.map(exactOfAll)))} of codes exactly the nearest.
@@ -178,8 +199,79 @@ export function withPart(readme, part) {
   return readme.slice(0, open) + part + readme.slice(close + (MARKERS[1]?.length ?? 0));
 }
 
-/** Categories in the order of the run. @param {readonly Stack[]} stacks */
-const rowsOf = (stacks) => stacks[0]?.drivers['shipped']?.measured ?? [];
+/** All categories, in the order of the run that has most: an older stack may lack some. @param {readonly Stack[]} stacks */
+const rowsOf = (stacks) =>
+  distinct(
+    stacks.map(({ drivers }) => drivers['shipped']?.measured ?? []),
+    ({ id }) => id,
+  );
+
+/** All checks of chunks that the newest loop has. @param {readonly Stack[]} stacks */
+const checksOf = (stacks) => {
+  const newest = Math.max(...stacks.map((stack) => formNames([stack]).length));
+  return distinct(
+    stacks
+      .filter((stack) => formNames([stack]).length === newest)
+      .map(({ drivers }) => drivers['shipped']?.checked ?? []),
+    ({ title }) => title,
+  );
+};
+
+/**
+ * The items of all lists, each once; the longest list's first.
+ * @template T
+ * @param {readonly (readonly T[])[]} lists @param {(item: T) => string} keyOf @returns {T[]}
+ */
+function distinct(lists, keyOf) {
+  /** @type {Map<string, T>} */
+  const items = new Map();
+  for (const list of [...lists].sort((a, b) => b.length - a.length))
+    for (const item of list) if (!items.has(keyOf(item))) items.set(keyOf(item), item);
+  return [...items.values()];
+}
+
+/** @param {readonly Stack[]} stacks */
+const leastBound = (stacks) => Math.min(...rowsOf(stacks).map(({ bound }) => bound));
+
+/**
+ * The largest error of each program by its name. Stacks without it were measured when the harness had one program, which takes
+ * any lights and exponents.
+ * @param {Pick<import('./measure.js').Measured, 'max'> & { forms?: Readonly<Record<string, number>> }} category
+ * @returns {Readonly<Record<string, number>>}
+ */
+const formsOf = ({ forms, max }) => forms ?? { general: max };
+
+/** @param {readonly Stack[]} stacks @returns {string[]} */
+export const formNames = (stacks) =>
+  [
+    ...new Set(
+      resultsOf(stacks).flatMap(({ measured }) => measured.flatMap((one) => Object.keys(formsOf(one)))),
+    ),
+  ].sort();
+
+/** @param {string} form */
+const formTitle = (form) => form.replace(/[A-Z_]{2,}/g, '`$&`');
+
+/** @param {readonly Stack[]} stacks @param {string} form @param {readonly string[]} drivers */
+const largestOfForm = (stacks, form, drivers) => {
+  const least = leastBound(stacks);
+  return Math.max(
+    ...resultsOf(stacks, drivers).flatMap(({ measured }) =>
+      measured.filter(({ bound }) => bound === least).map((one) => formsOf(one)[form] ?? -Infinity),
+    ),
+  );
+};
+
+/** Which stacks lack forms of programs, for the README. @param {readonly Stack[]} stacks */
+function formsText(stacks) {
+  const all = formNames(stacks).length;
+  const fewer = stacks.filter((stack) => formNames([stack]).length < all);
+  if (fewer.length === 0) return `, each through ${String(all)} forms of programs`;
+  const names = fewer.map(
+    (stack) => `${stack.name} (${String(formNames([stack]).length)} of ${String(all)})`,
+  );
+  return `, through ${String(all)} forms of programs; not yet all of them on ${names.join(', ')}`;
+}
 
 /** @param {readonly Stack[]} stacks @param {readonly string[]} [drivers] */
 const resultsOf = (stacks, drivers) =>
@@ -274,6 +366,9 @@ function table(head, rows) {
   const line = (/** @type {readonly string[]} */ cells) => `| ${cells.join(' | ')} |`;
   return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n');
 }
+
+/** The largest of what was measured, which may be nothing. @param {number} x */
+const measured = (x) => (x === -Infinity ? 'not measured here' : digits(x));
 
 /** Two digits, and none after a zero. @param {number} x */
 function digits(x) {

@@ -10,7 +10,7 @@ interface Claim {
 }
 
 // Remarks that depend on the machine's pace, not on the page: the graphics driver's about reading pixels back, and the browser's
-// about its own work in what it skips (that the package asks for none of it is counted: `layouts` of ../element/counting.ts).
+// about its own work in what it skips (that the package asks for none of it is counted: `layouts` of ../element/support/counting.ts).
 // The package's own about a viewer without a name: most tests make theirs by script and are about other things. Tests of that
 // warning claim it.
 const remark =

@@ -31,7 +31,8 @@ export function patch({ material, textures = [], tangents = false, matrix }: Pat
       NORMAL: [Math.sin(angle), 0, Math.cos(angle)],
       TEXCOORD_0: [u, v],
       TEXCOORD_1: [1.5 * v, u + 0.25],
-      TANGENT: [Math.cos(angle), 0, -Math.sin(angle), -1],
+      // N × T points up the image, as green does.
+      TANGENT: [Math.cos(angle), 0, -Math.sin(angle), 1],
     };
   });
   const indices = Array.from({ length: CELLS * CELLS }, (_, i) => {

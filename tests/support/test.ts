@@ -18,7 +18,7 @@ import { startSite, testMounts, type PageOptions, type Site } from './site.js';
 
 export { expect };
 export { compare, expectPicture, pixelAt, pixels, type Difference, type Picture } from './picture.js';
-export { strictPolicy } from './site.js';
+export { type Site, strictPolicy } from './site.js';
 
 export interface MountOptions extends PageOptions {
   /** CSS pixels of every viewer on the page, the first of which lies at the page's top left; default 600 × 400. */

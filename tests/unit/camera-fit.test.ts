@@ -33,7 +33,7 @@ describe('the auto radius', () => {
 
   it('is 4 for an empty scene, seen at the origin, and 4 for a single point', () => {
     expect(fitPose(null, 45, 1)).toStrictEqual({ target: [0, 0, 0], radius: 4 });
-    expect(fitPose({ centre: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
+    expect(fitPose({ center: [1, 2, 3], radius: 0 }, 45, 1)).toStrictEqual({ target: [1, 2, 3], radius: 4 });
   });
 
   it.each([NaN, 0, -1, Infinity])('treats an aspect of %d as square', (ratio) => {
@@ -51,10 +51,10 @@ describe('the auto radius', () => {
 });
 
 it('limits the zoom to 1e-3 to 1e3 times the radius of the scene, or times 1 for an empty scene', () => {
-  expect(zoomLimits({ centre: [0, 0, 0], radius: 5 })).toStrictEqual({ min: 5e-3, max: 5e3 });
+  expect(zoomLimits({ center: [0, 0, 0], radius: 5 })).toStrictEqual({ min: 5e-3, max: 5e3 });
   expect(zoomLimits(null)).toStrictEqual({ min: 1e-3, max: 1e3 });
-  expect(zoomLimits({ centre: [0, 0, 0], radius: 0 })).toStrictEqual({ min: 1e-3, max: 1e3 });
-  expect(zoomLimits({ centre: [0, 0, 0], radius: 1e14 }).max).toBe(1e15);
+  expect(zoomLimits({ center: [0, 0, 0], radius: 0 })).toStrictEqual({ min: 1e-3, max: 1e3 });
+  expect(zoomLimits({ center: [0, 0, 0], radius: 1e14 }).max).toBe(1e15);
 });
 
 describe('near and far', () => {
@@ -69,7 +69,7 @@ describe('near and far', () => {
 
   interface Scene {
     pose: Pose;
-    sphere: { centre: readonly [number, number, number]; radius: number };
+    sphere: { center: readonly [number, number, number]; radius: number };
     front: number;
     back: number;
   }
@@ -85,7 +85,7 @@ describe('near and far', () => {
     const pose = { theta, phi, radius: size * distance, target };
     const { back } = basisOf(pose);
     const middle = pose.radius + target[0] * back[0] + target[1] * back[1] + target[2] * back[2];
-    return { pose, sphere: { centre: [0, 0, 0], radius: size }, front: middle - size, back: middle + size };
+    return { pose, sphere: { center: [0, 0, 0], radius: size }, front: middle - size, back: middle + size };
   }
 
   it('enclose a sphere in front of the eye, at every scale', () => {
@@ -117,14 +117,14 @@ describe('near and far', () => {
   it('never clip the target, however close the zoom', () => {
     const near = depthRange(
       { theta: 0, phi: 90, radius: 1e-3, target: [0, 0, 0.9] },
-      { centre: [0, 0, 0], radius: 1 },
+      { center: [0, 0, 0], radius: 1 },
     ).near;
     expect(near).toBeLessThanOrEqual(1e-4);
   });
 
   it('are finite, above 0, in order, and normal float32 numbers, for any input', () => {
     const any = fc.double();
-    const anyBounds = fc.option(fc.record({ centre: fc.tuple(any, any, any), radius: any }), { nil: null });
+    const anyBounds = fc.option(fc.record({ center: fc.tuple(any, any, any), radius: any }), { nil: null });
     const anyRadius = fc.double({ min: Number.MIN_VALUE, max: 1e15, noNaN: true });
     fc.assert(
       fc.property(
@@ -143,7 +143,7 @@ describe('near and far', () => {
   });
 
   it('are written into the given object', () => {
-    const out = { near: 0, far: 0 };
+    const out = { near: 0, far: 0, cuts: false };
     expect(depthRange({ theta: 0, phi: 90, radius: 4, target: [0, 0, 0] }, null, out)).toBe(out);
   });
 });

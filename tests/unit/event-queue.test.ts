@@ -1,6 +1,7 @@
 // When and how often a viewer's events are dispatched, without a browser.
 
 import { describe, expect, it } from 'vitest';
+import { Signal } from '../../src/fields/signal.js';
 import { LightState } from '../../src/light/light-state.js';
 import { ElementLight, type PhongLight } from '../../src/element/phong-light.js';
 import { EventQueue } from '../../src/element/viewer/event-queue.js';
@@ -15,7 +16,9 @@ function queueOf(lightsChanged: (lights: readonly PhongLight[]) => void = () => 
   const seen: [string, unknown][] = [];
   for (const type of TYPES)
     element.addEventListener(type, (event) => seen.push([type, (event as CustomEvent).detail]));
-  return { queue: new EventQueue(element, lightsChanged), seen };
+  const lightsReported = new Signal<readonly PhongLight[]>();
+  lightsReported.listen(lightsChanged);
+  return { queue: new EventQueue(element, lightsReported), seen };
 }
 
 /** The queue only passes elements on. */
@@ -43,18 +46,18 @@ describe('the events of a viewer', () => {
 
   it('are dispatched one by one where each is about something else', async () => {
     const { queue, seen } = queueOf();
-    queue.append('load', { url: 'a' });
-    queue.append('load', { url: 'b' });
+    queue.append('load', { url: 'a', missing: [] });
+    queue.append('load', { url: 'b', missing: ['b.png'] });
     await nextTask();
     expect(seen).toEqual([
-      ['load', { url: 'a' }],
-      ['load', { url: 'b' }],
+      ['load', { url: 'a', missing: [] }],
+      ['load', { url: 'b', missing: ['b.png'] }],
     ]);
   });
 
   it('wait for the next end of a task where a listener causes them', async () => {
     const element = new EventTarget();
-    const queue = new EventQueue(element, () => undefined);
+    const queue = new EventQueue(element, new Signal());
     const seen: number[] = [];
     element.addEventListener('progress', (event) => {
       const { totalProgress } = (event as CustomEvent<{ totalProgress: number }>).detail;
@@ -111,7 +114,9 @@ describe('light-change', () => {
   it('is known to the viewer before its listeners', async () => {
     const order: string[] = [];
     const element = new EventTarget();
-    const queue = new EventQueue(element, () => order.push('viewer'));
+    const reported = new Signal<readonly PhongLight[]>();
+    reported.listen(() => order.push('viewer'));
+    const queue = new EventQueue(element, reported);
     element.addEventListener('light-change', () => order.push('listener'));
     queue.enqueueLight(null);
     await nextTask();

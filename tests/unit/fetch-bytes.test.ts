@@ -4,11 +4,11 @@ import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { createGzip } from 'node:zlib';
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
-import { byteFetcher, SILENCE_LIMIT_MS } from '../../src/scene/model/fetch-bytes.js';
+import { byteFetcher, SILENCE_LIMIT_MS } from '../../src/model/fetch-bytes.js';
 
 const LIMIT = 2 ** 22;
 
-vi.mock(import('../../src/scene/model/limits.js'), async (original) => ({
+vi.mock(import('../../src/model/limits.js'), async (original) => ({
   ...(await original()),
   BYTE_LIMIT: 2 ** 22,
 }));
@@ -36,7 +36,10 @@ beforeAll(async () => {
   server = createServer((request, response) => {
     responses.push(response);
     if (request.url === '/bomb') void bomb(response);
-    else if (request.url === '/slow') response.writeHead(200).write('glTF');
+    else if (request.url === '/cut-off') {
+      response.writeHead(404, { 'content-length': 1000 }).write('<p>');
+      setTimeout(() => response.destroy(), 10);
+    } else if (request.url === '/slow') response.writeHead(200).write('glTF');
   });
   await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));
   origin = `http://127.0.0.1:${String((server.address() as AddressInfo).port)}`;
@@ -71,6 +74,23 @@ function download(path: string, signal = never): { ended: Promise<unknown>; load
 const hungUp = (): Promise<unknown> => vi.waitUntil(() => responses[0]?.destroyed, { timeout: 10_000 });
 
 describe('a download', () => {
+  it('that is refused has failed with its status, even where the body of the answer breaks off', async () => {
+    for (let i = 0; i < 5; i += 1) {
+      const { ended } = download('/cut-off');
+      expect(await ended).toMatchObject({
+        code: 'load-failed',
+        message: 'The server answered 404 Not Found for cut-off. Check the address.',
+      });
+    }
+    const cancel = (): Promise<never> => Promise.reject(new TypeError('network error'));
+    const body = new ReadableStream({ cancel });
+    vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { status: 404 }));
+    expect(await download('/gone.glb').ended).toMatchObject({
+      code: 'load-failed',
+      message: 'The server answered 404 for gone.glb. Check the address.',
+    });
+  });
+
   it('of a compressed file ends at the limit, before the rest is unpacked', async () => {
     const { ended, loaded } = download('/bomb');
     expect(await ended).toMatchObject({ code: 'too-large' });

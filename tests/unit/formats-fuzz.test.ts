@@ -2,7 +2,7 @@
 // and random sequences of the formats' words. The time of each is bounded by its size.
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { ModelError, type Model } from '../../src/scene/model/model.js';
+import { ModelError, type Model } from '../../src/model/model.js';
 import { repeats } from '../support/repeats.js';
 import { loadFiles, png, standInImages } from './model-files.js';
 

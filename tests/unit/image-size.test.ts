@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { imageSize } from '../../src/scene/model/image-size.js';
+import { imageSize } from '../../src/model/image-size.js';
 import { pngOf } from '../fuzz/glb.js';
 
 const text = (value: string): Buffer => Buffer.from(value, 'latin1');

@@ -1,8 +1,8 @@
 // Are claims of KTX2 files checked before anything is unpacked?
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { imageSize } from '../../src/scene/model/image-size.js';
-import { checkKtx2, isKtx2 } from '../../src/scene/model/ktx2/ktx2-header.js';
+import { imageSize } from '../../src/model/image-size.js';
+import { checkKtx2, isKtx2 } from '../../src/model/ktx2/ktx2-header.js';
 
 /** The texture in a fixture: its last buffer view. */
 function textureOf(name: string): Uint8Array {

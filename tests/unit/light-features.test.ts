@@ -2,8 +2,8 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { declareFeatures, featuresOf, kindOf, noFeatures, unionOf } from '../../src/light/light-features.js';
-import { LARGEST_COSINE_POWER, LIGHT_FEATURES } from '../../src/light/light-layout.js';
+import { declaredFeatures, featuresOf, kindOf, unionOf } from '../../src/light/light-features.js';
+import { LARGEST_INTEGER_POWER, LIGHT_FEATURES } from '../../src/light/light-layout.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { anyLight, light } from './arbitraries.js';
 
@@ -67,11 +67,11 @@ describe('the features of a light', () => {
     ['a cone of 15°', { ...lamp, aperture: 15 }, [...inCone, 'wide']],
     ['a cone of 165°', { ...lamp, aperture: 165 }, [...inCone, 'wide']],
     ['a cone of a little more', { ...lamp, aperture: 165.0001 }, [...inCone, 'wide', 'chords']],
-    ['a decay without a cone', { ...lamp, cutoff: 1.5 }, [...inCone, 'decay', 'decayTo64']],
-    ['a decay that begins steeply', { ...lamp, cutoff: 0.5 }, [...inCone, 'decay', 'decayTo64', 'chords']],
-    ['a decay beyond 64', { ...lamp, cutoff: 64.5 }, [...inCone, 'decay', 'chords']],
+    ['a decay without a cone', { ...lamp, cutoff: 1.5 }, [...inCone, 'decay']],
+    ['a decay that begins steeply', { ...lamp, cutoff: 0.5 }, [...inCone, 'decay', 'chords']],
+    ['a decay beyond 32', { ...lamp, cutoff: 32.5 }, [...inCone, 'decay', 'chords']],
     ['an integer cutoff', { ...spot, cutoff: 7 }, [...inCone, 'wide', 'power 7']],
-    ['the largest integer cutoff', { ...spot, cutoff: 64 }, [...inCone, 'wide', 'power 64']],
+    ['the largest integer cutoff', { ...spot, cutoff: 64 }, [...inCone, 'wide', 'chords', 'power 64']],
   ])('of %s are what it needs', (_, values, needed) => {
     expect(featuresFor(values).toSorted()).toStrictEqual([...needed].toSorted());
   });
@@ -87,13 +87,10 @@ describe('the features of a light', () => {
         expect(unionOf(first, first)).toBe(first);
         const power = (mask: number): number => mask >> LIGHT_FEATURES.powerShift;
         for (const own of [first, second]) {
-          const decays = LIGHT_FEATURES.decay | LIGHT_FEATURES.decayTo64;
-          const others = own & ((1 << LIGHT_FEATURES.powerShift) - 1) & ~decays;
+          const others = own & ((1 << LIGHT_FEATURES.powerShift) - 1);
           expect(both & others).toBe(others);
           if (power(both) > 0) expect(power(own)).toBe(power(both));
           else if (power(own) > 0) expect(both & LIGHT_FEATURES.decay).not.toBe(0);
-          const isSteep = (own & decays) === LIGHT_FEATURES.decay && power(own) === 0;
-          if (isSteep) expect(both & decays).toBe(LIGHT_FEATURES.decay);
         }
       }),
     );
@@ -105,46 +102,47 @@ describe('the features of a light', () => {
     for (const bit of all) expect(Math.log2(bit) % 1).toBe(0);
     expect(new Set(all).size).toBe(all.length);
     expect(Math.max(...all)).toBeLessThan(1 << powerShift);
-    expect((LARGEST_COSINE_POWER + 1) << powerShift).toBeLessThan(2 ** 31);
+    expect((LARGEST_INTEGER_POWER + 1) << powerShift).toBeLessThan(2 ** 31);
   });
 });
 
 describe('declared features', () => {
   const declaredBy = (...lights: Partial<LightValues>[]): string[] => {
-    const declared = noFeatures();
-    for (const values of lights) declareFeatures(light(values), declared);
-    return Object.entries(declared).flatMap(([name, on]) => (on ? [name] : []));
+    const declared = declaredFeatures(lights.map(light));
+    const { powerShift, ...bits } = LIGHT_FEATURES;
+    expect(declared).toBeLessThan(1 << powerShift);
+    return Object.entries(bits).flatMap(([name, bit]) => ((declared & bit) !== 0 ? [name] : []));
   };
 
   it.each<[string, Partial<LightValues>, string[]]>([
     ['no light at all', black, ['directional']],
-    ['a cone', { ...spot, ...black }, ['spot', 'cone']],
+    ['a cone', { ...spot, ...black }, ['spot', 'wide']],
     ['a decay', { ...black, position: lamp.position, cutoff: 2 }, ['spot', 'decay']],
     [
       'a decay that is steep behind',
       { ...spot, ...black, cutoff: 0.5 },
-      ['spot', 'cone', 'decay', 'steepSpot'],
+      ['spot', 'wide', 'narrow', 'decay', 'chords'],
     ],
     [
       'a decay that is steep in front',
-      { ...spot, ...black, cutoff: 65 },
-      ['spot', 'cone', 'decay', 'steepSpot'],
+      { ...spot, ...black, cutoff: 33 },
+      ['spot', 'wide', 'narrow', 'decay', 'chords'],
     ],
-    ['a narrow cone', { ...spot, ...black, aperture: 14 }, ['spot', 'cone', 'steepSpot']],
-    ['a nearly open cone', { ...spot, ...black, aperture: 166 }, ['spot', 'cone', 'steepSpot']],
-    ['a spot with ambient light', { ...spot, ...black, ambient: [0, 1, 0] }, ['spot', 'cone', 'ambient']],
+    ['a narrow cone', { ...spot, ...black, aperture: 14 }, ['spot', 'wide', 'narrow', 'chords']],
+    ['a nearly open cone', { ...spot, ...black, aperture: 166 }, ['spot', 'wide', 'narrow', 'chords']],
+    ['a spot with ambient light', { ...spot, ...black, ambient: [0, 1, 0] }, ['spot', 'wide', 'ambient']],
     ['a cone about no axis', { ...black, position: lamp.position, aperture: 20, axis: [0, 0, 0] }, ['point']],
     [
       'attenuation',
       { ...black, position: lamp.position, attenuation: [0, 0, 0.1] },
-      ['point', 'attenuation'],
+      ['point', 'attenuated', 'clamped', 'linear'],
     ],
     [
       'attenuation that is 1 everywhere',
       { ...black, position: lamp.position, attenuation: [0.5, 0, 0] },
       ['point'],
     ],
-    ['every term', lamp, ['point', 'ambient', 'diffuse', 'specular']],
+    ['every term', lamp, ['point', 'ambient', 'diffuse', 'tintedDiffuse', 'specular', 'tintedSpecular']],
   ])('of %s are what it needs', (_, values, needed) => {
     expect(declaredBy(values).toSorted()).toStrictEqual([...needed].toSorted());
   });
@@ -159,19 +157,21 @@ describe('declared features', () => {
     );
   });
 
-  it('only grow, and report when they did', () => {
+  it('of many lights are those of each, and a cutoff is none', () => {
     fc.assert(
       fc.property(fc.array(anyLight, { maxLength: 6 }), (lights) => {
-        const declared = noFeatures();
-        for (const values of lights) {
-          const before = { ...declared };
-          const grew = declareFeatures(values, declared);
-          const names = Object.keys(before) as (keyof typeof before)[];
-          expect(names.some((name) => before[name] && !declared[name])).toBe(false);
-          expect(grew).toBe(names.some((name) => before[name] !== declared[name]));
-          expect(declareFeatures(values, declared)).toBe(false);
-        }
+        const together = declaredBy(...lights);
+        const apart = new Set(lights.flatMap((one) => declaredBy(one)));
+        // Only a cone is compared on a side.
+        if (apart.has('chords') && apart.has('wide')) apart.add('narrow');
+        expect([...together].sort()).toStrictEqual([...apart].sort());
       }),
     );
+  });
+
+  it('of a steep decay beside a steep cone compare the cone on both sides', () => {
+    const decay = { position: lamp.position, cutoff: 100 };
+    expect(declaredBy(decay)).not.toContain('narrow');
+    expect(declaredBy(decay, { ...spot, aperture: 5 })).toContain('narrow');
   });
 });

@@ -2,10 +2,10 @@
 
 import { describe, expect, it } from 'vitest';
 import {
-  BLOCK_ROWS,
   GRID,
   HEADER,
-  LARGEST_COSINE_POWER,
+  LARGEST_INTEGER_POWER,
+  LARGEST_MILD_POWER,
   layoutDefines,
   LEAST_EXPONENT,
   LIMIT_OPEN,
@@ -30,7 +30,6 @@ describe('the defines of the layout', () => {
   });
 
   it('are ints for whole numbers and floats for others', () => {
-    expect(defines.get('BLOCK_ROWS')).toBe('1024');
     expect(defines.get('TEXTURE_ROWS_LOG2')).toBe('10');
     expect(defines.get('LIMIT_OPEN')).toBe('4.0');
     for (const name of ['NEAREST_SQUARED', 'LEAST_EXPONENT', 'TINY'])
@@ -64,15 +63,14 @@ describe('the layout', () => {
     expect(ROWS.spot).toMatchObject(point);
   });
 
-  it('fills 16 KiB of a block, which every device has, and texture rows by a shift', () => {
-    expect(BLOCK_ROWS * 16).toBe(16384);
+  it('finds texture rows by a shift', () => {
     expect(2 ** TEXTURE_ROWS_LOG2).toBeLessThanOrEqual(2048);
   });
 
-  it('uses a plain cosine only for powers whose errors stay invisible: 2^-25 multiplied out, 2^-21 of a lawful log2', () => {
-    expect(LARGEST_COSINE_POWER * 2 ** -25).toBeLessThan(2e-6);
-    expect(LARGEST_COSINE_POWER * 2 ** -21 * Math.LN2).toBeLessThan(0.01 / 255);
-    expect(Math.log2(LARGEST_COSINE_POWER) % 1).toBe(0);
+  it('has no series only for powers whose errors stay invisible: 2^-25 multiplied out, twice 2^-21 of a lawful log2', () => {
+    expect(LARGEST_INTEGER_POWER * 2 ** -25).toBeLessThan(2e-6);
+    expect(2 * LARGEST_MILD_POWER * 2 ** -21 * Math.LN2).toBeLessThan(0.01 / 255);
+    expect(Math.log2(LARGEST_INTEGER_POWER) % 1).toBe(0);
   });
 
   it('keeps its thresholds normal float32 numbers', () => {

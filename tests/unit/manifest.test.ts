@@ -79,7 +79,10 @@ describe('the custom elements manifest', () => {
       declared(tag).members!.filter(
         (member) => member.kind === 'field' && !member.readonly && !('attribute' in member),
       );
-    expect(writable('phong-viewer')).toMatchObject([{ name: 'texts', type: { text: 'ViewerTexts | null' } }]);
+    expect(writable('phong-viewer')).toMatchObject([
+      { name: 'texts', type: { text: 'ViewerTexts | null' } },
+      { name: 'maxTriangles', type: { text: 'number' } },
+    ]);
     expect(writable('phong-light')).toEqual([]);
     const { properties } = webTypes(elements, {
       name: 'x',

@@ -1,11 +1,24 @@
 // What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its numbers.
 import { vi } from 'vitest';
-import { loadModel, ModelError, type LoadOptions, type Model } from '../../src/scene/model/load-model.js';
+import { loadModel, ModelError, type LoadOptions, type Model } from '../../src/model/load-model.js';
 
-type FileContent = string | Uint8Array<ArrayBuffer>;
+/** In the place of a file: the connection breaks after its first byte. */
+export const BREAKS_OFF = null;
 
-const bytesOf = (content: FileContent): Uint8Array<ArrayBuffer> =>
-  typeof content === 'string' ? new TextEncoder().encode(content) : content;
+export type FileContent = string | Uint8Array<ArrayBuffer> | null;
+
+function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream {
+  if (content !== BREAKS_OFF)
+    return typeof content === 'string' ? new TextEncoder().encode(content) : content;
+  let sent = false;
+  return new ReadableStream({
+    pull: (controller) => {
+      if (sent) controller.error(new TypeError('network error'));
+      else controller.enqueue(new Uint8Array(1));
+      sent = true;
+    },
+  });
+}
 
 /** Loads the first of these files; the others are beside it. */
 export function loadFiles(

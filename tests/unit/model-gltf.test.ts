@@ -1,7 +1,7 @@
 // Do the less common shapes of a glTF document come out right: quantised, interleaved, shared, skinned, in strips,
 // with moved textures? Documents are written here and loaded as data: addresses.
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { loadModel, type Model } from '../../src/scene/model/load-model.js';
+import { loadModel, type Model } from '../../src/model/load-model.js';
 
 type Json = Record<string, unknown>;
 
@@ -255,11 +255,6 @@ describe('textures', () => {
     );
     expect(model.parts).toHaveLength(2);
     for (const part of [0, 1]) expect(numbers(model, 'uv1', part)).toEqual([0, 0, 1, 0, 0, 1]);
-  });
-
-  it('that the browser cannot decode are a bad-model error', async () => {
-    vi.stubGlobal('createImageBitmap', () => Promise.reject(new Error('no')));
-    await expect(uvs({})).rejects.toMatchObject({ code: 'bad-model' });
   });
 
   it('are closed when another part of the model fails', async () => {

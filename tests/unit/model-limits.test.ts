@@ -3,15 +3,11 @@
 import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import {
-  CORNER_LIMIT,
-  MEMORY_LIMIT,
-  PART_LIMIT,
-  PIXEL_LIMIT,
-  VALUE_LIMIT,
-} from '../../src/scene/model/limits.js';
-import { ModelBudget } from '../../src/scene/model/model-budget.js';
-import { loadModel, ModelError, type Model } from '../../src/scene/model/load-model.js';
+import { CORNER_LIMIT, MEMORY_LIMIT, PART_LIMIT, PIXEL_LIMIT, VALUE_LIMIT } from '../../src/model/limits.js';
+import { ModelBudget } from '../../src/model/model-budget.js';
+import { readDocument } from '../../src/model/gltf/document.js';
+import { loadModel, ModelError, type Model } from '../../src/model/load-model.js';
+import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {
   deepGlb,
@@ -116,6 +112,105 @@ describe('accessors count as what they become', () => {
   });
 });
 
+describe('every accessor that is read is counted', () => {
+  const claim = 3e8;
+
+  it.each(['POSITION', 'NORMAL'])(
+    'a morph target with another number of elements of %s than its mesh has vertices is named',
+    async (name) => {
+      for (const count of [2, claim]) {
+        const accessors = [
+          { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' },
+          { componentType: 5120, count, type: 'VEC3' },
+        ];
+        const primitives = [{ attributes: { POSITION: 0 }, targets: [{ [name]: 1 }] }];
+        const file = triangleGlb({ accessors, meshes: [{ primitives, weights: [1] }] });
+        expect(await outcome(file)).toMatch(
+          new RegExp(
+            `^bad-model: .*targets\\[0\\].${name} has ${String(count)} elements, but its mesh has 3 vertices`,
+          ),
+        );
+      }
+    },
+  );
+
+  const whole = bar();
+  const accessors = whole['accessors'] as readonly Json[];
+  it.each(accessors.map((_, i) => i))(
+    'accessor %i of a skinned, morphed and animated bar, with a claim of 300 million zeros',
+    async (i) => {
+      for (const sparse of [undefined, SPARSE]) {
+        const claims = accessors.map((accessor, k) =>
+          k === i ? { ...accessor, bufferView: undefined, count: claim, sparse } : accessor,
+        );
+        const result = await outcome(Buffer.from(JSON.stringify({ ...whole, accessors: claims })));
+        // Animations whose times do not fit their values are left out, unread.
+        const leftOut = i === accessors.findIndex(({ type }, k) => type === 'SCALAR' && k > 8);
+        expect(result).toMatch(
+          leftOut ? /^1 parts$/ : /^(too-large: .* at most|bad-model: .*elements, but its mesh)/,
+        );
+      }
+    },
+  );
+
+  it('and one that is not read gives no numbers', () => {
+    const json = {
+      ...whole,
+      nodes: [...(whole['nodes'] as Json[]), { mesh: 1 }],
+      meshes: [...(whole['meshes'] as Json[]), { primitives: [{ attributes: { POSITION: accessors.length } }] }], // prettier-ignore
+      accessors: [...accessors, { componentType: 5126, count: claim, type: 'VEC3' }],
+    };
+    const { json: reduced } = readDocument(json, new ModelBudget());
+    const counts = (reduced['accessors'] as readonly Json[]).map(({ count }) => count);
+    expect(counts.at(-1)).toBe(0);
+    expect(counts.slice(0, -1)).toEqual(accessors.map(({ count }) => count));
+    expect((reduced['nodes'] as readonly Json[]).at(-1)).not.toHaveProperty('mesh');
+  });
+
+  it('and Draco data count once for each mesh that is made of them', async () => {
+    const extension = (bufferView: number): Json => ({
+      KHR_draco_mesh_compression: { bufferView, attributes: { POSITION: 0 } },
+    });
+    const views = Array.from({ length: 200 }, () => ({ buffer: 0, byteOffset: 0, byteLength: 36 }));
+    const primitives = views.map((_, i) => ({ attributes: { POSITION: 0, NORMAL: 0 }, indices: 1, extensions: extension(i) })); // prettier-ignore
+    const file = triangleGlb({
+      meshes: [{ primitives }],
+      bufferViews: views,
+      accessors: [
+        { componentType: 5126, count: 500_000, type: 'VEC3' },
+        { componentType: 5125, count: 3, type: 'SCALAR' },
+      ],
+    });
+    expect(await outcome(file)).toMatch(/^too-large: .*numbers in its vertices/);
+  });
+
+  it('and the values of each animated property', async () => {
+    const targets = 20_000;
+    const times = accessors.length;
+    const channels = Array.from({ length: 10_000 }, () => ({ sampler: 0, target: { node: 0, path: 'weights' } })); // prettier-ignore
+    const file = Buffer.from(
+      JSON.stringify({
+        ...bar({ skinned: false, morphed: false }),
+        meshes: [{ primitives: [{ attributes: { POSITION: 0 }, targets: Array(targets).fill({}) }] }],
+        accessors: [
+          ...accessors,
+          { componentType: 5126, count: 1, type: 'SCALAR' },
+          { componentType: 5126, count: targets, type: 'SCALAR' },
+        ],
+        animations: [{ samplers: [{ input: times, output: times + 1 }], channels }],
+      }),
+    );
+    expect(await outcome(file)).toMatch(/^too-large: .*numbers in its vertices/);
+  });
+});
+
+/** Puts a value in place of one. */
+const SPARSE = {
+  count: 1,
+  indices: { bufferView: 0, componentType: 5123 },
+  values: { bufferView: 0 },
+};
+
 describe('parts', () => {
   it('of 200,000 nodes are too-large', async () => {
     expect(await outcome(instancesGlb(200_000, true))).toMatch(/^too-large: The model has .* (draws|nodes)/);
@@ -215,13 +310,6 @@ describe('images', () => {
     image.writeUInt32LE(8192, 20);
     image.writeUInt32LE(8192, 24);
     expect(await outcome(texturedGlb([image], [{ source: 0 }]))).toMatch(/^too-large: .*bytes in memory/);
-  });
-
-  it('that are no images are an error with their index', async () => {
-    const file = texturedGlb([Buffer.from('<svg xmlns="http://www.w3.org/2000/svg"/>')], [{ source: 0 }]);
-    expect(await outcome(file)).toMatch(
-      /^bad-model: .*images\[0\] is no PNG, JPEG, WebP, AVIF or KTX2 image/,
-    );
   });
 });
 

@@ -1,9 +1,10 @@
 // Do a model's poses agree with three.js's own mixer, skinned meshes and morph targets, at any time? What happens to
 // mistakes in animation data?
 import { AnimationMixer, type Mesh, type SkinnedMesh, Vector3 } from 'three';
+import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import { loadModel, type Model } from '../../src/scene/model/load-model.js';
+import { loadModel, type Model } from '../../src/model/load-model.js';
 import { addressOf, bar, type BarOptions } from '../support/animated-gltf.js';
 
 const load = (document: object): Promise<Model> =>
@@ -198,5 +199,74 @@ describe('an animation with a mistake is left out, and named', () => {
     });
     expect(model.motion).toBeNull();
     expect(model.dropped?.size).toBe(0);
+  });
+});
+
+describe('nodes, skins and scenes in any arrangement', () => {
+  interface Arrangement {
+    /** Of each node but the first; -1 for none. */
+    readonly parents: readonly number[];
+    /** Mesh and skin of each node; -1 for none. */
+    readonly meshes: readonly number[];
+    readonly skins: readonly number[];
+    readonly joints: readonly (readonly number[])[];
+    readonly roots: readonly number[];
+  }
+  const NODES = 5;
+  const node = fc.integer({ min: 0, max: NODES - 1 });
+  const perNode = (most: number): fc.Arbitrary<number[]> =>
+    fc.array(fc.integer({ min: -1, max: most }), { minLength: NODES, maxLength: NODES });
+  const arrangements: fc.Arbitrary<Arrangement> = fc.record({
+    parents: fc.tuple(...Array.from({ length: NODES - 1 }, (_, i) => fc.integer({ min: -1, max: i }))),
+    meshes: perNode(1),
+    skins: perNode(1),
+    joints: fc.tuple(fc.array(node, { maxLength: 3 }), fc.array(node, { maxLength: 3 })),
+    roots: fc.array(node, { minLength: 1, maxLength: 3 }),
+  });
+  /** Both meshes have joints. */
+  function arranged({ parents, meshes, skins, joints, roots }: Arrangement): object {
+    const document = bar();
+    const [mesh] = document['meshes'] as readonly object[];
+    return {
+      ...document,
+      scenes: [{ nodes: roots }],
+      meshes: [mesh, mesh],
+      skins: joints.map((list) => ({ joints: list })),
+      nodes: meshes.map((index, i) => ({
+        children: parents.flatMap((parent, k) => (parent === i ? [k + 1] : [])),
+        ...(index < 0 ? {} : { mesh: index }),
+        ...(index < 0 || skins[i]! < 0 ? {} : { skin: skins[i] }),
+      })),
+    };
+  }
+
+  it('are shown, or refused because nothing is in the scene', async () => {
+    vi.spyOn(console, 'warn').mockReturnValue();
+    const shown = async (arrangement: Arrangement): Promise<void> => {
+      const result: unknown = await load(arranged(arrangement)).catch((error: unknown) => error);
+      if (result instanceof Error) {
+        expect(result.message).toMatch(/it has no triangles/);
+        return;
+      }
+      const model = result as Model;
+      for (const pose of [0, 1, 2, null]) model.motion?.pose(pose, 0.7);
+      expect(places(model).every(Number.isFinite)).toBe(true);
+    };
+    await fc.assert(fc.asyncProperty(arrangements, shown), { numRuns: 100 });
+  });
+
+  it('with a joint that is an ancestor of its mesh, or the mesh itself, or has the same mesh without a skin', async () => {
+    const parts = async (arrangement: Arrangement): Promise<number> =>
+      (await load(arranged(arrangement))).parts.length;
+    const chain = { parents: [0, 1, -1, -1], roots: [0], joints: [[0, 1], []] };
+    expect(await parts({ ...chain, meshes: [-1, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(1);
+    expect(await parts({ ...chain, meshes: [-1, 0, -1, -1, -1], skins: [-1, 0, -1, -1, -1] })).toBe(1);
+    expect(await parts({ ...chain, meshes: [0, -1, 0, -1, -1], skins: [-1, -1, 0, -1, -1] })).toBe(2);
+  });
+
+  it('with a node listed in the scene that lies below another one, which is shown once', async () => {
+    const document = { ...bar({ skinned: false }), nodes: [{ children: [1] }, { mesh: 0 }] };
+    const model = await load({ ...document, scenes: [{ nodes: [0, 1, 0] }] });
+    expect(model.parts).toHaveLength(1);
   });
 });

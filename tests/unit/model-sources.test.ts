@@ -1,9 +1,9 @@
 // Which addresses may a model name, what is in a data: URI, and what format is a file in?
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { decodeDataUri } from '../../src/scene/model/data-uri.js';
-import { formatOf } from '../../src/scene/model/format.js';
-import { linkedUrl } from '../../src/scene/model/linked-url.js';
+import { decodeDataUri } from '../../src/model/data-uri.js';
+import { formatOf } from '../../src/model/format.js';
+import { linkedUrl } from '../../src/model/linked-url.js';
 
 const MODEL = new URL('https://shop.example/models/chairs/one.gltf?v=2');
 
@@ -42,7 +42,7 @@ describe('the files that a model names', () => {
     expect(linkedUrl('//other.example/a.bin', MODEL, true).href).toBe('https://other.example/a.bin');
     expect(linkedUrl('../a.bin', MODEL, true).href).toBe('https://shop.example/models/a.bin');
     for (const uri of ['javascript:alert(1)', 'file:///etc/passwd', 'blob:https://shop.example/1']) {
-      expect(() => linkedUrl(uri, MODEL, true)).toThrow(/not in its own folder/);
+      expect(() => linkedUrl(uri, MODEL, true)).toThrow(/is not in the folder of/);
     }
   });
 
@@ -143,11 +143,15 @@ describe('formats', () => {
     [
       'solid x',
       'x',
-      /not in a supported format: glTF \(\.glb, \.gltf\), PLY \(\.ply\), STL \(\.stl\), OBJ \(\.obj\)/,
+      /The format is not supported: .*These are: glTF \(\.glb, \.gltf\), PLY \(\.ply\), STL \(\.stl\), OBJ \(\.obj\)/,
     ],
     ['', 'x.glb', /empty/],
     ['<!doctype html>', 'x.obj', /web page/],
-    ['Kaydara FBX Binary  \0', 'x', /is an FBX file.*Export it as glTF \(\.glb\), or as PLY, STL or OBJ/],
+    [
+      'Kaydara FBX Binary  \0',
+      'x',
+      /^It is an FBX file, .*Export it as glTF \(\.glb\), or as PLY, STL or OBJ/,
+    ],
     ['; FBX 7.3.0 project file', 'x', /FBX/],
     ['PK\x03\x04\x14\0\0\0\0\0scene.usdc', 'x', /USDZ/],
     ['PK\x03\x04\x14\0\0\0\0\0[Content_Types].xml', 'x.3mf', /3MF/],

@@ -46,7 +46,7 @@ describe('the normal matrix', () => {
     (scale) => {
       const model = place([0.3, 0.4, 0.5], scale);
       // A sphere's normal leads outward: the point a little along it must stay farther from the centre's image.
-      const centre = new Vector3().applyMatrix4(model);
+      const center = new Vector3().applyMatrix4(model);
       for (const normal of [
         [1, 0, 0],
         [0, 1, 0],
@@ -54,7 +54,7 @@ describe('the normal matrix', () => {
         [1, 1, 1],
         [-1, 2, -0.5],
       ] as const) {
-        const outward = new Vector3(...normal).applyMatrix4(model).sub(centre);
+        const outward = new Vector3(...normal).applyMatrix4(model).sub(center);
         expect(through(model, normal).dot(outward)).toBeGreaterThan(0);
       }
     },

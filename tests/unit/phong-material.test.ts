@@ -13,7 +13,7 @@ import {
 import { describe, expect, it } from 'vitest';
 import { LightSet, LightState, PhongLighting, PhongMaterial } from '../../src/core.js';
 import { type LightValues } from '../../src/light/light-state.js';
-import { PLAIN_LOOK } from '../../src/material/phong-material.js';
+import { PLAIN_LOOK } from '../../src/material/base-look.js';
 import { FakeRenderer } from './fake-renderer.js';
 
 /** A material on a mesh before a camera, under lights that bring every term. */
@@ -68,9 +68,9 @@ describe('another program', () => {
       ['the same light again', () => light!.set('active', true), 0],
       ['fewer terms', () => material.setStyle({ terms: ['diffuse'] }), 0],
       ['no specular colour', () => material.setSurface({ ks: [0, 0, 0] }), 0],
-      ['other colours and exponents to 64', () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }), 0],
-      ['an exponent above 64', () => material.setSurface({ shininess: 65 }), 1],
-      ['an exponent to 64 again', () => material.setSurface({ shininess: 8 }), 0],
+      ['other colours and exponents to 32', () => material.setSurface({ shininess: 7, ka: [1, 2, 3] }), 0],
+      ['an exponent above 32', () => material.setSurface({ shininess: 33 }), 1],
+      ['an exponent to 32 again', () => material.setSurface({ shininess: 8 }), 0],
     ];
     let before = draw();
     for (const [which, change, programs] of changes) {

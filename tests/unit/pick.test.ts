@@ -44,7 +44,7 @@ function wall(z = 0, parent: Object3D = scene): Mesh {
 
 function look(column = 50, row = 50): Hit | null {
   const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-  view.aim(45, { centre: [0, 0, 0], radius: 2 }, SIZE, SIZE);
+  view.aim(45, scene, { center: [0, 0, 0], radius: 2 }, SIZE, SIZE);
   return pick(snapshotThrough(view), column, row);
 }
 
@@ -214,12 +214,12 @@ describe('the pick', () => {
     wall();
     const orbit = new Orbit({ theta: 0, phi: 90, radius: 3 });
     const view = new ViewCamera(orbit);
-    view.aim(45, null, SIZE, SIZE);
+    view.aim(45, scene, null, SIZE, SIZE);
     const snapshot = snapshotThrough(view);
     const before = pick(snapshot, 50, 50)!;
     const eye = [...before.frame.eye];
     orbit.set({ theta: 90, radius: 7 });
-    view.aim(45, null, SIZE, SIZE);
+    view.aim(45, scene, null, SIZE, SIZE);
     expect(before.frame.eye).toEqual(eye);
     expect(pick(snapshot, 50, 50)).toEqual(before);
   });
@@ -230,7 +230,7 @@ describe('the pick', () => {
     foreign.position.set(0.5, 0, 1);
     scene.add(foreign);
     const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
-    view.aim(45, null, SIZE, SIZE);
+    view.aim(45, scene, null, SIZE, SIZE);
     const snapshot = snapshotThrough(view);
     const { depth } = pick(snapshot, 50, 50)!;
     const material = mesh.material as PhongMaterial;

@@ -3,7 +3,7 @@
 import { Mesh } from 'three';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import type { PhongViewer } from '../../src/element/phong-viewer.js';
-import type { FragmentExplanation, LightExplanation } from '../../src/element/viewer/shade-at.js';
+import type { FragmentExplanation, LightExplanation } from '../../src/element/explanation.js';
 import { srgbDecode } from '../../src/math/color.js';
 import { length, type Vec3 } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';

@@ -7,6 +7,7 @@ import { PhongLighting } from '../../src/material/lighting.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
 import { Animations } from '../../src/scene/animations.js';
 import { SceneTree } from '../../src/scene/scene-tree.js';
 
@@ -15,6 +16,7 @@ const quiet = (): void => undefined;
 function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: FieldStore<MeshValues>[] } {
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations() },
+    budget: new TriangleBudget(),
     ...{ crossOrigin: null, mayLoad: true },
     ...{
       changed: quiet,

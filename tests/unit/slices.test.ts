@@ -1,6 +1,6 @@
 // Do long loops cover every item once, let other tasks run, and end with an abort?
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { Slices } from '../../src/scene/model/slices.js';
+import { Slices } from '../../src/model/slices.js';
 
 afterEach(() => {
   vi.restoreAllMocks();

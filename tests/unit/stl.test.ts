@@ -99,10 +99,23 @@ describe('a text STL file', () => {
     expect(numbersOf(model, 'normal', 1)).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1]);
   });
 
+  it('can begin with a byte order mark, and stand on one line', async () => {
+    const lines = `solid a facet plate\n${facet}endsolid a facet plate\nsolid b\n${facet}endsolid b\n`;
+    for (const text of [
+      `\ufeff${lines}`,
+      lines.replace(/\s+/g, ' '),
+      `\ufeff${lines.replace(/\s+/g, ' ')}`,
+    ]) {
+      const model = await loadFiles({ model: text });
+      expect(model.parts.map(({ name }) => name)).toEqual(['a facet plate', 'b']);
+      expect(numbersOf(model, 'position', 1)).toEqual(TRIANGLE);
+    }
+  });
+
   it.each([
     [`solid\n${facet.replace('vertex 0 1 0\n', '')}`, /line 7: a facet has fewer than three/],
     [`solid\n${facet.replace('endloop', 'vertex 1 1 1')}`, /line 7: a facet has more than three/],
-    [`solid\n${facet.replace('1 0 0', '1 zero 0')}`, /line 5: .*NaN/],
+    [`solid\n${facet.replace('1 0 0', '1 zero 0')}`, /line 5: "zero" is not a number/],
     [`solid\n${facet.slice(0, 60)}`, /truncated/],
     ['solid\nendsolid', /no triangles/],
   ])('is an error for an author to understand: %j', async (text, message) => {

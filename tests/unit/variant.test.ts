@@ -4,9 +4,9 @@
 import fc from 'fast-check';
 import { Texture } from 'three';
 import { describe, expect, it } from 'vitest';
-import { declareFeatures, noFeatures } from '../../src/light/light-features.js';
+import { declaredFeatures } from '../../src/light/light-features.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { type BaseLook, PLAIN_LOOK } from '../../src/material/phong-material.js';
+import { type BaseLook, PLAIN_LOOK } from '../../src/material/base-look.js';
 import {
   type Form,
   generalVariant,
@@ -26,24 +26,18 @@ import { anyLight, light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
 
 /** What differs from a plain material: fields of its look, of its style and the others, side by side. */
-type Difference = Partial<BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'shininessTo64'>>;
+type Difference = Partial<BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'mildShininess'>>;
 
 const materialOf = (difference: Difference = {}): MaterialFeatures => ({
   look: { ...PLAIN_LOOK, ...difference },
   style: { ...DEFAULT_STYLE, ...difference },
-  ...{ linear: false, shininessTo64: true, ...difference },
+  ...{ linear: false, mildShininess: true, ...difference },
 });
 
 const texture = (channel = 0): Texture => Object.assign(new Texture(), { channel });
 
-const declaredBy = (lights: readonly LightValues[]) => {
-  const declared = noFeatures();
-  for (const values of lights) declareFeatures(values, declared);
-  return declared;
-};
-
 const generalKey = (lights: readonly LightValues[], material: Difference = {}, capacity = 0): string =>
-  generalVariant(materialOf(material), declaredBy(lights), capacity).key;
+  generalVariant(materialOf(material), declaredFeatures(lights), capacity).key;
 
 const count = (keys: readonly string[]): number => new Set(keys).size;
 
@@ -81,7 +75,7 @@ describe('the general program', () => {
     ['a cone of another width', { aperture: 60 }, 1],
     ['another decay', { cutoff: 7.5 }, 1],
     ['a narrow cone, which a cosine does not find,', { aperture: 5 }, 2],
-    ['a decay above 64', { cutoff: 100 }, 2],
+    ['a decay above 32', { cutoff: 33 }, 2],
     ['ambient light', { ambient: [9, 9, 9] }, 1],
   ])('with %s in a second spot makes %3$i in all', (_, values, programs) => {
     const first = [light({ ambient: [9, 9, 9] }), light({ ...spot, cutoff: 2 })];
@@ -95,7 +89,7 @@ describe('the general program', () => {
     ['gouraud shading', { shading: 'gouraud' }, 2],
     ['Blinn’s lobe', { reflection: 'blinn-phong' }, 2],
     ['averaged highlights', { antialias: 'highlights' }, 2],
-    ['large exponents', { shininessTo64: false }, 2],
+    ['large exponents', { mildShininess: false }, 2],
     ['fewer terms', { terms: ['diffuse'] }, 2],
     ['a texture', { map: texture() }, 2],
     ['an unlit look', { unlit: true }, 2],
@@ -121,7 +115,7 @@ describe('the general program', () => {
     const anyDifference: fc.Arbitrary<Difference> = fc.record({
       ...{ shading: fc.constantFrom(...SHADINGS), reflection: fc.constantFrom(...REFLECTIONS) },
       ...{ terms: fc.subarray([...TERMS]), antialias: fc.constantFrom(...ANTIALIASES) },
-      ...{ linear: fc.boolean(), shininessTo64: fc.boolean() },
+      ...{ linear: fc.boolean(), mildShininess: fc.boolean() },
       ...{ vertexColors: fc.boolean(), unlit: fc.boolean() },
       ...{ metalness: fc.constantFrom(0, 1), roughness: fc.constantFrom(null, 0.5) },
       emissive: fc.constantFrom([0, 0, 0] as const, [1, 0, 0] as const),
@@ -139,7 +133,7 @@ describe('the general program', () => {
 describe('a specialised program', () => {
   const keyOf = (form: Form, lights: readonly LightValues[], material: Partial<MaterialTerms> = {}): string =>
     specialisedVariant(
-      generalVariant(materialOf(), declaredBy(EVERYTHING), 200),
+      generalVariant(materialOf(), declaredFeatures(EVERYTHING), 200),
       { terms: TERMS, integerShininess: 32, ...material },
       form,
       pack(lights),
@@ -177,7 +171,7 @@ describe('a specialised program', () => {
   it('has literal addresses for up to 16 lights, which a GPU unrolls, and counts addresses up beyond', () => {
     const statements = (n: number): string =>
       specialisedVariant(
-        generalVariant(materialOf(), declaredBy([light(lamp)]), 1000),
+        generalVariant(materialOf(), declaredFeatures([light(lamp)]), 1000),
         { terms: TERMS, integerShininess: null },
         'counted',
         pack(Array.from({ length: n }, () => light(lamp))),

@@ -1,7 +1,9 @@
 // Can numbers be read from the colours of views, and which lights can be counted?
 import { describe, expect, it } from 'vitest';
+import { HEADER, LIMIT_OPEN, ROWS } from '../../src/light/light-layout.js';
+import { emptyPack } from '../../src/light/pack-lights.js';
 import { LightState, type LightValues } from '../../src/light/light-state.js';
-import { countLights } from '../../src/material/view/count-lights.js';
+import { packCounted } from '../../src/material/view/count-lights.js';
 import { scaleColor } from '../../src/material/view/scale.js';
 import { VIEWS } from '../../src/material/views.js';
 import { srgbDecode } from '../../src/math/color.js';
@@ -58,30 +60,43 @@ describe('the lights that are counted', () => {
   const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
   const space = { worldToShading: identity, cameraToShading: identity, linear: false };
   const light = (values: Partial<LightValues>): Readonly<LightValues> => new LightState(values).values;
-  const counted = (values: Partial<LightValues>) => countLights([light(values)], space);
+  /** The channels and limits of the lights that are packed, and how many have no cone. */
+  const countedOf = (...lights: readonly Partial<LightValues>[]) => {
+    const packed = emptyPack();
+    const open = packCounted(lights.map(light), space, packed);
+    const first = (i: number, row: number): number => (HEADER.rows + i * ROWS.counted.rows + row) * 4;
+    const read = Array.from({ length: packed.sent }, (_, i) => ({
+      channels: packed.data[first(i, ROWS.counted.position) + 3]!,
+      limit: packed.data[first(i, ROWS.counted.axis) + 3]!,
+    }));
+    expect(packed.counts).toEqual({ directional: 0, point: 0, spot: packed.sent });
+    expect(packed.data[HEADER.counts * 4 + 2]).toBe(packed.sent);
+    return { open, read };
+  };
 
   it('exclude inactive and black ones', () => {
-    expect(counted({ active: false }).lights).toEqual([]);
-    expect(counted({ diffuse: [0, 0, 0], specular: [0, 0, 0] }).lights).toEqual([]);
-    expect(counted({ diffuse: [0, 0, 0], specular: [0, 0, 0], ambient: [0, 0, 1] }).lights).toHaveLength(1);
+    const black = { diffuse: [0, 0, 0], specular: [0, 0, 0] } as const;
+    expect(countedOf({ active: false }).read).toEqual([]);
+    expect(countedOf(black).read).toEqual([]);
+    expect(countedOf({ ...black, ambient: [0, 0, 1] }).read).toEqual([{ channels: 4, limit: LIMIT_OPEN }]);
   });
 
   it('exclude directional lights that miss their own cone', () => {
     const aimed = { position: [0, 1, 0, 0], axis: [0, -1, 0], aperture: 20 } as const;
-    expect(counted(aimed).open).toBe(1);
-    expect(counted({ ...aimed, axis: [1, 0, 0] }).lights).toEqual([]);
+    expect(countedOf(aimed).open).toBe(1);
+    expect(countedOf({ ...aimed, axis: [1, 0, 0] }).read).toEqual([]);
   });
 
   it('include those without a direction for their ambient light', () => {
-    const [nowhere] = counted({ position: [0, 0, 0, 0], ambient: [9, 9, 9] }).lights;
-    expect(nowhere!.attenuation[0]).toBe(7);
-    expect(counted({ position: [0, 0, 0, 1], ambient: [9, 9, 9] }).lights[0]!.attenuation[0]).toBe(511);
+    const [nowhere] = countedOf({ position: [0, 0, 0, 0], ambient: [9, 9, 9] }).read;
+    expect(nowhere!.channels).toBe(7);
+    expect(countedOf({ position: [0, 0, 0, 1], ambient: [9, 9, 9] }).read[0]!.channels).toBe(511);
   });
 
-  it('begin with those without a cone', () => {
-    const spot = light({ position: [0, 1, 0, 1], aperture: 20 });
-    const { lights, open } = countLights([spot, light({}), spot], space);
+  it('begin with those without a cone, which the others’ limits tell apart', () => {
+    const spot = { position: [0, 1, 0, 1], aperture: 20 } as const;
+    const { read, open } = countedOf(spot, {}, spot);
     expect(open).toBe(1);
-    expect(lights.map(({ aperture }) => aperture)).toEqual([180, 20, 20]);
+    expect(read.map(({ limit }) => limit === LIMIT_OPEN)).toEqual([true, false, false]);
   });
 });

@@ -7,7 +7,7 @@ import { VIEWER_TEXTS, type ViewerText } from '../../src/element/fields/text-lis
 import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields/texts.js';
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
-import { LIGHT_KINDS } from '../../src/gui/kind-choice.js';
+import { LIGHT_KINDS } from '../../src/gui/light-values.js';
 import { TERMS } from '../../src/material/shading-style.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })

@@ -2,9 +2,9 @@
 // viewers at a time, drawn by general programs at first and by specialised ones once they keep being drawn.
 
 import type { Locator, Page } from '@playwright/test';
-import { drawUntilSpecialised } from '../element/driving.js';
-import { drawnWith, glSpent, isSpecialised, isLit } from '../element/gl-log.js';
-import type { PhongViewer } from '../element/support.js';
+import { drawUntilSpecialised } from '../element/frames/driving.js';
+import { drawnWith, glSpent, isSpecialised, isLit } from '../element/support/gl-log.js';
+import type { PhongViewer } from '../element/support/viewer.js';
 import { allReady, expect, pixels, type Picture } from '../support/test.js';
 
 export interface ProgramDifference {

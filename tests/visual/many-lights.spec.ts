@@ -4,9 +4,9 @@
 import type { Page } from '@playwright/test';
 import type { LightValues } from '../../src/light/light-state.js';
 import { expect, pixels, test, type Picture } from '../support/test.js';
-import { drawFrames, drawUntilSpecialised } from '../element/driving.js';
-import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/gl-log.js';
-import { assign, type PhongViewer } from '../element/support.js';
+import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
+import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/support/gl-log.js';
+import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
 import { caster, type CastScene } from './ray-cast.js';

@@ -28,6 +28,8 @@ export interface Hit {
   /** Computed on demand, because often only the face of a neighbour is needed. */
   readonly shaded: Shaded;
   readonly p: Vec3;
+  /** Distance from the eye along the view. */
+  readonly t: number;
   readonly mesh: number;
   /** Identifies the face and the mesh: equal for all pixels of one face. */
   readonly face: string;
@@ -73,6 +75,7 @@ export function caster(
         return coneMargin(scene.lights, this.shaded);
       },
       p,
+      t,
       mesh,
       face,
     };
@@ -167,7 +170,8 @@ function sphere(from: Vec3, along: Vec3): LocalHit | null {
   const b = dot(from, along);
   const q = dot(cross(from, along), cross(from, along)) / a;
   if (q > 0.25) return null;
-  const t = (-b - Math.sqrt(a) * Math.sqrt(0.25 - q)) / a;
+  const half = Math.sqrt(a) * Math.sqrt(0.25 - q);
+  const t = (half < -b ? -b - half : half - b) / a; // from inside it is seen from behind
   if (t <= 0) return null;
   return { t, normal: normalize(add(from, scale(along, t))), face: 'round' };
 }

@@ -45,8 +45,8 @@ test('each model covers the pixels of the other picture, in similar colours', as
   expect(found).toEqual([]);
   const expected = models
     .filter(({ dropped }) => dropped.length > 0)
-    .map(({ file, dropped }) => `${file} is shown without ${dropped.join(', ')}.`);
-  expect(warnings.map((text) => text.replace(/^.*\/assets\/models\//, '')).sort()).toEqual(expected.sort());
+    .map(({ file, dropped }) => `${file.replace(/^.*\//, '')} is shown without ${dropped.join(', ')}.`);
+  expect(warnings.map((text) => text.replace(/^warning: /, '')).sort()).toEqual(expected.sort());
 });
 
 interface Compared {

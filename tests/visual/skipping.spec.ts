@@ -2,9 +2,9 @@
 // reach nothing, and all of them with float64.
 
 import { expect, pixels, test } from '../support/test.js';
-import { drawFrames, drawUntilSpecialised } from '../element/driving.js';
-import { glSpent, logGl } from '../element/gl-log.js';
-import { assign, type PhongViewer } from '../element/support.js';
+import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';
+import { glSpent, logGl } from '../element/support/gl-log.js';
+import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { compareWithReference } from './against-reference.js';
 import { compareWithTriangles } from './against-triangles.js';
 import { betweenPrograms, bothPictures, DifferenceSum, expectDrawnBy, picturesBy, showAll } from './between-programs.js'; // prettier-ignore

@@ -1,70 +1,92 @@
-// How does a <phong-compare> show its viewers? Each in a pane of its own, clipped by the dividers on both sides of it, or beside the
-// others. Knows neither cameras nor pictures.
+// Lays out the viewers of a <phong-compare>: each in a pane of its own, clipped by the dividers on both sides of it, or
+// beside the others.
+import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
+import type { PictureBox } from '../../camera/gesture.js';
 import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
-import { PictureCorners } from '../page/picture-box.js';
+import { CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
-import type { PhongCompare } from '../phong-compare.js';
-import type { PhongViewer } from '../phong-viewer.js';
-import { create, set, write } from '../viewer/template.js';
+import type { PhongCompare } from '../elements.js';
+import type { PhongViewer } from '../elements.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './places.js';
 import { SharedTouch } from './shared-touch.js';
 
-interface Pane {
-  readonly box: HTMLElement;
-  readonly slot: HTMLSlotElement;
-  readonly label: HTMLElement;
+/** The text over a viewer; `isName`: the viewer itself has it as its name. */
+interface Label {
+  readonly text: string;
+  readonly isName: boolean;
 }
 
-export class Comparison implements DividerHost {
+const NO_LABEL: Label = { text: '', isName: false };
+
+export class Comparison implements DividerHost, ReactiveController {
   readonly #element: PhongCompare;
   readonly #values: Readonly<CompareValues>;
-  readonly #box = create('div', { class: 'box' });
-  readonly #observer = new MutationObserver(() => this.update());
-  readonly #listeners = new AbortController();
-  readonly corners: PictureCorners;
+  readonly #observer = new MutationObserver(() => this.#element.requestUpdate());
+  #listeners = new AbortController();
+  /** Those in the panes, in their order. */
   #viewers: readonly PhongViewer[] = [];
-  #panes: readonly Pane[] = [];
   #dividers: readonly Divider[] = [];
-  #places: readonly number[] = [];
-  #rtl = false;
 
-  constructor(element: PhongCompare, root: ShadowRoot) {
+  constructor(element: PhongCompare) {
     this.#element = element;
     this.#values = fieldsOf(element).store.values;
-    this.corners = new PictureCorners(this.#box);
+    inspect(element);
+  }
+
+  hostConnected(): void {
+    const root = this.#element.shadowRoot!;
     addStyles(root, styles);
-    root.replaceChildren(this.#box);
     this.#observe();
+    const { signal } = (this.#listeners = new AbortController());
     // The direction of the text may have changed, which no event reports.
     for (const type of ['pointerover', 'focusin'] as const)
-      root.addEventListener(type, () => this.update(), { signal: this.#listeners.signal });
-    new SharedTouch(root, this.#listeners.signal);
-    this.update();
-    inspect(element);
+      root.addEventListener(type, () => this.#element.requestUpdate(), { signal });
+    new SharedTouch(root, signal);
+  }
+
+  hostDisconnected(): void {
+    this.#observer.disconnect();
+    this.#listeners.abort();
+  }
+
+  /** The panes are there: assigns the viewers to them, unless they have them already. */
+  hostUpdated(): void {
+    const { viewers } = this.#element;
+    if (viewers.length === this.#viewers.length && viewers.every((viewer, i) => viewer === this.#viewers[i]))
+      return;
+    this.#viewers = viewers;
+    const slots = this.#element.shadowRoot!.querySelectorAll<HTMLSlotElement>('.pane > slot');
+    viewers.forEach((viewer, i) => slots[i]?.assign(viewer));
+    this.#observe();
+  }
+
+  measure(): PictureBox {
+    return new PictureCorners(this.#element.shadowRoot!.querySelector('.box')!).box;
   }
 
   get vertical(): boolean {
     return this.#values.direction === 'vertical';
   }
 
-  get rtl(): boolean {
-    return this.#rtl;
+  isRtl(): boolean {
+    return getComputedStyle(this.#element).direction === 'rtl';
   }
 
-  dispose(): void {
-    this.#observer.disconnect();
-    this.#listeners.abort();
-    this.#box.remove();
+  placeOf(divider: Divider): { readonly place: number; readonly range: readonly [min: number, max: number] } {
+    const index = this.#dividers.indexOf(divider);
+    const places = this.#places;
+    return { place: places[index]!, range: rangeOf(places, index) };
   }
 
   move(divider: Divider, place: number): void {
-    const at = withMoved(this.#places, this.#dividers.indexOf(divider), place);
-    if (at.every((each, i) => each === this.#places[i])) return;
+    const places = this.#places;
+    const at = withMoved(places, this.#dividers.indexOf(divider), place);
+    if (at.every((each, i) => each === places[i])) return;
     fieldsOf(this.#element).set('at', at);
     const detail = { at: Object.freeze([...at]) };
     this.#element.dispatchEvent(new CustomEvent('divider-change', { detail }));
@@ -78,69 +100,53 @@ export class Comparison implements DividerHost {
     this.#element.dispatchEvent(new CustomEvent('divider-change', { detail }));
   }
 
-  /** Children, values or names have changed. */
-  update(): void {
-    const { layout, at } = this.#values;
-    this.#rtl = getComputedStyle(this.#element).direction === 'rtl';
-    this.#arrange();
+  template(): TemplateResult {
+    const { layout, direction } = this.#values;
+    const { viewers } = this.#element;
     const split = layout === 'split';
-    set(this.#box, 'class', `box ${layout} ${this.#values.direction}`);
-    this.#places = placesOf(at, this.#viewers.length);
-    const labels = this.#labels;
-    this.#panes.forEach(({ box, label }, i) => {
-      const [from, to] = split ? [this.#places[i - 1] ?? 0, this.#places[i] ?? 100] : [0, 100];
-      const { text = '', isName = false } = labels[i] ?? {};
-      box.style.clipPath = split ? this.#clip(from, to) : '';
-      this.#leaveRoom(box, from, to, text);
-      // A viewer that is clipped away draws nothing.
-      box.style.visibility = from === to ? 'hidden' : '';
-      write(label, text);
-      label.hidden = text === '';
-      // A viewer says its own name.
-      set(box, 'role', text === '' || isName ? null : 'group');
-      set(box, 'aria-label', text === '' || isName ? null : text);
-    });
-    this.#dividers.forEach((divider, i) => {
-      const [first, second] = [labels[i]?.text ?? '', labels[i + 1]?.text ?? ''];
-      const { texts } = this.#viewers[i]!;
-      divider.update({
-        place: this.#places[i]!,
-        range: rangeOf(this.#places, i),
-        label:
-          first === '' || second === ''
-            ? phrase(texts, 'Divider')
-            : phrase(texts, 'Divider between {first} and {second}', { first, second }),
-        panes: `${this.#panes[i]!.box.id} ${this.#panes[i + 1]!.box.id}`,
-      });
-    });
+    const places = this.#places;
+    const labels = this.#labelsOf(viewers);
+    const rtl = this.isRtl();
+    const dividers = split ? Math.max(viewers.length - 1, 0) : 0;
+    this.#dividers = Array.from({ length: dividers }, (_, i) => this.#dividers[i] ?? new Divider(this));
+    return html`<div class=${`box ${layout} ${direction}`}>
+      ${CORNERS}
+      ${viewers.map((viewer, i) => {
+        const divider = this.#dividers[i];
+        const range = split ? ([places[i - 1] ?? 0, places[i] ?? 100] as const) : null;
+        return [
+          this.#paneTemplate(i, labels[i] ?? NO_LABEL, range, rtl),
+          divider?.template(dividerLabel(viewer, labels[i], labels[i + 1]), `${paneId(i)} ${paneId(i + 1)}`),
+        ];
+      })}
+    </div>`;
   }
 
-  /** A pane for each viewer, and a divider between two of them. */
-  #arrange(): void {
-    const { viewers } = this.#element;
-    const dividers = this.#values.layout === 'split' ? Math.max(viewers.length - 1, 0) : 0;
-    if (viewers.length !== this.#panes.length || dividers !== this.#dividers.length) {
-      this.#panes = viewers.map((_, i) => this.#panes[i] ?? createPane(i));
-      this.#dividers = Array.from({ length: dividers }, (_, i) => this.#dividers[i] ?? new Divider(this));
-      const parts = this.#panes.flatMap(({ box }, i) => {
-        const divider = this.#dividers[i];
-        return divider === undefined ? [box] : [box, divider.handle, divider.line];
-      });
-      const kept = new Set<Element>(parts);
-      for (const part of [...this.#box.children])
-        if (!kept.has(part) && part.localName !== 'i') part.remove();
-      // The corners come first. What is in its place already stays, and keeps the focus.
-      let last = this.#box.querySelector('i:last-of-type')!;
-      for (const part of parts) {
-        if (last.nextElementSibling !== part) last.after(part);
-        last = part;
-      }
-    }
-    if (viewers.length === this.#viewers.length && viewers.every((viewer, i) => viewer === this.#viewers[i]))
-      return;
-    this.#viewers = viewers;
-    this.#panes.forEach(({ slot }, i) => slot.assign(viewers[i]!));
-    this.#observe();
+  /** `range`: what the dividers leave of the pane, in percent; null for all, beside the others. */
+  #paneTemplate(
+    index: number,
+    { text, isName }: Label,
+    range: readonly [from: number, to: number] | null,
+    rtl: boolean,
+  ): TemplateResult {
+    // A viewer says its own name.
+    const name = text === '' || isName ? nothing : text;
+    // Read as the viewer's name, or as that of the group around it. Styles as properties: a strict CSP refuses style
+    // attributes.
+    return html`<div
+      class="pane"
+      id=${paneId(index)}
+      role=${name === nothing ? nothing : 'group'}
+      aria-label=${name}
+      .style=${`${this.#room(...(range ?? [0, 100]), text)}; ${range === null ? '' : this.#clip(...range, rtl)}`}
+    >
+      <slot></slot>
+      <div class="label" part="label" aria-hidden="true" ?hidden=${text === ''} .textContent=${text}></div>
+    </div>`;
+  }
+
+  get #places(): readonly number[] {
+    return placesOf(this.#values.at, this.#element.viewers.length);
   }
 
   #observe(): void {
@@ -154,34 +160,37 @@ export class Comparison implements DividerHost {
   }
 
   /** What a viewer shows over its picture, such as its panel, keeps to the visible part. */
-  #leaveRoom({ style }: HTMLElement, from: number, to: number, label: string): void {
+  #room(from: number, to: number, label: string): string {
     const [start, end] = this.vertical ? ['top', 'bottom'] : ['start', 'end'];
     const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : '26px' };
     const kept = { ...room, [start]: `${String(from)}%`, [end]: `${String(100 - to)}%` };
-    for (const [side, length] of Object.entries(kept)) style.setProperty(`--phong-${side}`, length);
+    return Object.entries(kept)
+      .map(([side, length]) => `--phong-${side}: ${length}`)
+      .join('; ');
   }
 
-  #clip(from: number, to: number): string {
+  #clip(from: number, to: number, rtl: boolean): string {
     const [before, after] = [`${String(from)}%`, `${String(100 - to)}%`];
-    if (this.vertical) return `inset(${before} 0 ${after} 0)`;
-    return this.#rtl ? `inset(0 ${before} 0 ${after})` : `inset(0 ${after} 0 ${before})`;
+    const sides = this.vertical ? [before, 0, after, 0] : rtl ? [0, before, 0, after] : [0, after, 0, before];
+    // A viewer that is clipped away draws nothing.
+    return `clip-path: inset(${sides.join(' ')})${from === to ? '; visibility: hidden' : ''}`;
   }
 
-  /** The text over each viewer; `isName`: the viewer itself has it as its name. */
-  get #labels(): readonly { readonly text: string; readonly isName: boolean }[] {
+  #labelsOf(viewers: readonly PhongViewer[]): readonly Label[] {
     const given = this.#values.labels?.split(',').map((text) => text.trim());
-    return this.#viewers.map((viewer, i) => ({
+    return viewers.map((viewer, i) => ({
       text: given === undefined ? (viewer.getAttribute('aria-label') ?? '') || viewer.alt : (given[i] ?? ''),
       isName: given === undefined,
     }));
   }
 }
 
-function createPane(index: number): Pane {
-  const box = create('div', { class: 'pane', id: `pane-${String(index + 1)}` });
-  const slot = create('slot', {});
-  // Read as the viewer's name, or as that of the group around it.
-  const label = create('div', { class: 'label', part: 'label', 'aria-hidden': 'true' });
-  box.append(slot, label);
-  return { box, slot, label };
+const paneId = (index: number): string => `pane-${String(index + 1)}`;
+
+/** `viewer`: the one before the divider, whose texts it is in. */
+function dividerLabel({ texts }: PhongViewer, before: Label = NO_LABEL, after: Label = NO_LABEL): string {
+  const [first, second] = [before.text, after.text];
+  return first === '' || second === ''
+    ? phrase(texts, 'Divider')
+    : phrase(texts, 'Divider between {first} and {second}', { first, second });
 }

@@ -1,26 +1,21 @@
-// How does the user move a divider? By pointer, from where it was pressed, and by keys; Escape takes a drag back. Percent of the box,
-// along its own axes. Knows no viewers.
-import { set, create } from '../viewer/template.js';
-import type { PictureCorners } from '../page/picture-box.js';
+// A divider that the user moves: by pointer, from where it was pressed, and by keys; Escape takes a drag back. Percent
+// of the box, along its own axes.
+import { html, type TemplateResult } from 'lit';
+import type { PictureBox } from '../../camera/gesture.js';
 import { keyStep } from './places.js';
 
 export interface DividerHost {
-  readonly corners: PictureCorners;
   readonly vertical: boolean;
   /** The start of the line is on the right. */
-  readonly rtl: boolean;
+  isRtl(): boolean;
+  /** The box of the comparison as it is now. */
+  measure(): PictureBox;
+  /** Where this divider is, and how far it can go. */
+  placeOf(divider: Divider): { readonly place: number; readonly range: readonly [min: number, max: number] };
   /** The user moves this divider there. */
   move(divider: Divider, place: number): void;
   /** The user wants it where it was declared. */
   reset(): void;
-}
-
-export interface DividerState {
-  readonly place: number;
-  readonly range: readonly [min: number, max: number];
-  readonly label: string;
-  /** Ids of the panes on both sides. */
-  readonly panes: string;
 }
 
 /** From where a drag is measured: client coordinates, percent. */
@@ -32,82 +27,113 @@ interface Press {
 }
 
 export class Divider {
-  /** What the user takes, and its line, which lies exactly where the pictures meet. */
-  readonly handle = create('div', { class: 'divider', part: 'divider', role: 'separator', tabindex: '0' });
-  readonly line = create('div', { class: 'line', part: 'line' });
   readonly #host: DividerHost;
-  #place = 0;
-  #range: DividerState['range'] = [0, 100];
+  /** What was pressed, and is moved. */
+  #handle: HTMLElement | null = null;
   #press: Press | null = null;
 
   constructor(host: DividerHost) {
     this.#host = host;
-    const { handle } = this;
-    handle.addEventListener('pointerdown', (event) => this.#onPress(event));
-    handle.addEventListener('pointermove', (event) => this.#onMove(event));
-    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const)
-      handle.addEventListener(type, ({ pointerId }) => {
-        if (pointerId === this.#press?.pointerId) this.#press = null;
-      });
-    handle.addEventListener('keydown', (event) => this.#onKey(event));
-    handle.addEventListener('dblclick', () => host.reset());
   }
 
-  update({ place, range, label, panes }: DividerState): void {
-    this.#place = place;
-    this.#range = range;
-    const { handle, line } = this;
-    for (const { style } of [handle, line]) style.setProperty('--at', `${String(place)}%`);
-    const values = { now: place, min: range[0], max: range[1] };
-    for (const [name, value] of Object.entries(values)) set(handle, `aria-value${name}`, value.toFixed());
-    set(handle, 'aria-orientation', this.#host.vertical ? 'horizontal' : 'vertical');
-    set(handle, 'aria-label', label);
-    set(handle, 'aria-controls', panes);
+  /**
+   * What the user takes, and its line, which lies exactly where the pictures meet. `panes`: ids of those on both sides.
+   */
+  template(label: string, panes: string): TemplateResult {
+    const { place, range } = this.#host.placeOf(this);
+    // As a property: a strict CSP refuses style attributes.
+    const at = `--at: ${String(place)}%`;
+    return html`<div
+        class="divider"
+        part="divider"
+        role="separator"
+        tabindex="0"
+        aria-valuenow=${place.toFixed()}
+        aria-valuemin=${range[0].toFixed()}
+        aria-valuemax=${range[1].toFixed()}
+        aria-orientation=${this.#host.vertical ? 'horizontal' : 'vertical'}
+        aria-label=${label}
+        aria-controls=${panes}
+        .style=${at}
+        @pointerdown=${this.#onPress}
+        @pointermove=${this.#onMove}
+        @pointerup=${this.#onLift}
+        @pointercancel=${this.#onLift}
+        @lostpointercapture=${this.#onLift}
+        @keydown=${this.#onKey}
+        @dblclick=${this.#onDoubleClick}
+      ></div>
+      <div class="line" part="line" .style=${at}></div>`;
   }
 
-  #onPress({ button, pointerId, clientX: x, clientY: y }: PointerEvent): void {
+  readonly #onPress = (event: PointerEvent): void => {
+    const { button, pointerId, clientX: x, clientY: y } = event;
     if (button !== 0 || this.#press !== null) return;
-    this.#press = { pointerId, x, y, place: this.#place };
-    this.handle.focus({ preventScroll: true });
+    const handle = (this.#handle = event.currentTarget as HTMLElement);
+    // The button may be released in another window, which no event reports.
+    handle.ownerDocument.defaultView?.addEventListener('blur', this.#end);
+    this.#press = { pointerId, x, y, place: this.#host.placeOf(this).place };
+    handle.focus({ preventScroll: true });
     try {
-      this.handle.setPointerCapture(pointerId);
+      handle.setPointerCapture(pointerId);
     } catch {
       // The pointer was made by a script: moves over the handle still count.
     }
-  }
+  };
 
-  #onMove({ pointerId, clientX, clientY, buttons }: PointerEvent): void {
+  readonly #onMove = ({ pointerId, clientX, clientY, buttons }: PointerEvent): void => {
     const press = this.#press;
     if (pointerId !== press?.pointerId) return;
     // The button was released without an event, over another window or under a menu.
-    if ((buttons & 1) === 0) this.#press = null;
-    else this.#host.move(this, press.place + this.#travel(clientX - press.x, clientY - press.y));
-  }
+    if ((buttons & 1) === 0) this.#end();
+    else {
+      const travel = this.#travel(clientX - press.x, clientY - press.y);
+      if (travel !== null) this.#host.move(this, press.place + travel);
+    }
+  };
 
-  /** Percent of the box that a pointer has moved along it, whatever turns or scales the page. */
-  #travel(x: number, y: number): number {
-    const { corners, vertical, rtl } = this.#host;
-    const { width, height, axes = [1, 0, 0, 1] } = corners.box;
+  readonly #onLift = ({ pointerId }: PointerEvent): void => {
+    if (pointerId === this.#press?.pointerId) this.#end();
+  };
+
+  /** Ends a drag. */
+  readonly #end = (): void => {
+    const handle = this.#handle;
+    const id = this.#press?.pointerId;
+    this.#press = null;
+    handle?.ownerDocument.defaultView?.removeEventListener('blur', this.#end);
+    if (id !== undefined && handle?.hasPointerCapture(id) === true) handle.releasePointerCapture(id);
+  };
+
+  readonly #onDoubleClick = (): void => this.#host.reset();
+
+  /**
+   * Percent of the box that a pointer has moved along it, whatever turns or scales the page. Null while the box is
+   * hidden.
+   */
+  #travel(x: number, y: number): number | null {
+    const { vertical } = this.#host;
+    const { width, height, axes } = this.#host.measure();
+    if (axes === undefined) return null;
     const [rightX, rightY, downX, downY] = axes;
     const [alongX, alongY] = vertical ? [downX, downY] : [rightX, rightY];
     const squared = alongX ** 2 + alongY ** 2;
     const pixels = squared === 0 ? 0 : (x * alongX + y * alongY) / squared;
-    return ((rtl && !vertical ? -pixels : pixels) * 100) / Math.max(vertical ? height : width, 1);
+    return ((!vertical && this.#host.isRtl() ? -pixels : pixels) * 100) / (vertical ? height : width);
   }
 
-  #onKey(event: KeyboardEvent): void {
+  readonly #onKey = (event: KeyboardEvent): void => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
-    const { vertical, rtl } = this.#host;
-    const step = keyStep(event, vertical, rtl);
-    const [min, max] = this.#range;
+    const step = keyStep(event, this.#host.vertical, this.#host.isRtl());
+    const { place, range } = this.#host.placeOf(this);
     if (event.key === 'Escape' && this.#press !== null) {
-      const { place } = this.#press;
-      this.#press = null;
-      this.#host.move(this, place);
-    } else if (step === 'min') this.#host.move(this, min);
-    else if (step === 'max') this.#host.move(this, max);
-    else if (step !== undefined) this.#host.move(this, this.#place + step);
+      const { place: start } = this.#press;
+      this.#end();
+      this.#host.move(this, start);
+    } else if (step === 'min') this.#host.move(this, range[0]);
+    else if (step === 'max') this.#host.move(this, range[1]);
+    else if (step !== undefined) this.#host.move(this, place + step);
     else return;
     event.preventDefault();
-  }
+  };
 }

@@ -1,6 +1,10 @@
-// Where are the dividers between viewers that lie over each other? In percent from the start, ascending. Plain functions of numbers.
+// Places of the dividers between viewers that lie over each other, in percent from the start, ascending. Plain
+// functions of numbers.
 
-/** The places of `count` − 1 dividers. Those that `at` leaves out divide the rest evenly; more than there are dividers are ignored. */
+/**
+ * The places of `count` − 1 dividers. Those that `at` leaves out divide the rest evenly; more than there are dividers
+ * are ignored.
+ */
 export function placesOf(at: readonly number[] | 'auto', count: number): readonly number[] {
   const dividers = Math.max(count - 1, 0);
   const given = at === 'auto' ? [] : at.slice(0, dividers);

@@ -1,6 +1,6 @@
-// Two fingers on different viewers of a comparison: whose gesture is it? That of the viewer under the first one, so that a pinch across
-// a divider zooms. Otherwise each finger would turn the linked cameras on its own. Knows no cameras.
-import type { PhongViewer } from '../phong-viewer.js';
+// Two fingers on different viewers of a comparison are one gesture of the viewer under the first finger, so that a
+// pinch across a divider zooms. Otherwise each finger would turn the linked cameras on its own.
+import type { PhongViewer } from '../elements.js';
 
 export class SharedTouch {
   /** Fingers on pictures, by pointer. */

@@ -1,5 +1,5 @@
-// What should an author write instead of an attribute that does not exist? A table of usual guesses, names that belong to
-// another element, and misspelled names. Knows the elements by their tags and attribute names only.
+// What to write instead of an attribute that does not exist: a table of usual guesses, names that belong to another
+// element, and misspelled names. Knows the elements by their tags and attribute names only.
 import { nearest } from '../../fields/nearest.js';
 
 type Advice = Readonly<Record<string, string>>;
@@ -64,7 +64,10 @@ const GUESSES: Readonly<Record<string, Advice>> = {
   },
 };
 
-/** HTML's global attributes without a `-`, and those of RDFa. They give no warning, even if they resemble a name of this package. */
+/**
+ * HTML's global attributes without a `-`, and those of RDFa. They give no warning, even if they resemble a name of this
+ * package.
+ */
 const GLOBAL = new Set(
   (
     'accesskey anchor autocapitalize autocorrect autofocus class contenteditable contextmenu dir draggable ' +
@@ -74,7 +77,9 @@ const GLOBAL = new Set(
   ).split(' '),
 );
 
-/** What to write instead of `attribute` on `tag`; undefined if it is probably no mistake. `known`: attributes by tag. */
+/**
+ * What to write instead of `attribute` on `tag`; undefined if it is probably no mistake. `known`: attributes by tag.
+ */
 export function attributeAdvice(
   tag: string,
   attribute: string,

@@ -1,9 +1,9 @@
-// What is wrong with markup that looks like a mistake, and what is the cure? Warns once per mistake and page. Fetched when
-// there is something to report; changes nothing.
+// Explains what is wrong with markup that looks like a mistake, and how to cure it. Warns once per mistake and page.
+// Fetched when there is something to report; changes nothing.
 import { clip } from '../../fields/clip.js';
 import { nearest } from '../../fields/nearest.js';
 import { registryAround } from '../child-registry.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongViewer } from '../elements.js';
 import { isNamed } from '../viewer/naming.js';
 import { attributeAdvice } from './attribute-advice.js';
 import { lacksProbe, strayAttributes, wrappedViewer } from './inspect.js';

@@ -1,8 +1,8 @@
-// Could an element hold a mistake of its author that nothing else reports? Each element is tested once, after the task or
-// the parsing that connected it. The tests are cheap and coarse; the code that knows the mistakes and their cures is
-// fetched only if one fails.
+// Finds elements that may hold a mistake of their author that nothing else reports. Each element is tested once, after
+// the task or the parsing that connected it. The tests are cheap and coarse; the code that knows the mistakes and their
+// cures is fetched only if one fails.
 import { registryAround } from '../child-registry.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongViewer } from '../elements.js';
 import { isNamed } from '../viewer/naming.js';
 
 const waiting = new Set<Element>();
@@ -23,8 +23,8 @@ export function inspect(element: Element): void {
 const changed = new Set<Element>();
 
 /**
- * Tests a viewer again after the task, if it contains an element that is not defined. Call it when its content changes. Thousands of
- * children may come one by one, and the search reads all of them: it runs once.
+ * Tests a viewer again after the task, if it contains an element that is not defined. Call it when its content changes.
+ * Thousands of children may come one by one, and the search reads all of them: it runs once.
  */
 export function inspectAgain(viewer: Element): void {
   if (changed.size === 0) setTimeout(inspectChanged);
@@ -59,13 +59,42 @@ const FOREIGN = /^(class|id|style|slot|hidden|title|lang|dir|role|tabindex)$|^(o
 
 function inspectSoon(): void {
   setTimeout(() => {
-    const suspects = [...waiting].filter(isSuspect);
+    const elements = [...waiting];
     waiting.clear();
-    if (suspects.length === 0) return;
-    // Without this code nothing is reported, and nothing else fails.
-    void import('./diagnose.js').then(({ diagnose }) => diagnose(suspects)).catch(() => undefined);
+    report(elements.filter(isSuspect));
+    const nameless = elements.filter(isNameless);
+    const [first] = nameless;
+    if (first !== undefined) afterFirstPicture(first as PhongViewer, () => report(nameless));
   });
 }
+
+function report(suspects: readonly Element[]): void {
+  if (suspects.length === 0) return;
+  // Without this code nothing is reported, and nothing else fails.
+  void import('./diagnose.js').then(({ diagnose }) => diagnose(suspects)).catch(() => undefined);
+}
+
+/**
+ * A name changes no picture, so its check must not compete with the first one. Longest wait where no picture comes, ms.
+ */
+const LONGEST_WAIT = 2000;
+
+function afterFirstPicture(viewer: PhongViewer, action: () => void): void {
+  if (viewer.stats.frames > 0) {
+    action();
+    return;
+  }
+  const done = (): void => {
+    clearTimeout(timer);
+    viewer.removeEventListener('render', done);
+    action();
+  };
+  const timer = setTimeout(done, LONGEST_WAIT);
+  viewer.addEventListener('render', done);
+}
+
+const isNameless = (element: Element): boolean =>
+  element.isConnected && element.localName === 'phong-viewer' && !isNamed(element as PhongViewer);
 
 function isSuspect(element: Element): boolean {
   // It is tested when it comes back.
@@ -74,7 +103,6 @@ function isSuspect(element: Element): boolean {
   if (element.localName === 'phong-compare') return wrappedViewer(element) !== null;
   if (element.localName !== 'phong-viewer') return registryAround(element) === null;
   return (
-    !isNamed(element as PhongViewer) ||
     lacksProbe(element as PhongViewer) ||
     element.querySelector(':not(phong-light, phong-mesh, :scope > [slot], :scope > [slot] *)') !== null ||
     Array.from(element.childNodes).some(

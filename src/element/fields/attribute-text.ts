@@ -1,6 +1,5 @@
-// Attribute text to values and back. One contract for every kind: `parseText` returns a value for the field's own check,
-// or undefined if the text is malformed. It never throws and never guesses. Domains are checked by the fields. Knows no
-// element.
+// Attribute text to values and back. One contract for every kind: `parseText` returns a value for the field's own
+// check, or undefined if the text is malformed. It never throws and never guesses. Domains are checked by the fields.
 import type { Field, FieldKind } from '../../fields/field.js';
 import { cssColor } from './css-color.js';
 

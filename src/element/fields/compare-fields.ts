@@ -1,19 +1,28 @@
-// The values that a <phong-compare> declares: how its viewers lie beside or over each other. Knows nothing of their effect.
+// The values that a <phong-compare> declares: how its viewers lie beside or over each other.
 import { choiceField, numbersField, optional, orWord, textField } from '../../fields/field.js';
 import type { Fields } from '../../fields/field-store.js';
 
 export interface CompareValues {
-  /** `split`: the viewers lie over each other, with dividers that the user can move. `side`: they lie side by side. Default split. */
+  /**
+   * `split`: the viewers lie over each other, with dividers that the user can move. `side`: they lie side by side.
+   * Default split.
+   */
   layout: 'split' | 'side';
-  /** Whether the viewers follow each other along a line of text (`horizontal`) or from top to bottom (`vertical`). Default horizontal. */
+  /**
+   * Whether the viewers follow each other along a line of text (`horizontal`) or from top to bottom (`vertical`).
+   * Default horizontal.
+   */
   direction: 'horizontal' | 'vertical';
   /**
-   * Where the dividers of `split` are: percent of the width from the start of the line (of the height, from the top), 0–100, in
-   * ascending order, one less than there are viewers. The dividers left out share the rest evenly. The property follows the user's
-   * moves, the attribute does not. Default auto: equal parts.
+   * Where the dividers of `split` are: percent of the width from the start of the line (of the height, from the top),
+   * 0–100, in ascending order, one less than there are viewers. The dividers left out share the rest evenly. The
+   * property follows the user's moves, the attribute does not. Default auto: equal parts.
    */
   at: readonly number[] | 'auto';
-  /** Labels of the viewers, separated by commas. Empty: no labels. Null, the default: each viewer's `aria-label` or `alt`. */
+  /**
+   * Labels of the viewers, separated by commas. Empty: no labels. Null, the default: each viewer's `aria-label` or
+   * `alt`.
+   */
   labels: string | null;
 }
 

@@ -1,5 +1,5 @@
 // A CSS colour as three numbers, 255 being full, in sRGB and unrounded. The browser parses it, by a canvas outside the
-// document. Knows nothing of attributes.
+// document.
 import type { Vec3 } from '../../math/vector.js';
 
 const known = new Map<string, Vec3 | null>();
@@ -19,9 +19,9 @@ const DEEPEST = 4;
 const HIDING = /["'\\]|\/\*/;
 
 /**
- * Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else: text that is not a colour, a colour
- * outside the gamut, one that depends on the element (`currentColor`), and text of more than 200 characters, with more
- * than four nested parentheses, or with strings, escapes or comments.
+ * Any CSS `<color>` inside sRGB's gamut, without its alpha. Null for everything else: text that is not a colour, a
+ * colour outside the gamut, one that depends on the element (`currentColor`), and text of more than 200 characters,
+ * with more than four nested parentheses, or with strings, escapes or comments.
  */
 export function cssColor(text: string): Vec3 | null {
   // Before trimming: V8 keeps the whole of a text for the sake of a part.
@@ -51,8 +51,8 @@ function depthOf(text: string): number {
 function parsed(text: string): Vec3 | null {
   context ??= document.createElement('canvas').getContext('2d');
   if (context === null) return null;
-  // A relative colour is serialised as sRGB floats, whatever its own space, and accepts no keyword that is not a colour.
-  // A value that the canvas cannot parse leaves its fill style unchanged.
+  // A relative colour is serialised as sRGB floats, whatever its own space, and accepts no keyword that is not a
+  // colour. A value that the canvas cannot parse leaves its fill style unchanged.
   return read(context, `color(from ${text} srgb r g b)`) ?? read(context, text);
 }
 

@@ -1,5 +1,5 @@
 // How an element's attributes and properties reach its FieldStore. Attributes are parsed; a bad one warns and gives the
-// default. Properties are checked; a bad value throws. Knows no particular element.
+// default. Properties are checked; a bad value throws.
 import { show } from '../../fields/field.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { nearest } from '../../fields/nearest.js';
@@ -134,8 +134,9 @@ export class FieldBinding<V extends object> {
 }
 
 /**
- * Gives a class one accessor per field. Accessors that the class has itself stay. `find` finds an element's binding, by default as
- * {@link bindingOf} does; lights are written to so often that a private field, in a tenth of the time, is worth it.
+ * Gives a class one accessor per field. Accessors that the class has itself stay. `find` finds an element's binding, by
+ * default as {@link bindingOf} does; lights are written to so often that a private field, in a tenth of the time, is
+ * worth it.
  */
 export function defineProperties(
   prototype: HTMLElement,

@@ -1,4 +1,4 @@
-// Which texts does a viewer show or announce? All of them, in English, as the keys of `texts`. Words in braces stand for values. The
+// All texts that a viewer shows or announces, in English, as the keys of `texts`. Words in braces stand for values. The
 // elements import only the type, so the list adds no bytes.
 
 export const VIEWER_TEXTS = [
@@ -6,6 +6,7 @@ export const VIEWER_TEXTS = [
   '3D scene',
   'Loading',
   'Try again',
+  'Close',
   // Its description for screen readers
   'Arrow keys rotate.',
   'Plus and minus zoom.',
@@ -60,6 +61,7 @@ export const VIEWER_TEXTS = [
   'Measuring the error',
   'all lights',
   'no light is active',
+  'no light has the name {name}',
   '{light} (not active)',
   // The probe
   'Probe',

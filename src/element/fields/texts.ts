@@ -1,11 +1,12 @@
-// How does a page replace the words that a viewer itself shows or announces? English by default; text-list.ts has all texts. Knows no
-// place where a text is shown.
-import type { ViewerErrorCode } from '../viewer/loading.js';
+// The page's own words in place of those that a viewer shows or announces. English by default; text-list.ts has all
+// texts.
+import type { ViewerErrorCode } from '../events.js';
 import type { ViewerText } from './text-list.js';
 
 /**
- * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in braces stand for values. A text for
- * a code of `error`, such as `load-failed`, replaces the English message, which is its `{message}`; `{url}` is the address.
+ * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Words in braces stand for
+ * values. A text for a code of `error`, such as `load-failed`, replaces the English message, which is its `{message}`;
+ * `{url}` is the address.
  */
 export type ViewerTexts = { readonly [text in ViewerText | ViewerErrorCode]?: string | undefined };
 
@@ -28,13 +29,16 @@ export function checkedTexts(value: unknown): ViewerTexts | null {
   return Object.freeze(Object.fromEntries(texts) as ViewerTexts);
 }
 
-/** Texts assigned before the upgrade are an own property, which hides the accessor. Wrong ones are warned of and dropped. */
-export function upgradeTexts(element: { texts: ViewerTexts | null }): void {
-  if (!Object.hasOwn(element, 'texts')) return;
-  const { texts } = element;
-  Reflect.deleteProperty(element, 'texts');
+/**
+ * A value assigned before the upgrade is an own property, which hides the accessor. Wrong ones are warned of and
+ * dropped.
+ */
+export function upgradeProperty(element: object, key: 'texts' | 'maxTriangles'): void {
+  if (!Object.hasOwn(element, key)) return;
+  const value: unknown = Reflect.get(element, key);
+  Reflect.deleteProperty(element, key);
   try {
-    element.texts = texts;
+    Reflect.set(element, key, value);
   } catch (error) {
     console.warn((error as Error).message);
   }

@@ -1,5 +1,5 @@
 // The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
-// defaults in HTML's units. Knows nothing of their effect.
+// defaults in HTML's units.
 import { LIMITS } from '../../light/light-state.js';
 import {
   type Antialias,
@@ -51,8 +51,8 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** Address of an image shown until the first picture is drawn. Default empty: none. */
   poster: string;
   /**
-   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing. `eager`: nothing, the
-   * picture is drawn off screen too. `lazy`: drawing and fetching models. Default auto.
+   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing. `eager`:
+   * nothing, the picture is drawn off screen too. `lazy`: drawing and fetching models. Default auto.
    */
   loading: Loading;
   /** Files dropped on the viewer become its `src`. Default false. */
@@ -76,27 +76,34 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
   colorInterpolation: ColorInterpolation;
   /**
-   * `edges`: several samples per pixel at the edges of faces, one inside. `highlights`: the specular lobe is also averaged
-   * over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`. Default edges.
+   * `edges`: several samples per pixel at the edges of faces, one inside. `highlights`: the specular lobe is also
+   * averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`.
+   * Default edges.
    */
   antialias: Antialias;
   /**
-   * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device has. Below 1 the picture is
-   * blurred. Default auto.
+   * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device has. Below 1 the
+   * picture is blurred. Default auto.
    */
   pixelRatio: number | 'auto';
   /**
-   * What is drawn over the picture: `lights` with handles that move them, `axes`, `grid`, `normals`, `bounds`. As an attribute without a
-   * value: `lights`. Default none.
+   * What is drawn over the picture: `lights` with handles that move them, `axes`, `grid`, `normals`, `bounds`. As an
+   * attribute without a value: `lights`. Default none.
    */
   helpers: readonly Helper[];
   /** What the picture shows: the shaded colours, or one quantity of the equation with a legend. Default shaded. */
   view: View;
-  /** Name of the light that `view` is limited to. Empty, the default: all lights, or the first active one where a view is of one. */
+  /**
+   * Name of the light that `view` is limited to. Empty, the default: all lights, or the first active one where a view
+   * is of one.
+   */
   viewLight: string;
   /** The user can point at the picture to see N, L, R and V there, and the sum light by light. Default false. */
   probe: boolean;
-  /** World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default: none. */
+  /**
+   * World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default:
+   * none.
+   */
   probeAt: Vec3 | null;
   /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
   cameraGroup: string;

@@ -1,6 +1,6 @@
-// Visibility, size, printing and pixel ratio, observed for all viewers of a document by one set of observers and listeners.
-// They belong to the document's own window, which may be that of an iframe or a popup. There are none while no element is
-// watched. Knows nothing of what is watched.
+// Visibility, size, printing and pixel ratio, observed for all viewers of a document by one set of observers and
+// listeners. They belong to the document's own window, which may be that of an iframe or a popup. There are none while
+// no element is watched.
 
 /** Watches one element. */
 export interface Watcher {
@@ -44,8 +44,8 @@ export class PageObservers {
   }
 
   /**
-   * Alone, `scrollMargin` widens the window, iframes and scroll containers alike, in all browsers that have it. The others, and
-   * iframes of other origins, only let the own document's view be widened, as their root.
+   * Alone, `scrollMargin` widens the window, iframes and scroll containers alike, in all browsers that have it. The
+   * others, and iframes of other origins, only let the own document's view be widened, as their root.
    */
   get #surroundings(): IntersectionObserverInit {
     const { view } = this;
@@ -93,7 +93,8 @@ export class PageObservers {
     if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
     return {
-      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold detects that.
+      // Two boxes that only touch, as the slides of a carousel do, intersect with a ratio of 0: the second threshold
+      // detects that.
       intersection: new view.IntersectionObserver(
         (entries) => {
           for (const entry of entries) this.#watched.get(entry.target)?.intersected(entry);

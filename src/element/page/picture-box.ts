@@ -1,25 +1,33 @@
-// Where does a picture lie on the page, as a pointer's travel is measured? Asks the browser where three corners are, so all that
-// moves or turns an element counts: transforms of any ancestor, zoom, scrolling. Knows no camera.
+// Where a picture lies on the page, as a pointer's travel is measured. Asks the browser where three corners are, so all
+// that moves or turns an element counts: transforms of any ancestor, zoom, scrolling.
+import { html } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
+
+/**
+ * Elements without size in the top left, top right and bottom left corner of the element around them; its style sheet
+ * places them.
+ */
+export const CORNERS = html`<i class="corner"></i><i class="corner right"></i><i class="corner low"></i>`;
 
 export class PictureCorners {
   readonly #surface: HTMLElement;
-  readonly #corners: readonly HTMLElement[];
+  readonly #corners: readonly Element[];
 
-  /** Adds elements without size to the top left, top right and bottom left corner of `surface`; its style sheet places them. */
+  /** `surface` contains {@link CORNERS}. */
   constructor(surface: HTMLElement) {
     this.#surface = surface;
-    this.#corners = ['corner', 'corner right', 'corner low'].map((className) =>
-      Object.assign(document.createElement('i'), { className }),
-    );
-    surface.append(...this.#corners);
+    this.#corners = [...surface.querySelectorAll(':scope > .corner')];
   }
 
-  /** As it is now. Under a perspective, where pixels differ in size, the top and left edges count. */
+  /**
+   * As it is now. Under a perspective, where pixels differ in size, the top and left edges count. No axes while it is
+   * hidden.
+   */
   get box(): PictureBox {
     const { clientWidth: width, clientHeight: height } = this.#surface;
     const [start, right, down] = this.#corners.map((corner) => corner.getBoundingClientRect());
-    if (start === undefined || right === undefined || down === undefined) return { width, height };
+    if (start === undefined || right === undefined || down === undefined || width === 0 || height === 0)
+      return { width, height };
     const rightward = [(right.left - start.left) / width, (right.top - start.top) / width] as const;
     const downward = [(down.left - start.left) / height, (down.top - start.top) / height] as const;
     return { width, height, axes: [...rightward, ...downward] };

@@ -1,5 +1,5 @@
-// How do style sheets get into a shadow root, in any document? As constructed ones, which a strict CSP allows. A constructed
-// sheet belongs to one document, and a root that comes into another document loses its sheets. Knows no rules.
+// Adds style sheets to a shadow root, in any document, as constructed ones, which a strict CSP allows. A constructed
+// sheet belongs to one document, and a root that comes into another document loses its sheets.
 
 /** The texts that each root uses. */
 const used = new WeakMap<ShadowRoot, Set<string>>();

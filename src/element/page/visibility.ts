@@ -1,6 +1,7 @@
-// Is an element in view or near it, and how many device pixels does it cover? Measures once when asked, then follows the
-// observers of the document that it is in; nothing polls. Knows nothing of what the element shows.
-import type { ReactiveController } from '@lit/reactive-element';
+// Whether an element is in view or near it, and how many device pixels it covers. Measures once when asked, then
+// follows the observers of the document that it is in; nothing polls.
+import type { ReactiveController } from 'lit';
+import type { Signal } from '../../fields/signal.js';
 import { type PageObservers, pageOf, type Watcher } from './page-observers.js';
 
 export interface ElementView {
@@ -26,11 +27,11 @@ interface Host {
   disconnectedCallback(): void;
 }
 
-/** Watches `element` while its host is connected and calls `changed` after each change. */
+/** Watches `element` while its host is connected and gives `changed` after each change. */
 export class Visibility implements ReactiveController, Watcher {
   readonly #host: Host;
   readonly #element: HTMLElement;
-  readonly #changed: (view: ElementView) => void;
+  readonly #changed: Signal<ElementView>;
   #page: PageObservers | null = null;
   /** By layout, whatever hides the element there; null until it is known. */
   #inView: boolean | null = null;
@@ -40,7 +41,7 @@ export class Visibility implements ReactiveController, Watcher {
   /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
   #box: ResizeObserverSize | undefined;
 
-  constructor(host: Host, element: HTMLElement, changed: (view: ElementView) => void) {
+  constructor(host: Host, element: HTMLElement, changed: Signal<ElementView>) {
     this.#host = host;
     this.#element = element;
     this.#changed = changed;
@@ -72,7 +73,8 @@ export class Visibility implements ReactiveController, Watcher {
   hostConnected(): void {
     const { ownerDocument } = this.#host;
     this.#page = pageOf(ownerDocument);
-    // The first time, the element is not in the host's shadow tree yet, and still belongs to the document of the script.
+    // The first time, the element is not in the host's shadow tree yet, and still belongs to the document of the
+    // script.
     if (this.#element.ownerDocument !== ownerDocument) ownerDocument.adoptNode(this.#element);
     this.#page?.watch(this.#element, this);
     // No observer reports CSS `visibility`, which changes no box. A transition in the element's style sheet does.
@@ -101,7 +103,7 @@ export class Visibility implements ReactiveController, Watcher {
   printed(): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     const visible = this.#inView === true;
-    this.#changed({ painted: true, near: true, visible, printing: true, ...this.#size });
+    this.#changed.emit({ painted: true, near: true, visible, printing: true, ...this.#size });
     this.shown();
   }
 
@@ -135,7 +137,7 @@ export class Visibility implements ReactiveController, Watcher {
     const painted = !this.#hidden && isPainted(this.#element);
     const visible = painted && this.#inView === true;
     const near = visible || (painted && this.#near === true && !isCollapsed(this.#element));
-    this.#changed({ painted, near, visible, printing: false, ...this.#size });
+    this.#changed.emit({ painted, near, visible, printing: false, ...this.#size });
   }
 
   closed(): void {
@@ -150,7 +152,10 @@ export class Visibility implements ReactiveController, Watcher {
     if (propertyName === 'visibility') this.shown();
   };
 
-  /** Uses the browser's own whole pixels if they round what was measured: an emulated pixel ratio does not reach the box. */
+  /**
+   * Uses the browser's own whole pixels if they round what was measured: an emulated pixel ratio does not reach the
+   * box.
+   */
   #refine(box: ResizeObserverSize): void {
     const style = this.#page?.view.getComputedStyle(this.#element);
     const upright = style?.writingMode.startsWith('horizontal') ?? true;
@@ -183,8 +188,8 @@ function isPainted(element: Element): boolean {
 }
 
 /**
- * How far an element is out of view: of the scroll containers and windows around it, the largest gap counts. CSS pixels; negative
- * in view, Infinity without a size.
+ * How far an element is out of view: of the scroll containers and windows around it, the largest gap counts. CSS
+ * pixels; negative in view, Infinity without a size.
  */
 function distanceFromView(element: Element): number {
   const view = element.ownerDocument.defaultView;
@@ -211,7 +216,10 @@ type Edges = Pick<DOMRect, 'top' | 'left' | 'bottom' | 'right'>;
 const gap = (a: Edges, b: Edges): number =>
   Math.max(a.top - b.bottom, b.top - a.bottom, a.left - b.right, b.left - a.right);
 
-/** In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. A margin around it would. */
+/**
+ * In a closed box, such as an accordion's: no width or no height, and nothing shows outside it. A margin around it
+ * would.
+ */
 function isCollapsed(element: Element): boolean {
   const view = element.ownerDocument.defaultView;
   for (let box: Element | null = element; box !== null; box = parentOf(box)) {

@@ -1,5 +1,5 @@
-// What templates of any framework accept on the elements: every value under its property's and its attribute's name, and
-// the element's own events. Derived from the interfaces behind the tables of fields. Knows no framework. Types only.
+// What templates of any framework accept on the elements: every value under its property's and its attribute's name,
+// and the element's own events. Derived from the interfaces behind the tables of fields. Types only.
 import type { LightValues } from '../../light/light-state.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from '../events.js';
@@ -7,10 +7,10 @@ import type { Inputs } from '../fields/properties.js';
 import type { CompareValues } from '../fields/compare-fields.js';
 import type { ViewerTexts } from '../fields/texts.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
-import type { PhongCompare } from '../phong-compare.js';
-import type { PhongLight } from '../phong-light.js';
-import type { PhongMesh } from '../phong-mesh.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongCompare } from '../elements.js';
+import type { PhongLight } from '../elements.js';
+import type { PhongMesh } from '../elements.js';
+import type { PhongViewer } from '../elements.js';
 
 /** Class, values, properties without an attribute, and events of each element. */
 export interface Elements {
@@ -29,7 +29,10 @@ export interface Elements {
   readonly viewer: {
     readonly element: PhongViewer;
     readonly values: ViewerValues;
-    readonly properties: { readonly texts?: ViewerTexts | null | undefined };
+    readonly properties: {
+      readonly texts?: ViewerTexts | null | undefined;
+      readonly maxTriangles?: number | null | undefined;
+    };
     readonly events: PhongViewerEventMap;
   };
   readonly compare: {

@@ -4,8 +4,8 @@
 import type { Inputs } from '../fields/properties.js';
 import type { AnyElement, AttributeName, Elements, EventProps } from './markup.js';
 
-// Solid is no dependency. Without it this import is an error that must not reach users of this package, and the types below
-// are unused.
+// Solid is no dependency. Without it this import is an error that must not reach users of this package, and the types
+// below are unused.
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
 /** @ts-ignore */
 import type { JSX } from 'solid-js';

@@ -1,9 +1,9 @@
-// What Svelte's templates accept on the elements, for svelte-check and editors. Handlers are `oncamera-change` or, in older
-// templates, `on:camera-change`. Types only.
+// What Svelte's templates accept on the elements, for svelte-check and editors. Handlers are `oncamera-change` or, in
+// older templates, `on:camera-change`. Types only.
 import type { AnyElement, Elements, EventProps, ValueProps } from './markup.js';
 
-// Svelte is no dependency. Without it this import is an error that must not reach users of this package, and the types below
-// are unused.
+// Svelte is no dependency. Without it this import is an error that must not reach users of this package, and the types
+// below are unused.
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
 /** @ts-ignore */
 import type { HTMLAttributes } from 'svelte/elements';

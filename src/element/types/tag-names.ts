@@ -1,7 +1,7 @@
-// Which element does a tag name give in `document.querySelector` and `createElement`? Types only.
-import type { PhongLight } from '../phong-light.js';
-import type { PhongMesh } from '../phong-mesh.js';
-import type { PhongViewer } from '../phong-viewer.js';
+// The element types that `document.querySelector` and `createElement` give for the tag names. Types only.
+import type { PhongLight } from '../elements.js';
+import type { PhongMesh } from '../elements.js';
+import type { PhongViewer } from '../elements.js';
 
 declare global {
   interface HTMLElementTagNameMap {

@@ -1,8 +1,9 @@
-// What Vue's templates accept on the elements, for vue-tsc and editors. Handlers are `@camera-change` and so on. Types only.
+// What Vue's templates accept on the elements, for vue-tsc and editors. Handlers are `@camera-change` and so on. Types
+// only.
 import type { AnyElement, Elements, Handlers, ValueProps } from './markup.js';
 
-// Vue is no dependency. Without it this import is an error that must not reach users of this package, and the types below
-// are unused.
+// Vue is no dependency. Without it this import is an error that must not reach users of this package, and the types
+// below are unused.
 // eslint-disable-next-line @typescript-eslint/ban-ts-comment
 /** @ts-ignore */
 import type { HTMLAttributes, PublicProps } from 'vue';

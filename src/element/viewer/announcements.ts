@@ -1,21 +1,23 @@
-// What does a screen reader find beside the picture, and what is announced? A description of keys, camera and lights, a list
-// of lights and meshes by name, and a live region. The list is a sibling of the picture: screen readers do not browse inside
-// an application or an image, and the children are in a slot that is not rendered. Follows drawn frames, at most once a
-// second; announces only what the user changed. Knows nothing of drawing.
-import type { ReactiveController } from '@lit/reactive-element';
+// What a screen reader finds beside the picture, and what is announced: a description of keys, camera and lights, a
+// list of lights and meshes by name, and a live region. The list is a sibling of the picture: screen readers do not
+// browse inside an application or an image, and the children are in a slot that is not rendered. Follows drawn frames,
+// at most once a second; announces only what the user changed.
+import { html, noChange, nothing, type ReactiveController, type TemplateResult } from 'lit';
+import { sameValue } from '../../fields/field-store.js';
 import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
-import { numberedName, type PhongLight } from '../phong-light.js';
-import type { PhongViewer } from '../phong-viewer.js';
-import type { CameraSource } from './camera.js';
+import type { PhongLight } from '../elements.js';
+import { numberedName } from '../phong-light.js';
+import type { PhongViewer } from '../elements.js';
+import type { CameraMove, ViewerContext } from './context.js';
 import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
-import { keysText, nameSurface } from './naming.js';
-import { create, set, write, type ViewerTree } from './template.js';
+import { keysText } from './naming.js';
+import type { ViewerTree } from './template.js';
 
 /**
- * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart. Also
- * the time between two updates of the description while the picture moves.
+ * Milliseconds. The user has stopped after such a time without a change, so announcements are at least this far apart.
+ * Also the time between two updates of the description while the picture moves.
  */
 const PAUSE = 1000;
 
@@ -30,11 +32,12 @@ const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as c
 
 export class ViewerAnnouncements implements ReactiveController {
   readonly #viewer: PhongViewer;
-  readonly #reader = create('div', { class: 'reader' });
-  readonly #list = create('ul', { role: 'list' });
-  #surface: HTMLElement | null = null;
-  /** The live region; null before its first use. */
-  #region: HTMLElement | null = null;
+  /** Texts of the list's items. */
+  #items: readonly string[] = [];
+  /** Those that the tree shows. */
+  #shown: readonly string[] | null = null;
+  /** The live region's text; null before its first use. */
+  #spoken: string | null = null;
   #timer = 0;
   /** Camera and lights in words; null before the first picture. */
   #scene: string | null = null;
@@ -47,17 +50,36 @@ export class ViewerAnnouncements implements ReactiveController {
   /** The last event in the panel or over the picture. */
   #panelEvent: Event | null = null;
 
-  constructor(viewer: PhongViewer) {
+  constructor({ viewer, signals }: ViewerContext) {
     this.#viewer = viewer;
+    signals.drawn.listen(() => this.#describeSoon());
+    signals.cameraMoved.listen((move) => this.#follow(move));
+    signals.lightsReported.listen((lights) => this.#lightsChanged(lights));
   }
 
-  /** Takes its place beside the picture. */
-  connect({ surface, layer, panel }: ViewerTree): void {
-    this.#surface = surface;
-    surface.after(this.#reader);
+  connect({ layer, panel }: ViewerTree): void {
     for (const part of [panel, layer])
       for (const type of PANEL_EVENTS)
         part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
+  }
+
+  /** What is beside the picture. */
+  template(): TemplateResult {
+    const items = this.#items === this.#shown ? noChange : this.#items.map((item) => html`<li>${item}</li>`);
+    this.#shown = this.#items;
+    // A list without items is a mistake to checkers.
+    return html`${
+      this.#items.length === 0
+        ? nothing
+        : html`<ul role="list" aria-label=${phrase(this.#language, 'Lights and meshes')}>
+            ${items}
+          </ul>`
+    }${this.#spoken === null ? nothing : html`<p aria-live="polite">${this.#spoken}</p>`}`;
+  }
+
+  /** Keys, camera and lights in words. */
+  get description(): string {
+    return `${keysText(this.#viewer, this.#texts)} ${this.#scene ?? ''}`.trim();
   }
 
   hostDisconnected(): void {
@@ -66,28 +88,24 @@ export class ViewerAnnouncements implements ReactiveController {
     this.#forget();
   }
 
-  /** The viewer's own attributes have changed. */
   hostUpdated(): void {
-    if (this.#surface === null) return;
-    this.#reader.hidden = !nameSurface(this.#surface, this.#viewer, this.#texts);
-    this.#writeDescription();
-    if (this.#scene !== null && this.#language !== this.#texts) this.describeSoon();
+    if (this.#scene !== null && this.#language !== this.#texts) this.#describeSoon();
   }
 
   /** Describes the scene soon. */
-  describeSoon(): void {
+  #describeSoon(): void {
     if (this.#timer === 0) this.#wait(this.#scene === null ? 0 : PAUSE);
   }
 
   /** The viewer that the user moves speaks for those linked to it. */
-  cameraMoved(source: CameraSource, linked: boolean): void {
+  #follow({ source, linked }: CameraMove): void {
     if (source === 'script' || source === 'auto' || linked) return;
     this.#cameraMoved = true;
     this.#userActed();
   }
 
   /** Lights were written to; none: they came, went or changed places. Call when `light-change` is dispatched. */
-  lightsChanged(lights: readonly PhongLight[]): void {
+  #lightsChanged(lights: readonly PhongLight[]): void {
     // These write while an event of the user is dispatched to them. All other writes are a script's.
     if ((this.#panelEvent?.eventPhase ?? Event.NONE) === Event.NONE) return;
     if (lights.length === 0) this.#counted = true;
@@ -97,7 +115,10 @@ export class ViewerAnnouncements implements ReactiveController {
 
   #userActed(): void {
     // Screen readers announce only changes of a region that is there already.
-    if (this.#region === null) this.#reader.append((this.#region = create('p', { 'aria-live': 'polite' })));
+    if (this.#spoken === null) {
+      this.#spoken = '';
+      this.#viewer.requestUpdate();
+    }
     // A new timer instead of a longer one: once the user has stopped, only the announcement itself is left to do.
     clearTimeout(this.#timer);
     this.#wait(PAUSE);
@@ -106,8 +127,11 @@ export class ViewerAnnouncements implements ReactiveController {
   #wait(ms: number): void {
     this.#timer = window.setTimeout(() => {
       this.#timer = 0;
+      const before = [this.#spoken, this.#scene, this.#items, this.#language];
       this.#announce();
       this.#describe();
+      if (!sameValue([this.#spoken, this.#scene, this.#items, this.#language], before))
+        this.#viewer.requestUpdate();
     }, ms);
   }
 
@@ -119,7 +143,7 @@ export class ViewerAnnouncements implements ReactiveController {
     const changed = [...this.#lights].filter((light) => lights.includes(light)).slice(-ANNOUNCED);
     for (const light of changed) texts.push(`${this.#lightText(light, lights.indexOf(light))}.`);
     this.#forget();
-    if (texts.length > 0 && this.#region !== null) this.#region.textContent = texts.join(' ');
+    if (texts.length > 0) this.#spoken = texts.join(' ');
   }
 
   #forget(): void {
@@ -134,18 +158,11 @@ export class ViewerAnnouncements implements ReactiveController {
     const first = lights.slice(0, MOST_LISTED);
     const names = first.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
-    this.#writeDescription();
     const items = [
       ...this.#listed(lights, 'More lights: {number}', (light, i) => this.#lightText(light, i)),
       ...this.#listed(meshes, 'More meshes: {number}', (mesh, i) => meshText(texts, mesh, i)),
     ];
-    const list = this.#list;
-    while (list.childElementCount > items.length) list.lastChild?.remove();
-    items.forEach((item, i) => write(list.children[i] ?? list.appendChild(create('li', {})), item));
-    set(list, 'aria-label', phrase(texts, 'Lights and meshes'));
-    // A list without items is a mistake to checkers.
-    if (items.length === 0) list.remove();
-    else if (list.parentNode === null) this.#reader.prepend(list);
+    if (!sameValue(items, this.#items)) this.#items = items;
   }
 
   /** Texts of the first ones, and how many more there are. */
@@ -153,11 +170,6 @@ export class ViewerAnnouncements implements ReactiveController {
     const texts = all.slice(0, MOST_LISTED).map(textOf);
     const rest = all.length - texts.length;
     return rest > 0 ? [...texts, phrase(this.#texts, more, { number: String(rest) })] : texts;
-  }
-
-  #writeDescription(): void {
-    const parts = [keysText(this.#viewer, this.#texts), this.#scene ?? ''];
-    if (this.#surface !== null) set(this.#surface, 'aria-description', parts.join(' ').trim());
   }
 
   #lightText(light: PhongLight, index: number): string {

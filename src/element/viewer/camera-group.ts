@@ -1,7 +1,9 @@
-// Which cameras move together? Those of viewers with the same `camera-group` in a document, and those of one <phong-compare>. All have
-// exactly the same angles, radius and target, and are framed as one. A chunk, fetched with its first use. Knows no input and no pictures.
+// Cameras that move together: those of viewers with the same `camera-group` in a document, and those of one
+// <phong-compare>. All have exactly the same angles, radius and target, and are framed as one. A chunk, fetched with
+// its first use.
 import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
-import type { CameraLink, CameraSource, ViewerCamera } from './camera.js';
+import type { CameraSource } from '../camera-state.js';
+import type { CameraLink, ViewerCamera } from './camera.js';
 import type { Extra, ExtraHost } from './extras.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;

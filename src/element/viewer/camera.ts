@@ -1,44 +1,22 @@
-// How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Also when models may
-// move by themselves, since the same holds for the turntable. Knows
-// neither lights nor meshes.
-import type { ReactiveController } from '@lit/reactive-element';
+// How a viewer's camera moves: declared properties, the user's pointer, wheel and keys, the turntable, and reset. Also
+// when models may move by themselves, since the same holds for the turntable.
+import type { ReactiveController } from 'lit';
 import { zoomLimits } from '../../camera/fit.js';
 import { OrbitInput, type OrbitInputHost } from '../../camera/orbit-input.js';
 import { newBasis, type Pose } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
-import type { Vec3 } from '../../math/vector.js';
 import type { Framing } from '../../scene/auto-fit.js';
-import type { Viewport } from '../../scene/viewport.js';
+import type { CameraSource, CameraState } from '../camera-state.js';
 import { PictureCorners } from '../page/picture-box.js';
-import type { CameraValues, ViewerValues } from '../fields/viewer-fields.js';
-
-/** What moved the camera. */
-export type CameraSource = 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto';
-
-/** The camera as it is now. Frozen. Angles in degrees, lengths in scene units, vectors in world space. */
-export interface CameraState {
-  readonly eye: Vec3;
-  readonly target: Vec3;
-  readonly up: Vec3;
-  /** In [-180, 180). */
-  readonly theta: number;
-  readonly phi: number;
-  readonly radius: number;
-}
+import type { CameraValues } from '../fields/viewer-fields.js';
+import type { ViewerContext } from './context.js';
 
 /** Where the camera is and whether it fits the scene, apart from what is declared. */
 export interface Placement {
   readonly pose: Pose;
   /** What is `auto`; null once the user has moved the camera. */
   readonly framing: Framing | null;
-}
-
-export interface CameraHost {
-  readonly values: Readonly<ViewerValues>;
-  readonly viewport: Viewport;
-  /** `linked`: another viewer's camera has moved this one. */
-  moved(source: CameraSource, linked: boolean): void;
 }
 
 /** What moves several cameras together. */
@@ -58,7 +36,7 @@ export const CAMERA_KEYS: ReadonlySet<string> = new Set<keyof CameraValues>([
 ]);
 
 export class ViewerCamera implements ReactiveController {
-  readonly #host: CameraHost;
+  readonly #context: ViewerContext;
   readonly #turntable = new Turntable();
   #reducedMotion: MediaQueryList | null = null;
   #inView = false;
@@ -66,8 +44,17 @@ export class ViewerCamera implements ReactiveController {
   /** Null, the default: this camera moves alone. */
   link: CameraLink | null = null;
 
-  constructor(host: CameraHost) {
-    this.#host = host;
+  constructor(context: ViewerContext) {
+    const { viewport, signals } = (this.#context = context);
+    viewport.moveTo = (now) => {
+      signals.orderNeeded.emit();
+      return this.#frame(now);
+    };
+    signals.fitted.listen(() => this.#fitted());
+    signals.viewChanged.listen(({ visible }) => {
+      this.#input?.reanchor(); // a drag in progress continues at the new size
+      this.#setInView(visible);
+    });
   }
 
   /** Takes input from `surface`: the picture without the panel. */
@@ -78,19 +65,20 @@ export class ViewerCamera implements ReactiveController {
 
   hostConnected(): void {
     this.#input?.connect();
-    const view = this.#host.viewport.holder.ownerDocument.defaultView;
+    const view = this.#context.viewport.holder.ownerDocument.defaultView;
     this.#reducedMotion = view?.matchMedia('(prefers-reduced-motion: reduce)') ?? null;
     this.#reducedMotion?.addEventListener('change', this.#startMotion);
   }
 
   hostDisconnected(): void {
     this.#input?.disconnect();
-    this.inView = false;
+    this.#setInView(false);
     this.#reducedMotion?.removeEventListener('change', this.#startMotion);
   }
 
-  get state(): CameraState {
-    const { viewport } = this.#host;
+  /** Where the camera is now; fits it first. */
+  state(): CameraState {
+    const { viewport } = this.#context;
     viewport.settle();
     const { orbit } = viewport;
     const { theta, phi, radius, target } = orbit.pose;
@@ -105,19 +93,19 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  get placement(): Placement {
-    const { viewport } = this.#host;
+  placement(): Placement {
+    const { viewport } = this.#context;
     viewport.settle();
     return { pose: viewport.orbit.pose, framing: viewport.framing };
   }
 
   /**
-   * Moves the camera there. The declared values stay, as when the user drags it. `linked`: the camera follows another one, and the
-   * link need not be notified.
+   * Moves the camera there. The declared values stay, as when the user drags it. `linked`: the camera follows another
+   * one, and the link need not be notified.
    */
   place({ pose, framing }: Placement, source: CameraSource, linked = false): void {
     const write = (): void => {
-      const { viewport } = this.#host;
+      const { viewport } = this.#context;
       viewport.orbit.set(pose);
       if (framing !== viewport.framing) viewport.framing = framing;
       this.#fit();
@@ -126,15 +114,15 @@ export class ViewerCamera implements ReactiveController {
   }
 
   /** `auto` has moved the camera in the frame that is being drawn. */
-  fitted(): void {
-    this.#host.moved('auto', false);
+  #fitted(): void {
+    this.#context.signals.cameraMoved.emit({ source: 'auto', linked: false });
     this.link?.moved(this, 'auto');
   }
 
   /** A property was assigned. Moves the camera there, even if the value is the same as before. */
   assigned(key: string): void {
     if (!CAMERA_KEYS.has(key)) return;
-    const { values, viewport } = this.#host;
+    const { values, viewport } = this.#context;
     const { theta, phi, radius, target } = values;
     const { orbit } = viewport;
     this.#move('script', () => {
@@ -151,7 +139,7 @@ export class ViewerCamera implements ReactiveController {
 
   /** Back to the declared camera. */
   reset(source: CameraSource = 'script'): void {
-    const { values, viewport } = this.#host;
+    const { values, viewport } = this.#context;
     const { theta, phi, radius, target } = values;
     this.#move(source, () => {
       viewport.orbit.set({ theta, phi });
@@ -160,14 +148,9 @@ export class ViewerCamera implements ReactiveController {
     });
   }
 
-  /** The picture has another size. A drag in progress continues from here. */
-  resized(): void {
-    this.#input?.reanchor();
-  }
-
   /** Turns the scene and plays animations to where they are at `now`. True while something keeps moving. */
-  frame(now: number): boolean {
-    const { viewport, values } = this.#host;
+  #frame(now: number): boolean {
+    const { viewport, values } = this.#context;
     const plays = viewport.animations.playing && this.mayMove; // in this order: a media query takes 0.2 µs
     if (plays) viewport.animations.step(now);
     else viewport.animations.rest();
@@ -182,12 +165,12 @@ export class ViewerCamera implements ReactiveController {
   }
 
   /** Whether the picture is in view. Time that passes elsewhere does not turn the scene. */
-  set inView(inView: boolean) {
+  #setInView(inView: boolean): void {
     this.#inView = inView;
     if (inView) this.#startMotion();
     else {
       this.#turntable.rest();
-      this.#host.viewport.animations.rest();
+      this.#context.viewport.animations.rest();
     }
   }
 
@@ -197,7 +180,7 @@ export class ViewerCamera implements ReactiveController {
   }
 
   get turning(): boolean {
-    const { autoRotate } = this.#host.values;
+    const { autoRotate } = this.#context.values;
     return autoRotate !== 0 && this.mayMove && !this.dragging;
   }
 
@@ -206,19 +189,19 @@ export class ViewerCamera implements ReactiveController {
   }
 
   readonly #startMotion = (): void => {
-    const { viewport } = this.#host;
+    const { viewport } = this.#context;
     if (this.turning || (this.mayMove && viewport.animations.playing)) viewport.animate();
   };
 
   /** Fits at once. Unlike the viewport's own `settle` it reports no move: the caller does. */
   #fit(): void {
-    const { viewport } = this.#host;
+    const { viewport } = this.#context;
     viewport.fit.settle(viewport.fov);
   }
 
   /** Counts as a move if `write` changes where the camera is. A drag in progress continues from there. */
   #move(source: CameraSource, write: () => void, linked = false): void {
-    const { viewport } = this.#host;
+    const { viewport } = this.#context;
     const before = viewport.orbit.version;
     write();
     this.#input?.reanchor();
@@ -232,12 +215,12 @@ export class ViewerCamera implements ReactiveController {
   }
 
   #changed(source: CameraSource, linked: boolean): void {
-    this.#host.viewport.invalidate();
-    this.#host.moved(source, linked);
+    this.#context.viewport.invalidate();
+    this.#context.signals.cameraMoved.emit({ source, linked });
   }
 
   #inputHost(surface: HTMLElement): OrbitInputHost {
-    const { viewport, values } = this.#host;
+    const { viewport, values } = this.#context;
     const corners = new PictureCorners(surface);
     return {
       orbit: viewport.orbit,
@@ -245,7 +228,7 @@ export class ViewerCamera implements ReactiveController {
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
       fov: () => viewport.fov,
-      radiusLimits: () => zoomLimits(viewport.bounds),
+      radiusLimits: () => zoomLimits(viewport.measure()),
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.

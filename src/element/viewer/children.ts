@@ -1,45 +1,22 @@
-// Which lights and meshes does a viewer have? Follows its registry: children take effect when they register, and are
-// brought into document order once, before the next frame or when a script reads them. Knows neither camera nor frames.
-import type { LightSet } from '../../light/light-set.js';
+// The lights and meshes of a viewer. Follows its registry: children take effect when they register, and are brought
+// into document order once, before the next frame or when a script reads them.
 import { LightState } from '../../light/light-state.js';
-import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import type { Viewport } from '../../scene/viewport.js';
+import type { MeshHost } from '../../scene/mesh/scene-mesh.js';
 import { register } from '../child-element.js';
 import { type ChildListener, type ChildRegistry, registryOf } from '../child-registry.js';
 import { inspect, inspectAgain } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
-import { PhongLight } from '../phong-light.js';
-import { PhongMesh } from '../phong-mesh.js';
-
-export interface ChildrenHost {
-  readonly viewport: Viewport;
-  readonly lightSet: LightSet;
-  readonly meshHost: MeshHost;
-  meshesChanged(): void;
-}
-
-/** The mesh that an element shows. */
-class ElementMesh extends SceneMesh {
-  readonly element: PhongMesh;
-  /** Listens to the element's values. */
-  readonly written: (key?: string) => void;
-
-  constructor(element: PhongMesh, host: MeshHost, update: (mesh: ElementMesh) => void) {
-    super(fieldsOf(element).store, host);
-    this.element = element;
-    this.written = (key) => {
-      if (key === 'src' || key === 'geometry') this.retry();
-      update(this);
-    };
-  }
-}
+import type { PhongLight, PhongMesh } from '../elements.js';
+import type { ViewerContext } from './context.js';
+import { ElementMesh } from './element-mesh.js';
 
 /** Lights a viewer that declares no light. */
 const headLight = (): LightState => new LightState({ space: 'camera', position: [0, 0, 1, 0] });
 
 export class ViewerChildren implements ChildListener {
   readonly #viewer: HTMLElement;
-  readonly #host: ChildrenHost;
+  readonly #context: ViewerContext;
+  readonly #meshHost: MeshHost;
   readonly #registry: ChildRegistry;
   readonly #headLight = headLight();
   readonly #lightElements = new Map<LightState, PhongLight>();
@@ -50,27 +27,23 @@ export class ViewerChildren implements ChildListener {
   #lights: readonly PhongLight[] = Object.freeze([]);
   #meshes: readonly PhongMesh[] = Object.freeze([]);
 
-  constructor(viewer: HTMLElement, host: ChildrenHost) {
-    this.#viewer = viewer;
-    this.#host = host;
-    this.#registry = registryOf(viewer);
-    host.lightSet.assign([this.#headLight]);
+  constructor(context: ViewerContext, meshHost: MeshHost) {
+    this.#viewer = context.viewer;
+    this.#context = context;
+    this.#meshHost = meshHost;
+    this.#registry = registryOf(context.viewer);
+    context.lightSet.assign([this.#headLight]);
+    context.signals.orderNeeded.listen(() => this.sort());
     this.#registry.listen(this);
   }
 
-  /** In document order. Frozen; a new list when they change. */
+  /** In document order as of the last {@link sort}. Frozen; a new list when they change. */
   get lights(): readonly PhongLight[] {
-    this.sort();
     return this.#lights;
   }
 
   get meshes(): readonly PhongMesh[] {
-    this.sort();
     return this.#meshes;
-  }
-
-  get sceneMeshes(): Iterable<SceneMesh> {
-    return this.#shown.values();
   }
 
   /** The element of a light; null for the head-light. */
@@ -78,22 +51,18 @@ export class ViewerChildren implements ChildListener {
     return this.#lightElements.get(state) ?? null;
   }
 
-  elementOf(mesh: SceneMesh): PhongMesh | undefined {
-    return mesh instanceof ElementMesh ? mesh.element : undefined;
-  }
-
   added(child: HTMLElement): void {
-    if (child instanceof PhongLight) this.#addLight(child);
-    else if (child instanceof PhongMesh) this.#addMesh(child);
+    if (isLight(child)) this.#addLight(child);
+    else if (isMesh(child)) this.#addMesh(child);
   }
 
   removed(child: HTMLElement): void {
-    if (child instanceof PhongLight) this.#removeLight(child);
-    else if (child instanceof PhongMesh) this.#removeMesh(child);
+    if (isLight(child)) this.#removeLight(child);
+    else if (isMesh(child)) this.#removeMesh(child);
   }
 
   moved(): void {
-    this.#host.viewport.invalidate();
+    this.#context.viewport.invalidate();
   }
 
   /** For the viewer's `connectedCallback`, after its shadow tree was made. */
@@ -118,8 +87,8 @@ export class ViewerChildren implements ChildListener {
     const { inOrder } = this.#registry;
     if (inOrder === this.#inOrder) return;
     this.#inOrder = inOrder;
-    this.#sortLights(inOrder.filter((child) => child instanceof PhongLight));
-    this.#sortMeshes(inOrder.filter((child) => child instanceof PhongMesh));
+    this.#sortLights(inOrder.filter((child) => isLight(child)));
+    this.#sortMeshes(inOrder.filter((child) => isMesh(child)));
   }
 
   /** Acts now on what was written to meshes, and on their removal, rather than at the end of the task. */
@@ -131,11 +100,11 @@ export class ViewerChildren implements ChildListener {
     this.#removed.clear();
     for (const element of removed) this.#dropMesh(element);
     for (const mesh of written) if (this.#shown.get(mesh.element) === mesh) mesh.update();
-    this.#host.meshesChanged();
+    this.#context.signals.meshesChanged.emit();
   };
 
   #addLight(light: PhongLight): void {
-    const { lightSet } = this.#host;
+    const { lightSet } = this.#context;
     const state = fieldsOf(light).store as LightState;
     this.#lightElements.set(state, light);
     if (this.#lightElements.size === 1) lightSet.assign([state]);
@@ -143,7 +112,7 @@ export class ViewerChildren implements ChildListener {
   }
 
   #removeLight(light: PhongLight): void {
-    const { lightSet } = this.#host;
+    const { lightSet } = this.#context;
     const state = fieldsOf(light).store as LightState;
     this.#lightElements.delete(state);
     if (this.#lightElements.size === 0) lightSet.assign([this.#headLight]);
@@ -154,7 +123,7 @@ export class ViewerChildren implements ChildListener {
     if (sameList(lights, this.#lights)) return;
     this.#lights = Object.freeze(lights);
     if (lights.length === 0) return;
-    this.#host.lightSet.assign(lights.map((light) => fieldsOf(light).store as LightState));
+    this.#context.lightSet.assign(lights.map((light) => fieldsOf(light).store as LightState));
   }
 
   #addMesh(element: PhongMesh): void {
@@ -162,9 +131,9 @@ export class ViewerChildren implements ChildListener {
     this.#removed.delete(element);
     let mesh = this.#shown.get(element);
     if (mesh === undefined) {
-      mesh = new ElementMesh(element, this.#host.meshHost, this.#update);
+      mesh = new ElementMesh(element, this.#meshHost, this.#update);
       this.#shown.set(element, mesh);
-      this.#host.viewport.add(mesh);
+      this.#context.viewport.add(mesh);
     }
     fieldsOf(element).store.listen(mesh.written);
     mesh.written();
@@ -181,14 +150,14 @@ export class ViewerChildren implements ChildListener {
     // Another viewer may have taken it over already and listens now.
     fieldsOf(element).store.unlisten(mesh.written);
     this.#shown.delete(element);
-    this.#host.viewport.remove(mesh);
+    this.#context.viewport.remove(mesh);
   }
 
   #sortMeshes(meshes: readonly PhongMesh[]): void {
     if (sameList(meshes, this.#meshes)) return;
     this.#meshes = Object.freeze(meshes);
-    this.#host.viewport.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
-    this.#host.meshesChanged();
+    this.#context.viewport.arrange(meshes.flatMap((element) => this.#shown.get(element) ?? []));
+    this.#context.signals.meshesChanged.emit();
   }
 
   /** Several values written in one task make one update. */
@@ -201,6 +170,10 @@ export class ViewerChildren implements ChildListener {
     if (this.#written.size === 0 && this.#removed.size === 0) queueMicrotask(this.flush);
   }
 }
+
+/** By name, which only the elements of this package have in a registry. */
+const isLight = (child: HTMLElement): child is PhongLight => child.localName === 'phong-light';
+const isMesh = (child: HTMLElement): child is PhongMesh => child.localName === 'phong-mesh';
 
 const sameList = (a: readonly unknown[], b: readonly unknown[]): boolean =>
   a.length === b.length && a.every((item, i) => item === b[i]);

@@ -1,12 +1,12 @@
-// How are camera, lights and meshes said in words, for people who do not see the picture? Plain functions from values to
-// text; degrees and scene units. Knows neither the elements' tree nor when a text is read.
+// Camera, lights and meshes in words, for people who do not see the picture. Plain functions from values to text;
+// degrees and scene units.
 import { kindOf, type LightKind } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
-import { fileName } from '../../scene/mesh/file-name.js';
+import { fileName } from '../../model/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import type { CameraState } from './camera.js';
+import type { CameraState } from '../camera-state.js';
 
 /** Lights that the description names. It is read in one go, so it must be short; the list names more. */
 const NAMED = 8;

@@ -1,51 +1,107 @@
-// What does a viewer show and say around its picture: poster, progress bar, message, custom states, description? Brings the shadow
-// tree in step with what is loaded and what has failed. Knows neither how anything is loaded nor how it is drawn.
-import { checkedTexts, upgradeTexts, type ViewerTexts } from '../fields/texts.js';
-import type { PhongLight } from '../phong-light.js';
-import type { PhongViewer } from '../phong-viewer.js';
+// What a viewer shows around its picture: poster, progress bar, message, custom states, description. Brings the shadow
+// tree in step with what is loaded and what has failed.
+import type { TemplateResult } from 'lit';
+import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
+import type { PhongViewer } from '../elements.js';
 import { ViewerAnnouncements } from './announcements.js';
-import type { CameraSource } from './camera.js';
-import { type ExtraHost, ViewerExtras } from './extras.js';
+import type { ViewerContext } from './context.js';
+import type { ViewerExtras } from './extras.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
 import { ViewerStates } from './states.js';
-import { ViewerTree } from './template.js';
-
-export interface DisplayHost extends Omit<ExtraHost, 'tree'> {
-  readonly loading: ViewerLoading;
-  readonly failure: ViewerFailure;
-}
+import { surfaceName } from './naming.js';
+import { treeIn, type ViewerTree, viewerTemplate } from './template.js';
 
 export class ViewerDisplay {
   readonly #viewer: PhongViewer;
-  readonly #host: DisplayHost;
+  readonly #context: ViewerContext;
+  readonly #loading: ViewerLoading;
+  readonly #failure: ViewerFailure;
   readonly #states: ViewerStates;
   readonly #announcements: ViewerAnnouncements;
-  readonly extras: ViewerExtras;
+  readonly #extras: ViewerExtras;
   /** Null before the element is connected for the first time. */
   #tree: ViewerTree | null = null;
   #texts: ViewerTexts | null = null;
+  /** The poster that could not be shown. */
+  #badPoster = '';
   /** The poster has been replaced by a picture. */
   #revealed = false;
   #empty = false;
 
-  constructor(host: DisplayHost) {
-    const { viewer } = host;
+  constructor(context: ViewerContext, loading: ViewerLoading, failure: ViewerFailure, extras: ViewerExtras) {
+    const { viewer, signals } = (this.#context = context);
     this.#viewer = viewer;
-    this.#host = host;
+    this.#loading = loading;
+    this.#failure = failure;
+    this.#extras = extras;
     this.#states = new ViewerStates(viewer);
-    this.#announcements = new ViewerAnnouncements(viewer);
-    this.extras = new ViewerExtras(host);
-    for (const part of [this.#announcements, this.extras]) viewer.addController(part);
+    this.#announcements = new ViewerAnnouncements(context);
+    for (const part of [this.#announcements, extras]) viewer.addController(part);
+    signals.loadingChanged.listen(() => viewer.requestUpdate());
+    signals.meshesChanged.listen(() => this.#checkEmpty());
+    signals.drawn.listen(() => {
+      this.#checkEmpty();
+      this.#reveal();
+    });
+    signals.shown.listen(() => viewer.dispatchEvent(new CustomEvent('render')));
   }
 
-  /** `holder` is the element that holds the canvas. Returns the surface: the picture, without the panel. */
-  fill(root: Node, holder: HTMLElement): HTMLElement {
-    upgradeTexts(this.#viewer);
-    this.#tree = new ViewerTree(root, holder, this.#host.loading.retry);
+  /** What the shadow tree shows now. */
+  template(): TemplateResult {
+    const viewer = this.#viewer;
+    const loading = this.#loading;
+    const failure = this.#failure;
+    const { poster } = viewer;
+    if (poster !== this.#badPoster) this.#badPoster = '';
+    return viewerTemplate({
+      holder: this.#context.viewport.holder,
+      name: surfaceName(viewer, this.#texts),
+      description: this.#announcements.description,
+      reader: this.#announcements.template(),
+      fixed: !viewer.orbit,
+      busy: loading.pending,
+      poster: this.#revealed || poster === this.#badPoster ? '' : poster,
+      onPosterError: this.#dropPoster,
+      bar: loading.bar,
+      failure: failure.newest,
+      retryable: failure.retryable,
+      dismissible: failure.dismissible,
+      onButton: this.#onButton,
+      texts: this.#texts,
+    });
+  }
+
+  readonly #onButton = (): void => {
+    if (!this.#failure.dismiss()) this.#loading.retry();
+  };
+
+  readonly #onKey = (event: Event): void => {
+    // Escape must do nothing else then, such as closing a dialog around the viewer.
+    const escapes = (event as KeyboardEvent).key === 'Escape' && !event.defaultPrevented;
+    if (escapes && this.#failure.dismiss()) event.preventDefault();
+  };
+
+  readonly #dropPoster = (): void => {
+    this.#badPoster = this.#viewer.poster;
+    this.#viewer.requestUpdate();
+  };
+
+  /** The shadow tree is there for the first time. Returns the surface: the picture, without the panel. */
+  connect(root: ParentNode): HTMLElement {
+    this.#tree = treeIn(root);
+    root.addEventListener('keydown', this.#onKey);
     this.#announcements.connect(this.#tree);
-    this.extras.connect(this.#tree);
+    this.#extras.connect(this.#tree);
+    this.#extras.apply();
     return this.#tree.surface;
+  }
+
+  /** Before the tree is rendered: a focused message that goes leaves its focus to the picture. */
+  keepFocus(root: ParentNode): void {
+    if (this.#failure.newest !== null) return;
+    if (root.querySelector('.message')?.matches(':focus-within') === true)
+      this.#tree?.surface.focus({ preventScroll: true });
   }
 
   /** The control panel's place. */
@@ -62,56 +118,30 @@ export class ViewerDisplay {
     this.#viewer.requestUpdate('texts');
   }
 
-  update(): void {
-    const { poster, orbit } = this.#viewer;
-    const { loading, failure } = this.#host;
-    this.#tree?.update({
-      poster: this.#revealed ? '' : poster,
-      fixed: !orbit,
-      loading,
-      failure,
-      texts: this.#texts,
-    });
+  /** The tree was rendered. `changed`: not for a text beside the picture alone, which extras do not depend on. */
+  updated(changed: boolean): void {
+    const loading = this.#loading;
+    const failure = this.#failure;
     this.#empty = this.#isEmpty;
     this.#states.set('loading', loading.pending);
     this.#states.set('error', failure.newest !== null);
     this.#states.set('empty', this.#empty);
-    this.extras.apply();
-  }
-
-  cameraMoved(source: CameraSource, linked: boolean): void {
-    this.extras.cameraMoved(source);
-    this.#announcements.cameraMoved(source, linked);
-  }
-
-  /** Lights were written to, or came, went or changed places. */
-  lightsChanged(lights: readonly PhongLight[]): void {
-    this.#announcements.lightsChanged(lights);
-  }
-
-  /** A frame was drawn. */
-  drawn(): void {
-    this.checkEmpty();
-    this.extras.drawn();
-    this.#announcements.describeSoon();
-    this.#reveal();
-    this.#viewer.dispatchEvent(new CustomEvent('render'));
+    if (changed) this.#extras.apply();
   }
 
   /** Removes the poster once everything requested has been drawn for the first time. */
   #reveal(): void {
-    const { loading, failure } = this.#host;
-    if (this.#revealed || loading.pending || failure.newest !== null) return;
+    if (this.#revealed || this.#loading.pending || this.#failure.newest !== null) return;
     this.#revealed = true;
     if (this.#viewer.poster !== '') this.#viewer.requestUpdate();
   }
 
   /** Objects of the scene may have come or gone. Cheap: called for each frame. */
-  checkEmpty(): void {
-    if (this.#isEmpty !== this.#empty) this.update();
+  #checkEmpty(): void {
+    if (this.#isEmpty !== this.#empty) this.#viewer.requestUpdate();
   }
 
   get #isEmpty(): boolean {
-    return !this.#host.loading.wanted && this.#host.viewport.scene.children.length === 0;
+    return !this.#loading.wanted && this.#context.viewport.scene.children.length === 0;
   }
 }

@@ -1,8 +1,10 @@
-// Dispatches a viewer's events at the end of the task. Several events of one type become one with the last detail, where each
-// only says how things are now; one `light-change` covers all lights. Knows nothing of what the events mean.
+// Dispatches a viewer's events at the end of the task. Several events of one type become one with the last detail,
+// where each only says how things are now; one `light-change` covers all lights.
 import type { LightState } from '../../light/light-state.js';
 import type { PhongViewerEventMap } from '../events.js';
-import { ElementLight, type PhongLight } from '../phong-light.js';
+import type { Signal } from '../../fields/signal.js';
+import type { PhongLight } from '../elements.js';
+import { ElementLight } from '../phong-light.js';
 
 interface WaitingEvent {
   readonly type: keyof PhongViewerEventMap;
@@ -17,16 +19,16 @@ let batches = 0;
 
 export class EventQueue {
   readonly #element: EventTarget;
-  readonly #lightsChanged: (lights: readonly PhongLight[]) => void;
+  readonly #lightsReported: Signal<readonly PhongLight[]>;
   #waiting: WaitingEvent[] = [];
   /** Written to since the last `light-change`, each once. */
   #lights: PhongLight[] = [];
   #batch = (batches += 1);
 
-  /** `lightsChanged` is called before each `light-change`: a listener of the event costs more than the event itself. */
-  constructor(element: EventTarget, lightsChanged: (lights: readonly PhongLight[]) => void) {
+  /** `lightsReported` is given before each `light-change`: a listener of the event costs more than the event itself. */
+  constructor(element: EventTarget, lightsReported: Signal<readonly PhongLight[]>) {
     this.#element = element;
-    this.#lightsChanged = lightsChanged;
+    this.#lightsReported = lightsReported;
   }
 
   /** Dispatches a `CustomEvent` at the end of the task, in place of one of this type that waits already. */
@@ -65,7 +67,7 @@ export class EventQueue {
     this.#lights = [];
     this.#batch = batches += 1;
     for (const event of waiting) {
-      if (event === LIGHT_CHANGE) this.#lightsChanged(lights);
+      if (event === LIGHT_CHANGE) this.#lightsReported.emit(lights);
       const detail = event === LIGHT_CHANGE ? { lights } : event.detail;
       this.#element.dispatchEvent(new CustomEvent(event.type, { detail }));
     }

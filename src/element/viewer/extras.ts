@@ -1,15 +1,18 @@
-// Which parts does a viewer have that most viewers lack: helpers, a legend, the probe, linked cameras? Each is a chunk that is fetched
-// with its first use, and removed again. Knows nothing of what they show.
-import type { ReactiveController } from '@lit/reactive-element';
-import { lazyCode } from '../../scene/lazy-code.js';
+// The parts that most viewers do without: helpers, a legend, the probe, linked cameras. Each is a chunk that is fetched
+// with its first use, and removed again.
+import type { ReactiveController } from 'lit';
+import { lazyCode } from '../../model/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
-import type { PhongViewer } from '../phong-viewer.js';
-import type { CameraSource, ViewerCamera } from './camera.js';
+import type { PhongViewer } from '../elements.js';
+import type { CameraSource } from '../camera-state.js';
+import type { Visibility } from '../page/visibility.js';
+import type { ViewerCamera } from './camera.js';
 import type { ViewerChildren } from './children.js';
+import type { ViewerContext } from './context.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerTree } from './template.js';
-import type { ViewerSnapshot } from './viewer-snapshot.js';
+import { type ViewerSnapshot, viewerSnapshot } from './viewer-snapshot.js';
 
 /** What an extra sees of its viewer. */
 export interface ExtraHost {
@@ -23,8 +26,6 @@ export interface ExtraHost {
   /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
   size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
-  /** The code of an extra has arrived, or could not be fetched. */
-  ended(): void;
 }
 
 export interface Extra {
@@ -74,13 +75,36 @@ const KINDS: readonly Kind[] = [
 ];
 
 export class ViewerExtras implements ReactiveController {
-  readonly #host: Omit<ExtraHost, 'tree'>;
+  readonly #context: ViewerContext;
+  readonly #camera: ViewerCamera;
+  readonly #children: ViewerChildren;
+  readonly #visibility: Visibility;
   readonly #extras = new Map<Kind, Extra | 'loading'>();
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
-  constructor(host: Omit<ExtraHost, 'tree'>) {
-    this.#host = host;
+  constructor(
+    context: ViewerContext,
+    camera: ViewerCamera,
+    children: ViewerChildren,
+    visibility: Visibility,
+  ) {
+    const { signals } = (this.#context = context);
+    this.#camera = camera;
+    this.#children = children;
+    this.#visibility = visibility;
+    signals.drawn.listen(() => {
+      for (const extra of this.#extras.values()) if (extra !== 'loading') extra.update();
+    });
+    signals.cameraMoved.listen(({ source }) => {
+      for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
+    });
+  }
+
+  /** The scene as it is now, for what explains it. */
+  snapshot(): ViewerSnapshot {
+    const { viewer, viewport } = this.#context;
+    return viewerSnapshot(viewer, viewport, this.#children, this.#visibility.size);
   }
 
   connect(tree: ViewerTree): void {
@@ -99,19 +123,10 @@ export class ViewerExtras implements ReactiveController {
   apply(): void {
     for (const kind of KINDS) {
       const extra = this.#extras.get(kind);
-      if (!kind.wanted(this.#host.values, this.#host.viewer)) this.#drop(kind);
+      if (!kind.wanted(this.#context.values, this.#context.viewer)) this.#drop(kind);
       else if (extra === undefined) this.#wait(this.#fetch(kind));
       else if (extra !== 'loading') extra.update();
     }
-  }
-
-  /** A frame was drawn. */
-  drawn(): void {
-    for (const extra of this.#extras.values()) if (extra !== 'loading') extra.update();
-  }
-
-  cameraMoved(source: CameraSource): void {
-    for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
   }
 
   /** Resolves once the code that is being fetched is in use; never rejects. Null where none is. */
@@ -135,7 +150,7 @@ export class ViewerExtras implements ReactiveController {
     this.#fetching.add(fetched);
     void fetched.then(() => {
       this.#fetching.delete(fetched);
-      this.#host.ended();
+      this.#context.signals.ended.emit();
     });
   }
 
@@ -154,8 +169,18 @@ export class ViewerExtras implements ReactiveController {
     });
     if (this.#extras.get(kind) !== 'loading') return;
     this.#extras.delete(kind);
-    if (create === undefined || !this.#host.viewer.isConnected) return;
-    const extra = create({ ...this.#host, tree });
+    if (create === undefined || !this.#context.viewer.isConnected) return;
+    const { viewer, values, viewport } = this.#context;
+    const extra = create({
+      viewer,
+      values,
+      viewport,
+      tree,
+      camera: this.#camera,
+      children: this.#children,
+      size: () => this.#visibility.size,
+      snapshot: () => this.snapshot(),
+    });
     this.#extras.set(kind, extra);
     extra.update();
   }

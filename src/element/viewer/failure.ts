@@ -1,20 +1,31 @@
-// What has failed and still does: reported once by an event, shown as a message until it works again. Knows nothing of
-// how the message is shown.
-import type { ReactiveControllerHost } from '@lit/reactive-element';
+// What has failed and still does: reported once by an event, shown as a message until it works again.
+import type { ViewerErrorDetail } from '../events.js';
+import type { FailureSubject, ViewerContext } from './context.js';
 import type { EventQueue } from './event-queue.js';
-import { errorDetail, type ViewerErrorDetail } from './loading.js';
+import { errorDetail } from './loading.js';
 
 /** The subject of failures of the graphics context; a model's subject is its mesh. */
-const CONTEXT = {};
+const CONTEXT: FailureSubject = {};
+
+const LOST: ViewerErrorDetail = {
+  code: 'context-lost',
+  message: 'The graphics context was lost. The picture returns when the browser restores the context.',
+  url: null,
+};
 
 export class ViewerFailure {
-  readonly #host: Pick<ReactiveControllerHost, 'requestUpdate'>;
+  readonly #viewer: ViewerContext['viewer'];
   readonly #events: EventQueue;
-  readonly #present = new Map<object, ViewerErrorDetail>();
+  readonly #present = new Map<FailureSubject, ViewerErrorDetail>();
 
-  constructor(host: Pick<ReactiveControllerHost, 'requestUpdate'>, events: EventQueue) {
-    this.#host = host;
+  constructor({ viewer, signals }: ViewerContext, events: EventQueue) {
+    this.#viewer = viewer;
     this.#events = events;
+    signals.failed.listen(({ subject, detail }) => this.#report(subject, detail));
+    signals.cleared.listen((subject) => this.#clear(subject));
+    signals.contextMissing.listen((error) => this.#reportContext(errorDetail(error, null)));
+    signals.contextLost.listen(() => this.#reportContext(LOST));
+    signals.contextRestored.listen(() => this.#clear(CONTEXT));
   }
 
   /** The newest failure that is not cleared; null for none. */
@@ -22,39 +33,46 @@ export class ViewerFailure {
     return [...this.#present.values()].at(-1) ?? null;
   }
 
-  /** Something has failed that a retry may fix. A lost context needs no retry. */
+  /**
+   * Something has failed that a retry may fix. A lost context needs no retry, and a file of the user's own is not
+   * requested.
+   */
   get retryable(): boolean {
-    return [...this.#present.values()].some(({ code }) => code !== 'context-lost');
+    return [...this.#present].some(
+      ([{ isOwnFile }, { code }]) => isOwnFile !== true && code !== 'context-lost',
+    );
   }
 
-  report(subject: object, detail: ViewerErrorDetail): void {
+  /** The newest failure is of a file of the user's own, so the user may remove its message. */
+  get dismissible(): boolean {
+    return this.#subject?.isOwnFile === true;
+  }
+
+  /** Removes the message of {@link newest}. False unless it is {@link dismissible}. */
+  readonly dismiss = (): boolean => {
+    const { dismissible } = this;
+    if (dismissible) this.#clear(this.#subject!);
+    return dismissible;
+  };
+
+  get #subject(): FailureSubject | undefined {
+    return [...this.#present.keys()].at(-1);
+  }
+
+  #report(subject: FailureSubject, detail: ViewerErrorDetail): void {
     this.#present.delete(subject);
     this.#present.set(subject, detail);
-    this.#host.requestUpdate();
+    this.#viewer.requestUpdate();
     this.#events.append('error', detail);
   }
 
   /** `subject` works, or is gone. */
-  cleared(subject: object): void {
-    if (this.#present.delete(subject)) this.#host.requestUpdate();
-  }
-
-  contextMissing(error: Error): void {
-    this.#reportContext(errorDetail(error, null));
-  }
-
-  contextLost(): void {
-    const message =
-      'The graphics context was lost. The picture returns when the browser restores the context.';
-    this.#reportContext({ code: 'context-lost', message, url: null });
-  }
-
-  contextRestored(): void {
-    this.cleared(CONTEXT);
+  #clear(subject: FailureSubject): void {
+    if (this.#present.delete(subject)) this.#viewer.requestUpdate();
   }
 
   /** Once, however often the context is lost again or refused before it works. */
   #reportContext(detail: ViewerErrorDetail): void {
-    if (this.#present.get(CONTEXT)?.code !== detail.code) this.report(CONTEXT, detail);
+    if (this.#present.get(CONTEXT)?.code !== detail.code) this.#report(CONTEXT, detail);
   }
 }

@@ -1,7 +1,7 @@
-// Files dropped on a viewer become its model. What the browser offers only during the event is taken here; which of them is the model is
-// decided by the code that reads models. Knows no formats.
+// Files dropped on a viewer become its model. What the browser offers only during the event is taken here; which of
+// them is the model is decided by the code that reads models.
 import { modelCode } from '../../scene/mesh/content.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongViewer } from '../elements.js';
 
 /** From now on the viewer takes files while it is `droppable`. */
 export function takeDrops(viewer: PhongViewer): void {
@@ -25,6 +25,7 @@ export function takeDrops(viewer: PhongViewer): void {
     );
     const files = [...transfer.files];
     const drop = ++drops; // of two in a row, the later one counts
+    viewer.focus({ preventScroll: true }); // as after a press: Escape removes a message
     modelCode()
       .then(({ droppedModel }) => droppedModel(entries, files))
       .then((model) => {

@@ -1,11 +1,11 @@
-// What can be undone? A list of edits of one viewer: declared values, the camera, and the order of its children. Used by the panel and
-// by anything else that edits for the user. Loaded with its first user. Knows no controls.
+// Undo and redo: a list of edits of one viewer (declared values, the camera, the order of its children). Used by the
+// panel and by anything else that edits for the user. Loaded with its first user.
 import { sameValue } from '../../fields/field-store.js';
 import { registryOf } from '../child-registry.js';
 import { fieldsOf, viewerCameras } from '../internals.js';
-import type { PhongLight } from '../phong-light.js';
-import type { PhongMesh } from '../phong-mesh.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongLight } from '../elements.js';
+import type { PhongMesh } from '../elements.js';
+import type { PhongViewer } from '../elements.js';
 import type { Placement } from './camera.js';
 
 /** Something whose state can be read and put back. */
@@ -41,8 +41,8 @@ export class History {
   }
 
   /**
-   * Runs `write` and records what it changes as one step. Edits with the same `gesture`, such as those of one drag, are one step
-   * until {@link seal}.
+   * Runs `write` and records what it changes as one step. Edits with the same `gesture`, such as those of one drag, are
+   * one step until {@link seal}.
    */
   edit<S>(subject: Subject<S>, write: () => void, gesture: object | null = null): void {
     const before = subject.read();
@@ -150,7 +150,7 @@ export function valuesOf(element: PhongLight | PhongMesh | PhongViewer): Subject
 export function cameraOf(viewer: PhongViewer): Subject<Placement> {
   const camera = viewerCameras.get(viewer)!;
   return {
-    read: () => camera.placement,
+    read: () => camera.placement(),
     same: (a, b) => sameParts(a.pose, b.pose) && sameParts(a.framing ?? {}, b.framing ?? {}),
     restore: (_, to) => {
       camera.place(to, 'panel');
@@ -168,7 +168,17 @@ interface Place {
   readonly next: Node | null;
 }
 
-/** Which children the viewer has, and where they are in the document. */
+/** `node` is `element` or inside it, shadow trees included: `element` cannot be moved into it. */
+function holds(element: HTMLElement, node: Node | null): boolean {
+  for (let at = node; at !== null; at = at instanceof ShadowRoot ? at.host : at.parentNode)
+    if (at === element) return true;
+  return false;
+}
+
+/**
+ * Which children the viewer has, and where they are in the document. A step back that would move one into itself does
+ * nothing.
+ */
 export function childrenOf(viewer: PhongViewer): Subject<ReadonlyMap<HTMLElement, Place>> {
   const stays = (a: Place | undefined, b: Place | undefined): boolean =>
     a?.parent === b?.parent && a?.next === b?.next;
@@ -182,6 +192,9 @@ export function childrenOf(viewer: PhongViewer): Subject<ReadonlyMap<HTMLElement
       ),
     same: (a, b) => a.size === b.size && [...a].every(([child, place]) => stays(place, b.get(child))),
     restore(from, to) {
+      // A script may have moved the parent into the child since.
+      for (const [child, place] of to)
+        if (!stays(from.get(child), place) && holds(child, place.parent)) return;
       for (const child of from.keys()) if (!to.has(child)) child.remove();
       // Backwards, so that the sibling a child stands before is in its place already.
       for (const [child, place] of [...to].reverse()) {

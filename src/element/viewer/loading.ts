@@ -1,32 +1,22 @@
-// What a viewer loads: its own mesh and its children's, with their progress, events and errors. Knows neither how files
-// are read nor how anything is drawn.
-import type { ReactiveController } from '@lit/reactive-element';
+// What a viewer loads: its own mesh and its children's, with their progress, events and errors.
+import type { ReactiveController } from 'lit';
 import { clipMessage } from '../../fields/clip.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import type { Animations } from '../../scene/animations.js';
 import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import type { CrossOrigin } from '../../scene/model/load-model.js';
-import { ModelError } from '../../scene/model/model.js';
-import { isOutOfMemory } from '../../scene/out-of-memory.js';
+import type { CrossOrigin } from '../../model/load-model.js';
+import { ModelError } from '../../model/model.js';
+import { isOutOfMemory } from '../../model/out-of-memory.js';
 import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
-import type { Viewport } from '../../scene/viewport.js';
-import { LOADING_KEYS, type ViewerValues } from '../fields/viewer-fields.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { TriangleBudget } from '../../scene/mesh/triangle-budget.js';
+import { LOADING_KEYS } from '../fields/viewer-fields.js';
+import type { LoadDetail, ViewerErrorCode, ViewerErrorDetail } from '../events.js';
+import type { ViewerContext } from './context.js';
+import { elementOf } from './element-mesh.js';
 import type { EventQueue } from './event-queue.js';
 import { takeDrops } from './file-drop.js';
-
-export type ViewerErrorCode =
-  'load-failed' | 'bad-model' | 'too-large' | 'csp' | 'context-lost' | 'no-webgl2';
-
-export interface ViewerErrorDetail {
-  readonly code: ViewerErrorCode;
-  /** For the page's author. */
-  readonly message: string;
-  /** The address that could not be loaded; null if the error is about something else. */
-  readonly url: string | null;
-}
 
 export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail {
   const code = codeOf(error);
@@ -42,28 +32,12 @@ function codeOf(error: unknown): ViewerErrorCode {
   return error instanceof NoWebGL2Error ? 'no-webgl2' : 'load-failed';
 }
 
-export interface LoadingHost {
-  readonly viewer: PhongViewer;
-  readonly store: FieldStore<ViewerValues>;
-  readonly viewport: Viewport;
-  readonly events: EventQueue;
-  /** The child that shows this mesh; undefined for the viewer's own mesh. */
-  elementOf(mesh: SceneMesh): HTMLElement | undefined;
-  childMeshes(): Iterable<SceneMesh>;
-  failed(mesh: SceneMesh, detail: ViewerErrorDetail): void;
-  /** A load succeeded or is no longer wanted: an earlier failure of this mesh is over. */
-  cleared(mesh: SceneMesh): void;
-  /** A load ended, whichever way. */
-  ended(): void;
-  /** {@link ViewerLoading.pending} or {@link ViewerLoading.bar} may have changed. */
-  updated(): void;
-}
-
 /** Loads that take less show no progress bar, ms: it would only flicker. */
 const BAR_DELAY = 300;
 
 export class ViewerLoading implements MeshHost, ReactiveController {
-  readonly #host: LoadingHost;
+  readonly #context: ViewerContext;
+  readonly #events: EventQueue;
   readonly #progress = new LoadProgress();
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
@@ -75,50 +49,60 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   /** Meshes whose content has not been drawn yet. */
   readonly #undrawn = new Set<SceneMesh>();
 
-  constructor(host: LoadingHost) {
-    this.#host = host;
-    this.ownMesh = new SceneMesh(host.store as unknown as FieldStore<ShapeValues>, this);
-    host.viewport.add(this.ownMesh);
-    takeDrops(host.viewer);
+  constructor(context: ViewerContext, events: EventQueue) {
+    const { viewer, store, viewport, signals } = (this.#context = context);
+    this.#events = events;
+    this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
+    viewport.add(this.ownMesh);
+    viewport.recover = (error, draw) => this.#recover(error, draw);
+    signals.painted.listen(() => this.#drawn());
+    signals.viewChanged.listen(({ near }) => {
+      if (near) this.#neared();
+    });
+    takeDrops(viewer);
   }
 
   get materials(): SharedMaterials {
-    return this.#host.viewport.materials;
+    return this.#context.viewport.materials;
   }
 
   get animations(): Animations {
-    return this.#host.viewport.animations;
+    return this.#context.viewport.animations;
+  }
+
+  get budget(): TriangleBudget {
+    return this.#context.viewport.budget;
   }
 
   get crossOrigin(): CrossOrigin {
-    return this.#host.store.values.crossOrigin;
+    return this.#context.values.crossOrigin;
   }
 
   get mayLoad(): boolean {
-    return !this.#suspended && (this.#near || this.#host.store.values.loading !== 'lazy');
+    return !this.#suspended && (this.#near || this.#context.values.loading !== 'lazy');
   }
 
   changed(): void {
-    this.#host.viewport.invalidate();
+    this.#context.viewport.invalidate();
   }
 
   reshaped(): void {
-    this.#host.viewport.reshaped();
+    this.#context.viewport.reshaped();
   }
 
   shown(mesh: SceneMesh): boolean {
     this.#undrawn.add(mesh);
-    return this.#host.viewport.drawable;
+    return this.#context.viewport.drawable;
   }
 
   /** All content has been drawn. */
-  drawn(): void {
+  #drawn(): void {
     for (const mesh of this.#undrawn) mesh.drawn();
     this.#undrawn.clear();
   }
 
   /** Drawing has thrown. Takes new content back, unless `draw` throws without it too: then something else is wrong. */
-  undrawable(error: unknown, draw: () => void): boolean {
+  #recover(error: unknown, draw: () => void): boolean {
     const meshes = [...this.#undrawn];
     if (meshes.length === 0) return false;
     const show = (visible: boolean): void => {
@@ -144,34 +128,35 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   began(mesh: SceneMesh): void {
     if (!this.pending) this.#barTimer = setTimeout(this.#showBar, BAR_DELAY);
     this.#progress.begin(mesh);
-    this.#host.updated();
+    this.#context.signals.loadingChanged.emit();
   }
 
   progress(mesh: SceneMesh, loaded: number, total: number): void {
     this.#progress.update(mesh, loaded, total);
     this.#enqueueProgress();
-    if (this.#isSlow) this.#host.updated();
+    if (this.#isSlow) this.#context.signals.loadingChanged.emit();
   }
 
   dropped(mesh: SceneMesh): void {
     this.#end(mesh);
-    this.#host.cleared(mesh);
+    this.#context.signals.cleared.emit(mesh);
   }
 
   ended(mesh: SceneMesh, url: URL | null, error: unknown): void {
     this.#end(mesh);
-    const child = this.#host.elementOf(mesh);
+    const { signals } = this.#context;
+    const child = elementOf(mesh);
     if (error !== null) {
       const detail = errorDetail(error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
-      this.#host.failed(mesh, detail);
+      signals.failed.emit({ subject: mesh, detail });
     } else if (url !== null) {
-      const detail = { url: url.href };
+      const detail: LoadDetail = { url: url.href, missing: mesh.missing };
       this.#enqueueProgress();
       child?.dispatchEvent(new CustomEvent('load', { detail }));
-      this.#host.events.append('load', detail);
+      this.#events.append('load', detail);
     }
-    this.#host.ended();
+    signals.ended.emit();
   }
 
   /** Something requested has not arrived yet. */
@@ -179,15 +164,16 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return this.#progress.active;
   }
 
-  /** What a progress bar shows: the share that has arrived, 0 to 1, or null if that is not known. Undefined for no bar. */
+  /**
+   * What a progress bar shows: the share that has arrived, 0 to 1, or null if that is not known. Undefined for no bar.
+   */
   get bar(): number | null | undefined {
     return this.#isSlow ? this.#progress.share : undefined;
   }
 
   /** Something to show is declared. */
   get wanted(): boolean {
-    if (this.ownMesh.wanted) return true;
-    for (const mesh of this.#host.childMeshes()) if (mesh.wanted) return true;
+    for (const mesh of this.#context.viewport.meshes) if (mesh.wanted) return true;
     return false;
   }
 
@@ -215,10 +201,10 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   }
 
   /** The viewer is in view or near it: lazy loading begins. */
-  neared(): void {
+  #neared(): void {
     if (this.#near) return;
     this.#near = true;
-    if (this.#host.store.values.loading === 'lazy') this.update();
+    if (this.#context.values.loading === 'lazy') this.update();
   }
 
   /** Values of the viewer have changed, or were assigned again. */
@@ -240,31 +226,31 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   readonly #showBar = (): void => {
     this.#isSlow = true;
-    this.#host.updated();
+    this.#context.signals.loadingChanged.emit();
   };
 
   #end(mesh: SceneMesh): void {
     if (!this.#progress.end(mesh)) return;
     clearTimeout(this.#barTimer);
     this.#isSlow = false;
-    this.#host.updated();
+    this.#context.signals.loadingChanged.emit();
   }
 
   #enqueueProgress(): void {
     const totalProgress = this.pending ? (this.#progress.share ?? 0) : 1;
-    this.#host.events.enqueue('progress', { totalProgress });
+    this.#events.enqueue('progress', { totalProgress });
   }
 
   #meshes(): SceneMesh[] {
-    return [this.ownMesh, ...this.#host.childMeshes()];
+    return [...this.#context.viewport.meshes];
   }
 }
 
 /** Progress of all loads together. A load is identified by any object. */
 class LoadProgress {
   /**
-   * What has arrived of each load, 0 to 1; null for not known. Loads that have ended stay as long as another is in progress:
-   * otherwise the share would fall.
+   * What has arrived of each load, 0 to 1; null for not known. Loads that have ended stay as long as another is in
+   * progress: otherwise the share would fall.
    */
   readonly #shares = new Map<object, number | null>();
   readonly #active = new Set<object>();

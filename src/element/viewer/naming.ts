@@ -1,32 +1,31 @@
-// What is the picture to assistive technology: its role, name and keys? Follows the author's attributes as HTML
-// and ARIA define them. Must not know how the picture is drawn.
+// Role, name and keys of the picture for assistive technology. Follows the author's attributes as HTML and ARIA define
+// them.
 import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
-import type { PhongViewer } from '../phong-viewer.js';
-import { set } from './template.js';
+import type { PhongViewer } from '../elements.js';
 
 /** Attributes, besides `alt`, that name the picture or say what it is. */
 export const NAMING = ['aria-label', 'aria-labelledby', 'role'] as const;
 
-/**
- * Writes role, name and keys to the surface. An application gets the keys that a screen reader would keep for itself on an
- * image. False if nothing of the viewer is to be read.
- */
-export function nameSurface(surface: HTMLElement, viewer: PhongViewer, texts: ViewerTexts | null): boolean {
+/** How the picture is named to assistive technology. */
+export interface SurfaceName {
+  /** What a screen reader must leave to the picture, which is an application then; empty for an image without keys. */
+  readonly keys: string;
+  readonly label: string;
+  readonly labelledBy: readonly Element[] | null;
+  /** Nothing of the viewer is to be read. */
+  readonly hidden: boolean;
+}
+
+/** An application gets the keys that a screen reader would keep for itself on an image. */
+export function surfaceName(viewer: PhongViewer, texts: ViewerTexts | null): SurfaceName {
   const label = viewer.getAttribute('aria-label') || viewer.alt;
   // Missing in browsers without element reflection, whatever the types say.
   const labelledBy = (viewer as Partial<Element>).ariaLabelledByElements ?? null;
   const keys = usable(viewer, 'ArrowLeft ArrowRight ArrowUp ArrowDown', 'Plus - PageUp PageDown', 'Home');
   // Nothing that can have the focus may be hidden or nameless.
   const hidden = keys === '' && label === '' && labelledBy === null && isDecoration(viewer);
-  set(surface, 'tabindex', keys === '' ? null : '0');
-  set(surface, 'role', keys === '' ? 'img' : 'application');
-  set(surface, 'aria-hidden', hidden ? 'true' : null);
-  set(surface, 'aria-label', label || phrase(texts, '3D scene'));
-  set(surface, 'aria-keyshortcuts', keys || null);
-  if (labelledBy !== null || surface.hasAttribute('aria-labelledby'))
-    surface.ariaLabelledByElements = labelledBy;
-  return !hidden;
+  return { keys, label: label || phrase(texts, '3D scene'), labelledBy, hidden };
 }
 
 export const keysText = (viewer: PhongViewer, texts: ViewerTexts | null): string =>

@@ -1,5 +1,5 @@
 // What the element needs of a control panel. The element does not import it: index.ts provides a loader. Types only.
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongViewer } from '../elements.js';
 
 /** What has changed, so that a panel updates only that. */
 export type PanelChange = 'camera' | 'light' | 'lights' | 'mesh' | 'meshes' | 'viewer';

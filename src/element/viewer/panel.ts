@@ -1,6 +1,6 @@
-// The control panel's life: its code is fetched on first use, it is notified of changes, and removed again. Knows
-// nothing of its controls.
-import type { PhongViewer } from '../phong-viewer.js';
+// The control panel's life: its code is fetched on first use, it is notified of changes, and removed again.
+import type { PhongViewer } from '../elements.js';
+import type { ViewerContext } from './context.js';
 import type { Panel, PanelChange, PanelLoader } from './panel-api.js';
 
 let loadPanel: PanelLoader | null = null;
@@ -16,8 +16,11 @@ export class ViewerPanel {
   #panel: Panel | null = null;
   #wanted = false;
 
-  constructor(viewer: PhongViewer) {
+  constructor({ viewer, signals }: ViewerContext) {
     this.#viewer = viewer;
+    signals.lightChanged.listen((light) => this.changed(light === null ? 'lights' : 'light'));
+    signals.meshesChanged.listen(() => this.changed('meshes'));
+    signals.cameraMoved.listen(() => this.changed('camera'));
   }
 
   /** Shows the panel in `place` once its code is there, or removes it. */

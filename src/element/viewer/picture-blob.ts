@@ -1,4 +1,4 @@
-// A picture as a file: checks the options and encodes. Fetched with the first use of toBlob. Knows nothing of scenes.
+// A picture as a file: checks the options and encodes. Fetched with the first use of toBlob.
 
 export interface PictureOptions {
   /** Pixels, whole, at least 1. Default: the canvas's own size, at least 1. */
@@ -8,7 +8,10 @@ export interface PictureOptions {
   readonly type?: string;
   /** 0–1, for lossy types. Default: the browser's. */
   readonly quality?: number;
-  /** Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a page. Default false. */
+  /**
+   * Draws what `helpers` shows over the picture and the arrows of `probe`, while the viewer is on a page. Default
+   * false.
+   */
   readonly helpers?: boolean;
 }
 

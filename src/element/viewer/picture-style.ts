@@ -1,4 +1,4 @@
-// Which of the viewer's values change how the picture is drawn as a whole? Passes them to the viewport. Knows neither meshes nor lights.
+// Passes the values that change the picture as a whole to the viewport.
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 

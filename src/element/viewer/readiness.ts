@@ -1,5 +1,6 @@
-// The promise that a viewer is ready: it resolves once everything requested is drawn, or cannot be seen. It never rejects
-// and never stays pending forever. Knows nothing of what is drawn.
+// The promise that a viewer is ready: it resolves once everything requested is drawn, or cannot be seen. It never
+// rejects and never stays pending forever.
+import type { ViewerSignals } from './context.js';
 
 export class Readiness {
   readonly #settled: () => boolean;
@@ -7,8 +8,11 @@ export class Readiness {
   #resolve: (() => void) | null = null;
 
   /** `settled` says whether everything requested so far is there. */
-  constructor(settled: () => boolean) {
+  constructor(signals: ViewerSignals, settled: () => boolean) {
     this.#settled = settled;
+    const check = (): void => this.check();
+    for (const signal of [signals.ended, signals.frameEnded, signals.viewChanged]) signal.listen(check);
+    signals.cleared.listen(() => queueMicrotask(check));
   }
 
   /** The current promise; a new one if something was requested since the last one resolved. */

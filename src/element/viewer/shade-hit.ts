@@ -1,5 +1,4 @@
-// Shades one hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners, interpolated. Knows
-// neither elements nor how the equation's code is loaded.
+// Shades one hit by the equation: at the fragment, or under Gouraud shading at the triangle's corners, interpolated.
 import type { LightValues } from '../../light/light-state.js';
 import type { Term } from '../../material/shading-style.js';
 import { add, scale, subtract, type Vec3, type Vec4 } from '../../math/vector.js';
@@ -22,8 +21,8 @@ export interface Subject {
 }
 
 /**
- * Lights are relative to the frame's origin, like the hit. Under Gouraud shading only the terms and their sum come from the
- * corners; everything else is the fragment's own.
+ * Lights are relative to the frame's origin, like the hit. Under Gouraud shading only the terms and their sum come from
+ * the corners; everything else is the fragment's own.
  */
 export function shadeHit(equation: Equation, subject: Subject, lights: readonly LightValues[]): Shaded {
   const { hit, corners, surface } = subject;

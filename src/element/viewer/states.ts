@@ -1,5 +1,5 @@
-// How does CSS learn what a viewer is doing? By custom states: `phong-viewer:state(loading)`. Browsers without them go without.
-// Knows no meaning of a state.
+// Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`. Browsers without them go
+// without.
 
 export class ViewerStates {
   #states: Set<string> | undefined;

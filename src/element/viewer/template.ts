@@ -1,110 +1,129 @@
-// The viewer's shadow tree: the surface with the picture, poster, message and panel over it, and the slots. Made by the DOM's
-// own calls: a template library needs a Trusted Types policy, which a page under `trusted-types 'none'` refuses.
+// The viewer's shadow tree: the surface with the picture, poster, description, message and panel over it, and the
+// slots.
 
+import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import type { ViewerFailure } from './failure.js';
-import type { ViewerLoading } from './loading.js';
+import { CORNERS } from '../page/picture-box.js';
+import type { ViewerErrorDetail } from '../events.js';
+import type { SurfaceName } from './naming.js';
 
-export interface ViewerLook {
-  /** Address of an image over the picture; empty for none. */
-  readonly poster: string;
+/** What the tree shows. */
+export interface ViewerView {
+  /** The element that holds the canvas. */
+  readonly holder: HTMLElement;
+  readonly name: SurfaceName;
+  /** The scene and the keys in words. */
+  readonly description: string;
+  /** What a screen reader finds beside the picture. */
+  readonly reader: unknown;
   /** A drag does not rotate the picture. */
   readonly fixed: boolean;
-  readonly loading: Pick<ViewerLoading, 'pending' | 'bar'>;
-  readonly failure: Pick<ViewerFailure, 'newest' | 'retryable'>;
+  /** Something has not arrived yet. */
+  readonly busy: boolean;
+  /** Address of an image over the picture; empty for none. */
+  readonly poster: string;
+  /** The image could not be shown. */
+  readonly onPosterError: () => void;
+  /** The share that has arrived, 0 to 1, or null if that is not known. Undefined for no bar. */
+  readonly bar: number | null | undefined;
+  readonly failure: ViewerErrorDetail | null;
+  /** Trying again may help. */
+  readonly retryable: boolean;
+  /** The user may remove the message. */
+  readonly dismissible: boolean;
+  /** Removes the message, or tries again. */
+  readonly onButton: () => void;
   /** In place of the texts here. */
   readonly texts: ViewerTexts | null;
 }
 
-export class ViewerTree {
+/** Elements that the viewer's parts are built on. They stay as long as the viewer. */
+export interface ViewerTree {
   /** The picture, without the panel. */
-  readonly surface = create('div', { part: 'surface' });
+  readonly surface: HTMLElement;
   /** Over the picture; the pointer goes through it. */
-  readonly layer = create('div', { class: 'layer' });
+  readonly layer: HTMLElement;
   /** The control panel's place. */
-  readonly panel = create('div', { class: 'panel', part: 'panel' });
-  readonly #poster = create('img', { class: 'poster', part: 'poster', alt: '' });
-  /** The poster that could not be shown. */
-  #badPoster = '';
-  readonly #progress = create('slot', { name: 'progress' });
-  readonly #bar = create('div', { class: 'progress', part: 'progress', role: 'progressbar' });
-  readonly #arrived = create('div', {});
-  readonly #message = create('div', { class: 'message', role: 'alert' });
-  readonly #notice = create('p', { class: 'notice', part: 'notice', dir: 'auto' });
-  readonly #retry = create('button', { class: 'retry', part: 'retry', type: 'button' });
+  readonly panel: HTMLElement;
+}
 
-  /** `holder` is the element that holds the canvas; `retry` is called by the button of the message. */
-  constructor(root: Node, holder: HTMLElement, retry: () => void) {
-    this.surface.append(holder);
-    this.#poster.addEventListener('error', () => {
-      this.#badPoster = this.#poster.getAttribute('src') ?? '';
-      this.#poster.remove();
-    });
-    this.#bar.append(this.#arrived);
-    this.#progress.append(this.#bar);
-    this.#retry.addEventListener('click', retry);
-    const slot = create('slot', { name: 'error' });
-    slot.append(this.#notice, this.#retry);
-    this.#message.append(slot);
-    for (const part of [this.surface, this.layer, this.panel, create('slot', {})]) root.appendChild(part);
-  }
-
-  update({ poster, fixed, loading, failure, texts }: ViewerLook): void {
-    set(this.surface, 'class', fixed ? 'surface fixed' : 'surface');
-    set(this.surface, 'aria-busy', loading.pending ? 'true' : null);
-    if (poster !== this.#badPoster) this.#badPoster = '';
-    if (poster === '' || this.#badPoster !== '') this.#poster.remove();
-    else if (this.#poster.parentNode === null) this.surface.after(this.#poster);
-    set(this.#poster, 'src', poster === '' ? null : poster);
-    if (loading.bar === undefined) this.#progress.remove();
-    else this.#showProgress(loading.bar, phrase(texts, 'Loading'));
-    const { newest, retryable } = failure;
-    if (newest === null) this.#removeMessage();
-    else {
-      const { code, message, url } = newest;
-      write(
-        this.#notice,
-        texts?.[code] === undefined ? message : phrase(texts, code, { message, url: url ?? '' }),
-      );
-      write(this.#retry, phrase(texts, 'Try again'));
-      this.#retry.hidden = !retryable;
-      if (this.#message.parentNode === null) this.panel.before(this.#message);
+export const viewerTemplate = (view: ViewerView): TemplateResult => {
+  const { name, poster, bar, failure, texts } = view;
+  return html`
+    <div
+      part="surface"
+      class=${view.fixed ? 'surface fixed' : 'surface'}
+      tabindex=${name.keys === '' ? nothing : 0}
+      role=${name.keys === '' ? 'img' : 'application'}
+      aria-hidden=${name.hidden ? 'true' : nothing}
+      aria-label=${name.label}
+      aria-description=${view.description}
+      aria-keyshortcuts=${name.keys || nothing}
+      aria-busy=${view.busy ? 'true' : nothing}
+      .ariaLabelledByElements=${name.labelledBy}
+    >
+      ${view.holder}${CORNERS}
+    </div>
+    ${
+      poster === ''
+        ? nothing
+        : html`<img class="poster" part="poster" alt="" src=${poster} @error=${view.onPosterError} />`
     }
-  }
+    <div class="reader" ?hidden=${name.hidden}>${view.reader}</div>
+    <div class="layer"></div>
+    ${bar === undefined ? nothing : progressTemplate(bar, phrase(texts, 'Loading'))}
+    ${failure === null ? nothing : messageTemplate(failure, view)}
+    <div class="panel" part="panel"></div>
+    <slot></slot>
+  `;
+};
 
-  #showProgress(share: number | null, label: string): void {
-    const percent = share === null ? null : String(Math.round(share * 100));
-    set(this.#bar, 'aria-label', label);
-    set(this.#bar, 'aria-valuenow', percent);
-    set(this.#arrived, 'class', percent === null ? 'arrived unknown' : 'arrived');
-    this.#arrived.style.inlineSize = percent === null ? '' : `${percent}%`;
-    if (this.#progress.parentNode === null) this.panel.before(this.#progress);
-  }
+/** What {@link viewerTemplate} has made in `root`. */
+export const treeIn = (root: ParentNode): ViewerTree => ({
+  surface: root.querySelector('.surface')!,
+  layer: root.querySelector('.layer')!,
+  panel: root.querySelector('.panel')!,
+});
 
-  #removeMessage(): void {
-    // Otherwise the focus would be lost with the button.
-    if (this.#message.matches(':focus-within')) this.surface.focus({ preventScroll: true });
-    this.#message.remove();
-  }
+function progressTemplate(share: number | null, label: string): TemplateResult {
+  const percent = share === null ? null : String(Math.round(share * 100));
+  // The style as a property: a strict CSP refuses style attributes.
+  return html`<slot name="progress">
+    <div
+      class="progress"
+      part="progress"
+      role="progressbar"
+      aria-label=${label}
+      aria-valuenow=${percent ?? nothing}
+    >
+      <div
+        class=${percent === null ? 'arrived unknown' : 'arrived'}
+        .style=${percent === null ? '' : `inline-size: ${percent}%`}
+      ></div>
+    </div>
+  </slot>`;
 }
 
-export function create<Tag extends keyof HTMLElementTagNameMap>(
-  tag: Tag,
-  attributes: Readonly<Record<string, string>>,
-): HTMLElementTagNameMap[Tag] {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-  return element;
-}
-
-/** Writes only what changes, for the same reason as {@link set}. Screen readers may also read again what is written. */
-export function write(element: Element, text: string): void {
-  if (element.textContent !== text) element.textContent = text;
-}
-
-/** Writes only what changes: every write is a mutation that the browser restyles and the page may observe. */
-export function set(element: Element, name: string, value: string | null): void {
-  if (element.getAttribute(name) === value) return;
-  if (value === null) element.removeAttribute(name);
-  else element.setAttribute(name, value);
-}
+const messageTemplate = (
+  { code, message, url }: ViewerErrorDetail,
+  { texts, onButton, retryable, dismissible }: ViewerView,
+): TemplateResult =>
+  html`<div class=${dismissible ? 'message own' : 'message'} role="alert">
+    <slot name="error">
+      <p
+        class="notice"
+        part="notice"
+        dir="auto"
+        .textContent=${texts?.[code] === undefined ? message : phrase(texts, code, { message, url: url ?? '' })}
+      ></p>
+      <button
+        class="retry"
+        part=${dismissible ? 'dismiss' : 'retry'}
+        type="button"
+        aria-label=${dismissible ? phrase(texts, 'Close') : nothing}
+        ?hidden=${!retryable && !dismissible}
+        .textContent=${dismissible ? '×' : phrase(texts, 'Try again')}
+        @click=${onButton}
+      ></button>
+    </slot>
+  </div>`;

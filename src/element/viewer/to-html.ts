@@ -1,16 +1,19 @@
 // A viewer's scene as markup that gives the same picture. Text only: building elements would upgrade them.
 import type { FieldStore } from '../../fields/field-store.js';
-import { fileName } from '../../scene/mesh/file-name.js';
+import { fileName } from '../../model/file-name.js';
 import { registryOf } from '../child-registry.js';
 import { attributeOf, formatValue } from '../fields/attribute-text.js';
 import { fieldsOf, viewerCameras, viewerPins } from '../internals.js';
-import type { PhongCompare } from '../phong-compare.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongCompare } from '../elements.js';
+import type { PhongViewer } from '../elements.js';
 
 /** The page's own attributes that are kept. */
 const KEPT = ['id', 'class', 'style'];
 
-/** Wrappers that are written as they are; others, such as custom elements, which may bring lights of their own, become `div`. */
+/**
+ * Wrappers that are written as they are; others, such as custom elements, which may bring lights of their own, become
+ * `div`.
+ */
 const WRAPPERS = /^(div|section|article|aside|main|figure|fieldset|span|ul|ol|li)$/;
 
 /** A comparison with its viewers. */
@@ -22,11 +25,14 @@ export function compareMarkup(compare: PhongCompare): string {
   return `<phong-compare${kept(compare)}${values}>\n${inner}</phong-compare>`;
 }
 
-/** The viewer with its meshes and lights in document order, in their wrappers. The camera and a pinned point are those shown now. */
+/**
+ * The viewer with its meshes and lights in document order, in their wrappers. The camera and a pinned point are those
+ * shown now.
+ */
 export function sceneMarkup(viewer: PhongViewer, margin = ''): string {
   const { theta, phi, radius, target } = viewer.camera;
   const pin = viewerPins.get(viewer);
-  const framing = viewerCameras.get(viewer)?.placement.framing;
+  const framing = viewerCameras.get(viewer)?.placement().framing;
   const shown = {
     theta,
     phi,
@@ -89,8 +95,8 @@ function attributes<V extends object>(
 }
 
 /**
- * Rounds to eight digits, counted from the first digit of the value or of the camera's radius, whichever is smaller. The error is
- * below half a step of the float32 numbers that the GPU gets, which are relative to the camera's target.
+ * Rounds to eight digits, counted from the first digit of the value or of the camera's radius, whichever is smaller.
+ * The error is below half a step of the float32 numbers that the GPU gets, which are relative to the camera's target.
  */
 function rounded(value: unknown, radius: number): unknown {
   if (Array.isArray(value)) return value.map((item) => rounded(item, radius));

@@ -1,16 +1,18 @@
-// What shadeAt explains and toBlob encodes, copied when they are called: their code may still have to be fetched, and the
-// scene changes meanwhile. Knows neither rays nor files.
-import { lazyCode } from '../../scene/lazy-code.js';
+// What shadeAt explains and toBlob encodes, copied when they are called: their code may still have to be fetched, and
+// the scene changes meanwhile.
+import { lazyCode } from '../../model/lazy-code.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import { numberedName, type PhongLight } from '../phong-light.js';
-import type { PhongMesh } from '../phong-mesh.js';
-import type { PhongViewer } from '../phong-viewer.js';
+import type { PhongLight } from '../elements.js';
+import { numberedName } from '../phong-light.js';
+import type { PhongMesh } from '../elements.js';
+import type { PhongViewer } from '../elements.js';
 import type { ViewerExtras } from './extras.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './children.js';
+import { elementOf } from './element-mesh.js';
 
 export interface ViewerSnapshot {
   /** Null while the picture has no box on the page. */
@@ -38,17 +40,15 @@ export const lightName = (
 export function viewerSnapshot(
   viewer: PhongViewer,
   viewport: Viewport,
-  children: Pick<ViewerChildren, 'elementOf' | 'lightOf'>,
+  children: Pick<ViewerChildren, 'lightOf'>,
   size: { readonly width: number; readonly height: number },
 ): ViewerSnapshot {
   const { holder } = viewport;
-  // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own. Not all browsers have this property.
+  // Inside CSS zoom, pointer events use the page's pixels and sizes use the element's own. Not all browsers have this
+  // property.
   const zoom = (holder as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   return {
-    scene:
-      holder.getClientRects().length > 0
-        ? viewport.snapshot((mesh) => children.elementOf(mesh) ?? viewer)
-        : null,
+    scene: holder.getClientRects().length > 0 ? viewport.snapshot((mesh) => elementOf(mesh) ?? viewer) : null,
     width: size.width * zoom,
     height: size.height * zoom,
     lights: viewport.lighting.lights.lights.map((state, index) => {

@@ -1,6 +1,6 @@
-// Which program draws a mesh? The general one first; a specialised one once the same lights and material were drawn for a
-// while, compiled in the background like a just-in-time compiler's code. One cache for each PhongLighting; it counts programs,
-// not meshes. Knows no clock: it works in frames that are drawn anyway.
+// The program that draws a mesh: the general one first; a specialised one once the same lights and material were drawn
+// for a while, compiled in the background like a just-in-time compiler's code. One cache for each PhongLighting; it
+// counts programs, not meshes.
 import { type Camera, GLSL3, Mesh, RawShaderMaterial, type WebGLRenderer } from 'three';
 import { reportLinkFailure } from '../link-failure.js';
 import type { Variant } from './variant.js';
@@ -15,15 +15,15 @@ const UNKNOWN_LINK_FRAMES = 4;
 const MOST_ENTRIES = 32;
 
 /** What is drawn: the renderer, the camera, and a mesh of that kind, for compiling. */
-export interface Drawing {
+export interface Draw {
   readonly renderer: WebGLRenderer;
   readonly camera: Camera;
   readonly mesh: Mesh;
 }
 
 /**
- * general → compiling → linked → specialised, or failed. `linked` waits for its turn: the first draw with a program may still
- * compile, so a page takes over one program in a frame.
+ * general → compiling → linked → specialised, or failed. `linked` waits for its turn: the first draw with a program may
+ * still compile, so a page takes over one program in a frame.
  */
 type State =
   | { readonly name: 'general'; readonly frames: number }
@@ -56,7 +56,7 @@ export class ProgramCache {
   /** {@link takeOvers} at the start of this frame and of the last one. */
   #seen = { now: 0, before: 0 };
   /** Draws that asked for a program in this frame. */
-  #request: { entry: Entry; drawing: Drawing; specialise: () => Variant } | null = null;
+  #request: { entry: Entry; draw: Draw; specialise: () => Variant } | null = null;
   #compiling: Entry | null = null;
 
   /** Before each frame: starts or ends the compilation of one program. */
@@ -72,7 +72,7 @@ export class ProgramCache {
    * The variant for a draw: the specialised one where it is there, else null. `key` names everything it depends on;
    * `specialise` makes it.
    */
-  choose(key: string, drawing: Drawing, specialise: () => Variant): Variant | null {
+  choose(key: string, draw: Draw, specialise: () => Variant): Variant | null {
     const entry = this.#entries.get(key) ?? this.#add(key);
     const isFirst = entry.frame !== this.#frame;
     const isStreak = entry.frame === this.#frame - 1;
@@ -83,7 +83,7 @@ export class ProgramCache {
     if (state.name === 'general' && isFirst) {
       const frames = isStreak ? state.frames + 1 : 1;
       entry.state = { name: 'general', frames };
-      if (frames >= SETTLED_FRAMES) this.#request ??= { entry, drawing, specialise };
+      if (frames >= SETTLED_FRAMES) this.#request ??= { entry, draw, specialise };
     }
     return null;
   }
@@ -110,8 +110,8 @@ export class ProgramCache {
   }
 
   #compile(): void {
-    const { entry, drawing, specialise } = this.#request!;
-    const { renderer, camera, mesh } = drawing;
+    const { entry, draw, specialise } = this.#request!;
+    const { renderer, camera, mesh } = draw;
     const variant = specialise();
     const material = new RawShaderMaterial({ ...variantParameters(variant), glslVersion: GLSL3 });
     const probe: Probe = { material, variant, renderer };
@@ -149,7 +149,10 @@ export class ProgramCache {
     entry.state = linked ? { name: 'linked', probe } : { name: 'failed' };
   }
 
-  /** At most one program of the page is drawn for the first time in a frame. Waits if another one was since this cache's last frame. */
+  /**
+   * At most one program of the page is drawn for the first time in a frame. Waits if another one was since this cache's
+   * last frame.
+   */
   #takeOver(entry: Entry, probe: Probe): Variant | null {
     if (takeOvers !== this.#seen.before) return null;
     takeOvers += 1;

@@ -1,9 +1,10 @@
-// The programs' text: the chunks of shaders/ joined in one explicit order, after the constants that TypeScript and GLSL share.
-// Knows neither uniforms' values nor which program draws what.
+// The programs' text: the chunks of shaders/ joined in one explicit order, after the constants that TypeScript and GLSL
+// share.
 import attenuation from '../../../shaders/attenuation.glsl?raw';
 import averagedBlinnPhong from '../../../shaders/averaged_blinn_phong.glsl?raw';
 import averagedPhong from '../../../shaders/averaged_phong.glsl?raw';
 import diffuseLobe from '../../../shaders/diffuse_lobe.glsl?raw';
+import facePoint from '../../../shaders/face_point.glsl?raw';
 import fileSurface from '../../../shaders/file_surface.glsl?raw';
 import footprint from '../../../shaders/footprint.glsl?raw';
 import guard from '../../../shaders/guard.glsl?raw';
@@ -28,10 +29,9 @@ const float = (n: number): string => n.toExponential();
 /** Numbers that GLSL and TypeScript share, written once in TypeScript. */
 const CONSTANTS = `${layoutDefines()}
 #define STORAGE_UNIFORMS 0
-#define STORAGE_BLOCK 1
-#define STORAGE_TEXTURE 2
-#define STORAGE_INLINED 3
-#define STORAGE_OWN 4
+#define STORAGE_TEXTURE 1
+#define STORAGE_INLINED 2
+#define STORAGE_OWN 3
 #define SRGB_ENCODED_KNEE ${float(SRGB.encodedKnee)}
 #define SRGB_LINEAR_KNEE ${float(SRGB.linearKnee)}
 #define SRGB_SLOPE ${float(SRGB.slope)}
@@ -58,17 +58,21 @@ const loopWith = (surface: string): string =>
   ].join('\n');
 
 /**
- * The light loop alone, for any GLSL ES 3.00 program. Put it after `#version` and `precision highp float; precision highp
- * int;`. Define before it LIGHT_STORAGE (STORAGE_UNIFORMS with LIGHT_ROWS, the size of the uniform array; STORAGE_BLOCK;
- * STORAGE_TEXTURE; or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and the HAS_… features. Then call
- * `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the material, `lightSums(p, N, V, shininess)`,
- * with everything in the space that the lights were packed for. With FILTER_HIGHLIGHTS, call either only in a fragment
- * shader's uniform control flow, before any `discard`: they use dFdx and dFdy.
+ * The light loop alone, for any GLSL ES 3.00 program. Put it after `#version` and `precision highp float; precision
+ * highp int;`. Define before it LIGHT_STORAGE (STORAGE_UNIFORMS with LIGHT_ROWS, the size of the uniform array;
+ * STORAGE_TEXTURE; or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and DECLARED_FEATURES, by
+ * `declaredFeatures`. Then call `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the
+ * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for. With
+ * FILTER_HIGHLIGHTS, call either only in a fragment shader's uniform control flow, before any `discard`: they use dFdx
+ * and dFdy.
  */
 export const LIGHT_LOOP_GLSL = /* @__PURE__ */ loopWith(surfaceColor);
 
 /** The sRGB curve and the rounding to 8 bits: the last steps of a fragment. Needs the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
+
+/** The points of flat faces, in programs with HAS_FACE_POINTS. */
+export const FACE_POINT_GLSL = facePoint;
 
 const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
 #define LEAST_FILE_EXPONENT ${float(LEAST_FILE_EXPONENT)}
@@ -85,8 +89,8 @@ export interface Shaders {
 const texts = new Map<string, Shaders>();
 
 /**
- * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights: the other one leaves out the
- * loop's text, which compilers would parse in vain. `surface` is a text in place of surface_color.
+ * The two stages of a program; defines choose the code. `lit` is the stage that sums the lights: the other one leaves
+ * out the loop's text, which compilers would parse in vain. `surface` is a text in place of surface_color.
  */
 export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceColor): Shaders {
   const key = `${String(lit)} ${surface}`;
@@ -97,9 +101,13 @@ export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceCo
     const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
     shaders = {
       vertexShader: [head('vertex'), phongVertex].join('\n'),
-      fragmentShader: [head('fragment'), ENCODING_GLSL, where(isTextured, FILE_SURFACE), phongFragment].join(
-        '\n',
-      ),
+      fragmentShader: [
+        head('fragment'),
+        ENCODING_GLSL,
+        where(isTextured, FILE_SURFACE),
+        where('defined(HAS_FACE_POINTS)', FACE_POINT_GLSL),
+        phongFragment,
+      ].join('\n'),
     };
     texts.set(key, shaders);
   }

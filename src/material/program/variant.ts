@@ -1,12 +1,12 @@
-// Which code does a program hold? A variant is the defines of one program and its text. The general variant of a material works
-// for any number of its lights; specialised variants are derived from it for the current lights.
+// The code that a program holds. A variant is the defines of one program and its text. The general variant of a
+// material works for any number of its lights; specialised variants are derived from it for the current lights.
 import type { Texture } from 'three';
 import { kindFeatures } from '../../light/kind-features.js';
-import { type DeclaredFeatures, KINDS, type LightKind, noFeatures } from '../../light/light-features.js';
+import { KINDS, type LightKind } from '../../light/light-features.js';
 import { HEADER, LIGHT_FEATURES, ROWS } from '../../light/light-layout.js';
 import { forEachLight, type PackedLights } from '../../light/pack-lights.js';
 import { emits, hasMetalness, usesRoughnessMap } from '../file-surface.js';
-import type { BaseLook } from '../phong-material.js';
+import type { BaseLook } from '../base-look.js';
 import { type ShadingStyle, type Term, TERMS } from '../shading-style.js';
 import { type Shaders, shadersOf } from './source.js';
 
@@ -17,8 +17,8 @@ export interface MaterialFeatures {
   readonly style: ShadingStyle;
   /** Shading happens in linear light: `color-interpolation="linear"`. */
   readonly linear: boolean;
-  /** All exponents so far were 64 at most. */
-  readonly shininessTo64: boolean;
+  /** All exponents so far were mild: see LARGEST_MILD_POWER. */
+  readonly mildShininess: boolean;
 }
 
 /** The defines and the text of one program; `key` identifies the variant. */
@@ -27,24 +27,26 @@ export interface Variant extends Shaders {
   readonly key: string;
 }
 
-/** The variant for any number of lights with the declared features. `capacity`: rows of its uniform array, or 0 for a texture. */
+/**
+ * The variant for any number of lights. `declared`: {@link declaredFeatures}. `capacity`: rows of its uniform array, or
+ * 0 for a texture.
+ */
 export function generalVariant(
-  { look, style, linear, shininessTo64 }: MaterialFeatures,
-  declared: Readonly<DeclaredFeatures>,
+  { look, style, linear, mildShininess }: MaterialFeatures,
+  declared: number,
   capacity: number,
 ): Variant {
   const { unlit, alphaMode } = look;
-  const { steepSpot, ...needed } = unlit ? noFeatures() : declared;
-  for (const term of TERMS) needed[term] &&= style.terms.includes(term);
+  const needed = unlit ? 0 : declared & maskOf(style.terms);
   // Flat differs from phong in its geometry alone: every vertex carries its triangle's own normal.
   const gouraud = style.shading === 'gouraud';
   const flags: Record<string, boolean> = {
     SHADING_GOURAUD: gouraud,
     REFLECTION_BLINN_PHONG: style.reflection === 'blinn-phong',
     // A vertex has no pixel to average over.
-    FILTER_HIGHLIGHTS: style.antialias === 'highlights' && needed.specular && !gouraud,
-    SHININESS_TO_64: shininessTo64,
-    SPOTS_ARE_GENTLE: needed.spot && !steepSpot,
+    FILTER_HIGHLIGHTS:
+      style.antialias === 'highlights' && (needed & LIGHT_FEATURES.specular) !== 0 && !gouraud,
+    SHININESS_IS_MILD: mildShininess,
     IS_LINEAR: linear,
     IS_UNLIT: unlit,
     IS_BLENDED: alphaMode === 'blend',
@@ -54,8 +56,7 @@ export function generalVariant(
     HAS_METALNESS: hasMetalness(look),
     HAS_ROUGHNESS: usesRoughnessMap(look, style),
   };
-  for (const [name, on] of Object.entries(needed)) flags[`HAS_${name.toUpperCase()}`] = on;
-  const defines = storageDefines(capacity);
+  const defines: Record<string, string> = { ...storageDefines(capacity), [DECLARED]: String(needed) };
   for (const [name, on] of Object.entries(flags)) if (on) defines[name] = '';
   for (const [name, map] of Object.entries(sampledMaps(look, style))) {
     if (map === null) continue;
@@ -81,7 +82,10 @@ const storageDefines = (capacity: number): Record<string, string> =>
     ? { LIGHT_STORAGE: 'STORAGE_UNIFORMS', LIGHT_ROWS: String(capacity) }
     : { LIGHT_STORAGE: 'STORAGE_TEXTURE' };
 
-/** Defines in one order, because three.js's program key depends on it. `surface` as in {@link shadersOf}; the defines name it. */
+/**
+ * Defines in one order, because three.js's program key depends on it. `surface` as in {@link shadersOf}; the defines
+ * name it.
+ */
 export function variantOf(defines: Readonly<Record<string, string>>, surface?: string): Variant {
   // Gouraud shading sums the lights at the vertices, everything else at the fragments.
   const lit = 'IS_UNLIT' in defines ? null : 'SHADING_GOURAUD' in defines ? 'vertex' : 'fragment';
@@ -102,11 +106,12 @@ export interface MaterialTerms {
 }
 
 /**
- * How a specialised variant holds its lights. `counted`: loops of literal length, which a GPU's compiler unrolls. `inlined`: each
- * light by itself with its numbers as constants, which a software renderer's compiler folds. `grid`: run-time loops over the
- * lights of the fragment's cell, from a texture.
+ * How a specialised variant holds its lights. `counted`: loops of literal length, which a GPU's compiler unrolls.
+ * `inlined`: each light by itself with its numbers as constants, which a software renderer's compiler folds. `grid`:
+ * run-time loops over the lights of the fragment's cell, from a texture.
  */
-export type Form = 'counted' | 'inlined' | 'grid';
+export const FORMS = ['counted', 'inlined', 'grid'] as const;
+export type Form = (typeof FORMS)[number];
 
 /** The variant for exactly these lights. */
 export function specialisedVariant(
@@ -116,9 +121,8 @@ export function specialisedVariant(
   packed: Readonly<PackedLights>,
 ): Variant {
   const defines: Record<string, string> = { ...general.defines };
-  let mask = ~0;
-  for (const term of TERMS) if (!terms.includes(term)) mask &= ~TERM_FEATURES[term];
-  if (!terms.includes('ambient')) delete defines['HAS_AMBIENT'];
+  const mask = maskOf(terms);
+  defines[DECLARED] = String(Number(defines[DECLARED]) & mask);
   if (integerShininess !== null) defines['INTEGER_SHININESS'] = String(integerShininess);
   if (form !== 'counted') delete defines['LIGHT_ROWS'];
   switch (form) {
@@ -138,6 +142,16 @@ export function specialisedVariant(
   return variantOf(defines);
 }
 
+/** The define that holds the features of all declared lights. */
+const DECLARED = 'DECLARED_FEATURES';
+
+/** All features but those of other terms. */
+function maskOf(terms: readonly Term[]): number {
+  let mask = ~0;
+  for (const term of TERMS) if (!terms.includes(term)) mask &= ~TERM_FEATURES[term];
+  return mask;
+}
+
 /** The feature bits of each term. */
 const TERM_FEATURES: Readonly<Record<Term, number>> = {
   ambient: LIGHT_FEATURES.ambient,
@@ -146,8 +160,9 @@ const TERM_FEATURES: Readonly<Record<Term, number>> = {
 };
 
 /**
- * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: a picture with 16 lights takes 0.71 of
- * MeshPhongMaterial's time instead of 0.82. But with 32 lights the first frame takes 65 ms longer (OpenGL), without 29.
+ * Most lights whose rows have literal addresses too. An H200's driver unrolls such loops: a picture with 16 lights
+ * takes 0.71 of MeshPhongMaterial's time instead of 0.82. But with 32 lights the first frame takes 65 ms longer
+ * (OpenGL), without 29.
  */
 const MOST_UNROLLED = 16;
 

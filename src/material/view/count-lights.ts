@@ -1,53 +1,82 @@
-// Which lights does the view `light-count` pack, so that one loop can test each for an effect? All as spots, because only
-// spots are culled and divided into grids. Numbers that the count does not need make room for those that it reads. Knows no programs.
+// Packs lights for the view `light-count`, in rows of their own: one loop tests each light for an effect. All are spots
+// to culling and grids; those without a cone reach everything.
 import { isSpot, kindOf, packedLimit } from '../../light/light-features.js';
-import { LIMIT_OPEN } from '../../light/light-layout.js';
+import { COUNTED_CONE, LIMIT_OPEN, ROWS } from '../../light/light-layout.js';
 import type { LightValues } from '../../light/light-state.js';
-import { emptyPack, packLights, type PackSpace } from '../../light/pack-lights.js';
-import { normalize, type Vec3 } from '../../math/vector.js';
+import {
+  emptyPack,
+  type PackedLights,
+  packLights,
+  packNothing,
+  type PackSpace,
+  reserve,
+  writeCounts,
+  writeDirection,
+  writeThrough,
+} from '../../light/pack-lights.js';
+import { normalize, type Vec3, type Vec4 } from '../../math/vector.js';
 
 type Values = Readonly<LightValues>;
 
-/** Where directional lights stand: so far that their direction is the same everywhere. Its square is still a float32. */
+/**
+ * Where directional lights stand: so far that their direction is the same everywhere. Its square is still a float32.
+ */
 const FAR = 1e18;
 
-export interface CountLights {
-  /** As spots, those without a cone first. */
-  readonly lights: readonly Values[];
-  /** How many have no cone. */
-  readonly open: number;
+/** A light that could add something somewhere. */
+interface Counted {
+  readonly light: Values;
+  /** A position (w 1) or a direction times {@link FAR} (w 0). */
+  readonly position: Vec4;
+  /** Bits of the channels of its colours that are not black: ambient 0–2, diffuse 3–5, specular 6–8. */
+  readonly channels: number;
+  readonly limit: number;
 }
 
-/** The active lights that could add something anywhere. */
-export function countLights(all: readonly Values[], space: PackSpace): CountLights {
-  const open: Values[] = [];
-  const cones: Values[] = [];
-  for (const light of all) {
-    const spot = light.active ? asSpot(light, space) : null;
-    if (spot !== null) (spot.aperture < 180 ? cones : open).push(spot);
+/** Packs the active lights that could add something anywhere. Returns how many leading ones have no cone. */
+export function packCounted(lights: readonly Values[], space: PackSpace, into: PackedLights): number {
+  const open: Counted[] = [];
+  const cones: Counted[] = [];
+  for (const light of lights) {
+    const counted = light.active ? countedOf(light, space) : null;
+    if (counted !== null) (counted.limit === LIMIT_OPEN ? open : cones).push(counted);
   }
-  return { lights: [...open, ...cones], open: open.length };
+  packNothing(into);
+  into.cone = COUNTED_CONE;
+  for (const counted of [...open, ...cones]) packOne(counted, space, into);
+  into.active = into.sent;
+  into.counts.spot = into.sent;
+  writeCounts(into);
+  return open.length;
+}
+
+function packOne({ light, position, channels, limit }: Counted, space: PackSpace, into: PackedLights): void {
+  const { rows } = ROWS.counted;
+  reserve(into, into.rows + rows, into.sent + 1);
+  const at = into.rows * 4;
+  const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
+  const [x, y, z, w] = position;
+  writeThrough(matrix, into.data, at + ROWS.counted.position * 4, x, y, z, w === 1 ? 1 : 0, channels);
+  const axis: Vec3 = limit === LIMIT_OPEN ? [0, 0, -1] : light.axis;
+  writeDirection(matrix, into.data, at + ROWS.counted.axis * 4, axis, limit);
+  into.features[into.sent] = 0;
+  into.rows += rows;
+  into.sent += 1;
 }
 
 /** Null: it adds nothing. */
-function asSpot(light: Values, space: PackSpace): Values | null {
-  const { position, ambient, diffuse, specular } = light;
+function countedOf(light: Values, space: PackSpace): Counted | null {
+  const { position, ambient, diffuse, specular, aperture } = light;
   const channels = channelBits(ambient) + 8 * channelBits(diffuse) + 64 * channelBits(specular);
   if (channels === 0) return null;
-  const coned = kindOf(light) === 'spot' && light.aperture < 180;
-  const axis: Vec3 = coned ? light.axis : [0, 0, -1];
-  const spot: Values = {
-    ...light,
-    axis,
-    aperture: coned ? light.aperture : 180,
-    attenuation: [channels, 0, 0],
-    cutoff: coned ? packedLimit(light.aperture) : LIMIT_OPEN,
-  };
-  if (position[3] === 1) return spot;
+  const coned = kindOf(light) === 'spot' && aperture < 180;
+  const limit = coned ? packedLimit(aperture) : LIMIT_OPEN;
+  if (position[3] === 1) return { light, position, channels, limit };
   const [x, y, z] = normalize([position[0], position[1], position[2]]);
   // Without a direction it has nothing but its ambient light.
-  if (x === 0 && y === 0 && z === 0) return { ...spot, attenuation: [channelBits(ambient), 0, 0] };
-  return isOutside(light, space) ? null : { ...spot, position: [x * FAR, y * FAR, z * FAR, 1] };
+  if (x === 0 && y === 0 && z === 0) return { light, position, channels: channelBits(ambient), limit };
+  if (isOutside(light, space)) return null;
+  return { light, position: [x * FAR, y * FAR, z * FAR, 0], channels, limit };
 }
 
 /** A bit for each channel that is not black, as in shaders/view_count.glsl. */

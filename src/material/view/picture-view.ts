@@ -1,41 +1,53 @@
-// Makes what a picture shows in place of all lights' shaded colours: one light's, one term's, or a quantity. Fetched with the first use of
-// `view` or `view-light`. Knows neither elements nor legends.
+// What a picture shows in place of all lights' shaded colours: one light's, one term's, or a quantity. Fetched with the
+// first use of `view` or `view-light`.
 import type { LightValues } from '../../light/light-state.js';
-import { TERMS } from '../shading-style.js';
-import type { PictureView, View } from '../views.js';
-import { countLights } from './count-lights.js';
+import { packLights, packNothing } from '../../light/pack-lights.js';
+import type { View } from '../views.js';
+import type { PictureView } from '../picture-view.js';
+import { packCounted } from './count-lights.js';
 import { quantityUniforms, writeQuantityLight } from './quantity-light.js';
-import { isDrawnView, viewVariant } from './view-variant.js';
+import { viewEntry } from './view-table.js';
+import { type OwnProgram, viewVariant } from './view-variant.js';
 
 type Lights = readonly Readonly<LightValues>[];
+/** The lights that a view is limited to, of the viewer's, active or not. A quantity takes the first of them. */
+type Chosen = (lights: Lights) => Lights;
 
-/** `chosen` gives those of the viewer's lights that the view is limited to, active or not. A quantity takes the first of them. */
-export function pictureView(view: View, chosen: (lights: Lights) => Lights): PictureView {
-  const term = TERMS.find((name) => name === view) ?? null;
-  // The error is measured from the shaded picture.
-  if (!isDrawnView(view)) return { term, separate: false, lights: chosen, choose: null };
+export function pictureView(view: View, chosen: Chosen): PictureView {
+  const { shows } = viewEntry(view);
+  if (shows.by !== 'equation') return ownView(shows, chosen);
+  return {
+    term: shows.term,
+    separate: false,
+    pack(lights, space, into) {
+      packLights(chosen(lights), space, into);
+    },
+    program: null,
+  };
+}
+
+function ownView(shows: OwnProgram, chosen: Chosen): PictureView {
   const quantity = quantityUniforms();
   const uViewLights = { value: 1 };
   const uViewOpen = { value: 0 };
-  const own = { ...quantity, uViewLights, uViewOpen };
-  const counts = view === 'light-count';
+  const counts = shows.by === 'count';
   return {
-    term,
-    separate: view === 'triangles',
-    lights(lights, space) {
+    term: null,
+    separate: shows.by === 'triangles',
+    pack(lights, space, into) {
       const all = chosen(lights);
-      if (!counts) writeQuantityLight(quantity, all[0], space);
-      if (!counts) return [];
-      uViewLights.value = scaleEnd(all);
-      const counted = countLights(all, space);
-      uViewOpen.value = counted.open;
-      return counted.lights;
+      if (counts) {
+        uViewLights.value = scaleEnd(all);
+        uViewOpen.value = packCounted(all, space, into);
+      } else {
+        writeQuantityLight(quantity, all[0], space);
+        packNothing(into);
+      }
     },
-    choose(programs, lighting, mesh, uniforms) {
-      Object.assign(uniforms, own);
-      const general = programs.general(0);
-      const grid = counts ? lighting.gridOf(mesh) : null;
-      return { variant: viewVariant(view, general, grid !== null), lights: grid ?? lighting.lightsOf(mesh) };
+    program: {
+      uniforms: { ...quantity, uViewLights, uViewOpen },
+      usesGrid: counts,
+      variant: (general, grid) => viewVariant(shows, general, grid),
     },
   };
 }

@@ -1,4 +1,4 @@
-// The one light of a view of a single quantity, as uniforms in shading space. From float64, as packed lights are. Knows no programs.
+// The one light of a view of a single quantity, as uniforms in shading space. From float64, as packed lights are.
 import { Vector4 } from 'three';
 import type { LightValues } from '../../light/light-state.js';
 import type { PackSpace } from '../../light/pack-lights.js';

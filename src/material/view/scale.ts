@@ -1,10 +1,11 @@
-// Which colour stands for a number from 0 to 1? One sequential scale for the picture, the legend and the error's canvas. From dark blue
-// to light yellow: lightness grows evenly, and colour-blind people tell the two hues apart. Knows no quantities.
+// The colour that stands for a number from 0 to 1. One sequential scale for the picture, the legend and the error's
+// canvas. From dark blue to light yellow: lightness grows evenly, and colour-blind people tell the two hues apart.
 import type { Vec3 } from '../../math/vector.js';
 
 /**
- * Coefficients of 1, t and t²: sRGB within 10 codes of the straight line in Oklab from (0.24, 0.005, -0.115) to (0.95, -0.015, 0.135)
- * (Björn Ottosson, "A perceptual color space for image processing", 2020). A shader computes it faster than it reads a table.
+ * Coefficients of 1, t and t²: sRGB within 10 codes of the straight line in Oklab from (0.24, 0.005, -0.115) to (0.95,
+ * -0.015, 0.135) (Björn Ottosson, "A perceptual color space for image processing", 2020). A shader computes it faster
+ * than it reads a table.
  */
 const COEFFICIENTS: readonly [Vec3, Vec3, Vec3] = [
   [0.05, 0.085, 0.33],

@@ -1,11 +1,11 @@
-// How is a display list drawn into a picture file? By Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a strict CSP
-// refuses. The same looks as svg-layer.ts. Knows nothing of what the list means.
+// Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a
+// strict CSP refuses. The same looks as svg-layer.ts.
 import { HALO } from './contrast.js';
 import { DASHES, type Disc, FONT, outlineOf, type Primitive, type Stroke } from './display-list.js';
 
 /**
- * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the picture's in the
- * layer's pixels, `scale` how many of the picture's pixels are one of them.
+ * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the
+ * picture's in the layer's pixels, `scale` how many of the picture's pixels are one of them.
  */
 export function fileSize(
   picture: HTMLCanvasElement,

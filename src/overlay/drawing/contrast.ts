@@ -1,5 +1,5 @@
-// Which colour can be seen on any picture? A light core with a black outline: one of the two always has a contrast of 3:1 with what lies
-// behind (WCAG 2.2, success criterion 1.4.11). Channels from 0 to 1. Knows nothing of what is drawn.
+// Colours that can be seen on any picture. A light core with a black outline: one of the two always has a contrast of
+// 3:1 with what lies behind (WCAG 2.2, success criterion 1.4.11). Channels from 0 to 1.
 import { srgbDecode } from '../../math/color.js';
 import { dot, map, type Vec3 } from '../../math/vector.js';
 
@@ -7,8 +7,8 @@ import { dot, map, type Vec3 } from '../../math/vector.js';
 export const HALO = '#000';
 
 /**
- * Relative luminance of a core. Backgrounds from 0.1 on have 3:1 with the black outline, darker ones with a core of at least
- * 3 · (0.1 + 0.05) − 0.05 = 0.4, and a little for rounding to 8 bits.
+ * Relative luminance of a core. Backgrounds from 0.1 on have 3:1 with the black outline, darker ones with a core of at
+ * least 3 · (0.1 + 0.05) − 0.05 = 0.4, and a little for rounding to 8 bits.
  */
 const CORE = 0.41;
 

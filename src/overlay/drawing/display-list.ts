@@ -1,5 +1,5 @@
-// What can be drawn over a picture? A list of strokes, discs and labels in CSS pixels, which SVG shows on the page and a canvas in a file.
-// Every core has a black outline (contrast.ts). Knows neither of the two, nor the scene.
+// What can be drawn over a picture: a list of strokes, discs and labels in CSS pixels, which SVG shows on the page and
+// a canvas in a file. Every core has a black outline (contrast.ts).
 import type { Point } from './projection.js';
 
 export interface Stroke {
@@ -51,13 +51,16 @@ export const outlineOf = (shape: Stroke | Disc): number =>
 /** On and off, CSS pixels. */
 export const DASHES = [5, 4] as const;
 
-/** Of labels. The line's height is what {@link placeLabels} keeps free. */
+/** The font of labels. The line's height is what {@link placeLabels} keeps free. */
 export const FONT = '600 12px system-ui, sans-serif';
 
 /** Length and half the width of an arrow's head, CSS pixels. */
 const HEAD = { length: 9, half: 4 };
 
-/** The head of an arrow whose line ends at `tip`, `size` pixels long; null where the line is too short to have a direction. */
+/**
+ * The head of an arrow whose line ends at `tip`, `size` pixels long; null where the line is too short to have a
+ * direction.
+ */
 export function arrowHead(from: Point, tip: Point, size: number = HEAD.length): readonly Point[] | null {
   const length = Math.hypot(tip.x - from.x, tip.y - from.y);
   if (!(length > 1)) return null;

@@ -1,5 +1,5 @@
-// Where do labels go, so that none covers another and all stay inside? One place after the other, the first ones first. CSS pixels of the
-// layer. Knows neither fonts nor the things labelled.
+// Places labels so that none covers another and all stay inside. One place after the other, the first ones first. CSS
+// pixels of the layer.
 import type { Point } from './projection.js';
 
 export interface LabelWish {
@@ -37,8 +37,8 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
 ];
 
 /**
- * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other and, if they can,
- * `avoided`.
+ * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other and, if
+ * they can, `avoided`.
  */
 export function placeLabels(
   wishes: readonly LabelWish[],

@@ -1,5 +1,5 @@
-// Where does a point of the scene lie on the layer over the picture, and back? In float64, from the orbit's own basis, as the picture
-// is drawn. World space to CSS pixels of the layer, from its top left corner. Knows neither lights nor SVG.
+// Projects points of the scene to the layer over the picture, and back. In float64, from the orbit's own basis, as the
+// picture is drawn. World space to CSS pixels of the layer, from its top left corner.
 import { basisOf, type Basis, type Pose } from '../../camera/orbit.js';
 import { radians } from '../../math/angle.js';
 import { add, dot, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
@@ -17,7 +17,10 @@ export interface Sight {
   /** CSS pixels of the layer, both above 0. */
   readonly width: number;
   readonly height: number;
-  /** Width over height of the picture in device pixels, which rounding makes slightly different. Default: that of the layer. */
+  /**
+   * Width over height of the picture in device pixels, which rounding makes slightly different. Default: that of the
+   * layer.
+   */
   readonly aspect?: number;
 }
 
@@ -27,10 +30,16 @@ export interface Ray {
   readonly direction: Vec3;
 }
 
-/** Points nearer to the eye than this share of the orbit's radius count as behind it: their place on the layer would overflow. */
+/**
+ * Points nearer to the eye than this share of the orbit's radius count as behind it: their place on the layer would
+ * overflow.
+ */
 const NEAREST = 1e-4;
 
-/** Lines are cut where they are farther outside than so many widths and heights. Far ends would make dashes slow to draw. */
+/**
+ * Lines are cut where they are farther outside than so many widths and heights. Far ends would make dashes slow to
+ * draw.
+ */
 const OUTSIDE = 1;
 
 export class Projection {
@@ -135,7 +144,10 @@ export class Projection {
     return this.#clipped(this.#onLayer(from[0], from[1], -from[2]), this.#onLayer(to[0], to[1], -to[2]));
   }
 
-  /** The segment's end at the near plane. The depth is set, because the difference of large coordinates would be lost to rounding. */
+  /**
+   * The segment's end at the near plane. The depth is set, because the difference of large coordinates would be lost to
+   * rounding.
+   */
   #cut(a: Vec3, b: Vec3, share: number): Vec3 {
     const [x, y] = add(a, scale(subtract(b, a), share));
     return [x, y, -this.#near];

@@ -1,10 +1,11 @@
-// How is a display list shown on the page? As SVG, which is crisp at any resolution and zoom. Elements are kept from list to list, and
-// only what differs is written. Knows nothing of what the list means.
+// Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are kept from list to
+// list, and only what differs is written.
+import { createSvg, set, write } from '../../element/dom.js';
 import { DASHES, FONT, outlineOf, type Primitive } from './display-list.js';
 import { HALO } from './contrast.js';
 import type { Point } from './projection.js';
 
-const SVG = 'http://www.w3.org/2000/svg';
+const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 
 interface Shown {
   readonly primitive: Primitive;
@@ -13,7 +14,7 @@ interface Shown {
 }
 
 export class SvgLayer {
-  readonly element = svgElement('svg', {
+  readonly element = createSvg('svg', {
     width: '100%',
     height: '100%',
     'aria-hidden': 'true',
@@ -21,11 +22,16 @@ export class SvgLayer {
   });
   #shown: Shown[] = [];
 
-  constructor() {
+  /** `className`: of the element; none by default. */
+  constructor(className: string | null = null) {
+    set(this.element, { class: className });
     this.element.style.font = FONT;
   }
 
-  /** Shows exactly this. A shape that is the same object as before at its place in the list, or an equal label, costs nothing. */
+  /**
+   * Shows exactly this. A shape that is the same object as before at its place in the list, or an equal label, costs
+   * nothing.
+   */
   show(list: readonly Primitive[]): void {
     list.forEach((primitive, i) => {
       const shown = this.#shown[i];
@@ -33,14 +39,14 @@ export class SvgLayer {
       const elements =
         shown?.primitive.kind === primitive.kind ? shown.elements : this.#replace(shown, primitive.kind);
       this.#shown[i] = { primitive, elements };
-      write(elements, primitive);
+      draw(elements, primitive);
     });
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
   #replace(shown: Shown | undefined, kind: Primitive['kind']): readonly SVGElement[] {
-    const tags = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] }[kind];
-    const elements = tags.map((tag) => svgElement(tag, {}));
+    const tags = TAGS[kind];
+    const elements = tags.map((tag) => createSvg(tag));
     const [first] = shown?.elements ?? [];
     if (first === undefined) this.element.append(...elements);
     else {
@@ -62,7 +68,7 @@ const isSame = (a: Primitive, b: Primitive): boolean =>
     a.color === b.color &&
     a.opacity === b.opacity);
 
-function write(elements: readonly SVGElement[], primitive: Primitive): void {
+function draw(elements: readonly SVGElement[], primitive: Primitive): void {
   const opacity = String(primitive.opacity ?? 1);
   const [halo, core] = elements;
   if (halo === undefined) return;
@@ -71,7 +77,7 @@ function write(elements: readonly SVGElement[], primitive: Primitive): void {
     set(halo, { x: round(at.x), y: round(at.y), fill: color, stroke: HALO, 'stroke-width': '3', opacity });
     // As attributes: a style attribute is text that a strict CSP refuses.
     set(halo, { 'paint-order': 'stroke', 'stroke-linejoin': 'round' });
-    if (halo.textContent !== text) halo.textContent = text;
+    write(halo, text);
     return;
   }
   const { color, width } = primitive;
@@ -107,23 +113,3 @@ const pathOf = (lines: readonly (readonly Point[])[], closed: boolean): string =
 
 /** A hundredth of a pixel is less than any screen shows. */
 const round = (value: number): string => String(Math.round(100 * value) / 100);
-
-/** Attributes as they were written last. Reading them back from the page took a tenth of the script of a frame with 64 lights. */
-const written = new WeakMap<SVGElement, Record<string, string>>();
-
-function set(element: SVGElement, attributes: Readonly<Record<string, string>>): void {
-  let known = written.get(element);
-  if (known === undefined) written.set(element, (known = {}));
-  for (const name in attributes) {
-    const value = attributes[name]!;
-    if (known[name] === value) continue;
-    known[name] = value;
-    element.setAttribute(name, value);
-  }
-}
-
-function svgElement(tag: string, attributes: Readonly<Record<string, string>>): SVGElement {
-  const element: SVGElement = document.createElementNS(SVG, tag);
-  set(element, attributes);
-  return element;
-}

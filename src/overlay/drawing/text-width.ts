@@ -1,4 +1,4 @@
-// How wide is a label? Measured by a canvas, which costs no layout. CSS pixels.
+// The width of a label. Measured by a canvas, which costs no layout. CSS pixels.
 import { FONT } from './display-list.js';
 
 /** Names are few; a page that writes new ones every frame must not keep them all. */

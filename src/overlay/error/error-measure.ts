@@ -1,11 +1,11 @@
-// How far is each pixel of a picture from the equation in float64? From coarse to fine, in short tasks. In steps of 1/255, as 8-bit codes
-// are. Knows neither viewers nor canvases.
+// Measures how far each pixel of a picture is from the equation in float64. From coarse to fine, in short tasks. In
+// steps of 1/255, as 8-bit codes are.
 import type { LightValues } from '../../light/light-state.js';
 import type { LightShare } from '../../reference/index.js';
 import { dot, type Vec3 } from '../../math/vector.js';
 import type * as ShadeAt from '../../element/viewer/shade-at.js';
 import type { Equation } from '../../element/viewer/shade-hit.js';
-import type { Slices } from '../../scene/model/slices.js';
+import type { Slices } from '../../model/slices.js';
 import type { Hit } from '../../scene/snapshot/pick.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 
@@ -13,8 +13,8 @@ import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 const COARSEST = 16;
 
 /**
- * Cosine of 12°: neighbours whose normals differ by more lie on both sides of an edge. A sphere has less up to 5 pixels from its outline
- * if it is 100 pixels wide.
+ * Cosine of 12°: neighbours whose normals differ by more lie on both sides of an edge. A sphere has less up to 5 pixels
+ * from its outline if it is 100 pixels wide.
  */
 const EDGE_COSINE = 0.978;
 
@@ -46,7 +46,10 @@ export class ErrorMeasure implements Measured {
   readonly #scene: SceneSnapshot;
   readonly #lights: readonly Readonly<LightValues>[];
   readonly #code: PixelCode;
-  /** By pixel: which surface is seen in which cones, as a hash; 0 for none. Each triangle is a surface unless shading is `phong`. */
+  /**
+   * By pixel: which surface is seen in which cones, as a hash; 0 for none. Each triangle is a surface unless shading is
+   * `phong`.
+   */
   readonly #surfaces: Int32Array;
   readonly #normals: Float32Array;
   #done = 0;

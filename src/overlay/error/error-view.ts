@@ -1,11 +1,11 @@
-// Shows how far the picture is from the equation in float64, on a canvas over it: once the picture has been still for a moment, coarse
-// first. A new frame ends the measurement. Knows no legend.
+// Shows how far the picture is from the equation in float64, on a canvas over it: once the picture has been still for a
+// moment, coarse first. A new frame ends the measurement.
+import { create } from '../../element/dom.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
-import { create } from '../../element/viewer/template.js';
 import type { LightValues } from '../../light/light-state.js';
 import { scaleColor } from '../../material/view/scale.js';
-import { lazyCode } from '../../scene/lazy-code.js';
-import { Slices } from '../../scene/model/slices.js';
+import { lazyCode } from '../../model/lazy-code.js';
+import { Slices } from '../../model/slices.js';
 import { ErrorMeasure, type PixelCode } from './error-measure.js';
 import { type PictureSnapshot, snapshotOf } from './picture-snapshot.js';
 
@@ -106,7 +106,9 @@ export class ErrorView {
     }
   }
 
-  /** The picture as it is drawn now; null without a context. Capturing may draw the viewer again, which is no change. */
+  /**
+   * The picture as it is drawn now; null without a context. Capturing may draw the viewer again, which is no change.
+   */
   #capture(width: number, height: number): ImageData | null {
     this.#capturing = true;
     try {
@@ -160,7 +162,10 @@ function painter(shown: ImageData, drawn: ImageData | null, end: number) {
 
 const CLEAR = [0, 0, 0, 0];
 
-/** From a copy that the browser keeps in memory: it warns about reading twice from a canvas on the GPU, and capturing reads once. */
+/**
+ * From a copy that the browser keeps in memory: it warns about reading twice from a canvas on the GPU, and capturing
+ * reads once.
+ */
 function pixelsOf(picture: HTMLCanvasElement): ImageData {
   const { width, height } = picture;
   const context = Object.assign(document.createElement('canvas'), { width, height }).getContext('2d', {

@@ -1,5 +1,5 @@
-// What is a picture's error measured against? The scene at the picture's size, and copies of the lights that it is drawn with: the code of
-// the measurement may still have to be fetched, and both change meanwhile. Knows no equation.
+// What a picture's error is measured against: the scene at the picture's size, and copies of the lights that it is
+// drawn with: the code of the measurement may still have to be fetched, and both change meanwhile.
 import type { LightValues } from '../../light/light-state.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
 import type { Viewport } from '../../scene/viewport.js';

@@ -1,13 +1,14 @@
-// The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape restores; pointers drag. Places
-// elements over what is drawn, and reports what the user does. Knows no arithmetic of moves.
+// The handles of lights: one Tab stop for all of them. Arrow keys choose, Enter starts and ends moving, Escape
+// restores; pointers drag. Places elements over what is drawn, and reports what the user does.
+import { create, set, write } from '../../element/dom.js';
 import type { ViewerText } from '../../element/fields/text-list.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
-import { numberedName, type PhongLight } from '../../element/phong-light.js';
+import type { PhongLight } from '../../element/elements.js';
+import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
-import { create, set } from '../../element/viewer/template.js';
 import { ARROWS } from '../arrow-keys.js';
 import { inside, type Projection } from '../drawing/projection.js';
 import { EDGE, type Handle, type LightMarks, type Part } from './light-marks.js';
@@ -51,7 +52,7 @@ export class Handles {
     this.#list.addEventListener('focusout', () => this.#endKeys());
     // The picture below zooms, if it may.
     this.#list.addEventListener('wheel', (event) => this.#passOn(event), { passive: false });
-    listenToPointers(this.#list, place, {
+    listenToPointers(this.#list, host.tree.surface, {
       press: (element) => {
         const shown = this.#byElement.get(element);
         if (shown === undefined) return false;
@@ -73,7 +74,7 @@ export class Handles {
   ): void {
     this.#move.see(view, scene);
     const { texts } = this.#host.viewer;
-    set(this.#list, 'aria-label', phrase(texts, 'Lights in the picture'));
+    set(this.#list, { 'aria-label': phrase(texts, 'Lights in the picture') });
     const kept = new Set<string>();
     let before: Element | null = null;
     lights.forEach((light, index) => {
@@ -151,8 +152,7 @@ export class Handles {
       part === 'place'
         ? lightText(texts, name, values)
         : phrase(texts, PART_TEXTS[part], { name, degrees: String(values.aperture) });
-    set(element, 'aria-label', label);
-    set(element, 'aria-description', phrase(texts, 'Enter starts moving.'));
+    set(element, { 'aria-label': label, 'aria-description': phrase(texts, 'Enter starts moving.') });
   }
 
   #choose(shown: Shown | undefined): void {
@@ -234,7 +234,7 @@ export class Handles {
 
   /** Announces a text, politely. */
   #say(text: ViewerText | ''): void {
-    this.#region.textContent = text === '' ? '' : phrase(this.#host.viewer.texts, text);
+    write(this.#region, text === '' ? '' : phrase(this.#host.viewer.texts, text));
   }
 
   #passOn(event: WheelEvent): void {
@@ -246,6 +246,5 @@ export class Handles {
 const MOVING = 'Arrow keys move, with Shift toward you and away. Enter ends, Escape restores.';
 
 function mark(element: HTMLElement, current: boolean): void {
-  set(element, 'tabindex', current ? '0' : '-1');
-  set(element, 'aria-selected', String(current));
+  set(element, { tabindex: current ? '0' : '-1', 'aria-selected': String(current) });
 }

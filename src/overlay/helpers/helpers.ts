@@ -1,9 +1,9 @@
-// What does `helpers` draw over a viewer's picture? Follows drawn frames, recomputes only what has changed, and shows it as SVG, or in a
-// picture file as the same list. Knows what each part is for, not how it looks.
+// Draws the helpers over a viewer's picture. Follows drawn frames, recomputes only what has changed, and shows it as
+// SVG, or in a picture file as the same list. Knows what each part is for, not how it looks.
+import { create } from '../../element/dom.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
-import { create } from '../../element/viewer/template.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { Projection } from '../drawing/projection.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
@@ -15,7 +15,7 @@ import { SceneHelpers } from './scene-helpers.js';
 
 export const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
 
-/** Of a scene that shows nothing, as its camera assumes. */
+/** The ball of a scene that shows nothing, as its camera assumes. */
 const EMPTY: SceneBall = { center: [0, 0, 0], radius: 1 };
 
 class Helpers implements Extra {
@@ -85,7 +85,8 @@ class Helpers implements Extra {
     const { viewport } = this.#host;
     const size = this.#host.size();
     if (!(size.width > 0 && size.height > 0)) return null;
-    const { bounds, fov, orbit, width, height } = viewport;
+    const { fov, orbit, width, height } = viewport;
+    const bounds = viewport.measure();
     const seen = [bounds, fov, orbit.pose, width, height, size.width, size.height];
     if (this.#view === null || seen.some((value, i) => value !== this.#seen[i])) {
       this.#seen = seen;
@@ -105,7 +106,7 @@ class Helpers implements Extra {
 }
 
 function ballOf({ viewport }: ExtraHost): SceneBall {
-  const { bounds } = viewport;
+  const bounds = viewport.measure();
   if (bounds === null) return EMPTY;
-  return { center: bounds.centre, radius: bounds.radius > 0 ? bounds.radius : EMPTY.radius };
+  return { center: bounds.center, radius: bounds.radius > 0 ? bounds.radius : EMPTY.radius };
 }

@@ -1,5 +1,5 @@
-// Which names are drawn, and where? Places the names of all helpers together, so that none covers another. CSS pixels of the layer. Knows
-// nothing about the things named.
+// Names in the picture, and their places. Places the names of all helpers together, so that none covers another. CSS
+// pixels of the layer.
 import type { Label, Primitive } from '../drawing/display-list.js';
 import { type Box, placeLabels } from '../drawing/label-layout.js';
 import type { Point, Projection } from '../drawing/projection.js';

@@ -1,9 +1,10 @@
-// The helpers of a viewer's lights: their marks and names, and their handles. Marks of a light are computed again only where the light, the
-// view or what hides it has changed. Knows no pointer and no SVG.
+// The helpers of a viewer's lights: their marks and names, and their handles. Marks of a light are computed again only
+// where the light, the view or what hides it has changed.
 import { sameValue } from '../../fields/field-store.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
-import { numberedName, type PhongLight } from '../../element/phong-light.js';
+import type { PhongLight } from '../../element/elements.js';
+import { numberedName } from '../../element/phong-light.js';
 import { lightName } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { boxAround } from '../drawing/label-layout.js';

@@ -1,5 +1,5 @@
-// What is drawn for a light: its place in its own colour, the direction in which it shines, its cone, and where it has halved? From placed
-// lights to a display list, with the places of the handles. CSS pixels of the layer. Knows neither elements nor SVG.
+// The marks of a light: its place in its own colour, the direction in which it shines, its cone, and where it has
+// halved. From placed lights to a display list, with the places of the handles. CSS pixels of the layer.
 import type { LightValues } from '../../light/light-state.js';
 import { add, scale, type Vec3 } from '../../math/vector.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
@@ -39,7 +39,7 @@ export const EDGE = 14;
 /** Radii in CSS pixels. */
 const RADIUS = { place: 7, outside: 5, part: 4 } as const;
 
-/** Of a circle around a light; enough for a smooth one that fills the picture. */
+/** Points of a circle around a light; enough for a smooth one that fills the picture. */
 const SEGMENTS = 48;
 
 /** A light that is off. */
@@ -133,7 +133,10 @@ function handleAt(part: Part, place: Vec3, view: Projection): Handle {
   return { part, at: onEdge(place, view), place, outside: true };
 }
 
-/** Where the line from the picture's middle toward the place crosses the edge. Behind the eye: to the side on which the place is. */
+/**
+ * Where the line from the picture's middle toward the place crosses the edge. Behind the eye: to the side on which the
+ * place is.
+ */
 function onEdge(place: Vec3, view: Projection): Point {
   const { width, height } = view;
   const point = view.point(place);

@@ -1,10 +1,10 @@
-// One move of a light by the user, from its start to its end: writes the light's values, and makes the move one step that undo takes back.
-// If something else writes to the light meanwhile, the move continues from there. Knows neither keys nor pointers.
+// One move of a light by the user, from its start to its end: writes the light's values, and makes the move one step
+// that undo takes back. If something else writes to the light meanwhile, the move continues from there.
 import { sameValue } from '../../fields/field-store.js';
 import type { LightValues } from '../../light/light-state.js';
 import { fieldsOf } from '../../element/internals.js';
-import type { PhongLight } from '../../element/phong-light.js';
-import type { PhongViewer } from '../../element/phong-viewer.js';
+import type { PhongLight } from '../../element/elements.js';
+import type { PhongViewer } from '../../element/elements.js';
 import { historyOf, type Subject, valuesOf } from '../../element/viewer/history.js';
 import type { Projection } from '../drawing/projection.js';
 import { lightMarks, type Part } from './light-marks.js';
@@ -109,8 +109,8 @@ export class LightMove {
   }
 
   /**
-   * The move, measured from here if its kind changed or something else has written to the light, and for keys if the camera has moved:
-   * earlier steps were along other axes.
+   * The move, measured from here if its kind changed or something else has written to the light, and for keys if the
+   * camera has moved: earlier steps were along other axes.
    */
   #current(along: boolean, x: number, y: number): Move | null {
     const move = this.#move;

@@ -1,5 +1,5 @@
-// How does moving a handle change its light? From the values at the start of the move and the whole travel since then, so that nothing
-// accumulates and going back restores. Travel in CSS pixels of the layer, right and down. Knows neither elements nor events.
+// Changes a light by moving one of its handles. From the values at the start of the move and the whole travel since
+// then, so that nothing accumulates and going back restores. Travel in CSS pixels of the layer, right and down.
 import { LIMITS, type LightValues } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
@@ -125,8 +125,9 @@ function isNearSide(place: Vec3, { center }: SceneBall, { eye }: Projection): bo
 }
 
 /**
- * Where a ray from outside meets a ball, on the near or far side, as a unit vector from its centre. A ray that misses the ball goes on
- * around it: from the outline, which it touches at one radius from the centre, to the middle of the other side at two radii.
+ * Where a ray from outside meets a ball, on the near or far side, as a unit vector from its centre. A ray that misses
+ * the ball goes on around it: from the outline, which it touches at one radius from the centre, to the middle of the
+ * other side at two radii.
  */
 function onBall({ origin, direction }: Ray, { center, radius }: SceneBall, nearSide: boolean): Vec3 {
   const toCenter = subtract(center, origin);

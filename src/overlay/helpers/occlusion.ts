@@ -1,5 +1,5 @@
-// Which places of the scene lie behind a shape? By rays into a snapshot of the scene, a while after a change and in slices: nothing waits
-// for them, and marks are drawn as before until they are known. Does not know what is at the places.
+// Finds places of the scene that lie behind a shape, by rays into a snapshot of the scene, a while after a change and
+// in slices: nothing waits for them, and marks are drawn as before until they are known.
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { Vec3 } from '../../math/vector.js';
 import { pick } from '../../scene/snapshot/pick.js';

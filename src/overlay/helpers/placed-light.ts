@@ -1,5 +1,5 @@
-// At which place in the scene does a light's helper show it? World space and scene units, whatever the light's own space. Knows neither
-// pixels nor elements.
+// The place in the scene at which a light's helper shows it. World space and scene units, whatever the light's own
+// space.
 import { isSpot } from '../../light/light-features.js';
 import type { LightValues } from '../../light/light-state.js';
 import { radians } from '../../math/angle.js';
@@ -40,7 +40,9 @@ export interface PlacedSpot {
 /** Distance of a directional light's helper from the scene's centre, in radii of the scene. */
 export const DIRECTIONAL_AT = 1.2;
 
-/** Longest arrow of a spot's axis, and shortest cone, in radii of the scene: both can be gripped in a scene of any size. */
+/**
+ * Longest arrow of a spot's axis, and shortest cone, in radii of the scene: both can be gripped in a scene of any size.
+ */
 const LONGEST_ARROW = 0.6;
 const SHORTEST_REACH = 0.25;
 
@@ -75,7 +77,10 @@ function placedSpot(values: Readonly<LightValues>, place: Vec3, axis: Vec3, scen
   };
 }
 
-/** Distance along the axis to the scene's ball: where it enters, or leaves from inside. Beside it, the distance to its centre. */
+/**
+ * Distance along the axis to the scene's ball: where it enters, or leaves from inside. Beside it, the distance to its
+ * centre.
+ */
 function reachOf(place: Vec3, axis: Vec3, { center, radius }: SceneBall): number {
   const toCenter = subtract(center, place);
   const along = dot(toCenter, axis);
@@ -115,7 +120,10 @@ function leastAlong(axis: Vec3): Vec3 {
   return y <= z ? [0, 1, 0] : [0, 0, 1];
 }
 
-/** A place at an angle of `degrees` from the axis, `distance` from the light, turned to `across` by 0 and around it by `around`. */
+/**
+ * A place at an angle of `degrees` from the axis, `distance` from the light, turned to `across` by 0 and around it by
+ * `around`.
+ */
 export function onCone(
   { place, axis, across }: { readonly place: Vec3; readonly axis: Vec3; readonly across: Vec3 },
   degrees: number,

@@ -1,5 +1,5 @@
-// How does a pointer drag one of several elements? Reports the press and the whole travel since then in the layer's own pixels, which CSS
-// transforms may turn. One pointer at a time. Does not know what is dragged.
+// Drags one of several elements with a pointer. Reports the press and the whole travel since then in the layer's own
+// pixels, which CSS transforms may turn. One pointer at a time.
 import { PictureCorners } from '../../element/page/picture-box.js';
 import { alongAxes, type PictureBox } from '../../camera/gesture.js';
 
@@ -24,14 +24,20 @@ interface Press {
 /** CSS pixels of the page. A press that moves less is a click: fingers are not steady. */
 const SLOP = 3;
 
-/** Listens to the children of `list`; travel is along the axes of `layer`. */
-export function listenToPointers(list: HTMLElement, layer: HTMLElement, listener: DragListener): void {
-  const corners = new PictureCorners(layer);
+/** Listens to the children of `list`; travel is along the axes of the picture's `surface`, which the layer covers. */
+export function listenToPointers(list: HTMLElement, surface: HTMLElement, listener: DragListener): void {
+  const corners = new PictureCorners(surface);
   let press: Press | null = null;
-  const end = (event: PointerEvent): void => {
-    if (press?.id !== event.pointerId) return;
+  const release = (): void => {
+    if (press === null) return;
+    const { id, element } = press;
     press = null;
+    surface.ownerDocument.defaultView?.removeEventListener('blur', release);
+    if (element.hasPointerCapture(id)) element.releasePointerCapture(id);
     listener.end();
+  };
+  const end = (event: PointerEvent): void => {
+    if (press?.id === event.pointerId) release();
   };
   list.addEventListener('pointerdown', (event) => {
     const { target, pointerId: id, clientX: x, clientY: y } = event;
@@ -41,6 +47,8 @@ export function listenToPointers(list: HTMLElement, layer: HTMLElement, listener
     event.preventDefault(); // no selection, no focus elsewhere
     if (!listener.press(target)) return;
     press = { id, element: target, x, y, axes: corners.box.axes, dragged: false };
+    // The button may be released in another window, which no event reports.
+    surface.ownerDocument.defaultView?.addEventListener('blur', release);
     try {
       target.setPointerCapture(id);
     } catch {

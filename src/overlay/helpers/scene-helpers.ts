@@ -1,5 +1,5 @@
-// The helpers of the scene itself: axes, grid, bounds and normals. Computed again only where the view, the scene's ball, a mesh, or what hides
-// something has changed. Knows no lights.
+// The helpers of the scene itself: axes, grid, bounds and normals. Computed again only where the view, the scene's
+// ball, a mesh, or what hides something has changed.
 import type { Mesh, Object3D } from 'three';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { Helper } from '../../element/fields/viewer-fields.js';

@@ -1,5 +1,5 @@
-// What is drawn for the scene itself: axes, the grid on the ground, the boxes and the normals of meshes? From the scene's ball and its
-// meshes to strokes. World space; CSS pixels of the layer. Knows neither lights nor elements.
+// The marks of the scene itself: axes, the grid on the ground, the boxes and the normals of meshes. From the scene's
+// ball and its meshes to strokes. World space; CSS pixels of the layer.
 import { Matrix3, type Mesh } from 'three';
 import { normalMatrix } from '../../material/normal-matrix.js';
 import { PhongMaterial } from '../../material/phong-material.js';
@@ -73,7 +73,10 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
   return null;
 }
 
-/** Lines of the plane y = 0 under the scene, at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are left out. */
+/**
+ * Lines of the plane y = 0 under the scene, at round distances: 1, 2 or 5 times a power of ten. Parts behind shapes are
+ * left out.
+ */
 export function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): Primitive[] {
   const step = roundStep(radius / 4);
   const lowX = Math.floor((center[0] - GRID * radius) / step);
@@ -101,7 +104,10 @@ const GRID = 1.5;
 /** Twice as many as a scene at the origin has. */
 const MOST_LINES = 40;
 
-/** 1, 2 or 5 times a power of ten, at least `length`. Chunks of overlays share no file, so legend/view-scale.ts has its own. */
+/**
+ * 1, 2 or 5 times a power of ten, at least `length`. Chunks of overlays share no file, so legend/view-scale.ts has its
+ * own.
+ */
 function roundStep(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
   return ([1, 2, 5, 10].find((step) => step * power >= length) ?? 10) * power;
@@ -197,15 +203,15 @@ const MOST_NORMALS = 400;
 /** CSS pixels of the scene's disc for each normal, so that small scenes are not covered either. */
 const NORMAL_PIXELS = 300;
 
-/** Of a normal, in radii of the scene. */
+/** Length of a drawn normal, in radii of the scene. */
 const NORMAL = 0.09;
 
 /** Takes vertices in an order without a pattern: steps of a fixed size would follow the rows of a sphere. */
 const GOLDEN = (Math.sqrt(5) - 1) / 2;
 
 /**
- * Normals as the picture shades with them, at a sample of the vertices, or of the triangles under flat shading: those that face the eye.
- * A double-sided surface has a normal on its visible side.
+ * Normals as the picture shades with them, at a sample of the vertices, or of the triangles under flat shading: those
+ * that face the eye. A double-sided surface has a normal on its visible side.
  */
 export function normalMarks(
   meshes: readonly Mesh[],

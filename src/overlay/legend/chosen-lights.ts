@@ -1,27 +1,28 @@
-// Which lights is a view limited to, and how is that said? `view-light` by name; otherwise the first active light where a view is of one
-// light, or all. Knows no programs.
+// The lights that a view is limited to, and the text that says so. `view-light` by name; without it the first active
+// light where a view is of one light, or all.
+import { clipMessage } from '../../fields/clip.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
-import type { View } from '../../material/views.js';
+import { viewEntry } from '../../material/view/view-table.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
 import { lightName } from '../../element/viewer/viewer-snapshot.js';
 
-/** Views of a number that every light has its own of. */
-const OF_ONE_LIGHT: ReadonlySet<View> = new Set(['n-dot-l', 'r-dot-v', 'attenuation', 'decay']);
-
-/** Views that no light has a part in. */
-const OF_NO_LIGHT: ReadonlySet<View> = new Set(['normals', 'triangles']);
-
-/** Indices of the viewer's lights. An unknown name is ignored. */
-export function chosenIndices({ values, viewport, children, viewer }: ExtraHost): number[] {
-  const { lights } = viewport.lighting.lights;
-  const { view, viewLight } = values;
+/** Index of the light that `view-light` names; -1 if it is empty or no light has this name. */
+function namedIndex({ values, viewport, children, viewer }: ExtraHost): number {
+  const { viewLight } = values;
   // Lights without a name have an English one, and one by the page's texts.
   const isNamed = (state: LightState, i: number): boolean =>
     [null, viewer.texts].some((texts) => lightName(children.lightOf(state), state, i, texts) === viewLight);
-  const named = viewLight === '' ? -1 : lights.findIndex(isNamed);
-  if (named >= 0) return [named];
-  if (!OF_ONE_LIGHT.has(view)) return lights.map((_, i) => i);
+  return viewLight === '' ? -1 : viewport.lighting.lights.lights.findIndex(isNamed);
+}
+
+/** Indices of the viewer's lights. None if `view-light` names no light: the view is black. */
+export function chosenIndices(host: ExtraHost): number[] {
+  const { lights } = host.viewport.lighting.lights;
+  const { view, viewLight } = host.values;
+  const named = namedIndex(host);
+  if (viewLight !== '') return named < 0 ? [] : [named];
+  if (viewEntry(view).lights !== 'one') return lights.map((_, i) => i);
   const first = lights.findIndex((light) => light.values.active);
   return first < 0 ? [] : [first];
 }
@@ -33,14 +34,37 @@ export const chosenLights = (host: ExtraHost): Readonly<LightValues>[] =>
 /** The line under a legend's title; empty where no light has a part in the view. */
 export function lightsText(host: ExtraHost): string {
   const { values, viewport, children, viewer } = host;
-  if (OF_NO_LIGHT.has(values.view)) return '';
+  const entry = viewEntry(values.view);
+  if (entry.lights === 'none') return '';
   const { lights } = viewport.lighting.lights;
   const chosen = chosenIndices(host);
   const [index] = chosen;
-  const isOne = OF_ONE_LIGHT.has(values.view) || (values.viewLight !== '' && chosen.length === 1);
-  if (!isOne) return phrase(viewer.texts, 'all lights');
-  if (index === undefined) return phrase(viewer.texts, 'no light is active');
+  const { viewLight } = values;
+  if (viewLight === '' && entry.lights !== 'one') return phrase(viewer.texts, 'all lights');
+  if (index === undefined) {
+    if (viewLight === '') return phrase(viewer.texts, 'no light is active');
+    return phrase(viewer.texts, 'no light has the name {name}', { name: viewLight });
+  }
   const state = lights[index]!;
   const light = lightName(children.lightOf(state), state, index, viewer.texts);
   return state.values.active ? light : phrase(viewer.texts, '{light} (not active)', { light });
+}
+
+/** Names that a warning lists at most. */
+const MOST_LISTED = 10;
+
+/** What is wrong with `view-light`, and its cure; null where it names a light or is empty. */
+export function unknownLightText(host: ExtraHost): string | null {
+  const { values, viewport, children } = host;
+  if (values.viewLight === '' || namedIndex(host) >= 0) return null;
+  const { lights } = viewport.lighting.lights;
+  const names = lights
+    .slice(0, MOST_LISTED)
+    .map((state, i) => JSON.stringify(lightName(children.lightOf(state), state, i)));
+  const more = lights.length - names.length;
+  const list = more > 0 ? `${names.join(', ')} and ${String(more)} more` : names.join(', ');
+  const value = JSON.stringify(values.viewLight);
+  return clipMessage(
+    `<phong-viewer view-light=${value}>: no light has this name, so none is shown. Names of lights: ${list}.`,
+  );
 }

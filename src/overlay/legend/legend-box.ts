@@ -1,92 +1,72 @@
-// Shows a legend: title, lights, scale. Writes only what changes. Knows no views.
-import { create, write } from '../../element/viewer/template.js';
+// Shows a legend: title, lights, scale.
+import { html, noChange, nothing, render, type TemplateResult } from 'lit';
+import { create } from '../../element/dom.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Bar } from './view-scale.js';
 
-export interface LegendText {
+export interface LegendContent {
   /** Accessible name of the whole. */
   readonly label: string;
   readonly title: string;
   readonly lights: string;
   /** A last line; empty for none. */
   readonly note: string;
+  /** Another list where a bar is different. */
+  readonly bars: readonly Bar[];
+  /** A share from 0 to 1, and what it is of; null for no progress bar. */
+  readonly progress: { readonly share: number; readonly label: string } | null;
 }
 
 export class LegendBox {
   /** Fills the layer, so that the legend knows how much room there is. */
   readonly place = create('div', { class: 'view-place' });
-  readonly #box = create('div', { class: 'legend', part: 'legend', role: 'group' });
-  readonly #title = create('p', { class: 'legend-title', 'aria-live': 'polite' });
-  readonly #lights = create('p', { class: 'legend-lights', dir: 'auto' });
-  readonly #scale = create('div', {});
-  readonly #note = create('p', { class: 'legend-note', role: 'status' });
-  readonly #progress = create('progress', { class: 'legend-progress', max: '1' });
-  #bars: readonly Bar[] = [];
+  #bars: readonly Bar[] | null = null;
 
-  constructor() {
-    this.#box.append(this.#title, this.#lights, this.#scale, this.#note);
-    this.place.append(this.#box);
-  }
-
-  write({ label, title, lights, note }: LegendText): void {
-    if (this.#box.getAttribute('aria-label') !== label) this.#box.setAttribute('aria-label', label);
-    write(this.#title, title);
-    write(this.#lights, lights);
-    write(this.#note, note);
-  }
-
-  /** Shows a share from 0 to 1, or nothing for null. */
-  showProgress(share: number | null, label: string): void {
-    if (share === null) this.#progress.remove();
-    else {
-      this.#progress.value = share;
-      this.#progress.setAttribute('aria-label', label);
-      if (this.#progress.parentNode === null) this.#box.append(this.#progress);
-    }
-  }
-
-  /** `bars`: another list where a bar is different. */
-  showScale(bars: readonly Bar[]): void {
-    if (bars === this.#bars) return;
+  show({ label, title, lights, note, bars, progress }: LegendContent): void {
+    // A scale has up to 48 colours, and a legend is shown after each frame.
+    const scale = bars === this.#bars ? noChange : bars.map(barTemplate);
     this.#bars = bars;
-    this.#scale.replaceChildren(...bars.flatMap(barElements));
+    const legend = html`<div class="legend" part="legend" role="group" aria-label=${label}>
+      <p class="legend-title" aria-live="polite">${title}</p>
+      <p class="legend-lights" dir="auto">${lights}</p>
+      <div>${scale}</div>
+      <p class="legend-note" role="status">${note}</p>
+      ${progress === null ? nothing : progressTemplate(progress)}
+    </div>`;
+    render(legend, this.place);
   }
 }
 
-function barElements({ label, colors, fields, marks }: Bar): Element[] {
-  const row = create('div', { class: 'legend-bar' });
-  if (label !== '') row.append(text('span', { class: 'legend-label' }, label));
-  const bar = create('div', { class: 'legend-colors', 'aria-hidden': 'true', dir: 'ltr' });
-  if (fields) bar.append(...colors.map(field));
-  else bar.style.backgroundImage = `linear-gradient(to right, ${colors.map(css).join()})`;
-  row.append(bar);
-  if (marks.length === 0) return [row];
-  const line = create('div', {
-    class: `legend-marks${label === '' ? '' : ' labelled'}${fields ? '' : ' flush'}`,
-    dir: 'ltr',
-  });
-  for (const mark of marks) {
-    const shown = text('span', {}, mark.text);
-    shown.style.left = `${String(100 * mark.at)}%`;
-    line.append(shown, ' '); // read as numbers of their own
+const progressTemplate = ({ share, label }: NonNullable<LegendContent['progress']>): TemplateResult =>
+  html`<progress class="legend-progress" max="1" value=${share} aria-label=${label}></progress>`;
+
+// Styles as properties: a strict CSP refuses style attributes.
+const barTemplate = ({ label, colors, fields, marks }: Bar): TemplateResult => html`
+  <div class="legend-bar">
+    ${label === '' ? nothing : html`<span class="legend-label">${label}</span>`}
+    ${
+      fields
+        ? html`<div class="legend-colors" aria-hidden="true" dir="ltr">
+            ${colors.map((color) => html`<i .style=${`background-color: ${css(color)}`}></i>`)}
+          </div>`
+        : html`<div
+            class="legend-colors"
+            aria-hidden="true"
+            dir="ltr"
+            .style=${`background-image: linear-gradient(to right, ${colors.map(css).join()})`}
+          ></div>`
+    }
+  </div>
+  ${
+    marks.length === 0
+      ? nothing
+      : html`<div
+          class=${`legend-marks${label === '' ? '' : ' labelled'}${fields ? '' : ' flush'}`}
+          dir="ltr"
+        >
+          ${marks.map(({ at, text }) => html`<span .style=${`left: ${String(100 * at)}%`}>${text}</span> `)}
+        </div>`
   }
-  return [row, line];
-}
-
-function field(color: Vec3): Element {
-  const element = create('i', {});
-  element.style.backgroundColor = css(color);
-  return element;
-}
-
-function text<Tag extends 'span' | 'p'>(
-  tag: Tag,
-  attributes: Readonly<Record<string, string>>,
-  content: string,
-): HTMLElementTagNameMap[Tag] {
-  const element = create(tag, attributes);
-  element.textContent = content;
-  return element;
-}
+`;
 
 const css = ([r, g, b]: Vec3): string => `rgb(${String(r)} ${String(g)} ${String(b)})`;

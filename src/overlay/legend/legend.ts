@@ -1,11 +1,12 @@
-// Shows a view: what the picture draws in place of the shaded colours, and the legend over it. Follows `view` and `view-light`. Knows
-// no shaders.
+// Shows a view: what the picture draws in place of the shaded colours, and the legend over it. Follows `view` and
+// `view-light`.
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView, scaleEnd } from '../../material/view/picture-view.js';
-import { lazyCode } from '../../scene/lazy-code.js';
-import { chosenLights, lightsText } from './chosen-lights.js';
+import { viewEntry } from '../../material/view/view-table.js';
+import { lazyCode } from '../../model/lazy-code.js';
+import { chosenLights, lightsText, unknownLightText } from './chosen-lights.js';
 import type { ErrorView } from '../error/error-view.js';
 import { snapshotOf } from '../error/picture-snapshot.js';
 import { LegendBox } from './legend-box.js';
@@ -25,9 +26,15 @@ class ViewExtra implements Extra {
   /** Null before its code has arrived, and for other views. */
   #error: ErrorView | null = null;
   #errorWanted = false;
-  /** `done`: the measured share of the error, null while the picture moves. `largest`: the largest error, NaN until all is measured. */
+  /**
+   * `done`: the measured share of the error, null while the picture moves. `largest`: the largest error, NaN until all
+   * is measured.
+   */
   #progress: { readonly done: number | null; readonly largest: number } = { done: null, largest: NaN };
   #scale: { readonly key: string; readonly bars: readonly Bar[] } = { key: '', bars: [] };
+  /** Values of `view-light` that were warned of. */
+  readonly #warned = new Set<string>();
+  #warning: ReturnType<typeof setTimeout> | undefined;
 
   constructor(host: ExtraHost) {
     this.#host = host;
@@ -48,6 +55,18 @@ class ViewExtra implements Extra {
     else if (this.#errorWanted) this.#error?.update();
     else void this.#showError();
     this.#updateLegend();
+    if (!this.#warned.has(values.viewLight) && unknownLightText(this.#host) !== null) this.#warnLater();
+  }
+
+  /** After the task and its microtasks, in which frameworks add the lights. Once per value. */
+  #warnLater(): void {
+    this.#warning ??= setTimeout(() => {
+      this.#warning = undefined;
+      const text = unknownLightText(this.#host);
+      if (text === null) return;
+      this.#warned.add(this.#host.values.viewLight);
+      console.warn(text);
+    });
   }
 
   async repaint(picture: HTMLCanvasElement): Promise<void> {
@@ -60,6 +79,7 @@ class ViewExtra implements Extra {
 
   dispose(): void {
     const { viewport } = this.#host;
+    clearTimeout(this.#warning);
     this.#hideError();
     this.#legend.place.remove();
     removeStyles(this.#root, styles);
@@ -115,18 +135,18 @@ class ViewExtra implements Extra {
     const host = this.#host;
     const { view, reflection } = host.values;
     const { texts } = host.viewer;
-    this.#legend.write({
+    const { done } = this.#progress;
+    const busy = view === 'error' && done !== null && done < 1;
+    const most = viewEntry(view).scale === 'count' ? scaleEnd(chosenLights(host)) : 1;
+    const key = `${view} ${String(most)}`;
+    if (this.#scale.key !== key) this.#scale = { key, bars: barsOf(view, most) };
+    this.#legend.show({
       label: phrase(texts, 'Legend'),
       title: phrase(texts, titleOf(view, reflection === 'blinn-phong')),
       lights: lightsText(host),
       note: this.#note,
+      bars: this.#scale.bars,
+      progress: busy ? { share: done, label: phrase(texts, 'Measuring the error') } : null,
     });
-    const { done } = this.#progress;
-    const busy = view === 'error' && done !== null && done < 1;
-    this.#legend.showProgress(busy ? done : null, phrase(texts, 'Measuring the error'));
-    const most = view === 'light-count' ? scaleEnd(chosenLights(host)) : 1;
-    const key = `${view} ${String(most)}`;
-    if (this.#scale.key !== key) this.#scale = { key, bars: barsOf(view, most) };
-    this.#legend.showScale(this.#scale.bars);
   }
 }

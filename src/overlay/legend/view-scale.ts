@@ -1,6 +1,7 @@
-// What do a view's colours mean? The title and the scale of its legend, as data. Knows no DOM.
+// The title and the scale of a view's legend, as data.
 import type { ViewerText } from '../../element/fields/text-list.js';
 import { scaleColor } from '../../material/view/scale.js';
+import { VIEW_TABLE, type ViewEntry, viewEntry } from '../../material/view/view-table.js';
 import type { View } from '../../material/views.js';
 import type { Vec3 } from '../../math/vector.js';
 
@@ -29,51 +30,40 @@ const MOST_MARKS = 8;
 /** Differences of this many codes of 255, and larger ones, have the error scale's last colour. */
 export const ERROR_END = 2;
 
-/** English; `blinn`: highlights are of Blinn's half vector. */
+/** The title of a view's legend: a key of `texts`. */
 export function titleOf(view: View, blinn: boolean): ViewerText {
-  return view === 'r-dot-v' && blinn ? 'N · H' : TITLES[view];
+  const { blinnTitle, title }: LegendTitle = VIEW_TABLE[view];
+  return (blinn ? blinnTitle : undefined) ?? title;
 }
 
-const TITLES: Readonly<Record<View, ViewerText>> = {
-  shaded: 'Shaded',
-  ambient: 'Ambient term',
-  diffuse: 'Diffuse term',
-  specular: 'Specular term',
-  normals: 'Normals',
-  'n-dot-l': 'N · L',
-  'r-dot-v': 'R · V',
-  attenuation: 'Attenuation',
-  decay: 'Decay',
-  'light-count': 'Lights that add something',
-  triangles: 'Triangles',
-  error: 'Error in steps of 1/255',
-};
+interface LegendTitle {
+  readonly title: ViewerText;
+  readonly blinnTitle?: ViewerText;
+}
 
 /** `most`: the count at the end of the scale of `light-count`, at least 1. */
-export function barsOf(view: View, most: number): readonly Bar[] {
-  switch (view) {
-    case 'n-dot-l':
-    case 'r-dot-v':
-    case 'attenuation':
-    case 'decay':
-      return [{ label: '', colors: [BLACK, [255, 255, 255]], fields: false, marks: UNIT_MARKS }];
-    case 'normals':
-      return (['x', 'y', 'z'] as const).map((label, axis) => ({
-        label,
-        colors: [BLACK, [axis === 0 ? 255 : 0, axis === 1 ? 255 : 0, axis === 2 ? 255 : 0]],
-        fields: false,
-        marks: axis < 2 ? [] : ['−1', '0', '1'].map((text, i) => ({ at: i / 2, text })),
-      }));
-    case 'light-count':
-      return [countBar(most)];
-    case 'error': {
-      const marks = ['0', '0.5', '1', '1.5', `${String(ERROR_END)}+`].map((text, i) => ({ at: i / 4, text }));
-      return [{ label: '', colors: SCALE, fields: false, marks }];
-    }
-    default:
-      return [];
-  }
-}
+export const barsOf = (view: View, most: number): readonly Bar[] => SCALES[viewEntry(view).scale](most);
+
+const GREY: readonly Bar[] = [
+  { label: '', colors: [BLACK, [255, 255, 255]], fields: false, marks: UNIT_MARKS },
+];
+
+const AXES: readonly Bar[] = (['x', 'y', 'z'] as const).map((label, axis) => ({
+  label,
+  colors: [BLACK, [axis === 0 ? 255 : 0, axis === 1 ? 255 : 0, axis === 2 ? 255 : 0]],
+  fields: false,
+  marks: axis < 2 ? [] : ['−1', '0', '1'].map((text, i) => ({ at: i / 2, text })),
+}));
+
+const ERROR_MARKS = ['0', '0.5', '1', '1.5', `${String(ERROR_END)}+`].map((text, i) => ({ at: i / 4, text }));
+
+const SCALES: Readonly<Record<ViewEntry['scale'], (most: number) => readonly Bar[]>> = {
+  none: () => [],
+  unit: () => GREY,
+  axes: () => AXES,
+  count: (most) => [countBar(most)],
+  error: () => [{ label: '', colors: SCALE, fields: false, marks: ERROR_MARKS }],
+};
 
 function countBar(most: number): Bar {
   const fields = most < MOST_FIELDS;

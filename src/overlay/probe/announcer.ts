@@ -1,6 +1,6 @@
-// When does a screen reader hear what the probe shows? Politely, the first change at once, then at most once a second the newest. No timer
-// runs while nothing changes. Knows no words.
-import { create } from '../../element/viewer/template.js';
+// Announces what the probe shows to screen readers: politely, the first change at once, then at most once a second the
+// newest. No timer runs while nothing changes.
+import { create, write } from '../../element/dom.js';
 
 /** Milliseconds between two announcements. */
 const PAUSE = 1000;
@@ -25,7 +25,7 @@ export class Announcer {
   readonly #speak = (): void => {
     this.#timer = undefined;
     if (this.#waiting === null) return;
-    this.element.textContent = this.#waiting;
+    write(this.element, this.#waiting);
     this.#waiting = null;
     this.#timer = window.setTimeout(this.#speak, PAUSE);
   };

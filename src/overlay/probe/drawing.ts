@@ -1,5 +1,5 @@
-// How does a fragment's figure become lines over the picture? Arrows, arcs and labels in CSS pixels of the layer, as a display list. Knows
-// neither the equation nor the page.
+// Turns a fragment's figure into lines over the picture: arrows, arcs and labels in CSS pixels of the layer, as a
+// display list.
 import type { Vec3 } from '../../math/vector.js';
 import { add, scale } from '../../math/vector.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
@@ -31,7 +31,10 @@ export const markOf = (at: Point, dashed: boolean): Primitive[] => [
   { kind: 'disc', center: at, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
 ];
 
-/** `p` is the point in world space, `at` its place on the layer. `outline`: a triangle around it, if any. `covered` by the box. */
+/**
+ * `p` is the point in world space, `at` its place on the layer. `outline`: a triangle around it, if any. `covered` by
+ * the box.
+ */
 export function drawingOf(
   projection: Projection,
   p: Vec3,

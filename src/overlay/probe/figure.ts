@@ -1,7 +1,7 @@
-// Which vectors and angles of a fragment are drawn? N, L of the lights that add most, and R or H of one of them, in world space. V is not
-// among them: it points at the eye, so the picture shows it as a point. For the same reason the angle between R and V has no arc: it
-// would lie on R itself. Knows no pixels.
-import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
+// The vectors and angles of a fragment that are drawn: N, L of the lights that add most, and R or H of one of them, in
+// world space. V is not among them: it points at the eye, so the picture shows it as a point. For the same reason the
+// angle between R and V has no arc: it would lie on R itself.
+import type { FragmentExplanation } from '../../element/explanation.js';
 import { add, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { byShare, degreesText, type Sum, type SumRow } from './sum.js';
 

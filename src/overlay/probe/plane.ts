@@ -1,6 +1,7 @@
-// How do a light's angles look side on? A small diagram of the plane of N and L: N upright, L on its left, R its mirror image or H between L
-// and V, and V as seen in that plane. In the picture V points at the eye, so that its angle to R cannot be seen there.
-import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
+// A light's angles seen from the side: a small diagram of the plane of N and L: N upright, L on its left, R its mirror
+// image or H between L and V, and V as seen in that plane. In the picture V points at the eye, so that its angle to R
+// cannot be seen there.
+import type { FragmentExplanation } from '../../element/explanation.js';
 import { add, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
 import { type LabelWish, placeLabels } from '../drawing/label-layout.js';

@@ -1,6 +1,6 @@
-// What do pointer and keys on a picture mean for its probe? A mouse hovers, a click or tap without a drag pins, arrow keys move the
-// cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS pixels of the layer. Knows
-// nothing about the explanation.
+// Pointer and keys on a picture, as its probe takes them. A mouse hovers, a click or tap without a drag pins, arrow
+// keys move the cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS
+// pixels of the layer.
 import { ARROWS } from '../arrow-keys.js';
 import type { Point } from '../drawing/projection.js';
 

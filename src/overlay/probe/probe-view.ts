@@ -1,10 +1,11 @@
-// How is a probed point shown on the page? Arrows over the picture, a cross-hair for the keyboard, a box with the sum, and announcements.
-// Knows which light is looked at, but not which point is next.
+// Shows a probed point on the page: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and
+// announcements. Knows which light is looked at, but not which point is next.
+import { html, render } from 'lit';
+import { create, set } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
-import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
-import { create, set } from '../../element/viewer/template.js';
+import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { Primitive } from '../drawing/display-list.js';
 import type { Box } from '../drawing/label-layout.js';
@@ -13,7 +14,7 @@ import { SvgLayer } from '../drawing/svg-layer.js';
 import { Announcer } from './announcer.js';
 import { drawingOf, markOf } from './drawing.js';
 import { figureOf } from './figure.js';
-import { ProbeBox } from './probe-box.js';
+import { type BoxState, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
 import { trianglePlaces } from './triangle.js';
@@ -39,19 +40,29 @@ const KEYS =
 export class ProbeView {
   readonly root = create('div', { class: 'probe' });
   /** The cross-hair. The mark that is seen is part of the drawing. */
-  readonly cursor = create('div', { class: 'cursor', tabindex: '0', role: 'application' });
+  readonly cursor: HTMLElement;
   readonly #host: ExtraHost;
   readonly #drawing = new SvgLayer();
   readonly #announcer = new Announcer();
   readonly #box: ProbeBox;
   #shown: Shown | null = null;
+  #releasable = false;
+  #showing = false;
+  /** {@link #show} was called while it ran. */
+  #again = false;
+  /** The texts that it is shown in. */
+  #language: ViewerTexts | null = null;
+  /** Where the cross-hair is, for CSS. */
+  #place = '';
 
   /** `release` is called by the button that removes the pin. */
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
     this.#box = new ProbeBox(() => this.#show(), release);
     addStyles(host.viewer.shadowRoot!, styles);
-    this.root.append(this.#drawing.element, this.cursor, this.#box.element, this.#announcer.element);
+    this.#render('');
+    this.cursor = this.root.querySelector('.cursor')!;
+    this.#box.follow(this.root);
     host.tree.layer.append(this.root);
   }
 
@@ -97,8 +108,8 @@ export class ProbeView {
   /** `releasable`: the user has pinned the point. */
   show(shown: Shown | null, releasable: boolean): void {
     this.#shown = shown;
-    const focused = this.#box.element.contains(this.#focus);
-    this.#box.setPinned(shown?.pinned === true, releasable);
+    this.#releasable = releasable;
+    const focused = this.hasFocus && this.#focus !== this.cursor;
     this.#show();
     // The focused row, button or box may have been removed.
     const gone = shown === null || this.#focus === null || !(this.#focus as HTMLElement).checkVisibility();
@@ -113,10 +124,9 @@ export class ProbeView {
     );
   }
 
-  nameCursor(): void {
-    set(this.cursor, 'aria-label', phrase(this.#texts, 'Probe'));
-    set(this.cursor, 'aria-roledescription', phrase(this.#texts, 'cross-hair'));
-    set(this.cursor, 'aria-description', phrase(this.#texts, KEYS));
+  /** Writes what is shown in other words, if the page's texts have changed. */
+  rename(): void {
+    if (this.#texts !== this.#language) this.#show();
   }
 
   dispose(): void {
@@ -144,28 +154,60 @@ export class ProbeView {
   }
 
   #show(): void {
-    set(this.root, 'data-shown', this.#shown === null ? null : '');
+    // Removing a row that has the focus ends the choice of its light, which shows another one: after this.
+    this.#again = this.#showing;
+    if (this.#showing) return;
+    this.#showing = true;
+    set(this.root, { 'data-shown': this.#shown === null ? null : '' });
     if (this.#shown === null) this.#drawing.show([]);
-    else this.#showPoint(this.#shown);
+    this.#render(this.#shown === null ? '' : this.#contentOf(this.#shown));
+    this.#showing = false;
+    if (this.#again) this.#show();
   }
 
-  #showPoint({ at, fragment, message }: Shown): void {
+  #render(content: BoxState['content']): void {
+    const texts = (this.#language = this.#texts);
+    const state = {
+      content,
+      pinned: this.#shown?.pinned === true,
+      releasable: this.#releasable,
+      texts,
+      width: this.size.width,
+    };
+    const probe = html`
+      ${this.#drawing.element}
+      <div
+        class="cursor"
+        tabindex="0"
+        role="application"
+        aria-label=${phrase(texts, 'Probe')}
+        aria-roledescription=${phrase(texts, 'cross-hair')}
+        aria-description=${phrase(texts, KEYS)}
+        .style=${this.#place}
+      ></div>
+      ${this.#box.template(state)} ${this.#announcer.element}
+    `;
+    render(probe, this.root);
+  }
+
+  /** Draws the arrows, and gives what the box shows. */
+  #contentOf({ at, fragment, message }: Shown): BoxState['content'] {
     const { values } = this.#host;
     const { x, y } = at ?? this.middle;
-    this.cursor.style.translate = `${x.toFixed(1)}px ${y.toFixed(1)}px`;
+    this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
     // The legend of a view is at the lower edge.
-    const covered = this.#box.keepAwayFrom(y, this.size, values.view === 'shaded' ? 'low' : 'high');
+    const preferred = values.view === 'shaded' ? 'low' : 'high';
+    const layer = { ...this.size, rtl: this.root.matches(':dir(rtl)') };
+    const covered = this.#box.keepAwayFrom(y, layer, preferred);
     if (at === null || fragment === null) {
       this.#drawing.show(at === null ? [] : markOf(at, true));
-      this.#box.showMessage(message, this.#texts);
-      return;
+      return message;
     }
     const sum = this.#sumOf(fragment);
-    const row = this.#rowOf(sum);
     this.#drawing.show(this.#drawingOf(fragment, at, this.projection, covered));
     const halfway = this.#isHalfway(fragment);
     const gouraud = this.#isGouraud(fragment);
-    this.#box.show({ fragment, sum, row, halfway, gouraud }, this.#texts, this.size.width);
+    return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
   }
 
   /** The arrows at `at`, with labels outside the covered box. */

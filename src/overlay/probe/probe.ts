@@ -1,5 +1,5 @@
-// The probe: which point does a viewer explain, and when? The place under the mouse or the cross-hair, or a pinned point in the scene. At
-// most one explanation runs at a time, one a frame, and none while nothing changes. Does not know how a point is shown.
+// The probe: the point that a viewer explains. It is the place under the mouse or the cross-hair, or a pinned point in
+// the scene. At most one explanation runs at a time, one a frame, and none while nothing changes.
 import type { ProbeDetail } from '../../element/events.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
@@ -13,8 +13,9 @@ import { ProbeView, type Shown } from './probe-view.js';
 import { HIDDEN, NOTHING, OUTSIDE } from './words.js';
 
 /**
- * Another surface hides a pinned point if it is nearer to the eye by more than this share of the distance. Nearer by less, it is the same
- * surface at the centre of the pixel: half a pixel away (about a tenth of this) a surface can still lean by more than 80 degrees.
+ * Another surface hides a pinned point if it is nearer to the eye by more than this share of the distance. Nearer by
+ * less, it is the same surface at the centre of the pixel: half a pixel away (about a tenth of this) a surface can
+ * still lean by more than 80 degrees.
  */
 const IN_FRONT = 0.005;
 
@@ -54,7 +55,7 @@ class Probe implements Extra, ProbeInputHost {
       this.#declared = probeAt;
       this.#pin = this.#free = null;
     }
-    this.#view.nameCursor();
+    this.#view.rename();
     this.#explainOncePerFrame();
   }
 

@@ -1,7 +1,7 @@
-// Which rows does the sum at a fragment have, and which light is it about? Plain values from an explanation of shadeAt. Colours in codes:
-// 255 is full. Knows neither elements of the page nor words in other languages.
-import type { PhongLight } from '../../element/phong-light.js';
-import type { FragmentExplanation, LightExplanation } from '../../element/viewer/shade-at.js';
+// The rows of the sum at a fragment, and the light that it is about. Plain values from an explanation of shadeAt.
+// Colours in codes: 255 is full.
+import type { PhongLight } from '../../element/elements.js';
+import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { srgbDecode } from '../../math/color.js';
 import { add, map, type Vec3 } from '../../math/vector.js';
 

@@ -1,5 +1,5 @@
-// Where are the corners of the triangle that a fragment belongs to? World space, as drawn now. Knows nothing of light.
-import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
+// The corners of the triangle that a fragment belongs to. World space, as drawn now.
+import type { FragmentExplanation } from '../../element/explanation.js';
 import type { Vec3 } from '../../math/vector.js';
 
 /** Three places; empty if the object's geometry has changed. */

@@ -1,7 +1,7 @@
-// How is a probed point said in words? For screen readers, which see neither arrows nor table, and for the line below the table. Plain
-// functions from values to text. Does not know when a text is read.
+// A probed point in words. For screen readers, which see neither arrows nor table, and for the line below the table.
+// Plain functions from values to text.
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
-import type { FragmentExplanation } from '../../element/viewer/shade-at.js';
+import type { FragmentExplanation } from '../../element/explanation.js';
 import { LEAST_EXPONENT } from '../../light/light-layout.js';
 import { byShare, degreesText, numberText, type Sum, type SumRow, tripleText } from './sum.js';
 

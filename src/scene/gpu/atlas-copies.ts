@@ -1,5 +1,6 @@
-// The 2D canvases of pictures that share one context: each shows a copy of its place in the atlas. A picture that is not
-// visible keeps its copy, so that scrolling back shows it at once, up to a common bound. Sizes are in device pixels.
+// The 2D canvases of pictures that share one context: each shows a copy of its place in the atlas. A picture that is
+// not visible keeps its copy, so that scrolling back shows it at once, up to a common bound. Sizes are in device
+// pixels.
 import type { Place, Size } from './atlas.js';
 
 /** A picture that is shown as a copy. */
@@ -25,8 +26,8 @@ export class AtlasCopies {
   readonly #fresh = new Set<CopyClient>();
 
   /**
-   * Shows one place of the atlas on `source`. Straight from the WebGL canvas: the browser resolves it once for all copies
-   * that follow each other, and no intermediate canvas or bitmap was faster (src/decisions/one-context.md).
+   * Shows one place of the atlas on `source`. Straight from the WebGL canvas: the browser resolves it once for all
+   * copies that follow each other, and no intermediate canvas or bitmap was faster (src/decisions/one-context.md).
    */
   show(client: CopyClient, source: HTMLCanvasElement, { x, y, width, height }: Place): void {
     const known = this.#canvases.get(client);
@@ -42,7 +43,8 @@ export class AtlasCopies {
     const blank = known === undefined || resized;
     const context = canvas.getContext('2d');
     if (context === null) return; // out of memory: the picture stays as it was
-    // For print, Chromium replays what was drawn since the last frame. There, `copy` erases all that lies below: the CSS background.
+    // For print, Chromium replays what was drawn since the last frame. There, `copy` erases all that lies below: the
+    // CSS background.
     context.globalCompositeOperation = blank ? 'source-over' : 'copy';
     context.drawImage(source, x, source.height - y - height, width, height, 0, 0, width, height);
     if (client.holder.firstChild !== canvas) client.holder.replaceChildren(canvas);
@@ -69,8 +71,8 @@ export class AtlasCopies {
   }
 
   /**
-   * Call after a frame. Releases the copies of invisible pictures beyond the bound, oldest first. Copies of this frame are
-   * kept: an invisible picture is drawn only to be printed.
+   * Call after a frame. Releases the copies of invisible pictures beyond the bound, oldest first. Copies of this frame
+   * are kept: an invisible picture is drawn only to be printed.
    */
   trim(): void {
     if (this.#fresh.size === 0) return; // reading the screen's size is a call into the browser

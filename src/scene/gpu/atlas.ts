@@ -1,5 +1,5 @@
-// Where do the pictures of one frame lie on the canvas that they share? Whole pixels from the canvas's bottom left corner,
-// as WebGL counts. Knows nothing of what is drawn.
+// Places the pictures of one frame on the canvas that they share. Whole pixels from the canvas's bottom left corner, as
+// WebGL counts.
 
 export interface Size {
   readonly width: number;

@@ -1,4 +1,4 @@
-// The 2D canvas that a capture is drawn into. Knows nothing of WebGL.
+// The 2D canvas that a capture is drawn into.
 
 /** A 2D canvas of this size in pixels, transparent; null if the browser has no memory for it. */
 export function newTarget(width: number, height: number): CanvasRenderingContext2D | null {

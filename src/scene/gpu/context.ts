@@ -1,4 +1,4 @@
-// The page's WebGL 2 context and three.js's renderer on it. Knows nothing of what is drawn.
+// The page's WebGL 2 context and three.js's renderer on it.
 import { getConsoleFunction, setConsoleFunction, WebGLRenderer } from 'three';
 import type { Size } from './atlas.js';
 
@@ -16,16 +16,16 @@ const CONTEXT: WebGLContextAttributes = {
 };
 
 /**
- * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel. Tiles of a capture and the
- * canvas of a new context are not larger.
+ * Pixels of the longest side of a drawing that any GPU has memory for, with 4 samples per pixel. Tiles of a capture and
+ * the canvas of a new context are not larger.
  */
 export const SAFE_SIDE = 4096;
 
 /**
- * Opens the context on a canvas of the size of the first drawing: opening small and growing takes 6 ms longer at 600 × 400
- * and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts on a canvas of one pixel: Chromium
- * gives no context for 8192 × 8192, nor any other to this page afterwards, but a canvas that grows gets a smaller drawing
- * buffer at worst. Throws {@link NoWebGL2Error}.
+ * Opens the context on a canvas of the size of the first drawing: opening small and growing takes 6 ms longer at 600 ×
+ * 400 and at 1920 × 1080 (medians of 24, software). A drawing beyond {@link SAFE_SIDE} starts on a canvas of one pixel:
+ * Chromium gives no context for 8192 × 8192, nor any other to this page afterwards, but a canvas that grows gets a
+ * smaller drawing buffer at worst. Throws {@link NoWebGL2Error}.
  */
 export function openContext({ width, height }: Size): WebGL2RenderingContext {
   const canvas = document.createElement('canvas');
@@ -54,8 +54,8 @@ export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
   });
   let renderer: WebGLRenderer;
   try {
-    // The canvas gives three.js the same context again. Given it, three.js would touch WebGLRenderingContext, whose interface the browser
-    // builds at the first touch (35 kB of heap).
+    // The canvas gives three.js the same context again. Given it, three.js would touch WebGLRenderingContext, whose
+    // interface the browser builds at the first touch (35 kB of heap).
     renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
   } finally {
     setConsoleFunction(log as ConsoleFunction);
@@ -69,8 +69,8 @@ export function rendererOf(context: WebGL2RenderingContext): WebGLRenderer {
 type ConsoleFunction = ReturnType<typeof getConsoleFunction>;
 
 /**
- * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup shows. three.js would
- * sort by material, in the order in which materials were created.
+ * Keeps the scene's order (sorting is stable): where surfaces coincide, the last one in the markup shows. three.js
+ * would sort by material, in the order in which materials were created.
  */
 const byScene = (a: Ordered, b: Ordered): number =>
   a.groupOrder - b.groupOrder || a.renderOrder - b.renderOrder;
@@ -86,7 +86,10 @@ interface Ordered {
   readonly z: number;
 }
 
-/** Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when the canvas has that size. */
+/**
+ * Longest side of a drawing, in pixels, by what the GPU says. Whether there is memory shows when the canvas has that
+ * size.
+ */
 export function largestSideOf(gl: WebGL2RenderingContext): number {
   // A lost context answers null.
   const viewport = (gl.getParameter(gl.MAX_VIEWPORT_DIMS) as Int32Array | null) ?? [];
@@ -99,8 +102,8 @@ export function largestSideOf(gl: WebGL2RenderingContext): number {
 }
 
 /**
- * Whether 2D canvases get the pixels of a restored context. After a crash of the GPU process they get none in Chromium (156),
- * however often the context draws: only a new canvas helps. Overwrites one drawing.
+ * Whether 2D canvases get the pixels of a restored context. After a crash of the GPU process they get none in Chromium
+ * (156), however often the context draws: only a new canvas helps. Overwrites one drawing.
  */
 export function canBeCopied(gl: WebGL2RenderingContext): boolean {
   gl.clearColor(1, 1, 1, 1);
@@ -110,7 +113,10 @@ export function canBeCopied(gl: WebGL2RenderingContext): boolean {
   return copy?.getImageData(0, 0, 1, 1).data[3] === 255;
 }
 
-/** Releases the context now, or as soon as it is restored. Browsers allow few, and garbage collection would release it late. */
+/**
+ * Releases the context now, or as soon as it is restored. Browsers allow few, and garbage collection would release it
+ * late.
+ */
 export function closeContext(gl: WebGL2RenderingContext): void {
   const close = (): void => gl.getExtension('WEBGL_lose_context')?.loseContext(); // null while the context is lost
   gl.canvas.addEventListener('webglcontextrestored', close, { once: true });

@@ -37,8 +37,9 @@ export class LinkCheck {
 }
 
 /**
- * V8 (Chromium 156) compiles three.js's loop over a program's attributes again and again once a page has used two programs:
- * 0.4 µs a mesh, a quarter of the script of 2,000 boxes. It does not where nothing can be added to them, and three.js never does.
+ * V8 (Chromium 156) compiles three.js's loop over a program's attributes again and again once a page has used two
+ * programs: 0.4 µs a mesh, a quarter of the script of 2,000 boxes. It does not where nothing can be added to them, and
+ * three.js never does.
  */
 function sealAttributes(program: Program): void {
   Object.preventExtensions(program.getAttributes());

@@ -1,5 +1,5 @@
-// The life of the page's one WebGL context: opened with the first drawing, lost and restored, refused and tried again, closed
-// with the last picture. Sizes its canvas. Knows nothing of pictures or where they lie.
+// The life of the page's one WebGL context: opened with the first drawing, lost and restored, refused and tried again,
+// closed with the last picture. Sizes its canvas.
 import type { WebGLRenderer } from 'three';
 import { deviceOf } from '../../material/device.js';
 import type { AtlasLimit, Size } from './atlas.js';
@@ -26,9 +26,9 @@ export interface ContextEvents {
 }
 
 /**
- * closed → open ⇄ lost. An opening that fails ends in `refused`; `retrying` opens with the next drawing, like `closed`. A
- * refused context is tried again when a viewer connects and when the document becomes visible. A browser refuses when it is
- * out of memory or restarts its GPU process, and no event says that this is over.
+ * closed → open ⇄ lost. An opening that fails ends in `refused`; `retrying` opens with the next drawing, like `closed`.
+ * A refused context is tried again when a viewer connects and when the document becomes visible. A browser refuses when
+ * it is out of memory or restarts its GPU process, and no event says that this is over.
  */
 type State = 'closed' | 'open' | 'lost' | 'refused' | 'retrying';
 
@@ -170,7 +170,8 @@ export class SharedContext {
     if (document.visibilityState === 'visible') this.retry();
   };
 
-  // three.js must not see either event: it would write to the console, and a restored context gets a new renderer anyway.
+  // three.js must not see either event: it would write to the console, and a restored context gets a new renderer
+  // anyway.
   readonly #onLost = (event: Event): void => {
     event.stopImmediatePropagation();
     event.preventDefault(); // otherwise the context is never restored

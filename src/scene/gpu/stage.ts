@@ -1,6 +1,6 @@
-// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself. Several
-// pictures are drawn next to each other into an atlas on that canvas, and each is then copied into a canvas of its own.
-// Knows nothing of scenes, lights or elements. Reasons and figures: src/decisions/one-context.md.
+// The page's one WebGL context and where its pixels go. A picture alone on the page shows the WebGL canvas itself.
+// Several pictures are drawn next to each other into an atlas on that canvas, and each is then copied into a canvas of
+// its own. Reasons and figures: src/decisions/one-context.md.
 import type { WebGLRenderer } from 'three';
 import { AtlasCopies, type CopyClient, screenPixels } from './atlas-copies.js';
 import { type AtlasLayout, layOutAtlas, type Place, type Size } from './atlas.js';
@@ -16,6 +16,8 @@ export interface StageClient extends CopyClient {
   readonly upToDate: boolean;
   /** Draw again now, before the browser shows the page. */
   redraw(): void;
+  /** What has been drawn is on the pictures' canvases. Pixels of a lone one can be read until the task ends. */
+  shown(): void;
   /** The GPU has lost everything: release it. */
   contextLost(): void;
   /** Drawing is possible again, after either of the others. */
@@ -104,8 +106,8 @@ class Stage {
 
   /**
    * Draws one client's picture with `render`, which must not clear, and shows it before the browser shows the page. The
-   * first call opens the context. False: nothing is drawn, because there is no context. All clients are notified of that,
-   * and again when drawing is possible.
+   * first call opens the context. False: nothing is drawn, because there is no context. All clients are notified of
+   * that, and again when drawing is possible.
    */
   draw(client: StageClient, render: (renderer: WebGLRenderer) => void): boolean {
     try {
@@ -126,9 +128,9 @@ class Stage {
   }
 
   /**
-   * Draws a picture that is not shown into a 2D canvas of exactly `width` × `height` pixels, in tiles where it is larger
-   * than the context can hold. `render` draws the given part and must not clear. Throws RangeError where no canvas can
-   * hold the picture.
+   * Draws a picture that is not shown into a 2D canvas of exactly `width` × `height` pixels, in tiles where it is
+   * larger than the context can hold. `render` draws the given part and must not clear. Throws RangeError where no
+   * canvas can hold the picture.
    */
   capture(
     { width, height }: Size,
@@ -136,8 +138,8 @@ class Stage {
   ): HTMLCanvasElement {
     const target = newTarget(width, height);
     if (target === null) {
-      // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory for
-      // this many pixels.
+      // When the GPU process crashes, 2D canvases fail before WebGL knows that its context is lost. Any GPU has memory
+      // for this many pixels.
       if (this.#context.noticeLoss() || width * height <= SAFE_SIDE ** 2) throw contextLost();
       throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
     }
@@ -208,7 +210,10 @@ class Stage {
     for (const client of this.#clients) client.invalidate();
   }
 
-  /** Where `client` draws. The first picture of a frame starts an atlas and reserves places for all that are out of date. */
+  /**
+   * Where `client` draws. The first picture of a frame starts an atlas and reserves places for all that are out of
+   * date.
+   */
   #placeOf(client: StageClient, renderer: WebGLRenderer): Place {
     const reserved = this.#places.get(client);
     this.#places.delete(client); // a second drawing needs a cleared place
@@ -237,8 +242,8 @@ class Stage {
   }
 
   /**
-   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a while.
-   * False like {@link #resize}.
+   * Makes the canvas at least this large. A new size costs new buffers, so a canvas that is too large stays for a
+   * while. False like {@link #resize}.
    */
   #makeRoom(renderer: WebGLRenderer, { width, height }: Size): boolean {
     const canvas = renderer.domElement;
@@ -282,6 +287,7 @@ class Stage {
     this.#inFrame = false;
     this.#showDrawn();
     this.#copies.trim();
+    for (const client of this.#clients) client.shown();
   };
 
   readonly #closeIfEmpty = (): void => {
@@ -290,8 +296,8 @@ class Stage {
 }
 
 /**
- * Clears the whole canvas to transparent. Unscissored, which the GPU does without drawing. A scene with a background colour
- * leaves three.js's clear colour changed.
+ * Clears the whole canvas to transparent. Unscissored, which the GPU does without drawing. A scene with a background
+ * colour leaves three.js's clear colour changed.
  */
 function clear(renderer: WebGLRenderer): void {
   renderer.setScissorTest(false);

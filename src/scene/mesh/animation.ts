@@ -1,5 +1,5 @@
-// Which pose does a mesh's content show? That of an animation at a time, or its own. Knows neither clocks nor elements.
-import type { Motion } from './content.js';
+// The pose that a mesh's content shows: that of an animation at a time, or its own.
+import type { Motion } from '../../model/content.js';
 import type { ShapeValues } from './mesh-fields.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;

@@ -1,30 +1,36 @@
-// Which content do a mesh's values name, and is it there? One load at a time: a newer one replaces it. Knows neither materials nor
-// how content is shown.
+// Loads the content that a mesh's values name. One load at a time: a newer one replaces it.
 import { sameValue } from '../../fields/field-store.js';
-import type { CrossOrigin } from '../model/load-model.js';
-import { fileName } from './file-name.js';
-import { type Content, modelContent, NOTHING, shapeContent } from './content.js';
+import type { CrossOrigin } from '../../model/load-model.js';
+import { fileName } from '../../model/file-name.js';
+import { type Content, NOTHING } from '../../model/content.js';
+import { requestModel, shapeContent } from './content.js';
 import type { ShapeValues } from './mesh-fields.js';
+import { shapeNeeds } from './shapes/shapes.js';
+import type { Claim, Claimant, TriangleBudget } from './triangle-budget.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
 /** What shows the content. */
-export interface ContentOwner {
-  /** `late` unless it was there at once. `url` is null for a shape. */
-  arrived(content: Content, url: URL | null, late: boolean): void;
+export interface ContentOwner extends Claimant {
+  /** `late` unless it was there at once. `url` is null for a shape. The owner releases the claim. */
+  arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void;
 }
 
 /** Follows the loads of all owners. */
 export interface LoadHost<Owner> {
   readonly crossOrigin: CrossOrigin;
-  /** Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was removed. */
+  readonly budget: TriangleBudget;
+  /**
+   * Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was
+   * removed.
+   */
   readonly mayLoad: boolean;
   /** A load that takes a while has begun. Either {@link ended} or {@link dropped} follows. */
   began(owner: Owner): void;
   progress(owner: Owner, loaded: number, total: number): void;
   /**
-   * A load has ended, or what it brought cannot be shown; `error` is null on success. Not called for loads that a newer one
-   * replaced.
+   * A load has ended, or what it brought cannot be shown; `error` is null on success. Not called for loads that a newer
+   * one replaced.
    */
   ended(owner: Owner, url: URL | null, error: unknown): void;
   /** A load in progress was cancelled, or what failed is no longer wanted. */
@@ -60,20 +66,22 @@ export class ContentLoad<Owner extends ContentOwner> {
     if (sameValue(key, this.#request) || (src !== '' && !this.#host.mayLoad)) return;
     this.drop();
     this.#request = key;
+    const claim = this.#host.budget.claim(this.#owner);
     if (src !== '') {
       const url = addressOf(src);
-      this.#await(url, (signal) => this.#loadModel(url, { src, type }, signal));
+      this.#await(url, claim, (signal) => this.#loadModel(url, { src, type }, claim, signal));
       return;
     }
-    let content: Content | Promise<Content>;
     try {
-      content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+      // Before the shape is built. Coarser levels of a shape would be chosen here.
+      if (geometry !== null) claim.add(shapeNeeds(geometry, segments ?? undefined, this.#owner.wantsFlat));
+      const content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+      if (content instanceof Promise) this.#await(null, claim, () => content);
+      else this.#owner.arrived(content, claim, null, false);
     } catch (error) {
+      claim.release();
       this.fail(null, error);
-      return;
     }
-    if (content instanceof Promise) this.#await(null, () => content);
-    else this.#owner.arrived(content, null, false);
   }
 
   /** What has arrived cannot be used. */
@@ -94,6 +102,7 @@ export class ContentLoad<Owner extends ContentOwner> {
 
   drop(): void {
     const dropped = this.pending || this.#failed;
+    this.#host.budget.forget(this.#owner);
     this.#loading?.abort();
     this.#loading = null;
     this.#failed = false;
@@ -108,6 +117,7 @@ export class ContentLoad<Owner extends ContentOwner> {
   async #loadModel(
     url: URL | null,
     { src, type }: Pick<ContentName, 'src' | 'type'>,
+    claim: Claim,
     signal: AbortSignal,
   ): Promise<Content> {
     if (url === null) throw new TypeError(`src=${JSON.stringify(src)} is not an address`);
@@ -115,14 +125,14 @@ export class ContentLoad<Owner extends ContentOwner> {
     const onProgress = (loaded: number, total: number): void => {
       this.#host.progress(this.#owner, loaded, total);
     };
-    return modelContent(
+    return requestModel(
       url,
-      { signal, onProgress, crossOrigin, type: type ?? '' },
+      { signal, onProgress, onValues: claim.addValues, crossOrigin, type: type ?? '' },
       typeof src === 'string' ? null : src,
     );
   }
 
-  #await(url: URL | null, load: (signal: AbortSignal) => Promise<Content>): void {
+  #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): void {
     const loading = new AbortController();
     this.#loading = loading;
     this.#host.began(this.#owner);
@@ -130,12 +140,19 @@ export class ContentLoad<Owner extends ContentOwner> {
       (content) => {
         if (this.#loading !== loading) {
           content.dispose();
+          claim.release();
           return;
         }
         this.#loading = null;
-        this.#owner.arrived(content, url, true);
+        try {
+          this.#owner.arrived(content, claim, url, true);
+        } catch (error) {
+          claim.release();
+          this.fail(url, error);
+        }
       },
       (error: unknown) => {
+        claim.release();
         if (this.#loading !== loading) return;
         this.#loading = null;
         loading.abort(); // ends what is still being downloaded

@@ -1,47 +1,13 @@
-// What does a mesh show? A built-in shape or a loaded model, fetched and brought into one form. Knows neither materials nor
-// elements.
+// What a mesh shows: a built-in shape or a loaded model, fetched and brought into one form.
 import { type BufferGeometry, Matrix4 } from 'three';
-import type { Sides } from '../../material/back-faces.js';
-import { type BaseLook, PLAIN_LOOK } from '../../material/phong-material.js';
-import type { SurfaceValues } from '../../material/material-values.js';
-import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
-import { lazyCode } from '../lazy-code.js';
-import { gltfCode, isNamedGltf } from '../model/gltf-code.js';
-import type { LoadOptions } from '../model/load-model.js';
-import { isDataUri, requestFile } from '../model/request-file.js';
-
-/** A geometry and how it looks, as far as its file or shape says. */
-export interface ContentPart {
-  readonly name: string;
-  readonly geometry: BufferGeometry;
-  /** Part to mesh. {@link Motion} changes it. */
-  readonly matrix: Matrix4;
-  readonly look: BaseLook;
-  /** `closed` for opaque closed shapes, `single` or `double` as a file says. */
-  readonly sides: Sides;
-  /** Surface values from the file; HTML's units. */
-  readonly surface: Partial<SurfaceValues>;
-}
-
-/** The animations of a content. */
-export interface Motion {
-  /** As in the file. */
-  readonly names: readonly string[];
-  /** Length in seconds of the animation with this name; of the first one if the name is empty or unknown. */
-  durationOf(name: string): number;
-  /** Writes a pose into the parts' matrices and geometries. After its end an animation begins again. Null: the pose without animation. */
-  pose(name: string | null, seconds: number): void;
-}
-
-export interface Content {
-  readonly parts: readonly ContentPart[];
-  /** Null if nothing in it moves. */
-  readonly motion: Motion | null;
-  /** Frees it. Call once for each mesh that shows it. */
-  dispose(): void;
-}
-
-export const NOTHING: Content = { parts: [], motion: null, dispose: () => undefined };
+import { PLAIN_LOOK } from '../../material/base-look.js';
+import type { Content } from '../../model/content.js';
+import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry, shapeNeeds } from './shapes/shapes.js';
+import { flatTriangles, type Need } from './triangle-budget.js';
+import { lazyCode } from '../../model/lazy-code.js';
+import { gltfCode, isNamedGltf } from '../../model/gltf-code.js';
+import type { LoadOptions } from '../../model/load-model.js';
+import { isDataUri, requestFile } from '../../model/request-file.js';
 
 /** A built-in shape: at once if its code is loaded, else a promise. */
 export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
@@ -59,6 +25,7 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
         },
       };
       shapeContents.set(ready, known);
+      flatNeeds.set(known, shapeNeeds(name, wanted, true));
     }
     return known;
   };
@@ -68,13 +35,27 @@ export function shapeContent(name: GeometryName, segments: number | null): Conte
 /** Equal shapes are one content. */
 const shapeContents = new WeakMap<BufferGeometry, Content>();
 
+/** What flat copies of a content's geometries hold. */
+export const flatNeedsOf = (content: Content): readonly Need[] =>
+  flatNeeds.get(content) ??
+  [...new Set(content.parts.map(({ geometry }) => geometry))].map((geometry) => ({
+    key: geometry,
+    triangles: flatTriangles(geometry),
+    flat: true,
+  }));
+
+/** Those of shapes, which are claimed before there is a geometry. */
+const flatNeeds = new WeakMap<Content, readonly Need[]>();
+
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
 
 /** The code that reads models. */
-export const modelCode = /* @__PURE__ */ lazyCode(() => import('../model/model-content.js'), 'models');
+export const modelCode = /* @__PURE__ */ lazyCode(() => import('../../model/model-content.js'), 'models');
 
-/** A model from its address or a file. A file is requested at once; the code that reads models comes with the first one. */
-export async function modelContent(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
+/**
+ * A model from its address or a file. A file is requested at once; the code that reads models comes with the first one.
+ */
+export async function requestModel(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
   const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
   // Its failure is reported when the file is read.
   if (request !== null && isNamedGltf(url.pathname)) gltfCode().catch(() => undefined);

@@ -1,5 +1,5 @@
-// The values that a mesh declares, with domains and defaults: geometry, place, surface and its own shading. In HTML's units.
-// Knows neither elements nor how a mesh is drawn.
+// The values that a mesh declares, with domains and defaults: geometry, place, surface and its own shading. In HTML's
+// units.
 import { LIMITS } from '../../light/light-state.js';
 import { SURFACE_FIELDS, type SurfaceValues } from '../../material/material-values.js';
 import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/shading-style.js';
@@ -16,38 +16,28 @@ import {
 } from '../../fields/field.js';
 import type { Vec3 } from '../../math/vector.js';
 import { GEOMETRIES, type GeometryName } from './shapes/shapes.js';
+import { MODEL_TYPES, type ModelType } from '../../model/format-names.js';
 
 /** Where a mesh's triangles come from. `src` wins if both are given. */
 export interface ShapeValues extends SurfaceValues {
   /** URL of a model, relative to the page, or a `Blob` or `File` that holds one (property only); empty for none. */
   src: string | Blob;
-  /** Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default null. */
+  /**
+   * Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default null.
+   */
   type: ModelType | null;
   /** A built-in shape; null for none. */
   geometry: GeometryName | null;
   /** Segments around the shape, 1–512; null for the shape's default. */
   segments: number | null;
-  /** Plays the model's animation in a loop, while it is in view. Stopped for users who prefer reduced motion. Default false. */
+  /**
+   * Plays the model's animation in a loop, while it is in view. Stopped for users who prefer reduced motion. Default
+   * false.
+   */
   autoplay: boolean;
   /** Which of the model's animations `autoplay` plays, by its name in the file. Default empty: the first one. */
   animationName: string;
 }
-
-/** Words and media types for the formats of models. */
-const MODEL_TYPES = [
-  'gltf',
-  'glb',
-  'obj',
-  'stl',
-  'ply',
-  'model/gltf-binary',
-  'model/gltf+json',
-  'model/obj',
-  'model/stl',
-  'model/ply',
-] as const;
-
-export type ModelType = (typeof MODEL_TYPES)[number];
 
 export interface MeshValues extends ShapeValues {
   /** Shown in the panel and in explanations. */

@@ -1,19 +1,20 @@
-// Which three.js meshes show a content, with which geometries and surfaces? Knows neither loads nor frames.
+// The three.js meshes that show a content, with their geometries and surfaces.
 import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three';
 import type { FieldStore } from '../../fields/field-store.js';
-import { flatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
+import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { BaseLook, PhongMaterial } from '../../material/phong-material.js';
+import type { BaseLook } from '../../material/base-look.js';
+import type { PhongMaterial } from '../../material/phong-material.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
-import { extremePointsOf, shareExtremePoints } from '../extreme-points.js';
-import { VALUE_LIMIT } from '../model/limits.js';
-import { ModelError } from '../model/model.js';
+import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
-import { type Content, type ContentPart, NOTHING } from './content.js';
-import type { ShapeValues } from './mesh-fields.js';
+import { type Content, type ContentPart, NOTHING } from '../../model/content.js';
+import { flatNeedsOf } from './content.js';
+import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
+import type { Claim } from './triangle-budget.js';
 
 export interface Part {
   readonly mesh: Mesh;
@@ -26,6 +27,8 @@ export interface Part {
 /** Content in the scene. */
 export interface Shown {
   readonly content: Content;
+  /** What the content holds of its viewer's triangles. */
+  readonly claim: Claim | null;
   readonly parts: readonly Part[];
   /** Null where there is nothing to show. */
   readonly root: Object3D | null;
@@ -35,15 +38,22 @@ export interface Shown {
   readonly animation: MeshAnimation | null;
 }
 
-export const EMPTY: Shown = { content: NOTHING, parts: [], root: null, url: null, animation: null };
+export const EMPTY: Shown = {
+  content: NOTHING,
+  claim: null,
+  parts: [],
+  root: null,
+  url: null,
+  animation: null,
+};
 
 /**
- * The geometries that show these parts, smooth or flat, and measured: all memory that showing them takes, but for the GPU's.
- * Throws if there is not enough.
+ * The geometries that show a content, smooth or flat, and measured: all memory that showing it takes, but for the
+ * GPU's. Throws if there is not enough, or if flat copies are beyond the limit of `claim`.
  */
-export function geometriesOf(parts: readonly ContentPart[], flat: boolean): BufferGeometry[] {
-  if (flat) checkFlat(parts);
-  return parts.map(({ geometry }) => {
+export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
+  if (flat) claim?.add(flatNeedsOf(content));
+  return content.parts.map(({ geometry }) => {
     extremePointsOf(geometry);
     if (!flat) return geometry;
     const copy = flatGeometry(geometry);
@@ -52,34 +62,68 @@ export function geometriesOf(parts: readonly ContentPart[], flat: boolean): Buff
   });
 }
 
-/** Flat shading gives every corner values of its own. They may be as many as those of a file. */
-function checkFlat(parts: readonly ContentPart[]): void {
-  let values = 0;
-  for (const { attributes, index } of new Set(parts.map(({ geometry }) => geometry))) {
-    const floats = Object.entries(attributes).map(([name, { itemSize }]) =>
-      name === 'normal' ? 0 : itemSize,
-    );
-    const corners = index?.count ?? attributes['position']?.count ?? 0;
-    values += corners * floats.reduce((sum, size) => sum + size, 3);
-  }
-  if (values > VALUE_LIMIT)
-    throw new ModelError('too-large', 'The model has too many triangles for shading="flat".');
+/**
+ * Parts that show a flat copy, by the copy's source. The last one frees it: it takes more than three times the source's
+ * memory.
+ */
+const flatUsers = new WeakMap<BufferGeometry, number>();
+
+function countFlat({ mesh, source }: Pick<Part, 'mesh' | 'source'>, change: 1 | -1): void {
+  const { geometry } = source;
+  if (mesh.geometry === geometry) return;
+  const users = (flatUsers.get(geometry) ?? 0) + change;
+  flatUsers.set(geometry, users);
+  if (users === 0) forgetFlatGeometry(geometry);
 }
 
+/** Shows the parts by these geometries, as {@link geometriesOf} gave them. */
+export function setGeometries(parts: readonly Part[], geometries: readonly BufferGeometry[]): void {
+  parts.forEach((part, i) => {
+    const geometry = geometries[i]!;
+    if (part.mesh.geometry === geometry) return;
+    countFlat(part, -1);
+    part.mesh.geometry = geometry;
+    countFlat(part, 1);
+  });
+}
+
+/** Call after the next ones are acquired: equal looks keep their material, and so their program. */
+export function freeShown({ content, claim, parts }: Shown, materials: SharedMaterials): void {
+  releaseParts(parts, materials);
+  content.dispose();
+  claim?.release();
+}
+
+function releaseParts(parts: readonly Part[], materials: SharedMaterials): void {
+  for (const part of parts) {
+    materials.release(part.material);
+    countFlat(part, -1);
+  }
+}
+
+/** Throws if there is no memory for them, and keeps no material then. */
 export function partsOf(
   content: Content,
   geometries: readonly BufferGeometry[],
   materials: SharedMaterials,
   appearanceOf: (source: ContentPart) => Appearance,
 ): Part[] {
-  return content.parts.map((source, i) => {
-    const appearance = appearanceOf(source);
-    const material = materials.acquire(appearance);
-    const mesh = new Mesh(geometries[i], material);
-    mesh.name = source.name;
-    mesh.matrixAutoUpdate = false;
-    return { mesh, material, look: appearance.look, surface: appearance.surface, source };
-  });
+  const parts: Part[] = [];
+  try {
+    content.parts.forEach((source, i) => {
+      const appearance = appearanceOf(source);
+      const mesh = new Mesh(geometries[i], materials.acquire(appearance));
+      mesh.name = source.name;
+      mesh.matrixAutoUpdate = false;
+      countFlat({ mesh, source }, 1);
+      const { look, surface } = appearance;
+      parts.push({ mesh, material: mesh.material, look, surface, source });
+    });
+    return parts;
+  } catch (error) {
+    releaseParts(parts, materials);
+    throw error;
+  }
 }
 
 /** A part that its content does not move needs no group around it: 2,000 boxes are 2,000 objects. */
@@ -96,13 +140,42 @@ export function rootOf(parts: readonly Part[], moves: boolean): Object3D | null 
   return group;
 }
 
-/** `rotation` in degrees. */
-export function placeRoot(root: Object3D, position: Vec3, rotation: Vec3, scale: Vec3): void {
-  root.position.set(...position);
-  root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
-  root.scale.set(...scale);
-  root.updateMatrix();
+/**
+ * Where a mesh was last put. Values are replaced when they change, so those that are the same need not be written
+ * again.
+ */
+export class Placement {
+  #position: Vec3 | null = null;
+  #rotation: Vec3 | null = null;
+  #scale: Vec3 | null = null;
+
+  /** The next {@link put} writes whatever its values are: the root is a new one. */
+  forget(): void {
+    this.#position = null;
+  }
+
+  /** Puts the root there, `rotation` in degrees; without one only takes note. False if the values are as before. */
+  put(
+    root: Object3D | null,
+    { position = ZERO, rotation = ZERO, scale = ONE }: Partial<PlaceValues>,
+  ): boolean {
+    if (position === this.#position && rotation === this.#rotation && scale === this.#scale) return false;
+    this.#position = position;
+    this.#rotation = rotation;
+    this.#scale = scale;
+    if (root === null) return true;
+    root.position.set(...position);
+    root.rotation.set(radians(rotation[0]), radians(rotation[1]), radians(rotation[2]));
+    root.scale.set(...scale);
+    root.updateMatrix();
+    return true;
+  }
 }
+
+type PlaceValues = Readonly<Pick<MeshValues, 'position' | 'rotation' | 'scale'>>;
+
+const ZERO: Vec3 = [0, 0, 0];
+const ONE: Vec3 = [1, 1, 1];
 
 /** Updates meshes to their content's current pose. */
 export function followPose(parts: readonly Part[]): void {
@@ -116,8 +189,17 @@ export function followPose(parts: readonly Part[]): void {
 
 const IDENTITY = /* @__PURE__ */ new Matrix4();
 
+/** How a part looks in this style. */
+export function appearanceOf(
+  state: FieldStore<ShapeValues>,
+  source: ContentPart,
+  style: Pick<Appearance, 'shading' | 'reflection'>,
+): Appearance {
+  return { look: lookOf(state, source), sides: source.sides, surface: surfaceOf(state, source), ...style };
+}
+
 /** Attributes win, then the file's values, then the defaults. */
-export function surfaceOf(state: FieldStore<ShapeValues>, { surface }: ContentPart): SurfaceValues {
+function surfaceOf(state: FieldStore<ShapeValues>, { surface }: ContentPart): SurfaceValues {
   const { values } = state;
   const valueOf = <K extends keyof SurfaceValues>(key: K): SurfaceValues[K] =>
     (state.given(key) ? undefined : surface[key]) ?? values[key];
@@ -125,7 +207,7 @@ export function surfaceOf(state: FieldStore<ShapeValues>, { surface }: ContentPa
 }
 
 /** The file's look. An exponent that the author gives replaces the file's roughness. */
-export function lookOf(state: FieldStore<ShapeValues>, { look }: ContentPart): BaseLook {
+function lookOf(state: FieldStore<ShapeValues>, { look }: ContentPart): BaseLook {
   if (look.roughness === null || !state.given('shininess')) return look;
   const known = smooth.get(look) ?? { ...look, roughness: null };
   smooth.set(look, known);
@@ -135,5 +217,25 @@ export function lookOf(state: FieldStore<ShapeValues>, { look }: ContentPart): B
 /** Looks without their roughness: the same object each time, because materials are compared by it. */
 const smooth = new WeakMap<BaseLook, BaseLook>();
 
-export const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
+/**
+ * Gives a part the material for how it looks now. False if that is as before, unless `restyled`.
+ * Throws if there is no memory for it: the part keeps the material that it has, and is not tried again for the same
+ * values.
+ */
+export function dress(
+  part: Part,
+  appearance: Appearance,
+  materials: SharedMaterials,
+  restyled: boolean,
+): boolean {
+  const { look, surface } = appearance;
+  if (!restyled && look === part.look && sameSurface(surface, part.surface)) return false;
+  part.look = look;
+  part.surface = surface;
+  part.material = materials.exchange(part.material, appearance);
+  part.mesh.material = part.material;
+  return true;
+}
+
+const sameSurface = (a: SurfaceValues, b: SurfaceValues): boolean =>
   a.ka === b.ka && a.kd === b.kd && a.ks === b.ks && a.shininess === b.shininess;

@@ -1,30 +1,31 @@
-// One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until the next
-// one is there and can be shown. Knows neither elements nor frames.
-import type { BufferGeometry, Object3D } from 'three';
+// One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
+// the next one is there and can be shown.
+import type { Object3D } from 'three';
 import type { Animated, Animations } from '../animations.js';
-import type { ShadingStyle } from '../../material/phong-material.js';
+import type { ShadingStyle } from '../../material/shading-style.js';
 import type { FieldStore } from '../../fields/field-store.js';
-import type { Vec3 } from '../../math/vector.js';
-import { ModelError } from '../model/model.js';
-import { isOutOfMemory } from '../out-of-memory.js';
+import { ModelError } from '../../model/model.js';
+import { isOutOfMemory } from '../../model/out-of-memory.js';
 import { MeshAnimation } from './animation.js';
 import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { Content, ContentPart } from './content.js';
+import type { Content, ContentPart } from '../../model/content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
+  appearanceOf,
+  dress,
   EMPTY,
   followPose,
+  freeShown,
   geometriesOf,
-  lookOf,
   partsOf,
   type Part,
-  placeRoot,
+  Placement,
   rootOf,
-  sameSurface,
+  setGeometries,
   type Shown,
-  surfaceOf,
 } from './parts.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
+import type { Claim } from './triangle-budget.js';
 
 /** The picture that shows a mesh. */
 export interface MeshHost extends LoadHost<SceneMesh> {
@@ -34,7 +35,10 @@ export interface MeshHost extends LoadHost<SceneMesh> {
   changed(): void;
   /** The mesh's geometry or place is different: measure again. */
   reshaped(): void;
-  /** The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content before is kept. */
+  /**
+   * The mesh has new content, which has not been drawn yet. True if it will be drawn soon: until then the content
+   * before is kept.
+   */
   shown(mesh: SceneMesh): boolean;
   /** The mesh was removed from the scene. */
   removed(mesh: SceneMesh): void;
@@ -54,10 +58,10 @@ export class SceneMesh implements Animated, ContentOwner {
   #before: Shown | null = null;
   /** There was no memory for flat normals. Until another shading is wanted, the mesh keeps the one it has. */
   #notFlat = false;
-  /** As last written to the scene; null for not yet. Values are replaced when they change. */
-  #position: Vec3 | null = null;
-  #rotation: Vec3 | null = null;
-  #scale: Vec3 | null = null;
+  /** There was no memory for a material: one of the parts does not look as its values say. */
+  #notRestyled = false;
+  readonly #placement = new Placement();
+  /** As last written to the scene; null for not yet. */
   #shading: Shading | null = null;
   /** What the geometries were made for; null for not known. */
   #effective: Shading | null = null;
@@ -69,8 +73,28 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#load = new ContentLoad<SceneMesh>(this, host);
   }
 
-  arrived(content: Content, url: URL | null, late: boolean): void {
-    if (!this.#show(content, url) || !late) return;
+  get wantsFlat(): boolean {
+    return this.#wantedShading === 'flat';
+  }
+
+  /** There is room for what was refused: requests it again. */
+  again(): void {
+    this.retry();
+    this.update();
+  }
+
+  arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
+    let next: Shown;
+    try {
+      next = this.#prepared(content, claim, url);
+    } catch (error) {
+      content.dispose();
+      claim.release();
+      this.#load.fail(url, error);
+      return;
+    }
+    this.#show(next);
+    if (!late) return;
     this.#place();
     this.restyle();
     this.#host.ended(this, url, null);
@@ -91,6 +115,11 @@ export class SceneMesh implements Animated, ContentOwner {
     return this.#state.values;
   }
 
+  /** Its `src` is a file of the user's own, not an address. */
+  get isOwnFile(): boolean {
+    return typeof this.#values.src !== 'string';
+  }
+
   /** Its values name something to show. */
   get wanted(): boolean {
     return this.#values.src !== '' || this.#values.geometry !== null;
@@ -100,6 +129,11 @@ export class SceneMesh implements Animated, ContentOwner {
   get complete(): 'model' | 'shape' | null {
     if (this.root === null || !this.#load.has(this.#values)) return null;
     return this.#shown.url === null ? 'shape' : 'model';
+  }
+
+  /** What the model is shown without, by the names in it. */
+  get missing(): readonly string[] {
+    return this.#shown.content.missing ?? [];
   }
 
   /** The three.js meshes that show it, each with its material. */
@@ -138,7 +172,7 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** The present content has been drawn. */
   drawn(): void {
-    if (this.#before !== null) this.#free(this.#before);
+    if (this.#before !== null) freeShown(this.#before, this.#host.materials);
     this.#before = null;
   }
 
@@ -148,7 +182,7 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#replace(this.#before ?? EMPTY);
     this.#pose();
     this.#before = null;
-    this.#free(failed);
+    freeShown(failed, this.#host.materials);
     this.#effective = null;
     this.#place();
     this.restyle();
@@ -158,38 +192,44 @@ export class SceneMesh implements Animated, ContentOwner {
   /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
   restyle(): void {
     const { reflection = null } = this.#values;
-    const { materials } = this.#host;
     const shading = this.#reshade();
     const restyled = shading !== this.#shading || reflection !== this.#reflection;
     this.#shading = shading;
     this.#reflection = reflection;
+    let failure: unknown = null;
+    let exchanged = false;
     for (const part of this.#shown.parts) {
-      const appearance = this.#appearanceOf(part.source);
-      const { look, surface } = appearance;
-      if (restyled || look !== part.look || !sameSurface(surface, part.surface)) {
-        part.look = look;
-        part.surface = surface;
-        part.material = materials.exchange(part.material, appearance);
-        part.mesh.material = part.material;
+      const appearance = this.#appearanceOf(part.source, { shading, reflection });
+      try {
+        if (dress(part, appearance, this.#host.materials, restyled)) exchanged = true;
+      } catch (error) {
+        failure = error;
       }
     }
+    if (failure !== null) this.#host.ended(this, this.#shown.url, failure);
+    else if (exchanged && this.#notRestyled) this.#host.dropped(this);
+    if (failure !== null || exchanged) this.#notRestyled = failure !== null;
     this.#host.changed();
   }
 
-  /** Gives the parts the geometries that their shading needs. Returns the shading for their materials; null for the picture's. */
+  /**
+   * Gives the parts the geometries that their shading needs. Returns the shading for their materials; null for the
+   * picture's.
+   */
   #reshade(): Shading | null {
     const { shading = null } = this.#values;
     const wanted = this.#wantedShading;
     if (wanted === 'flat' && this.#notFlat) return this.#effective;
     if (wanted !== this.#effective) {
       try {
-        const geometries = geometriesOf(this.#shown.content.parts, wanted === 'flat');
-        this.parts.forEach(({ mesh }, i) => {
-          mesh.geometry = geometries[i]!;
-        });
+        const { content, claim, parts } = this.#shown;
+        setGeometries(parts, geometriesOf(content, wanted === 'flat', claim));
+        if (wanted !== 'flat') claim?.dropFlat();
         this.#effective = wanted;
+        this.#host.budget.review(); // other shading needs more or less
         this.#pose(); // a flat copy may be of an earlier pose
       } catch (error) {
+        if (this.#effective !== 'flat') this.#shown.claim?.dropFlat();
         this.#notFlat = true;
         this.#host.ended(this, this.#shown.url, error);
         return this.#effective;
@@ -222,52 +262,40 @@ export class SceneMesh implements Animated, ContentOwner {
     this.#parent = null;
     const before = this.#shown;
     this.#replace(EMPTY);
-    this.#free(before);
+    freeShown(before, this.#host.materials);
     this.drawn();
   }
 
-  #appearanceOf(source: ContentPart): Appearance {
-    const state = this.#state as FieldStore<ShapeValues>;
-    const look = lookOf(state, source);
-    const surface = surfaceOf(state, source);
-    const { sides } = source;
-    return { look, sides, surface, shading: this.#shading, reflection: this.#reflection };
+  /** In the style that its values, not the picture, say. */
+  #appearanceOf(source: ContentPart, style: Pick<Appearance, 'shading' | 'reflection'>): Appearance {
+    return appearanceOf(this.#state as FieldStore<ShapeValues>, source, style);
   }
 
   #place(): void {
-    const { position = ZERO, rotation = ZERO, scale = ONE, name = '' } = this.#values;
+    const { name = '' } = this.#values;
     const [part] = this.parts;
     const { root } = this;
     if (root !== null) root.name = name === '' && part?.mesh === root ? part.source.name : name;
-    if (position === this.#position && rotation === this.#rotation && scale === this.#scale) return;
-    this.#position = position;
-    this.#rotation = rotation;
-    this.#scale = scale;
-    if (root !== null) placeRoot(root, position, rotation, scale);
-    this.#host.reshaped();
+    if (this.#placement.put(root, this.#values)) this.#host.reshaped();
   }
 
-  /**
-   * Replaces what is shown, unless there is no memory for the new content: then everything stays as it was. Call {@link #place} and
-   * {@link restyle} next.
-   */
-  #show(content: Content, url: URL | null): boolean {
+  /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
+  #prepared(content: Content, claim: Claim, url: URL | null): Shown {
     const { motion } = content;
-    const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
-    let geometries: readonly BufferGeometry[];
-    try {
-      geometries = geometriesOf(content.parts, this.#wantedShading === 'flat');
-    } catch (error) {
-      content.dispose();
-      this.#load.fail(url, error);
-      return false;
-    }
-    this.#effective = this.#wantedShading;
     const { shading = null, reflection = null } = this.#values;
-    this.#shading = shading;
-    this.#reflection = reflection;
-    const parts = partsOf(content, geometries, this.#host.materials, (source) => this.#appearanceOf(source));
-    const next = { content, parts, root: rootOf(parts, motion !== null), url, animation };
+    const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
+    const geometries = geometriesOf(content, this.wantsFlat, claim);
+    const parts = partsOf(content, geometries, this.#host.materials, (source) =>
+      this.#appearanceOf(source, { shading, reflection }),
+    );
+    return { content, claim, parts, root: rootOf(parts, motion !== null), url, animation };
+  }
+
+  /** Replaces what is shown. Call {@link #place} and {@link restyle} next. */
+  #show(next: Shown): void {
+    this.#effective = this.#wantedShading;
+    this.#shading = this.#values.shading ?? null;
+    this.#reflection = this.#values.reflection ?? null;
     const before = this.#shown;
     this.#replace(next);
     this.#forgetNotFlat();
@@ -275,30 +303,20 @@ export class SceneMesh implements Animated, ContentOwner {
     if (kept && this.#before === null) {
       this.#before = before;
     } else {
-      this.#free(before); // it was never drawn, or nothing goes back to it
+      freeShown(before, this.#host.materials); // it was never drawn, or nothing goes back to it
       if (!kept) this.drawn();
     }
-    return true;
   }
 
   #replace(next: Shown): void {
     this.root?.removeFromParent();
     this.#shown = next;
     if (next.root !== null) this.#parent?.add(next.root);
-    this.#position = null; // the new root has no place yet
+    this.#placement.forget(); // the new root has no place yet
     if (next.animation === null) this.#host.animations.delete(this);
     else this.#host.animations.add(this);
-  }
-
-  /** After the next ones are acquired: equal looks keep their material, and so their program. */
-  #free({ content, parts }: Shown): void {
-    for (const { material } of parts) this.#host.materials.release(material);
-    content.dispose();
   }
 }
 
 const undrawable = (cause: unknown): ModelError =>
   new ModelError('bad-model', `Drawing failed: ${String(cause)}`, { cause });
-
-const ZERO: Vec3 = [0, 0, 0];
-const ONE: Vec3 = [1, 1, 1];

@@ -1,14 +1,11 @@
-// Which material draws a mesh? Meshes of one picture that look alike share one, so that three.js changes neither program
-// nor values between them. Users are counted; a material without users is freed after the next drawing, so that its program
-// can pass to the next one. Knows neither geometries nor places.
+// The materials that draw meshes. Meshes of one picture that look alike share one, so that three.js changes neither
+// program nor values between them. Users are counted; a material without users is freed after the next drawing, so that
+// its program can pass to the next one.
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { PhongLighting } from '../../material/lighting.js';
-import {
-  type BaseLook,
-  DEFAULT_STYLE,
-  PhongMaterial,
-  type ShadingStyle,
-} from '../../material/phong-material.js';
+import { type BaseLook } from '../../material/base-look.js';
+import { PhongMaterial } from '../../material/phong-material.js';
+import { DEFAULT_STYLE, type ShadingStyle } from '../../material/shading-style.js';
 import type { Sides } from '../../material/back-faces.js';
 
 /** All that a mesh says about its material. Values are replaced when they change, never written to. */
@@ -67,7 +64,9 @@ export class SharedMaterials {
     return shared.material;
   }
 
-  /** The material for a user of `material` who looks otherwise now. One that has no other user is rewritten in place. */
+  /**
+   * The material for a user of `material` who looks otherwise now. One that has no other user is rewritten in place.
+   */
   exchange(material: PhongMaterial, appearance: Appearance): PhongMaterial {
     const key = keyOf(appearance);
     const shared = this.#byMaterial.get(material);

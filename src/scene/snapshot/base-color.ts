@@ -1,7 +1,7 @@
 // Base colour and opacity at a point of a triangle: the look's colour times its texture times its vertex colours, as in
-// phong.frag.glsl, in float64. Knows neither rays nor lights.
+// phong.frag.glsl, in float64.
 import type { BufferGeometry } from 'three';
-import type { BaseLook } from '../../material/phong-material.js';
+import type { BaseLook } from '../../material/base-look.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import type { Vec3, Vec4 } from '../../math/vector.js';
 import type { TriangleHit } from './ray-triangles.js';

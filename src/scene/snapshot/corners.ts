@@ -1,5 +1,5 @@
-// The corners of a triangle that was hit, as the vertex shader computes them: places and unit normals in shading space, in
-// float64. Knows neither materials nor lights.
+// The corners of a triangle that was hit, as the vertex shader computes them: places and unit normals in shading space,
+// in float64.
 import { Matrix3, Vector3 } from 'three';
 import { normalMatrix } from '../../material/normal-matrix.js';
 import { normalize, scale, type Vec3, type Vec4 } from '../../math/vector.js';

@@ -1,5 +1,5 @@
-// Which fragment does a picture show at a pixel? The nearest point of a snapshot on the pixel's ray, in float64, from the orbit's
-// own basis. Knows three.js and the Phong material, but neither lights nor elements.
+// Finds the fragment that a picture shows at a pixel: the nearest point of a snapshot on the pixel's ray, in float64,
+// from the orbit's own basis. Knows three.js and the Phong material, but neither lights nor elements.
 import {
   type Intersection,
   type Mesh,
@@ -33,9 +33,9 @@ export type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
 };
 
 /**
- * The point seen through the centre of a device pixel, counted from the top left corner. Null if there is none, or if a page
- * author's own mesh or sprite is nearer; lines, points and culled back faces are ignored. Of blended surfaces the nearest
- * counts, whatever its opacity.
+ * The point seen through the centre of a device pixel, counted from the top left corner. Null if there is none, or if a
+ * page author's own mesh or sprite is nearer; lines, points and culled back faces are ignored. Of blended surfaces the
+ * nearest counts, whatever its opacity.
  */
 export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
   const { width, height, camera } = snapshot;
@@ -57,7 +57,9 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
   return nearest;
 }
 
-/** Relative. Faces in one plane, such as a flattened box's, differ in depth by a few roundings of float64, 1e-16 each. */
+/**
+ * Relative. Faces in one plane, such as a flattened box's, differ in depth by a few roundings of float64, 1e-16 each.
+ */
 const COPLANAR = 1e-12;
 
 const isOwn = <Owner>(drawn: Drawn<Owner>): drawn is OwnDrawn<Owner> =>
@@ -113,7 +115,9 @@ function foreignDepth(drawn: Drawn, camera: PerspectiveCamera, ray: ViewRay): nu
   return nearest;
 }
 
-/** Calls `use` while the object has the matrix, geometry and material of the snapshot; everything else is as it is now. */
+/**
+ * Calls `use` while the object has the matrix, geometry and material of the snapshot; everything else is as it is now.
+ */
 function asItWas({ object, ...then }: Drawn, use: (object: Object3D) => void): void {
   const lent = object as Partial<Mesh>;
   const { matrixWorld, geometry, material } = lent;

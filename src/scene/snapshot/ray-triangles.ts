@@ -1,10 +1,10 @@
-// Where does the ray through a pixel meet a geometry's triangles? Computed in float64 in a space whose third axis is the ray:
-// neighbouring triangles leave no gap (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013), and
-// flattened, mirrored or huge matrices need no inverse. Knows neither materials nor pictures.
+// Finds where the ray through a pixel meets a geometry's triangles. Computed in float64 in a space whose third axis is
+// the ray: neighbouring triangles leave no gap (Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1),
+// 2013), and flattened, mirrored or huge matrices need no inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { dot, subtract, type Vec3 } from '../../math/vector.js';
-import { forEachRun, type Row } from './triangle-boxes.js';
+import { type BoxList, forEachRun } from '../triangle-boxes.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
 export interface ViewRay {
@@ -28,6 +28,9 @@ export interface TriangleHit {
   /** Seen from the front: the corners appear counter-clockwise. */
   readonly front: boolean;
 }
+
+/** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
+type Row = readonly [number, number, number, number];
 
 /** Calls `visit` with every hit of the triangles whose corners are `first` to `end` (excluded) in drawing order. */
 export function forEachHit(
@@ -71,12 +74,16 @@ export function forEachHit(
   };
   // Runs begin at whole triangles of the index.
   if (first % 3 !== 0) test(first, end);
-  else forEachRun(geometry, rowX, rowY, (from, to) => test(Math.max(from, first), Math.min(to, end)));
+  else {
+    const meets = (boxes: BoxList, at: number): boolean =>
+      hasZero(rowX, boxes, at) && hasZero(rowY, boxes, at);
+    forEachRun(geometry, meets, (from, to) => test(Math.max(from, first), Math.min(to, end)));
+  }
 }
 
 /**
- * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is subtracted
- * first, so that accuracy does not depend on the distance from the world's origin.
+ * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is
+ * subtracted first, so that accuracy does not depend on the distance from the world's origin.
  */
 function rowsOf({ frame, slopeX, slopeY }: ViewRay, matrixWorld: Matrix4): readonly [Row, Row, Row] {
   const m = matrixWorld.elements;
@@ -97,4 +104,16 @@ function rowsOf({ frame, slopeX, slopeY }: ViewRay, matrixWorld: Matrix4): reado
     row[3] + slope * back[3],
   ];
   return [less(right, slopeX), less(up, slopeY), [-back[0], -back[1], -back[2], -back[3]]];
+}
+
+/** False only if the function is above 0, or below, in the whole box; NaN counts as 0. */
+function hasZero(row: Row, boxes: BoxList, at: number): boolean {
+  const x = row[0] * boxes[at]!;
+  const y = row[1] * boxes[at + 1]!;
+  const z = row[2] * boxes[at + 2]!;
+  const extent =
+    Math.abs(row[0]) * boxes[at + 3]! + Math.abs(row[1]) * boxes[at + 4]! + Math.abs(row[2]) * boxes[at + 5]!;
+  // Far more than the roundings of float64 at a vertex, 1e-16 of each product.
+  const slack = 1e-12 * (extent + Math.abs(x) + Math.abs(y) + Math.abs(z) + Math.abs(row[3]));
+  return !(Math.abs(x + y + z + row[3]) > extent + slack);
 }

@@ -1,4 +1,4 @@
-// What are a geometry's texture and vertex values at a point of a triangle? Interpolated in float64. Knows no materials.
+// A geometry's texture and vertex values at a point of a triangle. Interpolated in float64.
 import type { BufferGeometry, Texture } from 'three';
 import type { Vec4 } from '../../math/vector.js';
 import type { TriangleHit } from './ray-triangles.js';

@@ -1,5 +1,5 @@
-// What is a magnified texture's value at given texture coordinates? Filtered and wrapped by the texture's own settings, in
-// float64, without mipmaps. Does not know how texels are read.
+// The value of a magnified texture at given texture coordinates. Filtered and wrapped by the texture's own settings, in
+// float64, without mipmaps.
 import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,

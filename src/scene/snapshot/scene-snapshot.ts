@@ -1,5 +1,6 @@
-// What does a picture show at one moment? Taken when shadeAt is called: its code may still have to be fetched, and the scene
-// changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are overwritten.
+// What a picture shows at one moment. Taken when shadeAt is called: its code may still have to be fetched, and the
+// scene changes meanwhile. Keeps references to values that are replaced when they change, and copies of those that are
+// overwritten.
 import type {
   BufferAttribute,
   BufferGeometry,
@@ -12,7 +13,9 @@ import type {
 import type { Sides } from '../../material/back-faces.js';
 import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
-import { type BaseLook, PhongMaterial, type ShadingStyle } from '../../material/phong-material.js';
+import { type BaseLook } from '../../material/base-look.js';
+import { PhongMaterial } from '../../material/phong-material.js';
+import { type ShadingStyle } from '../../material/shading-style.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { sameValue } from '../../fields/field-store.js';
 import { hasMovingVertices } from '../bounds.js';
@@ -32,7 +35,9 @@ export interface Drawn<Owner = unknown> {
   readonly matrixWorld: Matrix4;
   readonly geometry: BufferGeometry | undefined;
   readonly material: Material | Material[] | undefined;
-  /** The element that declares it; undefined for a page author's own objects and for other materials than the Phong one. */
+  /**
+   * The element that declares it; undefined for a page author's own objects and for other materials than the Phong one.
+   */
   readonly owner: Owner | undefined;
   /** Null where `owner` is undefined. */
   readonly phong: DrawnLook | null;

@@ -1,5 +1,5 @@
-// What are a file's surface values at one point: emissive colour, metalness, roughness, mapped normal? From its textures, in
-// float64, as phong.frag.glsl computes them. Knows neither rays nor lights.
+// A file's surface values at one point: emissive colour, metalness, roughness, mapped normal. From its textures, in
+// float64, as phong.frag.glsl computes them.
 import type { BufferGeometry, Texture } from 'three';
 import { exponentOfRoughness, lobeScale } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
@@ -56,7 +56,9 @@ export function surfaceAt(
   };
 }
 
-/** N by the normal map where there is one; `N` and `tangent` are interpolated in shading space, for the visible side. */
+/**
+ * N by the normal map where there is one; `N` and `tangent` are interpolated in shading space, for the visible side.
+ */
 export function mappedNormalAt(
   { look, style }: DrawnLook,
   geometry: BufferGeometry,

@@ -1,4 +1,4 @@
-// Which bytes does a texture's image have on the GPU? Does not know how textures are sampled.
+// The bytes that a texture's image has on the GPU.
 import type { Texture } from 'three';
 import { NoWebGL2Error } from '../gpu/stage.js';
 
@@ -25,8 +25,8 @@ export function texelsOf(map: Texture): Texels {
 }
 
 /**
- * Uses a short-lived WebGL context of its own. A 2D canvas would premultiply alpha, and transparent texels would lose the
- * colour that filtering mixes into their neighbours.
+ * Uses a short-lived WebGL context of its own. A 2D canvas would premultiply alpha, and transparent texels would lose
+ * the colour that filtering mixes into their neighbours.
  */
 function readTexels(image: Image): Texels {
   const gl = document.createElement('canvas').getContext('webgl2');

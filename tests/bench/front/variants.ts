@@ -1,6 +1,12 @@
 // Ways to write the light loop: as in the specification, with constants hoisted, with approximate lobes, and the shipped one as
 // `phong-viewer/core` documents it for any program. Text and data; nothing is drawn here.
-import { emptyPack, LIGHT_LOOP_GLSL, type LightValues, packLights } from 'phong-viewer/core';
+import {
+  declaredFeatures,
+  emptyPack,
+  LIGHT_LOOP_GLSL,
+  type LightValues,
+  packLights,
+} from 'phong-viewer/core';
 import hoistedGlsl from './hoisted.glsl?raw';
 import literalGlsl from './literal.glsl?raw';
 
@@ -99,17 +105,12 @@ function hoisted(label: string, lobe: string, lights: readonly LightValues[]): V
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-const FEATURES = [
-  ...['HAS_DIRECTIONAL', 'HAS_POINT', 'HAS_SPOT', 'HAS_CONE', 'HAS_DECAY', 'HAS_ATTENUATION'],
-  ...['HAS_AMBIENT', 'HAS_DIFFUSE', 'HAS_SPECULAR'],
-];
-
 function shipped(lights: readonly LightValues[]): Variant {
   const packed = emptyPack();
   packLights(lights, { worldToShading: IDENTITY, cameraToShading: IDENTITY, linear: false }, packed);
   return {
     label: 'shipped',
-    glsl: `${defines({ LIGHT_STORAGE: 'STORAGE_OWN' })}${FEATURES.map((name) => `#define ${name}\n`).join('')}
+    glsl: `${defines({ LIGHT_STORAGE: 'STORAGE_OWN', DECLARED_FEATURES: String(declaredFeatures(lights)) })}
 vec4 lightRow(int i) { return row(i); }
 ${LIGHT_LOOP_GLSL}
 vec3 shadeHere(vec3 p, vec3 normal) {

@@ -54,7 +54,7 @@ export interface Step {
 
 export interface Drawn {
   /** Straight alpha or opaque: rows from the bottom, r g b a. */
-  readonly codes: readonly number[];
+  readonly codes: Uint8Array;
   /** Programs that three.js holds. */
   readonly programs: number;
   /** Whether the first mesh is drawn by a program for exactly its lights. */
@@ -123,7 +123,7 @@ class View {
     gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, codes);
     const { defines } = this.#meshes[0]!.material as PhongMaterial;
     return {
-      codes: [...codes],
+      codes,
       programs: this.#renderer.info.programs?.length ?? 0,
       isSpecialised: 'LIGHT_STATEMENTS' in defines || 'HAS_LIGHT_GRID' in defines,
     };

@@ -14,11 +14,11 @@ export function fitToUnitBox(geometry: BufferGeometry): BufferGeometry {
     }
   }
   const extent = low.map((value, axis) => (high[axis] ?? value) - value);
-  const centre = low.map((value, axis) => ((high[axis] ?? value) + value) / 2);
+  const center = low.map((value, axis) => ((high[axis] ?? value) + value) / 2);
   const scale = 1 / Math.max(...extent);
   for (let i = 0; i < position.count; i += 1) {
     for (let axis = 0; axis < 3; axis += 1) {
-      position.setComponent(i, axis, (position.getComponent(i, axis) - (centre[axis] ?? 0)) * scale);
+      position.setComponent(i, axis, (position.getComponent(i, axis) - (center[axis] ?? 0)) * scale);
     }
   }
   geometry.boundingBox = null;

@@ -1,6 +1,7 @@
-// A pyramid of height 1 on a square base, whose corners lie on a circle of diameter 1 as a cone's do. Centred on the origin,
-// apex toward +y, sides facing the axes, as a box's do. Each face has its own vertices and normal.
+// A pyramid of height 1 on a square base, whose corners lie on a circle of diameter 1 as a cone's do. Centred on the
+// origin, apex toward +y, sides facing the axes, as a box's do. Each face has its own vertices and normal.
 import { BufferGeometry, Float32BufferAttribute } from 'three';
+import { declareFaces, type FlatFace } from '../../../material/flat-faces.js';
 import { cross, normalize, subtract, type Vec3 } from '../../../math/vector.js';
 
 const CORNER = Math.SQRT1_2 / 2;
@@ -17,6 +18,7 @@ const BASE: readonly [Vec3, Vec3, Vec3, Vec3] = [
 export function pyramidGeometry(segments: number): BufferGeometry {
   const mesh: Lists = { position: [], normal: [], uv: [], index: [] };
   const [a, b, c, d] = BASE;
+  const faces: FlatFace[] = [{ point: a, normal: [0, -1, 0] }];
   for (const [left, right] of [
     [a, b],
     [b, c],
@@ -24,6 +26,7 @@ export function pyramidGeometry(segments: number): BufferGeometry {
     [d, a],
   ] as const) {
     addTriangle(mesh, left, right, APEX, segments);
+    faces.push({ point: APEX, normal: normalOf(left, right, APEX) });
   }
   addTriangle(mesh, a, d, c, segments);
   addTriangle(mesh, c, b, a, segments);
@@ -32,8 +35,11 @@ export function pyramidGeometry(segments: number): BufferGeometry {
   geometry.setAttribute('position', new Float32BufferAttribute(mesh.position, 3));
   geometry.setAttribute('normal', new Float32BufferAttribute(mesh.normal, 3));
   geometry.setAttribute('uv', new Float32BufferAttribute(mesh.uv, 2));
+  declareFaces(geometry, faces);
   return geometry;
 }
+
+const normalOf = (a: Vec3, b: Vec3, c: Vec3): Vec3 => normalize(cross(subtract(b, a), subtract(c, a)));
 
 interface Lists {
   readonly position: number[];
@@ -44,7 +50,7 @@ interface Lists {
 
 /** The triangle a b c, counter-clockwise from outside, as rows of n, n - 1, … small ones from ab up to c. */
 function addTriangle(mesh: Lists, a: Vec3, b: Vec3, c: Vec3, n: number): void {
-  const normal = normalize(cross(subtract(b, a), subtract(c, a)));
+  const normal = normalOf(a, b, c);
   let row = mesh.position.length / 3;
   for (let j = 0; j <= n; j += 1) {
     const v = j / n;

@@ -1,8 +1,11 @@
-// Which triangles does a named shape have? Every shape is centred on the origin, in its mesh's own units. Meshes with the
-// same shape and segments share one BufferGeometry; users are counted, and the last one frees it. Knows neither materials nor
-// lights nor elements.
+// The geometries of named shapes. Every shape is centred on the origin, in its mesh's own units. Meshes with the same
+// shape and segments share one BufferGeometry; users are counted, and the last one frees it.
 import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry } from 'three';
-import { lazyCode } from '../../lazy-code.js';
+import { declareFaces } from '../../../material/flat-faces.js';
+import { scale, type Vec3 } from '../../../math/vector.js';
+import { lazyCode } from '../../../model/lazy-code.js';
+import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
+import type { Need } from '../triangle-budget.js';
 import { fitToUnitBox } from './fit.js';
 import type { SOLIDS } from './solids.js';
 
@@ -21,8 +24,13 @@ export const GEOMETRIES = [
 
 export type GeometryName = (typeof GEOMETRIES)[number];
 
-/** Shapes that enclose a volume: their inside cannot be seen from outside. */
-export const CLOSED: ReadonlySet<GeometryName> = new Set(GEOMETRIES.filter((name) => name !== 'plane'));
+/**
+ * Shapes without holes: each edge has exactly two triangles, so their inside cannot be seen from outside. Not the
+ * teapot: its spout is open, and its parts end inside each other.
+ */
+export const CLOSED: ReadonlySet<GeometryName> = new Set(
+  GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),
+);
 
 /** A geometry, or a promise where the shape's code is a chunk of its own. */
 export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
@@ -33,6 +41,8 @@ interface Shape {
   /** Fewest segments that still enclose the shape; smaller requests are raised to it. */
   readonly least: number;
   readonly create: (segments: number) => PendingGeometry;
+  /** Number of triangles, at least the true one, before anything is built. */
+  readonly triangles: (segments: number) => number;
 }
 
 const solidsCode = /* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes');
@@ -43,37 +53,78 @@ const solid =
   async (n) =>
     (await solidsCode()).SOLIDS[name](n);
 
+/** Segments across the main ones, half as many. */
+const rowsOf = (segments: number, least: number): number => Math.max(least, Math.round(segments / 2));
+
+const BOX_NORMALS: readonly Vec3[] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]; // prettier-ignore
+
+/** Declares the faces with these unit normals, all at one distance from the origin. */
+function flatFaced(geometry: BufferGeometry, normals: readonly Vec3[], distance: number): BufferGeometry {
+  declareFaces(
+    geometry,
+    normals.map((normal) => ({ point: scale(normal, distance), normal })),
+  );
+  return geometry;
+}
+
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
-  box: { segments: 1, least: 1, create: (n) => new BoxGeometry(1, 1, 1, n, n, n) },
+  box: {
+    segments: 1,
+    least: 1,
+    create: (n) => flatFaced(new BoxGeometry(1, 1, 1, n, n, n), BOX_NORMALS, 0.5),
+    triangles: (n) => 12 * n * n,
+  },
   sphere: {
     segments: 64,
     least: 3,
-    create: (n) => new SphereGeometry(0.5, n, Math.max(2, Math.round(n / 2))),
+    create: (n) => new SphereGeometry(0.5, n, rowsOf(n, 2)),
+    triangles: (n) => 2 * n * (rowsOf(n, 2) - 1),
   },
-  cylinder: { segments: 64, least: 3, create: solid('cylinder') },
-  cone: { segments: 64, least: 3, create: solid('cone') },
-  pyramid: { segments: 1, least: 1, create: solid('pyramid') },
-  torus: { segments: 64, least: 3, create: solid('torus') },
+  cylinder: { segments: 64, least: 3, create: solid('cylinder'), triangles: (n) => 4 * n },
+  cone: { segments: 64, least: 3, create: solid('cone'), triangles: (n) => 2 * n },
+  pyramid: { segments: 1, least: 1, create: solid('pyramid'), triangles: (n) => 6 * n * n },
+  torus: { segments: 64, least: 3, create: solid('torus'), triangles: (n) => 2 * n * rowsOf(n, 3) },
   'torus-knot': {
     segments: 256,
     // Below this the tube's sections cut through each other, and triangles turn against their normals.
     least: 32,
     create: async (n) => fitToUnitBox(await solid('torus-knot')(n)),
+    triangles: (n) => 2 * n * Math.min(64, Math.max(8, Math.round(n / 8))),
   },
   teapot: {
     segments: 64,
     // Below this two triangles of the spout turn against their normals.
     least: 12,
     create: async (n) => fitToUnitBox((await teapotCode()).teapotGeometry(n)),
+    // 32 patches of four to a turn. Those at the poles have some triangles less.
+    triangles: (n) => 32 * 2 * Math.round(n / 4) ** 2,
   },
-  plane: { segments: 1, least: 1, create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2) },
+  plane: {
+    segments: 1,
+    least: 1,
+    create: (n) => flatFaced(new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2), [[0, 1, 0]], 0),
+    triangles: (n) => 2 * n * n,
+  },
 };
 
 /** The segments that a shape is made with. `undefined` means the shape's default. */
 export function effectiveSegments(name: GeometryName, segments: number | undefined): number {
   const shape = SHAPES[name];
   return Math.max(shape.least, Math.round(segments ?? shape.segments));
+}
+
+/**
+ * What a shape will hold, and its flat copy, before they are built. A coarser level that keeps a viewer within its
+ * limit is to be chosen by these numbers.
+ */
+export function shapeNeeds(name: GeometryName, segments: number | undefined, flat: boolean): Need[] {
+  const key = keyOf(name, segments);
+  const triangles = SHAPES[name].triangles(effectiveSegments(name, segments));
+  const smooth = { key, triangles, flat: false };
+  // Each corner has 8 values: position, normal, uv.
+  const copy = Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
+  return flat ? [smooth, { key: `flat ${key}`, triangles: copy, flat: true }] : [smooth];
 }
 
 /**
@@ -96,8 +147,9 @@ const keyOf = (name: GeometryName, segments: number | undefined): string =>
 
 /**
  * As {@link createGeometry}, but shared: the same name and segments give the same geometry. Each call needs one
- * {@link releaseGeometry} with the same arguments, whether or not a promise has settled by then; only this cache disposes
- * of the geometry. A rejected promise (a chunk that could not be fetched) needs no release, and the next call tries again.
+ * {@link releaseGeometry} with the same arguments, whether or not a promise has settled by then; only this cache
+ * disposes of the geometry. A rejected promise (a chunk that could not be fetched) needs no release, and the next call
+ * tries again.
  */
 export function acquireGeometry(name: GeometryName, segments: number | undefined): PendingGeometry {
   const key = keyOf(name, segments);

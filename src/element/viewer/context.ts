@@ -1,0 +1,76 @@
+// What the parts of one viewer share: its values, its picture, and signals of what has happened.
+import type { FieldStore } from '../../fields/field-store.js';
+import { Signal } from '../../fields/signal.js';
+import { LightSet } from '../../light/light-set.js';
+import type { LightState } from '../../light/light-state.js';
+import { Viewport } from '../../scene/viewport.js';
+import { ViewportSignals } from '../../scene/viewport-signals.js';
+import type { CameraSource } from '../camera-state.js';
+import type { PhongLight, PhongViewer } from '../elements.js';
+import type { ViewerErrorDetail } from '../events.js';
+import type { ViewerValues } from '../fields/viewer-fields.js';
+import type { ElementView } from '../page/visibility.js';
+
+export interface CameraMove {
+  readonly source: CameraSource;
+  /** Another viewer's camera has moved this one. */
+  readonly linked: boolean;
+}
+
+/** What can fail: a mesh, or the graphics context. */
+export interface FailureSubject {
+  /** It shows a file of the user's own. */
+  readonly isOwnFile?: boolean;
+}
+
+/** Given at once, in the task in which it happens. */
+export class ViewerSignals extends ViewportSignals {
+  /** Lights and meshes must be in document order now: a frame begins. */
+  readonly orderNeeded = new Signal();
+  /** A light was written to, or (null) lights came, went or changed places. Hundreds a frame. */
+  readonly lightChanged = new Signal<LightState | null>();
+  /** The lights that the `light-change` names that is about to be dispatched. */
+  readonly lightsReported = new Signal<readonly PhongLight[]>();
+  /** Meshes came, went, changed places or were written to. */
+  readonly meshesChanged = new Signal();
+  readonly cameraMoved = new Signal<CameraMove>();
+  /** Place on the page, visibility or size have changed. */
+  readonly viewChanged = new Signal<ElementView>();
+  /** What is pending, or how much of it has arrived, has changed. */
+  readonly loadingChanged = new Signal();
+  /** Something failed. Its subject is what can work again. */
+  readonly failed = new Signal<{ readonly subject: FailureSubject; readonly detail: ViewerErrorDetail }>();
+  /** It works, or is gone. */
+  readonly cleared = new Signal<FailureSubject>();
+  /** Something that `ready` waits for has ended, in whichever way. */
+  readonly ended = new Signal();
+}
+
+export class ViewerContext {
+  readonly viewer: PhongViewer;
+  readonly store: FieldStore<ViewerValues>;
+  readonly signals = new ViewerSignals();
+  readonly lightSet = new LightSet((light) => this.signals.lightChanged.emit(light));
+  readonly viewport: Viewport;
+
+  /** `holder` will hold the canvas, and nothing else. */
+  constructor(viewer: PhongViewer, store: FieldStore<ViewerValues>, holder: HTMLElement) {
+    this.viewer = viewer;
+    this.store = store;
+    const viewport = (this.viewport = new Viewport(holder, this.lightSet, this.signals));
+    this.signals.lightChanged.listen(() => viewport.invalidate());
+    this.signals.viewChanged.listen((view) => this.#follow(view));
+  }
+
+  get values(): Readonly<ViewerValues> {
+    return this.store.values;
+  }
+
+  #follow({ pixelWidth, pixelHeight, painted, near, printing }: ElementView): void {
+    this.viewport.resize(pixelWidth, pixelHeight);
+    this.viewport.near = this.values.loading === 'eager' ? painted : near;
+    if (!printing) return;
+    this.signals.orderNeeded.emit();
+    this.viewport.redraw();
+  }
+}

@@ -1,0 +1,232 @@
+// Rows of numbers: one number by slider and field, or a vector by a field for each component.
+import { Controller, type GUI } from 'lil-gui';
+import type { ViewerText } from '../element/fields/text-list.js';
+import type { Vec3 } from '../math/vector.js';
+import { accepted, bound, type Bound } from './bound.js';
+import { label, nameRow } from './label.js';
+import { TextField } from './text-control.js';
+import { numberText, tidy, type Travel } from './travel.js';
+
+/** A slider over the usual range, and a field that accepts every value that the element accepts. */
+export class NumberControl extends Controller {
+  readonly #travel: () => Travel;
+  readonly #slider: Slider;
+  readonly #field: NumberField;
+
+  /** `travel`: the slider's scale while the value lies within it; read again at each update. */
+  constructor(folder: GUI, bound: Bound<number>, name: ViewerText, travel: () => Travel) {
+    super(folder, bound, 'value', 'lil-number');
+    nameRow(this, name);
+    this.#travel = travel;
+    this.#slider = new Slider(bound, travel());
+    this.#field = new NumberField(bound, travel());
+    for (const { input } of [this.#slider, this.#field]) {
+      input.setAttribute('aria-labelledby', this.$name.id);
+      this.$widget.append(input);
+    }
+    this.$disable = this.#field.input;
+    // The field does everything by keyboard that the slider does, so one tab stop per row is enough.
+    this.#slider.input.tabIndex = -1;
+    this.updateDisplay();
+  }
+
+  override updateDisplay(): this {
+    this.#slider.travel = this.#travel();
+    this.#field.travel = this.#slider.update();
+    this.#field.update();
+    return this;
+  }
+}
+
+export type Axis = 0 | 1 | 2;
+
+/** Accessible names of x, y and z. `{row}` is the row's name. */
+export type ComponentNames = readonly [ViewerText, ViewerText, ViewerText];
+
+const AXES: ComponentNames = ['{row} x', '{row} y', '{row} z'];
+
+export class VectorControl extends Controller {
+  readonly #travel: (axis: Axis) => Travel;
+  readonly #fields: readonly NumberField[];
+
+  /** `travel`: the scale of a component's steps; read again at each update. */
+  constructor(
+    folder: GUI,
+    value: Bound<Vec3>,
+    name: ViewerText,
+    travel: (axis: Axis) => Travel,
+    components: ComponentNames = AXES,
+  ) {
+    super(folder, value, 'value', 'vector');
+    nameRow(this, name);
+    this.#travel = travel;
+    this.#fields = ([0, 1, 2] as const).map((axis) => {
+      const component = bound(
+        () => value.value[axis],
+        (number) => {
+          const [x, y, z] = value.value;
+          value.value = [axis === 0 ? number : x, axis === 1 ? number : y, axis === 2 ? number : z];
+        },
+      );
+      const field = new NumberField(component, travel(axis));
+      const { input } = field;
+      this.$widget.append(input);
+      label(input, (say) => {
+        input.title = say(components[axis], { row: say(name) });
+        input.setAttribute('aria-label', input.title);
+      });
+      return field;
+    });
+    this.updateDisplay();
+  }
+
+  override updateDisplay(): this {
+    this.#fields.forEach((field, axis) => {
+      field.travel = this.#travel(axis as Axis);
+      field.update();
+    });
+    return this;
+  }
+}
+
+/** Its range grows to include the value, but not while it is dragged. */
+export class Slider {
+  readonly input = document.createElement('input');
+  /** The scale while the value lies within it. */
+  travel: Travel;
+  readonly #bound: Bound<number>;
+  /** The scale in use. */
+  #present: Travel;
+  #dragging = false;
+
+  constructor(bound: Bound<number>, travel: Travel) {
+    this.#bound = bound;
+    this.travel = travel;
+    this.#present = travel;
+    const { input } = this;
+    input.type = 'range';
+    input.addEventListener('pointerdown', () => {
+      this.#dragging = true;
+    });
+    for (const type of ['pointerup', 'pointercancel', 'lostpointercapture', 'change', 'blur'] as const) {
+      input.addEventListener(type, () => {
+        this.#dragging = false;
+        this.update();
+      });
+    }
+    input.addEventListener('input', () => {
+      const place = Number(input.value);
+      accepted(() => (bound.value = this.#present.value(place)));
+      this.#fill(place);
+    });
+  }
+
+  /** Shows the value. Returns the scale in use. */
+  update(): Travel {
+    const { value } = this.#bound;
+    const { input } = this;
+    if (!this.#dragging) {
+      const { start, end, step } = (this.#present = this.travel.reaching(value));
+      const place = this.#present.place(value);
+      Object.assign(input, {
+        min: String(start),
+        max: String(end),
+        step: String(step),
+        value: String(place),
+      });
+      this.#fill(place);
+    }
+    const text = numberText(value, this.#present.end - this.#present.start);
+    if (input.getAttribute('aria-valuetext') !== text) input.setAttribute('aria-valuetext', text);
+    return this.#present;
+  }
+
+  #fill(place: number): void {
+    const { start, end } = this.#present;
+    const share = Math.min(Math.max((place - start) / (end - start), 0), 1);
+    this.input.style.setProperty('--share', share.toFixed(4));
+  }
+}
+
+/** A press that moves less than this is a click. Pixels. */
+const SLACK = 3;
+
+/** Edits by typing, by arrow keys, and by dragging across the field. Listens to nothing outside the field. */
+class NumberField {
+  readonly input: HTMLInputElement;
+  /** Gives the steps and the resolution. */
+  travel: Travel;
+  readonly #field: TextField;
+  readonly #bound: Bound<number>;
+  #drag: { readonly x: number; readonly value: number; moved: boolean } | null = null;
+
+  constructor(bound: Bound<number>, travel: Travel) {
+    this.#bound = bound;
+    this.travel = travel;
+    this.#field = new TextField({
+      read: () => numberText(bound.value, this.travel.end - this.travel.start),
+      write: (text) => text.trim() !== '' && this.set(Number(text.trim().replace(',', '.'))),
+    });
+    this.input = this.#field.input;
+    // `inputmode=decimal` has no minus key on phones; a number field has one.
+    if (matchMedia('(pointer: coarse)').matches) this.input.type = 'number';
+    this.input.step = 'any';
+    this.input.classList.add('number');
+    this.#listenToKeys();
+    this.#listenToDrags();
+  }
+
+  update(): void {
+    this.#field.update();
+  }
+
+  /** False if the element refuses the value. */
+  set(value: number): boolean {
+    return Number.isFinite(value) && accepted(() => (this.#bound.value = value));
+  }
+
+  #listenToKeys(): void {
+    this.input.addEventListener('keydown', (event) => {
+      if (event.key !== 'ArrowUp' && event.key !== 'ArrowDown') return;
+      event.preventDefault();
+      this.#step(this.#bound.value, (event.key === 'ArrowUp' ? 1 : -1) * factorOf(event));
+    });
+  }
+
+  /** A field that has the focus keeps the browser's own drag, which selects text. */
+  #listenToDrags(): void {
+    const { input } = this;
+    input.addEventListener('pointerdown', (event) => {
+      if (event.button !== 0 || input.matches(':focus')) return;
+      this.#drag = { x: event.clientX, value: this.#bound.value, moved: false };
+    });
+    // Without this the press would give the field the focus before it is known to be a click.
+    input.addEventListener('mousedown', (event) => {
+      if (this.#drag !== null) event.preventDefault();
+    });
+    input.addEventListener('pointermove', (event) => {
+      const drag = this.#drag;
+      if (drag === null) return;
+      const travelled = event.clientX - drag.x;
+      if (!drag.moved && Math.abs(travelled) < SLACK) return;
+      if (!drag.moved) input.setPointerCapture(event.pointerId);
+      drag.moved = true;
+      this.#step(drag.value, Math.round(travelled) * factorOf(event));
+    });
+    for (const type of ['pointerup', 'pointercancel'] as const) {
+      input.addEventListener(type, () => {
+        const drag = this.#drag;
+        this.#drag = null;
+        if (type === 'pointerup' && drag?.moved === false) input.focus();
+      });
+    }
+  }
+
+  #step(from: number, steps: number): void {
+    this.set(tidy(from + steps * this.travel.stepAt(from)));
+    this.#field.settle();
+  }
+}
+
+const factorOf = ({ shiftKey, altKey }: KeyboardEvent | PointerEvent): number =>
+  shiftKey ? 10 : altKey ? 0.1 : 1;

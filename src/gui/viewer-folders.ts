@@ -1,0 +1,122 @@
+// The rows of the viewer's own folders: camera, shading, what is shown beside the shaded picture, and its own surface.
+import type { Pose } from '../camera/orbit.js';
+import { HELPERS, type ViewerValues } from '../element/fields/viewer-fields.js';
+import { fieldsOf, viewerCameras } from '../element/internals.js';
+import type { PhongViewer } from '../element/phong-viewer.js';
+import { cameraOf, historyOf } from '../element/viewer/history.js';
+import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/shading-style.js';
+import { VIEWS } from '../material/views.js';
+import type { Say } from './label.js';
+import { SURFACE_ROWS } from './mesh-folder.js';
+import {
+  button,
+  edited,
+  flag,
+  flags,
+  inFolder,
+  NO_ROW,
+  number,
+  oneName,
+  oneOf,
+  readout,
+  type Row,
+  type RowTable,
+  vector,
+} from './rows.js';
+import { linear, logarithmic, numberText } from './travel.js';
+
+/**
+ * Edits the camera as it is now, not the declared values, as a drag does: reset returns to what is declared. Writes
+ * throw RangeError, as the properties do, for values outside the field's domain. Nothing fits the camera to the scene
+ * afterwards.
+ */
+const ofCamera = <K extends keyof Pose>(
+  key: K,
+  row: Row<Pose[K], PhongViewer>,
+): Row<ViewerValues[K], PhongViewer> => ({
+  add: (gui, place) => {
+    const { viewer } = place;
+    const move = (value: Pose[K]): void => {
+      fieldsOf(viewer).store.fields[key].check(value);
+      const camera = viewerCameras.get(viewer);
+      camera?.place({ pose: { ...camera.placement().pose, [key]: value }, framing: null }, 'panel');
+    };
+    row.add(
+      gui,
+      place,
+      edited<Pose[K]>(viewer, cameraOf(viewer), () => viewer.camera[key], move),
+    );
+  },
+});
+
+export const VIEWER_ROWS = {
+  ...inFolder('Camera', {
+    theta: ofCamera('theta', number('θ azimuth °', linear(-180, 180, 1))),
+    phi: ofCamera('phi', number('φ polar °', linear(0, 180, 1))),
+    radius: ofCamera(
+      'radius',
+      number('radius', ({ range }) => logarithmic(range.reach / 100, range.reach * 10)),
+    ),
+    eye: readout('eye', eyeText),
+    target: ofCamera(
+      'target',
+      vector('target', ({ range }, axis) => range.place(axis)),
+    ),
+    fov: number('fov °', linear(1, 170, 1)),
+    autoRotate: number('auto-rotate', linear(-90, 90, 1), 'Degrees per second about y'),
+    resetCamera: button<PhongViewer>('reset camera', ({ viewer }) => {
+      historyOf(viewer).edit(cameraOf(viewer), () => viewerCameras.get(viewer)?.reset('panel'));
+    }),
+  }),
+  ...inFolder('Shading', {
+    shading: oneOf('shading', SHADINGS),
+    reflection: oneOf('reflection', REFLECTIONS),
+    terms: flags(TERMS, (term) => `${term} term`),
+    colorInterpolation: oneOf('colour space', ['srgb', 'linear']),
+    antialias: oneOf('antialias', ANTIALIASES),
+  }),
+  ...inFolder('Show', {
+    view: oneOf('view', VIEWS),
+    viewLight: oneName('view light', lightNames, lightText),
+    helpers: flags(HELPERS, (helper) => `show ${helper}`),
+    probe: flag('probe'),
+  }),
+  ...inFolder('Material', SURFACE_ROWS),
+  // The row of files opens models.
+  src: NO_ROW,
+  type: NO_ROW,
+  geometry: NO_ROW,
+  segments: NO_ROW,
+  autoplay: NO_ROW,
+  animationName: NO_ROW,
+  alt: NO_ROW,
+  poster: NO_ROW,
+  loading: NO_ROW,
+  droppable: NO_ROW,
+  crossOrigin: NO_ROW,
+  orbit: NO_ROW,
+  zoom: NO_ROW,
+  pixelRatio: NO_ROW,
+  probeAt: NO_ROW,
+  cameraGroup: NO_ROW,
+  gui: NO_ROW,
+} satisfies RowTable<ViewerValues, PhongViewer, 'eye' | 'resetCamera' | 'resetMaterial'>;
+
+/** Rounded to a thousandth of the distance, which removes rounding noise. */
+function eyeText({ camera: { eye, radius } }: PhongViewer): string {
+  const unit = 10 ** (Math.floor(Math.log10(radius)) - 3);
+  return eye.map((n) => numberText(Math.round(n / unit) * unit, unit)).join(', ');
+}
+
+/** Values of `view-light`; a name that no light has is kept while it is selected. */
+function lightNames({ lights, viewLight }: PhongViewer): readonly string[] {
+  return [...new Set(['', ...lights.map(({ name }) => name), viewLight])];
+}
+
+/** Lights without a name have a number, in the page's words. */
+function lightText(name: string, { lights }: PhongViewer, say: Say): string {
+  if (name === '') return say('all, or the first');
+  const index = lights.findIndex((light) => light.name === name);
+  const named = lights[index] === undefined || fieldsOf(lights[index]).store.values.name !== '';
+  return named ? name : say('light {number}', { number: String(index + 1) });
+}

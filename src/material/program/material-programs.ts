@@ -1,0 +1,123 @@
+// The programs of one material: its general variant, and a specialised one where the program cache has it. Code that
+// was needed once stays, so that turning something off and on compiles nothing.
+import { isBlack, isIntegerPower, isMildPower } from '../../light/light-features.js';
+import { usesRoughnessMap } from '../file-surface.js';
+import type { LightBuffer } from '../light-buffer.js';
+import type { PhongLighting } from '../lighting.js';
+import type { SurfaceValues } from '../material-values.js';
+import type { BaseLook } from '../base-look.js';
+import { DEFAULT_STYLE, type ShadingStyle, type Term } from '../shading-style.js';
+import type { Draw } from './program-cache.js';
+import {
+  type Form,
+  generalVariant,
+  type MaterialTerms,
+  specialisedVariant,
+  type Variant,
+  variantOf,
+} from './variant.js';
+
+/** What one draw uses. */
+export interface DrawnWith {
+  readonly variant: Variant;
+  /** The lights that the program reads. */
+  readonly lights: LightBuffer;
+}
+
+export class MaterialPrograms {
+  readonly #lighting: PhongLighting;
+  readonly #look: BaseLook;
+  #style: ShadingStyle = DEFAULT_STYLE;
+  #terms: MaterialTerms = { terms: [], integerShininess: null };
+  /** All terms that were ever summed. */
+  readonly #everTerms = new Set<Term>();
+  /** All exponents so far were mild: see LARGEST_MILD_POWER. */
+  #mildShininess = true;
+  #general: Variant | null = null;
+  /** {@link #general} for flat faces. */
+  #onFaces: Variant | null = null;
+  /** What {@link #general} was made for. */
+  #madeFor = { declared: -1, capacity: -1, linear: false };
+  /** What a specialised program depends on besides its lights. */
+  #materialKey = '';
+  /** The same for flat faces. */
+  #onFacesKey = '';
+  /** The last key, so that draws build no text. */
+  #last = { materialKey: '', form: '', lights: '' as string | number, key: '' };
+
+  constructor(lighting: PhongLighting, look: BaseLook) {
+    this.#lighting = lighting;
+    this.#look = look;
+  }
+
+  /** Whether the next draw's points are those that pixels see of flat faces: see shaders/face_point.glsl. */
+  hasFacePoints = false;
+
+  /** The material's style or surface changed. */
+  describe(style: ShadingStyle, { ks, shininess }: Readonly<SurfaceValues>): void {
+    this.#style = style;
+    const varies = usesRoughnessMap(this.#look, style);
+    this.#terms = {
+      terms: style.terms.filter((term) => term !== 'specular' || !isBlack(ks)),
+      integerShininess: !varies && isIntegerPower(shininess) ? shininess : null,
+    };
+    if (varies || !isMildPower(shininess)) this.#mildShininess = false;
+    this.#general = null;
+  }
+
+  /** The program for this draw, and the lights it reads. */
+  forDraw(draw: Draw): DrawnWith {
+    const lighting = this.#lighting;
+    lighting.drawWith(draw.renderer);
+    const lights = lighting.lightsOf(draw.mesh);
+    const shown = lighting.view?.program ?? null;
+    if (shown !== null) {
+      const grid = shown.usesGrid ? lighting.gridOf(draw.mesh) : null;
+      return { variant: shown.variant(this.#generalFor(0), grid !== null), lights: grid ?? lights };
+    }
+    const general = this.#generalFor(lighting.capacity);
+    if (this.#look.unlit) return { variant: general, lights };
+    const grid = lighting.gridOf(draw.mesh);
+    const form = lighting.formFor(lights, grid);
+    const special =
+      form &&
+      lighting.programs.choose(this.#keyOf(form, lights), draw, () =>
+        specialisedVariant(general, this.#terms, form, lights.packed),
+      );
+    return special ? { variant: special, lights: grid ?? lights } : { variant: general, lights };
+  }
+
+  /** The program for any number of lights of the declared features. `capacity` as in {@link generalVariant}. */
+  #generalFor(capacity: number): Variant {
+    const { linear, declared } = this.#lighting;
+    const made = this.#madeFor;
+    const isCurrent = made.declared === declared && made.capacity === capacity && made.linear === linear;
+    if (this.#general !== null && isCurrent) return this.#forFaces(this.#general);
+    const { terms, integerShininess } = this.#terms;
+    for (const term of terms) this.#everTerms.add(term);
+    const style = { ...this.#style, terms: [...this.#everTerms] };
+    const material = { look: this.#look, style, linear, mildShininess: this.#mildShininess };
+    this.#general = generalVariant(material, declared, capacity);
+    this.#madeFor = { declared, capacity, linear };
+    this.#materialKey = `${this.#general.key} ${terms.join()} ${String(integerShininess)}`;
+    this.#onFaces = null;
+    this.#onFacesKey = `faces ${this.#materialKey}`;
+    return this.#forFaces(this.#general);
+  }
+
+  #forFaces(general: Variant): Variant {
+    if (!this.hasFacePoints) return general;
+    return (this.#onFaces ??= variantOf({ ...general.defines, HAS_FACE_POINTS: '' }));
+  }
+
+  /** Inlined numbers are those of one revision of the lights; other forms depend on counts and features alone. */
+  #keyOf(form: Form, { revision, featureKey }: LightBuffer): string {
+    const lights = form === 'inlined' ? revision : featureKey;
+    const materialKey = this.hasFacePoints ? this.#onFacesKey : this.#materialKey;
+    const last = this.#last;
+    if (last.materialKey === materialKey && last.form === form && last.lights === lights) return last.key;
+    const key = `${materialKey} ${form} ${lights}`;
+    this.#last = { materialKey, form, lights, key };
+    return key;
+  }
+}

@@ -1,0 +1,96 @@
+// Everything that the views differ in: what their pixels show, which lights have a part in them, and what their legends
+// say. A view of `VIEWS` without an entry does not compile.
+import countText from '../../../shaders/view_count.glsl?raw';
+import quantityText from '../../../shaders/view_quantity.glsl?raw';
+import trianglesText from '../../../shaders/view_triangles.glsl?raw';
+import type { Term } from '../shading-style.js';
+import type { View } from '../views.js';
+
+/** The equation: all its terms, or one without emissive and unlit colours. Materials keep their programs. */
+interface Equation {
+  readonly by: 'equation';
+  readonly term: Term | null;
+}
+
+/**
+ * A quantity of the fragment or of one light: `value` is a GLSL expression of a colour, from functions of
+ * view_quantity.
+ */
+interface Quantity {
+  readonly by: 'quantity';
+  readonly text: string;
+  readonly value: string;
+}
+
+/** How many lights add something. */
+interface Count {
+  readonly by: 'count';
+  readonly text: string;
+}
+
+/** Every triangle for itself, so each has vertices of its own. */
+interface Triangles {
+  readonly by: 'triangles';
+  readonly text: string;
+}
+
+/** What a view shows. `text` stands in place of surface_color in its programs. */
+export type Shows = Equation | Quantity | Count | Triangles;
+
+export interface ViewEntry {
+  readonly shows: Shows;
+  /**
+   * The lights that have a part in it. `one`: a number that every light has its own of, shown of one light.
+   * `view-light` limits `all` to one.
+   */
+  readonly lights: 'all' | 'one' | 'none';
+  /** Title of the legend: a key of the element's texts. */
+  readonly title: string;
+  /** The same with `reflection="blinn-phong"`, where that differs. */
+  readonly blinnTitle?: string;
+  /** The legend's scale: 0 to 1 in grey, −1 to 1 for each axis, a count, or an error in codes. */
+  readonly scale: 'none' | 'unit' | 'axes' | 'count' | 'error';
+}
+
+const equation = (term: Term | null): Equation => ({ by: 'equation', term });
+const quantity = (value: string): Quantity => ({ by: 'quantity', text: quantityText, value });
+
+export const VIEW_TABLE = {
+  shaded: { shows: equation(null), lights: 'all', title: 'Shaded', scale: 'none' },
+  ambient: { shows: equation('ambient'), lights: 'all', title: 'Ambient term', scale: 'none' },
+  diffuse: { shows: equation('diffuse'), lights: 'all', title: 'Diffuse term', scale: 'none' },
+  specular: { shows: equation('specular'), lights: 'all', title: 'Specular term', scale: 'none' },
+  normals: { shows: quantity('normalColor(at)'), lights: 'none', title: 'Normals', scale: 'axes' },
+  'n-dot-l': { shows: quantity('grey(nDotL(at))'), lights: 'one', title: 'N · L', scale: 'unit' },
+  'r-dot-v': {
+    shows: quantity('grey(rDotV(at))'),
+    lights: 'one',
+    title: 'R · V',
+    blinnTitle: 'N · H',
+    scale: 'unit',
+  },
+  attenuation: {
+    shows: quantity('grey(attenuationOf(at))'),
+    lights: 'one',
+    title: 'Attenuation',
+    scale: 'unit',
+  },
+  decay: { shows: quantity('grey(decayOf(at))'), lights: 'one', title: 'Decay', scale: 'unit' },
+  'light-count': {
+    shows: { by: 'count', text: countText },
+    lights: 'all',
+    title: 'Lights that add something',
+    scale: 'count',
+  },
+  triangles: {
+    shows: { by: 'triangles', text: trianglesText },
+    lights: 'none',
+    title: 'Triangles',
+    scale: 'none',
+  },
+  // Measured from the shaded picture.
+  error: { shows: equation(null), lights: 'all', title: 'Error in steps of 1/255', scale: 'error' },
+} as const satisfies Readonly<Record<View, ViewEntry>>;
+
+/** The entry of a view, with all its possible fields. */
+export const viewEntry = (view: View): ViewEntry => VIEW_TABLE[view];

@@ -1,0 +1,165 @@
+// Where meshes and textures are decompressed: in a worker, one for each decoder, which keeps the page alive and ends at
+// once with an abort. On the main thread where no worker can start: the package on another origin, a page opened from
+// disk, a policy, a bundler that left the worker's file out.
+import type { CreateDecoder, WorkerAnswer } from './decoder.js';
+
+/**
+ * How long a worker waits for another job, in milliseconds. The models of a page come one after another, and each start
+ * fetches and compiles the decoder again. Its heap never shrinks and is freed when it ends.
+ */
+const IDLE_MS = 5000;
+
+/** A decoder that has started. */
+interface Session<Job, Result> {
+  decode(job: Job, signal: AbortSignal): Promise<Result>;
+  end(): void;
+}
+
+/** Jobs are done one after the other: however many models are read, there is one worker. */
+export class DecoderThread<Job, Result> {
+  readonly #workers: readonly (() => Worker | null)[];
+  readonly #code: () => Promise<CreateDecoder<Job, Result>>;
+  readonly #setup: string;
+  #last: Promise<unknown> = Promise.resolve();
+  #session: Promise<Session<Job, Result>> | null = null;
+  /**
+   * The first of {@link #workers} to try. Those before it did not start, although later code is there: do not try them
+   * again.
+   */
+  #first = 0;
+  #idle: ReturnType<typeof setTimeout> | undefined;
+
+  /**
+   * @param workers start workers with the same decoder; the first that can is used. Null: there is no worker's file.
+   * @param code the same decoder for the main thread. Its error is the caller's, where no worker did start either.
+   * @param setup passed to the decoder when it starts.
+   */
+  constructor(
+    workers: readonly (() => Worker | null)[],
+    code: () => Promise<CreateDecoder<Job, Result>>,
+    setup: string,
+  ) {
+    this.#workers = workers;
+    this.#code = code;
+    this.#setup = setup;
+  }
+
+  /** Starts the decoder ahead of the first job, so that it is there when the job's bytes have arrived. */
+  start(): void {
+    if (this.#session) return;
+    this.#session = this.#open();
+    this.#session.catch(() => undefined); // the first job gets the error
+    this.#rest();
+  }
+
+  /**
+   * @param job is copied for the worker.
+   * @throws what the decoder throws, by message and name, or the signal's reason after an abort.
+   */
+  decode(job: Job, signal: AbortSignal): Promise<Result> {
+    const result = this.#last.then(() => this.#decodeNow(job, signal));
+    this.#last = result.catch(() => undefined);
+    return result;
+  }
+
+  async #decodeNow(job: Job, signal: AbortSignal): Promise<Result> {
+    signal.throwIfAborted();
+    clearTimeout(this.#idle);
+    try {
+      const session = await (this.#session ??= this.#open());
+      signal.throwIfAborted();
+      const result = await session.decode(job, signal);
+      this.#rest();
+      return result;
+    } catch (error) {
+      // It may still be at work, or broken by what it was given.
+      this.#close();
+      throw error;
+    }
+  }
+
+  async #open(): Promise<Session<Job, Result>> {
+    const worker = await this.#openWorker();
+    if (worker) return worker;
+    const create = await this.#code();
+    this.#first = this.#workers.length;
+    const decode = await create(this.#setup);
+    return {
+      decode: async (job) => (await decode(job)).result,
+      end: () => undefined,
+    };
+  }
+
+  /** Null if none can start. One that answers with an error, as without WebAssembly, leaves its place to the next. */
+  async #openWorker(): Promise<Session<Job, Result> | null> {
+    for (let i = this.#first; i < this.#workers.length; i += 1) {
+      let worker: Worker | null = null;
+      try {
+        worker = this.#workers[i]?.() ?? null;
+        if (worker === null) return null;
+        await answerOf(worker, this.#setup);
+        this.#first = i;
+        return sessionOf(worker);
+      } catch (error) {
+        worker?.terminate();
+        // A policy that refuses one worker refuses all, and reports each.
+        if (worker === null || error instanceof NoAnswer) return null;
+      }
+    }
+    return null;
+  }
+
+  /** Ends the session after a while, unless it is used again. */
+  #rest(): void {
+    clearTimeout(this.#idle);
+    this.#idle = setTimeout(() => {
+      this.#close();
+    }, IDLE_MS);
+  }
+
+  #close(): void {
+    void this.#session?.then(
+      (session) => {
+        session.end();
+      },
+      () => undefined,
+    );
+    this.#session = null;
+  }
+}
+
+const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
+  decode: (job, signal) => answerOf<Result>(worker, job, signal),
+  end: () => {
+    worker.terminate();
+  },
+});
+
+/** The worker's script did not arrive or has ended. */
+class NoAnswer extends Error {}
+
+/** Sends a message and waits for its answer. */
+async function answerOf<Result>(worker: Worker, message: unknown, signal?: AbortSignal): Promise<Result> {
+  const done = new AbortController();
+  const until = { signal: done.signal };
+  try {
+    return await new Promise<Result>((resolve, reject) => {
+      const answered = ({ data }: MessageEvent<WorkerAnswer<Result>>): void => {
+        if ('result' in data) resolve(data.result);
+        else reject(Object.assign(new Error(data.error.message), { name: data.error.name }));
+      };
+      const failed = (event: Event): void => {
+        // Otherwise the browser would report it as the page's own.
+        event.preventDefault();
+        reject(new NoAnswer('the decoder has stopped'));
+      };
+      worker.addEventListener('message', answered, until);
+      worker.addEventListener('error', failed, until);
+      worker.addEventListener('messageerror', failed, until);
+      signal?.addEventListener('abort', () => reject(signal.reason as Error), until);
+      worker.postMessage(message);
+    });
+  } finally {
+    done.abort();
+  }
+}

@@ -1,0 +1,179 @@
+// Downloads a model's files with progress, abort, limits of size and silence, and errors that a page's author
+// understands.
+import { decodeDataUri } from './data-uri.js';
+import { nameOf } from './file-name.js';
+import { BYTE_LIMIT } from './limits.js';
+import { ModelError } from './model.js';
+import { isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
+
+/**
+ * How long a server may send nothing, in milliseconds: before its answer, and between two parts of a file. Long enough
+ * for a server that has to wake up first; a page that stays open for hours should not hold its connections for good.
+ */
+export const SILENCE_LIMIT_MS = 60_000;
+
+export interface Transfer {
+  /** To be aborted after a failure too: that ends the other requests of the model. */
+  readonly signal: AbortSignal;
+  readonly crossOrigin: CrossOrigin;
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
+  readonly onProgress?: ((loaded: number, total: number) => void) | undefined;
+}
+
+/** Downloads a file; `request` if it was requested already. */
+export type FetchBytes = (
+  url: URL,
+  redirect: RequestRedirect,
+  request?: FileRequest | null,
+) => Promise<Uint8Array<ArrayBuffer>>;
+
+/**
+ * A download function for the files of one model, which share size limit and progress.
+ * @param onType called with the media type of each file; empty if none came with it.
+ */
+export function byteFetcher(
+  transfer: Transfer,
+  onType: (type: string) => void = () => undefined,
+): FetchBytes {
+  const { signal } = transfer;
+  let loaded = 0;
+  let total = 0;
+  let known = true;
+  return async (url, redirect, request) => {
+    signal.throwIfAborted();
+    if (isDataUri(url.href)) {
+      const { type, bytes } = decodeDataUri(url.href);
+      onType(type);
+      return bytes;
+    }
+    const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
+    onType(response.headers.get('content-type') ?? '');
+    const expected = expectedLength(response);
+    if (expected === 0) known = false;
+    total += expected;
+    if (total > BYTE_LIMIT) {
+      discard(response);
+      throw tooLarge(url);
+    }
+    const chunks: Uint8Array[] = [];
+    let size = 0;
+    const reader = response.body?.getReader();
+    for (let chunk = await read(url, signal, reader); chunk; chunk = await read(url, signal, reader)) {
+      chunks.push(chunk);
+      size += chunk.byteLength;
+      loaded += chunk.byteLength;
+      // A compressed file counts as what it unpacks to. The rest of it is not unpacked.
+      if (loaded > BYTE_LIMIT) {
+        reader?.cancel().catch(ignored);
+        throw tooLarge(url);
+      }
+      transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
+    }
+    return joined(chunks, size);
+  };
+}
+
+async function answerTo(url: URL, request: FileRequest, signal: AbortSignal): Promise<Response> {
+  let response: Response;
+  try {
+    response = await inTime(url, request.response);
+  } catch (cause) {
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    const directive = await Promise.race([request.refusal, later(POLICY_EVENT_WAIT_MS)]);
+    signal.throwIfAborted();
+    if (directive !== null) {
+      throw new ModelError(
+        'csp',
+        `The page's Content-Security-Policy (${directive}) does not let it fetch ${nameOf(url)} from ${url.origin}. ` +
+          'Allow that address there, or serve the file from an address that is allowed.',
+        { cause },
+      );
+    }
+    throw new ModelError('load-failed', unanswered(url), { cause });
+  } finally {
+    request.stop();
+  }
+  if (response.ok) return response;
+  discard(response);
+  const status = `${String(response.status)} ${response.statusText}`.trim();
+  throw new ModelError('load-failed', `The server answered ${status} for ${nameOf(url)}. Check the address.`);
+}
+
+/** Ends a download. Its connection may have broken off already, which changes nothing. */
+function discard({ body }: Response): void {
+  body?.cancel().catch(ignored);
+}
+
+const ignored = (): void => undefined;
+
+/** Fetching an address gave no answer: why that may be, and what can be done. */
+const unanswered = (url: URL): string =>
+  url.protocol === 'file:'
+    ? `A page opened from disk may not read files, such as ${nameOf(url)}. Serve the folder, with \`npx serve\` or \`python3 -m http.server\`.`
+    : `No answer came for ${nameOf(url)}. Is the server ${url.host} reachable, and does it send CORS headers if it is another origin than the page?`;
+// The event of a refusal is queued and can arrive after the fetch has rejected.
+const POLICY_EVENT_WAIT_MS = 100;
+
+const later = (milliseconds: number): Promise<null> =>
+  new Promise((resolve) => {
+    setTimeout(() => {
+      resolve(null);
+    }, milliseconds);
+  });
+
+/** The announced length of the body, or 0 if unknown. For a compressed body the header gives the compressed length. */
+function expectedLength(response: Response): number {
+  if (response.headers.has('content-encoding')) return 0;
+  const length = Number(response.headers.get('content-length') ?? 0);
+  return Number.isFinite(length) && length > 0 ? length : 0;
+}
+
+function tooLarge(url: URL): ModelError {
+  const most = String(BYTE_LIMIT / 2 ** 20);
+  const message = `More than ${most} MiB, the most that can be loaded, with ${nameOf(url)}.`;
+  return new ModelError('too-large', message);
+}
+
+async function read(
+  url: URL,
+  signal: AbortSignal,
+  reader: ReadableStreamDefaultReader<Uint8Array> | undefined,
+): Promise<Uint8Array | undefined> {
+  if (reader === undefined) return undefined;
+  try {
+    return (await inTime(url, reader.read())).value;
+  } catch (cause) {
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    throw new ModelError('load-failed', `The connection broke while ${nameOf(url)} was read.`, { cause });
+  }
+}
+
+/** What the server sends next. Rejects if that takes longer than {@link SILENCE_LIMIT_MS}. */
+async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const silence = new Promise<never>((_, reject) => {
+    timer = setTimeout(() => {
+      const seconds = String(SILENCE_LIMIT_MS / 1000);
+      reject(
+        new ModelError('load-failed', `No data came for ${seconds} seconds, so ${nameOf(url)} was given up.`),
+      );
+    }, SILENCE_LIMIT_MS);
+  });
+  try {
+    return await Promise.race([next, silence]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+function joined(chunks: readonly Uint8Array[], size: number): Uint8Array<ArrayBuffer> {
+  const bytes = new Uint8Array(size);
+  let at = 0;
+  for (const chunk of chunks) {
+    bytes.set(chunk, at);
+    at += chunk.byteLength;
+  }
+  return bytes;
+}

@@ -1,0 +1,147 @@
+// Finds the reader for a file's bytes. The content decides, then the element's `type`, the file extension and the media
+// type. A new format is a row here and one in format-names.ts; its reader is a separate chunk, fetched with the first
+// file that needs it.
+import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
+import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.js';
+import { lazyCode } from './lazy-code.js';
+import { gltfCode } from './gltf-code.js';
+import { ModelError, type Model } from './model.js';
+import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
+
+export interface ModelSource {
+  readonly url: URL;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly signal: AbortSignal;
+  /** Downloads a file that the model names, if it is allowed to name it. */
+  readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
+  readonly optional: ReadOptional;
+  /** For the model's budget. */
+  readonly onValues: ((values: number) => void) | undefined;
+}
+
+/**
+ * Reads something that the model can be shown without: an image, or a library of materials. Null if it is missing or
+ * broken, which is then reported. Limits, a policy and missing code of the package are errors here too.
+ * @param name as the model names it, for reports.
+ * @param read gets its bytes, by `linked` or from the model itself.
+ * @param use decodes them. A ModelError is not the file's fault.
+ */
+export type ReadOptional = <Bytes, Result>(
+  name: string,
+  read: () => Promise<Bytes>,
+  use: (bytes: Bytes) => Result | Promise<Result>,
+) => Promise<Result | null>;
+
+/** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
+export type ModelReader = (source: ModelSource) => Promise<Model>;
+
+export interface Format extends FormatNames {
+  /** Whether the bytes are those of this format and no other. */
+  readonly matches: (bytes: Uint8Array) => boolean;
+  readonly reader: () => Promise<ModelReader>;
+}
+
+const plyCode = lazyCode(() => import('./ply/read-ply.js'), 'PLY files');
+const stlCode = lazyCode(() => import('./stl/read-stl.js'), 'STL files');
+const objCode = lazyCode(() => import('./obj/read-obj.js'), 'OBJ files');
+
+/** How each format is recognised and read. */
+const READERS: Readonly<Record<FormatKey, Pick<Format, 'matches' | 'reader'>>> = {
+  gltf: {
+    matches: (bytes) => startsWith(bytes, 'glTF') || firstCharacter(bytes) === '{',
+    reader: async () => (await gltfCode()).readGltf,
+  },
+  ply: {
+    matches: (bytes) => startsWith(bytes, 'ply\n') || startsWith(bytes, 'ply\r'),
+    reader: async () => (await plyCode()).readPly,
+  },
+  stl: {
+    matches: (bytes) => isTextStl(bytes) || isBinaryStl(bytes),
+    reader: async () => (await stlCode()).readStl,
+  },
+  obj: { matches: isObj, reader: async () => (await objCode()).readObj },
+};
+
+const FORMATS: readonly Format[] = (Object.keys(FORMAT_NAMES) as FormatKey[]).map((key) => ({
+  ...FORMAT_NAMES[key],
+  ...READERS[key],
+}));
+
+/** What is known of a file besides its bytes. */
+export interface FormatHints {
+  /** What the element's `type` says: a word such as `obj` or a media type; empty for nothing. */
+  readonly type?: string;
+  /** The media type that came with the file; empty for none. */
+  readonly mediaType?: string;
+  /** The whole address, for the extension; by default the name. */
+  readonly address?: string;
+}
+
+/**
+ * The format of a file.
+ * @param name for messages.
+ * @throws ModelError `bad-model` that says what the file seems to be.
+ */
+export function formatOf(
+  name: string,
+  bytes: Uint8Array,
+  { type = '', mediaType = '', address = name }: FormatHints = {},
+): Format {
+  if (bytes.byteLength === 0) throw new ModelError('bad-model', `The file ${name} is empty.`);
+  const extension = /\.([a-z0-9]+)(?:[?#].*)?$/i.exec(address)?.[1]?.toLowerCase() ?? '';
+  const byType = (written: string): Format | undefined =>
+    FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
+  const byContent = FORMATS.find(({ matches }) => matches(bytes));
+  if (byContent) return byContent;
+  refuse(name, foreignContent(bytes));
+  const byHint =
+    byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
+  if (byHint) return byHint;
+  refuse(name, foreignExtension(extension));
+  throw new ModelError('bad-model', `The format is not supported: ${name}. These are: ${supportedFormats}.`);
+}
+
+/** For messages: names and extensions. */
+export const supportedFormats = FORMATS.map(
+  ({ name, extensions }) => `${name} (.${extensions.join(', .')})`,
+).join(', ');
+
+/** Extensions of files that can be shown, lower case. */
+export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions }) => extensions);
+
+/** @throws ModelError unless `foreign` is null. */
+function refuse(name: string, foreign: ForeignFormat | null): void {
+  if (foreign === null) return;
+  const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign;
+  throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}. ${cure}`);
+}
+
+const OTHERS = FORMATS.slice(1)
+  .map(({ name }) => name)
+  .join(', ')
+  .replace(/, (\w+)$/, ' or $1');
+
+/** A media type without its parameters, or a word, as in the table. */
+const essence = (type: string): string => (type.split(';', 1)[0] ?? '').trim().toLowerCase();
+
+function startsWith(bytes: Uint8Array, text: string): boolean {
+  return Array.from(text).every((character, i) => bytes[i] === character.charCodeAt(0));
+}
+
+/** The first character of a UTF-8 text that is neither white space nor a byte order mark. */
+function firstCharacter(bytes: Uint8Array): string {
+  return new TextDecoder().decode(bytes.subarray(0, 256)).trimStart().charAt(0);
+}
+
+/**
+ * Whether each of the first lines begins with a word of OBJ files, and one of them is a vertex, a name or a library.
+ */
+function isObj(bytes: Uint8Array): boolean {
+  const start = new TextDecoder().decode(bytes.subarray(0, 4096)).split(/\r?\n|\r/);
+  if (bytes.byteLength > 4096) start.pop(); // cut in the middle
+  const words = start.map((line) => line.trim().split(/\s/, 1)[0] ?? '');
+  const known = words.every(
+    (word) => /^(v[tnp]?|f|o|g|s|l|p|usemtl|mtllib|)$/.test(word) || word.startsWith('#'),
+  );
+  return known && words.some((word) => /^(v|o|g|mtllib)$/.test(word));
+}

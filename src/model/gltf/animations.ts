@@ -1,0 +1,97 @@
+// The animations of a glTF document that can be played, and what they cost. Channels of shown nodes, with samplers that
+// fit their properties. An animation with a mistake is left out, and the model is shown without it. Knows the JSON
+// only.
+import type { ModelBudget } from '../model-budget.js';
+import type { Accessor, Accessors } from './accessors.js';
+import { indexAt, objectAt, objectsAt, textAt, type JsonObject } from './json.js';
+import type { Interpolation } from './tracks.js';
+
+export type ChannelPath = 'translation' | 'rotation' | 'scale' | 'weights';
+
+export interface Channel {
+  readonly node: number;
+  readonly path: ChannelPath;
+  /** Accessors of times and values. */
+  readonly input: Accessor;
+  readonly output: Accessor;
+  /** Numbers per value. */
+  readonly width: number;
+  readonly interpolation: Interpolation;
+}
+
+export interface GltfAnimation {
+  /** As in the file; may be empty. */
+  readonly name: string;
+  readonly channels: readonly Channel[];
+}
+
+/** Numbers per value; weights have one for each morph target. */
+const WIDTHS: Readonly<Record<ChannelPath, number>> = { translation: 3, rotation: 4, scale: 3, weights: 0 };
+const INTERPOLATIONS: readonly string[] = ['STEP', 'LINEAR', 'CUBICSPLINE'] satisfies Interpolation[];
+
+export interface AnimationContext {
+  readonly accessors: Accessors;
+  /** Morph targets of each node's mesh; undefined for nodes that are not shown. */
+  readonly targets: readonly (number | undefined)[];
+  readonly budget: ModelBudget;
+}
+
+/** @param dropped gets the animations with mistakes. */
+export function readAnimations(
+  json: JsonObject,
+  context: AnimationContext,
+  dropped: Set<string>,
+): readonly GltfAnimation[] {
+  const counted = new Set<Accessor>();
+  return objectsAt(json['animations'], 'animations').flatMap((animation, i) => {
+    try {
+      const channels = readChannels(animation, context);
+      if (channels.length === 0) return [];
+      for (const { input, output, width } of channels) {
+        // In float64: the value without animation, and the present one.
+        context.budget.add({ values: 4 * width });
+        for (const accessor of [input, output]) {
+          context.accessors.read(accessor);
+          if (counted.has(accessor)) continue;
+          counted.add(accessor);
+          // Once as in the file and once as floats.
+          context.budget.add({ values: 2 * accessor.count * accessor.components });
+        }
+      }
+      return [{ name: textAt(animation['name']), channels }];
+    } catch (error) {
+      if (!(error instanceof Error) || error.name !== 'Error') throw error; // too large
+      dropped.add(`animations[${String(i)}] (${error.message})`);
+      return [];
+    }
+  });
+}
+
+function readChannels(animation: JsonObject, context: AnimationContext): readonly Channel[] {
+  const { accessors, targets } = context;
+  const samplers = objectsAt(animation['samplers'], 'samplers');
+  return objectsAt(animation['channels'], 'channels').flatMap((channel, i) => {
+    const what = `channels[${String(i)}]`;
+    const target = objectAt(channel['target'], `${what}.target`);
+    const path = textAt(target['path']);
+    // Extensions can animate other properties, which are not named by a node.
+    if (target['node'] === undefined || !isPath(path)) return [];
+    const node = indexAt(target['node'], targets.length, `${what}.target.node`);
+    const sampler = samplers[indexAt(channel['sampler'], samplers.length, `${what}.sampler`)] ?? {};
+    const width = path === 'weights' ? targets[node] : WIDTHS[path];
+    if (targets[node] === undefined || width === undefined || width === 0) return [];
+    const interpolation = textAt(sampler['interpolation']) || 'LINEAR';
+    if (!isInterpolation(interpolation)) throw new Error(`${what} has an unknown interpolation`);
+    const input = accessors.at(sampler['input'], `${what}.input`);
+    const output = accessors.at(sampler['output'], `${what}.output`);
+    const numbers = input.count * width * (interpolation === 'CUBICSPLINE' ? 3 : 1);
+    if (input.components !== 1 || input.count === 0) throw new Error(`${what} has no times`);
+    if (output.count * output.components < numbers) throw new Error(`${what} has fewer values than times`);
+    if (output.components !== (path === 'weights' ? 1 : width))
+      throw new Error(`${what} has values of another type`);
+    return [{ node, path, input, output, width, interpolation }];
+  });
+}
+
+const isPath = (path: string): path is ChannelPath => Object.hasOwn(WIDTHS, path);
+const isInterpolation = (text: string): text is Interpolation => INTERPOLATIONS.includes(text);

@@ -1,0 +1,102 @@
+// The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
+import { lazyCode } from '../lazy-code.js';
+import { decodeDataUri } from '../data-uri.js';
+import { isDataUri } from '../request-file.js';
+import type { ModelSource } from '../format.js';
+import { BYTE_LIMIT } from '../limits.js';
+import { ModelError } from '../model.js';
+import type { GltfDocument } from './document.js';
+import { indexAt, textAt } from './json.js';
+import type { MeshoptView } from './meshopt-views.js';
+
+export interface GltfBytes {
+  /** A copy of the view's bytes, padded by the view's stride after the last element. */
+  view(index: number): Promise<ArrayBuffer>;
+  /** An image file. `type` is empty if the document does not give it. */
+  image(index: number): Promise<{ readonly bytes: Uint8Array<ArrayBuffer>; readonly type: string }>;
+}
+
+export function gltfBytes(
+  document: GltfDocument,
+  body: Uint8Array<ArrayBuffer> | null,
+  source: ModelSource,
+): GltfBytes {
+  const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
+  let copied = 0;
+
+  const bytesOf = async (uri: string): Promise<Uint8Array<ArrayBuffer>> =>
+    isDataUri(uri) ? decodeDataUri(uri).bytes : source.linked(uri);
+
+  const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const buffer = document.buffers[index];
+    const bytes = buffer?.uri === undefined ? body : await bytesOf(buffer.uri);
+    if (!buffer || !bytes || (buffer.uri === undefined && index > 0)) {
+      throw new Error(`buffers[${String(index)}] has no bytes`);
+    }
+    if (bytes.byteLength >= buffer.byteLength) return bytes;
+    throw new Error(
+      `buffers[${String(index)}] is truncated: ` +
+        `${String(bytes.byteLength)} of ${String(buffer.byteLength)} bytes`,
+    );
+  };
+
+  const buffer = (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const pending = buffers.get(index) ?? load(index);
+    buffers.set(index, pending);
+    return pending;
+  };
+
+  const slice = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
+    const definition = document.bufferViews[index];
+    if (!definition) throw new Error(`bufferViews[${String(index)}] is missing`);
+    const view = definition.meshopt ?? definition;
+    const bytes = await buffer(view.buffer);
+    const end = view.byteOffset + view.byteLength;
+    if (end > bytes.byteLength) throw new Error(`bufferViews[${String(index)}] reaches beyond its buffer`);
+    return bytes.subarray(view.byteOffset, end);
+  };
+
+  return {
+    view: async (index) => {
+      const view = document.bufferViews[index];
+      const meshopt = view?.meshopt;
+      const bytes = await slice(index);
+      const length = meshopt ? meshopt.count * meshopt.stride : bytes.byteLength;
+      const size = length + (view?.byteStride ?? 0);
+      copied += size;
+      // Views may overlap or be compressed, so a small file can claim any size.
+      if (copied > BYTE_LIMIT) throw new ModelError('too-large', 'The model unpacks to more than 256 MiB.');
+      const copy = new Uint8Array(size);
+      copy.set(meshopt ? await (await meshoptDecoder())(bytes, meshopt) : bytes);
+      return copy.buffer;
+    },
+    image: async (index) => {
+      const image = document.images[index] ?? {};
+      const uri = textAt(image['uri']);
+      const type = textAt(image['mimeType']);
+      if (isDataUri(uri)) return decodeDataUri(uri);
+      if (uri !== '') return { bytes: await bytesOf(uri), type };
+      const view = indexAt(
+        image['bufferView'],
+        document.bufferViews.length,
+        `images[${String(index)}].bufferView`,
+      );
+      return { bytes: await slice(view), type };
+    },
+  };
+}
+
+const meshoptCode = lazyCode(() => import('./meshopt.js'), 'the meshopt decoder');
+
+async function meshoptDecoder(): Promise<(bytes: Uint8Array, view: MeshoptView) => Promise<Uint8Array>> {
+  const { decodeMeshopt } = await meshoptCode().catch((cause: unknown) => {
+    throw new ModelError(
+      'load-failed',
+      'The meshopt decoder, which this model needs, could not be fetched.',
+      {
+        cause,
+      },
+    );
+  });
+  return decodeMeshopt;
+}

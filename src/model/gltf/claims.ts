@@ -1,0 +1,130 @@
+// What a glTF document will cost when it is drawn: draws, corners and numbers of what its scene shows, counted in the
+// JSON alone before anything is allocated. Must agree with parts.ts about what is shared and what is copied.
+import { DRACO_LIMIT } from '../limits.js';
+import { requireAtMost, type ModelBudget } from '../model-budget.js';
+import type { Accessor, Accessors } from './accessors.js';
+import type { Primitive } from './primitives.js';
+
+/**
+ * Nodes inside nodes. Beyond it three.js, which visits children by recursion, would overflow the stack in some
+ * browsers.
+ */
+const DEPTH_LIMIT = 1000;
+
+/** What a document's nodes are counted with. */
+export interface ClaimContext {
+  readonly accessors: Accessors;
+  readonly budget: ModelBudget;
+}
+
+export interface ClaimedNode {
+  readonly children: readonly number[];
+  /** Primitives of its mesh. */
+  readonly primitives: readonly Primitive[];
+  readonly skin: ClaimedSkin | undefined;
+}
+
+/** Compared by identity. */
+export interface ClaimedSkin {
+  readonly joints: readonly number[];
+  readonly inverseBindMatrices: Accessor | undefined;
+}
+
+/**
+ * Visits the nodes below `roots`, which must be trees.
+ * @returns the largest claims of what each Draco buffer view holds.
+ * @throws ModelError `too-large` past a limit, a plain Error if nodes are nested too deeply.
+ */
+export function countClaims(
+  nodes: readonly ClaimedNode[],
+  roots: readonly number[],
+  { accessors, budget }: ClaimContext,
+): ReadonlyMap<number, DracoClaims> {
+  const geometries = new Map<ClaimedSkin | undefined, Set<string>>();
+  const converted = new Map<string, Set<Accessor | string>>();
+  const packed = new Map<number, DracoClaims>();
+  for (const { primitives, skin } of visited(nodes, roots, budget)) {
+    for (const primitive of primitives) {
+      const { corners, vertices } = primitive;
+      budget.add({ parts: 1, corners });
+      const known = geometries.get(skin) ?? new Set();
+      // The weights of morph targets belong to a node.
+      if (primitive.targets.length === 0 && known.has(primitive.key)) continue;
+      // A joint has a matrix in the file and one in its pose, in float64.
+      if (!geometries.has(skin)) budget.add({ values: (skin?.joints.length ?? 0) * 64 });
+      if (skin?.inverseBindMatrices !== undefined) accessors.read(skin.inverseBindMatrices);
+      geometries.set(skin, known.add(primitive.key));
+      for (const accessor of primitive.read) accessors.read(accessor);
+      budget.add({ values: ownValues(primitive, skin !== undefined) });
+      for (const { name, accessor, items } of primitive.attributes) {
+        const sources = converted.get(name) ?? new Set();
+        // What is unpacked belongs to one geometry, whatever its accessors are shared with.
+        const source = primitive.packed === undefined ? accessor : primitive.key;
+        if (sources.has(source)) continue;
+        converted.set(name, sources.add(source));
+        budget.add({ values: accessor.count * items });
+      }
+      if (primitive.packed !== undefined) {
+        requireAtMost(Math.max(corners, vertices), DRACO_LIMIT, 'corners in one Draco mesh');
+        const most = packed.get(primitive.packed) ?? primitive;
+        packed.set(primitive.packed, {
+          corners: Math.max(most.corners, corners),
+          vertices: Math.max(most.vertices, vertices),
+        });
+      }
+    }
+  }
+  return packed;
+}
+
+export interface DracoClaims {
+  readonly corners: number;
+  readonly vertices: number;
+}
+
+/** What a computed tangent costs, in values: itself, and two sums in float64 while it is computed. */
+const TANGENT_VALUES = 16;
+
+/**
+ * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, and its joints
+ * and their weights.
+ */
+const MOVING_VALUES = 16;
+
+/** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
+function ownValues(primitive: Primitive, skinned: boolean): number {
+  const { attributes, order, corners, vertices, tangents, targets } = primitive;
+  const flat = attributes.every(({ name }) => name !== 'NORMAL');
+  // Strips, and vertices that do not fill the last triangle, get an index.
+  const indexed = order !== undefined || corners !== vertices;
+  const separate = indexed && (flat || usesFew(corners, vertices));
+  const own = separate ? corners : vertices;
+  const items = attributes.reduce((sum, attribute) => sum + attribute.items, 0);
+  return (
+    (separate ? corners * items : indexed ? corners : 0) +
+    (flat ? corners * 3 : 0) +
+    (skinned || targets.length > 0 ? own * MOVING_VALUES : 0) +
+    // As in the file, and as floats.
+    targets.reduce((sum, target) => sum + Object.keys(target).length, 0) * (vertices + own) * 3 +
+    (tangents ? own * TANGENT_VALUES : 0)
+  );
+}
+
+/** Whether a primitive uses so few of its vertices that it gets a copy of its own. */
+export const usesFew = (corners: number, vertices: number): boolean => corners * 2 < vertices;
+
+function* visited(
+  nodes: readonly ClaimedNode[],
+  roots: readonly number[],
+  budget: ModelBudget,
+): Iterable<ClaimedNode> {
+  let level: readonly number[] = roots;
+  for (let depth = 0; level.length > 0; depth += 1) {
+    if (depth > DEPTH_LIMIT)
+      throw new Error(`its nodes are nested deeper than ${String(DEPTH_LIMIT)} levels`);
+    budget.add({ nodes: level.length });
+    const here = level.flatMap((index) => nodes[index] ?? []);
+    yield* here;
+    level = here.flatMap(({ children }) => children);
+  }
+}

@@ -1,0 +1,288 @@
+// The vertices of a mesh with joints or morph targets, computed on the CPU, at load and whenever the pose changes, so
+// that bounds, culling and picking read the vertices that are drawn.
+import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
+import { writeFaceNormals } from '../face-normals.js';
+import type { Slices } from '../slices.js';
+import { COORDINATE_LIMIT, type Attribute } from './attributes.js';
+import type { JointPose } from './joint-pose.js';
+
+/** What a morph target adds to each vertex at weight 1: plain floats, three per vertex. */
+export interface MorphTarget {
+  readonly position: Attribute | null;
+  readonly normal: Attribute | null;
+  readonly tangent: Attribute | null;
+}
+
+export interface Rig {
+  readonly joints: {
+    readonly pose: JointPose;
+    readonly indices: Attribute;
+    readonly weights: Attribute;
+  } | null;
+  readonly targets: readonly MorphTarget[];
+  /** Weight of each target; overwritten when the pose changes. */
+  readonly weights: Float64Array;
+  /** The geometry has a normal for each triangle, and no index. */
+  readonly flat: boolean;
+}
+
+/** Joints that move a vertex. */
+const JOINTS = 4;
+
+/**
+ * Deforms one geometry, whose attributes at construction are those of the undeformed mesh. Tangents and normals may be
+ * absent.
+ */
+export class Deformation {
+  readonly #geometry: BufferGeometry;
+  readonly #rig: Rig;
+  readonly #rest: { position: Float32Array; normal: Float32Array | null; tangent: Float32Array | null };
+  readonly #position: Float32Array;
+  readonly #normal: Float32Array | null;
+  readonly #tangent: Float32Array | null;
+  readonly #indices: Uint16Array;
+  readonly #weights: Float32Array;
+  readonly #applied: Float64Array;
+  #version = -1;
+  /** Two, in turns: a new object says that the bounds have changed. */
+  readonly #bounds = [new Box3(), new Box3()] as const;
+
+  constructor(geometry: BufferGeometry, rig: Rig) {
+    this.#geometry = geometry;
+    this.#rig = rig;
+    const own = (name: string): [Float32Array, Float32Array] | null => {
+      if (!geometry.hasAttribute(name)) return null;
+      // Other geometries can share the attribute.
+      const attribute = (geometry.getAttribute(name) as BufferAttribute).clone();
+      const rest = geometry.getAttribute(name).array as Float32Array;
+      geometry.setAttribute(name, attribute);
+      return [rest, attribute.array as Float32Array];
+    };
+    const position = own('position') ?? [NONE, NONE];
+    const normal = own('normal');
+    const tangent = own('tangent');
+    this.#rest = { position: position[0], normal: normal?.[0] ?? null, tangent: tangent?.[0] ?? null };
+    this.#position = position[1];
+    this.#normal = normal?.[1] ?? null;
+    this.#tangent = tangent?.[1] ?? null;
+    const links = rig.joints === null ? 0 : (this.#position.length / 3) * JOINTS;
+    this.#indices = new Uint16Array(links);
+    this.#weights = new Float32Array(links);
+    this.#applied = new Float64Array(rig.weights.length);
+  }
+
+  /** The first pose, in slices. Rejects with an Error if a vertex leaves the domain of coordinates. */
+  async load(slices: Slices): Promise<void> {
+    const count = this.#position.length / 3;
+    await slices.over(count, (from, to) => {
+      this.#link(from, to);
+    });
+    await slices.over(count, (from, to) => {
+      this.#deform(from, to);
+    });
+    const normals = this.#normal;
+    if (this.#rig.flat && normals !== null)
+      await slices.over(count / 3, (from, to) => {
+        writeFaceNormals(this.#position, normals, from, to);
+      });
+    for (const value of this.#position)
+      if (!(Math.abs(value) <= COORDINATE_LIMIT))
+        throw new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
+    this.#remember();
+  }
+
+  /** Marks the vertices as changing: the GPU keeps them where they are quick to replace, and snapshots copy them. */
+  keep(): void {
+    for (const name of MOVING) this.#attribute(name)?.setUsage(DynamicDrawUsage);
+  }
+
+  /** Updates the geometry if joints or weights have changed. */
+  update(): void {
+    const { joints, weights, flat } = this.#rig;
+    const still = this.#version === (joints?.pose.version ?? 0);
+    if (still && weights.every((weight, i) => weight === this.#applied[i])) return;
+    const count = this.#position.length / 3;
+    this.#deform(0, count);
+    if (flat && this.#normal !== null) writeFaceNormals(this.#position, this.#normal, 0, count / 3);
+    this.#measure();
+    for (const name of MOVING) {
+      const attribute = this.#attribute(name);
+      if (attribute !== null) attribute.needsUpdate = true;
+    }
+    this.#remember();
+  }
+
+  #attribute(name: string): BufferAttribute | null {
+    const geometry = this.#geometry;
+    return geometry.hasAttribute(name) ? (geometry.getAttribute(name) as BufferAttribute) : null;
+  }
+
+  #remember(): void {
+    this.#version = this.#rig.joints?.pose.version ?? 0;
+    this.#applied.set(this.#rig.weights);
+  }
+
+  /** Reads joints and weights. A joint that does not exist has no weight. */
+  #link(from: number, to: number): void {
+    const { joints } = this.#rig;
+    if (joints === null) return;
+    const { pose, indices, weights } = joints;
+    const count = pose.matrices.length / 16;
+    for (let i = from; i < to; i += 1) {
+      for (let k = 0; k < JOINTS; k += 1) {
+        const joint = indices.getComponent(i, k);
+        const weight = weights.getComponent(i, k);
+        if (!(weight > 0 && joint < count)) continue;
+        this.#indices[i * JOINTS + k] = joint;
+        this.#weights[i * JOINTS + k] = weight;
+      }
+    }
+  }
+
+  /**
+   * Always from the file's own numbers, so that no error accumulates. Normals use the cofactors of the blended matrix,
+   * which are right for any scale, including 0.
+   */
+  #deform(from: number, to: number): void {
+    this.#morph(from, to);
+    const { joints } = this.#rig;
+    if (joints !== null) this.#skin(joints.pose.matrices, from, to);
+    else if (this.#normal !== null) normalizeAll(this.#normal, 3, from, to);
+    if (this.#tangent !== null) normalizeAll(this.#tangent, 4, from, to);
+  }
+
+  #morph(from: number, to: number): void {
+    const { position, normal, tangent } = this.#rest;
+    this.#position.set(position.subarray(from * 3, to * 3), from * 3);
+    if (normal !== null) this.#normal?.set(normal.subarray(from * 3, to * 3), from * 3);
+    if (tangent !== null) this.#tangent?.set(tangent.subarray(from * 4, to * 4), from * 4);
+    this.#rig.targets.forEach((target, i) => {
+      const weight = this.#rig.weights[i]!;
+      if (weight === 0) return;
+      add(target.position, weight, this.#position, 3, from, to);
+      if (this.#normal !== null) add(target.normal, weight, this.#normal, 3, from, to);
+      if (this.#tangent !== null) add(target.tangent, weight, this.#tangent, 4, from, to);
+    });
+  }
+
+  #skin(bones: Float64Array, from: number, to: number): void {
+    const [positions, normals, tangents] = [this.#position, this.#normal, this.#tangent];
+    const [indices, weights] = [this.#indices, this.#weights];
+    for (let i = from; i < to; i += 1) {
+      let a = 0;
+      let b = 0;
+      let c = 0;
+      let d = 0;
+      let e = 0;
+      let f = 0;
+      let g = 0;
+      let h = 0;
+      let j = 0;
+      let tx = 0;
+      let ty = 0;
+      let tz = 0;
+      for (let k = i * JOINTS; k < (i + 1) * JOINTS; k += 1) {
+        const weight = weights[k]!;
+        if (weight === 0) continue;
+        const at = indices[k]! * 16;
+        a += weight * bones[at]!;
+        b += weight * bones[at + 1]!;
+        c += weight * bones[at + 2]!;
+        d += weight * bones[at + 4]!;
+        e += weight * bones[at + 5]!;
+        f += weight * bones[at + 6]!;
+        g += weight * bones[at + 8]!;
+        h += weight * bones[at + 9]!;
+        j += weight * bones[at + 10]!;
+        tx += weight * bones[at + 12]!;
+        ty += weight * bones[at + 13]!;
+        tz += weight * bones[at + 14]!;
+      }
+      const x = positions[i * 3]!;
+      const y = positions[i * 3 + 1]!;
+      const z = positions[i * 3 + 2]!;
+      positions[i * 3] = a * x + d * y + g * z + tx;
+      positions[i * 3 + 1] = b * x + e * y + h * z + ty;
+      positions[i * 3 + 2] = c * x + f * y + j * z + tz;
+      const ax = e * j - f * h;
+      const ay = f * g - d * j;
+      const az = d * h - e * g;
+      const sign = a * ax + b * ay + c * az < 0 ? -1 : 1;
+      if (normals !== null) {
+        const nx = sign * normals[i * 3]!;
+        const ny = sign * normals[i * 3 + 1]!;
+        const nz = sign * normals[i * 3 + 2]!;
+        const mx = ax * nx + (c * h - b * j) * ny + (b * f - c * e) * nz;
+        const my = ay * nx + (a * j - c * g) * ny + (c * d - a * f) * nz;
+        const mz = az * nx + (b * g - a * h) * ny + (a * e - b * d) * nz;
+        const size = Math.sqrt(mx * mx + my * my + mz * mz);
+        const valid = size > 0 && size < Infinity;
+        normals[i * 3] = valid ? mx / size : 0;
+        normals[i * 3 + 1] = valid ? my / size : 0;
+        normals[i * 3 + 2] = valid ? mz / size : 0;
+      }
+      if (tangents !== null) {
+        const ux = tangents[i * 4]!;
+        const uy = tangents[i * 4 + 1]!;
+        const uz = tangents[i * 4 + 2]!;
+        tangents[i * 4] = a * ux + d * uy + g * uz;
+        tangents[i * 4 + 1] = b * ux + e * uy + h * uz;
+        tangents[i * 4 + 2] = c * ux + f * uy + j * uz;
+      }
+    }
+  }
+
+  /** The box of all vertices and the sphere around that box. */
+  #measure(): void {
+    const positions = this.#position;
+    let [minX, minY, minZ] = [Infinity, Infinity, Infinity];
+    let [maxX, maxY, maxZ] = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < positions.length; i += 3) {
+      const [x, y, z] = [positions[i]!, positions[i + 1]!, positions[i + 2]!];
+      if (x < minX) minX = x;
+      if (y < minY) minY = y;
+      if (z < minZ) minZ = z;
+      if (x > maxX) maxX = x;
+      if (y > maxY) maxY = y;
+      if (z > maxZ) maxZ = z;
+    }
+    const geometry = this.#geometry;
+    const [one, other] = this.#bounds;
+    const box = geometry.boundingBox === one ? other : one;
+    box.min.set(minX, minY, minZ);
+    box.max.set(maxX, maxY, maxZ);
+    geometry.boundingBox = box;
+    geometry.boundingSphere = box.getBoundingSphere(geometry.boundingSphere ?? new Sphere());
+  }
+}
+
+const NONE = new Float32Array(0);
+const MOVING = ['position', 'normal', 'tangent'] as const;
+
+/** Adds `weight` times the first three numbers of each vertex. */
+function add(
+  source: Attribute | null,
+  weight: number,
+  into: Float32Array,
+  stride: number,
+  from: number,
+  to: number,
+): void {
+  if (source === null) return;
+  const { array } = source; // plain: see MorphTarget
+  for (let i = from; i < to; i += 1) {
+    for (let c = 0; c < 3; c += 1) into[i * stride + c]! += weight * array[i * 3 + c]!;
+  }
+}
+
+/** Brings vectors of three numbers to unit length; those without direction become zero. */
+function normalizeAll(values: Float32Array, stride: number, from: number, to: number): void {
+  for (let i = from * stride; i < to * stride; i += stride) {
+    const [x, y, z] = [values[i]!, values[i + 1]!, values[i + 2]!];
+    const length = Math.hypot(x, y, z);
+    const valid = length > 0 && length < Infinity;
+    values[i] = valid ? x / length : 0;
+    values[i + 1] = valid ? y / length : 0;
+    values[i + 2] = valid ? z / length : 0;
+  }
+}

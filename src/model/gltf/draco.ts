@@ -1,0 +1,11 @@
+// The Draco decoder in plain JavaScript, for policies without WebAssembly and for the main thread. A separate chunk of
+// half a megabyte, and the same in a worker's file.
+import createDraco from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
+import { type DracoJob, type DracoMesh, meshDecoder } from './draco-mesh.js';
+import type { Decode } from '../decoders/decoder.js';
+
+/** Its console output is suppressed. */
+export async function createDecoder(): Promise<Decode<DracoJob, DracoMesh>> {
+  const silent = (): void => undefined;
+  return meshDecoder(await createDraco({ print: silent, printErr: silent }));
+}

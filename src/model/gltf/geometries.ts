@@ -1,0 +1,264 @@
+// Turns the geometries from three's glTF loader into those that are drawn: attributes as the shaders read them, in the
+// file's pose. What the file shares stays shared.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  type Mesh,
+  type MeshStandardMaterial,
+  type Object3D,
+  type Skeleton,
+  SkinnedMesh,
+} from 'three';
+import { faceNormals } from '../face-normals.js';
+import type { Slices } from '../slices.js';
+import {
+  type Attribute,
+  type Conversion,
+  encodedColors,
+  floatPositions,
+  floatUvs,
+  gathered,
+  unitNormals,
+} from './attributes.js';
+import type { Accessor } from './accessors.js';
+import { usesFew } from './claims.js';
+import { Deformation, type MorphTarget } from './deformation.js';
+import { JointPose } from './joint-pose.js';
+import { CORNERS, FAN, MORPHED, type MorphAccessors, STRIP } from './primitives.js';
+import { mapsOf, uvNameOf } from './surfaces.js';
+import { addTangents, unitTangents } from './tangents.js';
+
+/** Where the file describes an object. */
+export interface FileIndices {
+  readonly nodes?: number;
+  readonly meshes?: number;
+  readonly primitives?: number;
+}
+
+/** What the loader's scene does not say. */
+export interface GeometrySource {
+  /** Undefined for an object that no node and no mesh of the file stands for. */
+  indicesOf(object: Object3D): FileIndices | undefined;
+  /** The numbers of an accessor that was counted. */
+  accessor(accessor: Accessor): Promise<Attribute>;
+  /** By mesh and primitive. */
+  readonly targets: readonly (readonly (readonly MorphAccessors[])[])[];
+  /** Weights of morph targets, by node. */
+  readonly weights: readonly (readonly number[])[];
+}
+
+/**
+ * The loader makes a mesh that several nodes share a skinned one for all of them. Those without a skin have no
+ * skeleton.
+ */
+export const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
+  mesh instanceof SkinnedMesh && (mesh.skeleton as Skeleton | undefined) !== undefined;
+
+export interface BuiltGeometry {
+  readonly geometry: BufferGeometry;
+  readonly flat: boolean;
+}
+
+export class Geometries {
+  readonly deformations: Deformation[] = [];
+  readonly joints = new Map<Skeleton, JointPose>();
+  readonly weights = new Map<number, Float64Array>();
+  readonly #source: GeometrySource;
+  readonly #slices: Slices;
+  readonly #cache = new Map<string, BuiltGeometry>();
+  readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
+
+  constructor(source: GeometrySource, slices: Slices) {
+    this.#source = source;
+    this.#slices = slices;
+  }
+
+  async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BuiltGeometry> {
+    const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
+    const uvs = [
+      ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
+    ];
+    const tangents = normalMap === null ? null : uvNameOf(normalMap);
+    const skin = isSkinned(mesh) ? mesh.skeleton.uuid : '';
+    const targets = this.#targetsOf(mesh);
+    // The weights of morph targets belong to a node.
+    const own = targets.length > 0 ? mesh.uuid : '';
+    const key = [mesh.geometry.uuid, ...uvs, 'tangents', tangents, skin, own].join(' ');
+    const present = this.#cache.get(key);
+    if (present) return present;
+    const built = await this.#build(mesh, uvs, tangents, targets);
+    this.#cache.set(key, built);
+    return built;
+  }
+
+  /** @param tangents the coordinates of the normal map; null for none. */
+  async #build(
+    mesh: Mesh,
+    uvs: readonly string[],
+    tangents: string | null,
+    targets: readonly MorphAccessors[],
+  ): Promise<BuiltGeometry> {
+    const source = mesh.geometry;
+    const flat = !source.hasAttribute('normal');
+    const attributes = await this.#attributesOf(source, uvs, tangents !== null);
+    const count = attributes.get('position')?.count ?? 0;
+    const shown = [...attributes.keys()];
+    if (isSkinned(mesh)) for (const name of JOINTS) attributes.set(name, source.getAttribute(name));
+    for (const [name, accessor] of morphNames(targets))
+      attributes.set(name, await this.#convert(await this.#source.accessor(accessor), floatPositions));
+    for (const [name, attribute] of attributes) {
+      if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
+    }
+    let corners = await this.#cornersOf(source, count);
+    if (corners && (flat || usesFew(corners.length, count))) {
+      for (const [name, attribute] of attributes) {
+        attributes.set(name, await gathered(attribute, corners, this.#slices));
+      }
+      corners = null;
+    }
+    const geometry = new BufferGeometry();
+    for (const name of shown) geometry.setAttribute(name, attributes.get(name)!);
+    if (flat) {
+      const { array } = geometry.getAttribute('position');
+      geometry.setAttribute('normal', await faceNormals(array, this.#slices));
+    }
+    if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
+    if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
+    if (isSkinned(mesh) || targets.length > 0)
+      await this.#deform(mesh, geometry, flat, attributes, targets.length);
+    return { geometry, flat };
+  }
+
+  async #attributesOf(
+    source: BufferGeometry,
+    uvs: readonly string[],
+    tangents: boolean,
+  ): Promise<Map<string, Attribute>> {
+    const attributes = new Map<string, Attribute>();
+    for (const [name, conversion] of [
+      ['position', floatPositions],
+      ['normal', unitNormals],
+      ['color', encodedColors],
+      ...(tangents && source.hasAttribute('normal') ? [['tangent', unitTangents] as const] : []),
+      ...uvs.map((uv) => [uv, floatUvs] as const),
+    ] as const) {
+      if (!source.hasAttribute(name)) continue;
+      attributes.set(name, await this.#convert(source.getAttribute(name), conversion));
+    }
+    return attributes;
+  }
+
+  /** The vertex of each corner of whole triangles. Null if each vertex is a corner. */
+  async #cornersOf(source: BufferGeometry, vertices: number): Promise<Uint16Array | Uint32Array | null> {
+    const { index } = source;
+    const strip = source.hasAttribute(STRIP.toLowerCase());
+    const fan = source.hasAttribute(FAN.toLowerCase());
+    const count = index?.count ?? vertices;
+    const length = strip || fan ? CORNERS.strip(count) : CORNERS.list(count);
+    if (!index && !strip && !fan && length === count) return null;
+    // 8-bit indices become 16-bit, which every GPU reads at full speed.
+    const Type = vertices > 0xffff ? Uint32Array : Uint16Array;
+    const plain = index instanceof BufferAttribute && index.array instanceof Type;
+    const ready = plain && !strip && !fan && length === count;
+    const corners = ready ? (index.array as InstanceType<typeof Type>) : new Type(length);
+    await this.#slices.over(length, (from, to) => {
+      for (let i = from; i < to; i += 1) {
+        const at = strip ? stripCorner(i) : fan ? fanCorner(i) : i;
+        const vertex = index ? index.getX(at) : at;
+        if (!(vertex < vertices))
+          throw new Error(`a triangle refers to vertex ${String(vertex)} of ${String(vertices)}`);
+        corners[i] = vertex;
+      }
+    });
+    return corners;
+  }
+
+  /** Brings the geometry into the file's pose. Its attributes are those of the undeformed mesh. */
+  async #deform(
+    mesh: Mesh,
+    geometry: BufferGeometry,
+    flat: boolean,
+    attributes: ReadonlyMap<string, Attribute>,
+    targets: number,
+  ): Promise<void> {
+    const [indices, weights] = JOINTS.map((name) => attributes.get(name));
+    const joints =
+      isSkinned(mesh) && indices && weights ? { pose: this.#poseOf(mesh.skeleton), indices, weights } : null;
+    const deformation = new Deformation(geometry, {
+      joints,
+      flat,
+      weights: this.#weightsOf(mesh, targets),
+      targets: Array.from({ length: targets }, (_, i): MorphTarget => {
+        const [position = null, normal = null, tangent = null] = MORPHED.map((name) =>
+          attributes.get(morphName(i, name)),
+        );
+        return { position, normal, tangent };
+      }),
+    });
+    await deformation.load(this.#slices);
+    this.deformations.push(deformation);
+  }
+
+  #poseOf(skeleton: Skeleton): JointPose {
+    const known = this.joints.get(skeleton);
+    if (known) return known;
+    const pose = new JointPose(skeleton);
+    pose.update();
+    this.joints.set(skeleton, pose);
+    return pose;
+  }
+
+  #targetsOf(mesh: Mesh): readonly MorphAccessors[] {
+    const { meshes = -1, primitives = -1 } = this.#source.indicesOf(mesh) ?? {};
+    return this.#source.targets[meshes]?.[primitives] ?? [];
+  }
+
+  /** All primitives of a node share its weights; those with fewer targets use the first ones. */
+  #weightsOf(mesh: Mesh, targets: number): Float64Array {
+    let node: Object3D | null = mesh;
+    let index: number | undefined;
+    while (node !== null && index === undefined) {
+      index = this.#source.indicesOf(node)?.nodes;
+      node = node.parent;
+    }
+    if (index === undefined) return new Float64Array(targets);
+    const weights = this.weights.get(index) ?? Float64Array.from(this.#source.weights[index] ?? []);
+    this.weights.set(index, weights);
+    return weights;
+  }
+
+  async #convert(source: Attribute, conversion: Conversion): Promise<BufferAttribute> {
+    const known = this.#converted.get(conversion) ?? new Map<Attribute, BufferAttribute>();
+    this.#converted.set(conversion, known);
+    const result = known.get(source) ?? (await conversion(source, this.#slices));
+    known.set(source, result);
+    return result;
+  }
+}
+
+const JOINTS = ['skinIndex', 'skinWeight'] as const;
+
+const morphName = (target: number, name: string): string => `target ${String(target)} ${name}`;
+
+/** Names for the attributes of morph targets, with the accessor of each. */
+function* morphNames(targets: readonly MorphAccessors[]): Iterable<readonly [string, Accessor]> {
+  for (const [i, target] of targets.entries()) {
+    for (const [name, accessor] of Object.entries(target)) yield [morphName(i, name), accessor];
+  }
+}
+
+/**
+ * Triangle t of a strip is t, t + 1, t + 2, with the last two swapped in every second one, so that all face the same
+ * side.
+ */
+function stripCorner(corner: number): number {
+  const within = corner % 3;
+  const triangle = (corner - within) / 3;
+  return triangle + (within > 0 && triangle % 2 === 1 ? 3 - within : within);
+}
+
+/** Triangle t of a fan is t + 1, t + 2, 0. */
+function fanCorner(corner: number): number {
+  const within = corner % 3;
+  return within === 2 ? 0 : (corner - within) / 3 + within + 1;
+}

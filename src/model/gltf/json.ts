@@ -1,0 +1,56 @@
+// Reads values from untrusted JSON. Each reader throws a plain Error that names the wrong value.
+
+export type JsonObject = Readonly<Record<string, unknown>>;
+
+export function objectAt(value: unknown, what: string): JsonObject {
+  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as JsonObject;
+  throw new Error(`${what} is not an object`);
+}
+
+/** As {@link objectAt}; an absent value gives an empty object. */
+export const optionalObject = (value: unknown, what: string): JsonObject =>
+  value === undefined ? {} : objectAt(value, what);
+
+/** A list of objects; an absent value gives an empty list. */
+export function objectsAt(value: unknown, what: string): readonly JsonObject[] {
+  return listAt(value, what).map((item, i) => objectAt(item, `${what}[${String(i)}]`));
+}
+
+/** A list; an absent value gives an empty list. */
+export function listAt(value: unknown, what: string): readonly unknown[] {
+  if (value === undefined) return [];
+  if (Array.isArray(value)) return value as readonly unknown[];
+  throw new Error(`${what} is not a list`);
+}
+
+/** A whole number >= 0; an absent value gives `fallback`. */
+export function countAt(value: unknown, what: string, fallback?: number): number {
+  if (value === undefined && fallback !== undefined) return fallback;
+  if (typeof value === 'number' && Number.isSafeInteger(value) && value >= 0) return value;
+  throw new Error(`${what} is not a whole number`);
+}
+
+/** An index into a list of the given length. */
+export function indexAt(value: unknown, length: number, what: string): number {
+  const index = countAt(value, what);
+  if (index < length) return index;
+  throw new Error(`${what} is ${String(index)}, but there are only ${String(length)}`);
+}
+
+/** Exactly `length` finite numbers, or undefined if absent. */
+export function numbersAt(value: unknown, length: number, what: string): readonly number[] | undefined {
+  if (value === undefined) return undefined;
+  const list = listAt(value, what);
+  const finite = list.every((item): item is number => typeof item === 'number' && Number.isFinite(item));
+  if (finite && list.length === length) return list;
+  throw new Error(`${what} is not ${String(length)} numbers`);
+}
+
+/** A finite number; an absent value gives `fallback`. */
+export function numberAt(value: unknown, what: string, fallback: number): number {
+  if (value === undefined) return fallback;
+  if (typeof value === 'number' && Number.isFinite(value)) return value;
+  throw new Error(`${what} is not a number`);
+}
+
+export const textAt = (value: unknown): string => (typeof value === 'string' ? value : '');

@@ -1,0 +1,168 @@
+// The parts of a glTF material that the equation uses. Numbers and indices are checked. Knows the JSON only;
+// surfaces.ts turns what was read into the equation's terms.
+import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
+
+export interface GltfTexture {
+  /** Undefined if there is no image in a supported format. */
+  readonly image: number | undefined;
+  /** The unsupported extension that holds the image, if any. */
+  readonly needs: string | undefined;
+  readonly sampler: JsonObject;
+}
+
+/** Image formats that browsers decode, best first; the plain `source` is the fallback. */
+const IMAGE_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'];
+/** Used where there is no other image: those need no transcoder, and have more of the original's colours. */
+const KTX2 = 'KHR_texture_basisu';
+
+export function readTextures(json: JsonObject, images: number): readonly GltfTexture[] {
+  const samplers = objectsAt(json['samplers'], 'samplers');
+  return objectsAt(json['textures'], 'textures').map((texture, i) => {
+    const what = `textures[${String(i)}]`;
+    const extensions = optionalObject(texture['extensions'], `${what}.extensions`);
+    const sourceOf = (name: string): unknown => optionalObject(extensions[name], what)['source'];
+    const known = IMAGE_EXTENSIONS.find((name) => name in extensions);
+    const source = known === undefined ? (texture['source'] ?? sourceOf(KTX2)) : sourceOf(known);
+    const sampler = texture['sampler'];
+    return {
+      image: source === undefined ? undefined : indexAt(source, images, `${what}.source`),
+      needs: Object.keys(extensions)[0],
+      sampler: sampler === undefined ? {} : (samplers[indexAt(sampler, samplers.length, what)] ?? {}),
+    };
+  });
+}
+
+/** What a material says beside base colour, alpha and sides. Colours are linear, as in the file. */
+export interface MaterialValues {
+  readonly unlit: boolean;
+  readonly emissive: readonly number[];
+  /**
+   * Null: the file says nothing of metalness and roughness. glTF's own default, a rough metal, would be black without
+   * surroundings.
+   */
+  readonly metalRough: { readonly metalness: number; readonly roughness: number } | null;
+  /** Factor of the specular coefficient; null for none. */
+  readonly specular: readonly number[] | null;
+  readonly normalScale: number;
+  /** Whether the file names these maps: where their image is missing, the factors that multiply it mean nothing. */
+  readonly mapped: { readonly emissive: boolean; readonly metalRough: boolean };
+}
+
+/** Parts of a material that the equation has no place for. */
+const DROPPED =
+  /^KHR_materials_(anisotropy|clearcoat|diffuse_transmission|dispersion|ior|iridescence|sheen|transmission|volume|variants)$/;
+
+interface Materials {
+  /** For the parser: textures where it expects them, {@link MaterialValues} as `extras.surface`. */
+  readonly definitions: readonly JsonObject[];
+  /** What is left out, by the file's own names. */
+  readonly dropped: ReadonlySet<string>;
+}
+
+export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]): Materials {
+  const dropped = new Set<string>();
+  const definitions = objectsAt(json['materials'], 'materials').map((material, i) => {
+    const what = `materials[${String(i)}]`;
+    const metallic = optionalObject(material['pbrMetallicRoughness'], what);
+    const extensions = optionalObject(material['extensions'], what);
+    const glossy = optionalObject(extensions['KHR_materials_pbrSpecularGlossiness'], what);
+    const specular = optionalObject(extensions['KHR_materials_specular'], what);
+    for (const name of Object.keys(extensions)) if (DROPPED.test(name)) dropped.add(name);
+    if ('occlusionTexture' in material) dropped.add('occlusionTexture');
+    if ('specularGlossinessTexture' in glossy) dropped.add('specularGlossinessTexture');
+    for (const name of ['specularTexture', 'specularColorTexture']) if (name in specular) dropped.add(name);
+    const use = (value: unknown): JsonObject | undefined =>
+      value === undefined ? undefined : readTextureUse(value, textures, what);
+    const normal = optionalObject(material['normalTexture'], what);
+    return {
+      name: textAt(material['name']),
+      alphaMode: textAt(material['alphaMode']) || 'OPAQUE',
+      doubleSided: material['doubleSided'] === true,
+      alphaCutoff: numberAt(material['alphaCutoff'], `${what}.alphaCutoff`, 0.5),
+      pbrMetallicRoughness: {
+        baseColorFactor: numbersAt(metallic['baseColorFactor'] ?? glossy['diffuseFactor'], 4, what),
+        baseColorTexture: use(metallic['baseColorTexture'] ?? glossy['diffuseTexture']),
+        metallicRoughnessTexture: use(metallic['metallicRoughnessTexture']),
+      },
+      normalTexture: use(material['normalTexture']),
+      emissiveTexture: use(material['emissiveTexture']),
+      extras: {
+        surface: {
+          unlit: 'KHR_materials_unlit' in extensions,
+          emissive: readEmissive(material, extensions, what),
+          metalRough: readMetalRough(metallic, glossy, what),
+          specular: readSpecular(specular, glossy, what),
+          normalScale: numberAt(normal['scale'], `${what}.normalTexture.scale`, 1),
+          mapped: {
+            emissive: 'emissiveTexture' in material,
+            metalRough: 'metallicRoughnessTexture' in metallic,
+          },
+        } satisfies MaterialValues,
+      },
+    };
+  });
+  return { definitions, dropped };
+}
+
+const BLACK = [0, 0, 0];
+const WHITE = [1, 1, 1];
+
+function readEmissive(material: JsonObject, extensions: JsonObject, what: string): readonly number[] {
+  const factor = numbersAt(material['emissiveFactor'], 3, `${what}.emissiveFactor`) ?? BLACK;
+  const { emissiveStrength } = optionalObject(extensions['KHR_materials_emissive_strength'], what);
+  const strength = numberAt(emissiveStrength, `${what}.emissiveStrength`, 1);
+  return factor.map((c) => c * strength);
+}
+
+function readMetalRough(
+  metallic: JsonObject,
+  glossy: JsonObject,
+  what: string,
+): MaterialValues['metalRough'] {
+  const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = metallic;
+  const { glossinessFactor } = glossy;
+  if (glossinessFactor !== undefined)
+    return { metalness: 0, roughness: 1 - share(glossinessFactor, `${what}.glossinessFactor`, 1) };
+  if (metallicFactor === undefined && roughnessFactor === undefined && metallicRoughnessTexture === undefined)
+    return null;
+  return {
+    metalness: share(metallicFactor, `${what}.metallicFactor`, 1),
+    roughness: share(roughnessFactor, `${what}.roughnessFactor`, 1),
+  };
+}
+
+function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): readonly number[] | null {
+  const color = specular['specularColorFactor'] ?? glossy['specularFactor'];
+  if (color === undefined && specular['specularFactor'] === undefined) return null;
+  const factor = share(specular['specularFactor'], `${what}.specularFactor`, 1);
+  return (numbersAt(color, 3, `${what}.specularColorFactor`) ?? WHITE).map((c) => c * factor);
+}
+
+/** A number clamped to 0–1. */
+const share = (value: unknown, what: string, fallback: number): number =>
+  Math.min(Math.max(numberAt(value, what, fallback), 0), 1);
+
+function readTextureUse(value: unknown, textures: readonly GltfTexture[], what: string): JsonObject {
+  const use = optionalObject(value, what);
+  const extensions = optionalObject(use['extensions'], what);
+  const transform = extensions['KHR_texture_transform'];
+  const moved = optionalObject(transform, what);
+  return {
+    index: indexAt(use['index'], textures.length, `${what}'s texture`),
+    texCoord: indexAt(use['texCoord'] ?? 0, UV_SETS, `${what}'s texCoord`),
+    extensions: transform === undefined ? undefined : { KHR_texture_transform: readTransform(moved, what) },
+  };
+}
+
+/** Number of texture coordinate sets that three.js supports. */
+const UV_SETS = 4;
+
+function readTransform(transform: JsonObject, what: string): JsonObject {
+  const { texCoord } = transform;
+  return {
+    offset: numbersAt(transform['offset'], 2, what),
+    scale: numbersAt(transform['scale'], 2, what),
+    rotation: transform['rotation'] === undefined ? undefined : numberAt(transform['rotation'], what, 0),
+    texCoord: texCoord === undefined ? undefined : indexAt(texCoord, UV_SETS, `${what}'s texCoord`),
+  };
+}

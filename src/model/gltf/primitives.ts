@@ -1,0 +1,184 @@
+// The primitives of a glTF mesh that are drawn, and what they cost. Triangles only, with the attributes that are used.
+// Knows the JSON only.
+import type { Accessor, Accessors } from './accessors.js';
+import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
+
+export const DRACO = 'KHR_draco_mesh_compression';
+
+/**
+ * Extra attributes that mark strips and fans for the code that builds the parts. The parser gets all primitives as
+ * triangles: it would turn strips into arrays of numbers and copy their vertices.
+ */
+export const STRIP = '_STRIP';
+export const FAN = '_FAN';
+
+/** Corners of triangles that a list, strip or fan of this many vertices or indices stands for. */
+export const CORNERS = {
+  list: (count: number): number => count - (count % 3),
+  strip: (count: number): number => Math.max(count - 2, 0) * 3,
+} as const;
+
+export interface Primitive {
+  /** For the parser. */
+  readonly definition: {
+    readonly attributes: Readonly<Record<string, number>>;
+    readonly extensions: JsonObject;
+    readonly indices: number | undefined;
+    readonly material: number | undefined;
+    readonly mode: number;
+  };
+  /** Equal for primitives that the parser gives one geometry. */
+  readonly key: string;
+  /** As drawn. */
+  readonly corners: number;
+  readonly vertices: number;
+  /** The attributes, each with the numbers per vertex that it becomes. */
+  readonly attributes: readonly {
+    readonly accessor: Accessor;
+    readonly items: number;
+    readonly name: string;
+  }[];
+  readonly order: Accessor | undefined;
+  /** Accessors that are read: all but those whose numbers are in Draco data. */
+  readonly read: readonly Accessor[];
+  /** Accessors of its morph targets, by their attributes' names. */
+  readonly targets: readonly MorphAccessors[];
+  /** Tangents are computed for its normal map. */
+  readonly tangents: boolean;
+  /** The buffer view of Draco data. */
+  readonly packed: number | undefined;
+}
+
+/** Absent where a target leaves an attribute as it is. As many elements as the mesh has vertices. */
+export type MorphAccessors = Readonly<Partial<Record<(typeof MORPHED)[number], Accessor>>>;
+
+export interface PrimitiveContext {
+  readonly accessors: Accessors;
+  readonly materials: readonly JsonObject[];
+  /** Number of buffer views. */
+  readonly views: number;
+}
+
+/** The attributes that are used, and the numbers per vertex that they become. */
+const ATTRIBUTES: ReadonlyMap<string, number> = new Map([
+  ['POSITION', 3],
+  ['NORMAL', 3],
+  ['TANGENT', 4],
+  ['TEXCOORD_0', 2],
+  ['TEXCOORD_1', 2],
+  ['TEXCOORD_2', 2],
+  ['TEXCOORD_3', 2],
+  ['COLOR_0', 4],
+  ['JOINTS_0', 4],
+  ['WEIGHTS_0', 4],
+]);
+/** The attributes that morph targets move. */
+export const MORPHED = ['POSITION', 'NORMAL', 'TANGENT'] as const;
+const TRIANGLES = 4;
+const STRIPS = 5;
+const FANS = 6;
+
+export function readPrimitives(mesh: JsonObject, context: PrimitiveContext): readonly Primitive[] {
+  return objectsAt(mesh['primitives'], 'primitives')
+    .filter((primitive) => isDrawn(primitive))
+    .map((primitive) => readPrimitive(primitive, context))
+    .filter(({ corners }) => corners > 0);
+}
+
+function isDrawn(primitive: JsonObject): boolean {
+  const mode = countAt(primitive['mode'], 'mode', TRIANGLES);
+  return (
+    mode >= TRIANGLES && mode <= FANS && 'POSITION' in optionalObject(primitive['attributes'], 'attributes')
+  );
+}
+
+function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
+  const { accessors } = context;
+  const attributes = Object.entries(objectAt(primitive['attributes'], 'attributes')).flatMap(
+    ([name, value]) => {
+      const least = ATTRIBUTES.get(name);
+      if (least === undefined) return [];
+      const accessor = accessors.at(value, name);
+      return [{ name, accessor, items: Math.max(least, accessor.components) }];
+    },
+  );
+  const indexes = Object.fromEntries(attributes.map(({ name, accessor }) => [name, accessor.index]));
+  const order =
+    primitive['indices'] === undefined ? undefined : accessors.at(primitive['indices'], 'indices');
+  const material = primitive['material'];
+  const extension = optionalObject(primitive['extensions'], 'extensions')[DRACO];
+  const packed =
+    extension === undefined ? undefined : readDraco(objectAt(extension, DRACO), indexes, context);
+  const vertices = attributes.find(({ name }) => name === 'POSITION')?.accessor.count ?? 0;
+  const count = (order ?? { count: vertices }).count;
+  // The Draco decoder returns separate triangles, whatever the mode was.
+  const mode = packed ? TRIANGLES : countAt(primitive['mode'], 'mode', TRIANGLES);
+  const position = indexes['POSITION'] ?? 0;
+  const mark = mode === STRIPS ? { [STRIP]: position } : mode === FANS ? { [FAN]: position } : {};
+  const definition = {
+    attributes: { ...indexes, ...mark },
+    indices: order?.index,
+    material: material === undefined ? undefined : indexAt(material, context.materials.length, 'material'),
+    mode: TRIANGLES,
+    extensions: packed ? { [DRACO]: packed } : {},
+  };
+  const targets = readTargets(primitive, vertices, accessors);
+  const unpacked = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
+  const mapped =
+    definition.material !== undefined &&
+    context.materials[definition.material]?.['normalTexture'] !== undefined;
+  return {
+    definition,
+    key: JSON.stringify([packed, order?.index, definition.attributes, mapped]),
+    corners: mode === TRIANGLES ? CORNERS.list(count) : CORNERS.strip(count),
+    vertices,
+    attributes,
+    order,
+    read: [
+      ...unpacked.map(({ accessor }) => accessor),
+      ...(order === undefined || packed ? [] : [order]),
+      ...targets.flatMap((target) => Object.values(target)),
+    ],
+    targets,
+    tangents: mapped && !('TANGENT' in indexes && 'NORMAL' in indexes),
+    packed: packed?.bufferView,
+  };
+}
+
+function readTargets(
+  primitive: JsonObject,
+  vertices: number,
+  accessors: Accessors,
+): readonly MorphAccessors[] {
+  return objectsAt(primitive['targets'], 'targets').map((target, i) => {
+    const read: Partial<Record<(typeof MORPHED)[number], Accessor>> = {};
+    for (const name of MORPHED) {
+      if (target[name] === undefined) continue;
+      const what = `targets[${String(i)}].${name}`;
+      const accessor = accessors.at(target[name], what);
+      if (accessor.components !== 3) throw new Error(`${what} is not made of vectors of three numbers`);
+      if (accessor.count !== vertices) {
+        throw new Error(
+          `${what} has ${String(accessor.count)} elements, but its mesh has ${String(vertices)} vertices`,
+        );
+      }
+      read[name] = accessor;
+    }
+    return read;
+  });
+}
+
+/**
+ * @param wanted the primitive's attributes. One that only the extension lists has no accessor type, so it is ignored.
+ */
+function readDraco(
+  extension: JsonObject,
+  wanted: JsonObject,
+  context: PrimitiveContext,
+): { bufferView: number; attributes: JsonObject } {
+  const attributes: Record<string, number> = {};
+  for (const [name, id] of Object.entries(objectAt(extension['attributes'], DRACO))) {
+    if (Object.hasOwn(wanted, name)) attributes[name] = countAt(id, `${DRACO}.${name}`);
+  }
+  return { bufferView: indexAt(extension['bufferView'], context.views, DRACO), attributes };
+}

@@ -1,0 +1,142 @@
+// Loads a model from an address: downloads it, detects the format and reads it. Every failure is a ModelError with a
+// code and a sentence. Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval.
+import { clip } from '../fields/clip.js';
+import { isOutOfMemory } from './out-of-memory.js';
+import { measureModel } from './bounds.js';
+import { byteFetcher } from './fetch-bytes.js';
+import { DROP_TOGETHER, listed, MissingFileError, openFile, type OpenedModel } from './file-group.js';
+import { nameOf } from './file-name.js';
+import { formatOf, type ReadOptional } from './format.js';
+import { asUtf8 } from './text/utf-16.js';
+import { linkedUrl } from './linked-url.js';
+import { ModelError, type Model } from './model.js';
+import type { CrossOrigin, FileRequest } from './request-file.js';
+
+export {
+  ModelError,
+  type Model,
+  type ModelErrorCode,
+  type ModelLook,
+  type ModelMotion,
+  type ModelPart,
+} from './model.js';
+export type { CrossOrigin } from './request-file.js';
+
+export interface LoadOptions {
+  /** Aborts the load; the promise then rejects with the signal's reason. */
+  readonly signal: AbortSignal;
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
+  readonly onProgress?: (loaded: number, total: number) => void;
+  /**
+   * Called before values of 4 bytes are allocated for vertices and indices, with their number; what it throws ends the
+   * load.
+   */
+  readonly onValues?: (values: number) => void;
+  /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
+  readonly crossOrigin: CrossOrigin;
+  /** The format, as a word such as `obj` or a media type. Empty, the default: as content, extension and server tell. */
+  readonly type?: string;
+}
+
+/**
+ * Loads a model and the files it refers to. `data:` addresses are decoded, not fetched.
+ * @param from the request of the file at `url`, if it was requested already; or a file, whose `url` is for messages
+ *   only.
+ * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
+ */
+export async function loadModel(
+  url: URL,
+  options: LoadOptions,
+  from: FileRequest | Blob | null = null,
+): Promise<Model> {
+  const { signal, type = '' } = options;
+  const isRequest = from === null || 'response' in from;
+  const { name, read, linked, mediaType } = isRequest ? openAddress(url, options, from) : openFile(from);
+  const missing = new Map<string, string>();
+  const optional = optionalReader(signal, missing);
+  try {
+    const bytes = asUtf8(await read());
+    const format = formatOf(name, bytes, { type, mediaType: mediaType(), address: url.href });
+    const readModel = await format.reader().catch((cause: unknown) => {
+      const message = `The code that reads ${format.name} files could not be fetched.`;
+      throw new ModelError('load-failed', message, { cause });
+    });
+    signal.throwIfAborted();
+    const model = await readModel({ url, bytes, signal, linked, optional, onValues: options.onValues });
+    try {
+      await measureModel(model, signal);
+    } catch (error) {
+      model.dispose();
+      throw error;
+    }
+    if (missing.size > 0) warnOfMissing(name, missing);
+    return { ...model, missing: [...missing.keys()] };
+  } catch (cause) {
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    if (isOutOfMemory(cause)) {
+      const message = `There is not enough memory to read ${name}.`;
+      throw new ModelError('too-large', message, { cause });
+    }
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new ModelError('bad-model', `The model cannot be read: ${reason} (${name}).`, { cause });
+  }
+}
+
+function openAddress(url: URL, options: LoadOptions, request: FileRequest | null): OpenedModel {
+  let mediaType = '';
+  const fetchBytes = byteFetcher(options, (type) => {
+    mediaType ||= type; // the first file is the model
+  });
+  const anywhere = options.crossOrigin !== null;
+  return {
+    name: nameOf(url),
+    read: () => fetchBytes(url, 'follow', request),
+    // A redirect could lead out of the folder. If any address is allowed, it does no harm.
+    linked: async (uri) => fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error'),
+    mediaType: () => mediaType,
+  };
+}
+
+/** @param missing gets the reason for everything that is left out, by its name. */
+function optionalReader(signal: AbortSignal, missing: Map<string, string>): ReadOptional {
+  return async (name, read, use) => {
+    const leaveOut = (error: unknown): null => {
+      signal.throwIfAborted();
+      if (isOutOfMemory(error)) throw error;
+      missing.set(clip(name), reasonOf(name, error));
+      return null;
+    };
+    let bytes: Awaited<ReturnType<typeof read>>;
+    try {
+      bytes = await read();
+    } catch (error) {
+      if (error instanceof ModelError && /^(too-large|csp)$/.test(error.code)) throw error;
+      return leaveOut(error);
+    }
+    try {
+      return await use(bytes);
+    } catch (error) {
+      if (error instanceof ModelError) throw error;
+      return leaveOut(error);
+    }
+  };
+}
+
+/** A sentence. Messages of decoders go on from the file's name. */
+function reasonOf(name: string, error: unknown): string {
+  if (error instanceof MissingFileError) return DROP_TOGETHER;
+  if (error instanceof ModelError) return error.message;
+  return `${clip(name)} ${error instanceof Error ? error.message : String(error)}.`;
+}
+
+/** Most reasons in the warning. A material library can name thousands of images. */
+const MOST_REASONS = 10;
+
+function warnOfMissing(model: string, missing: ReadonlyMap<string, string>): void {
+  const names = [...missing.keys()];
+  const reasons = [...new Set(missing.values())].slice(0, MOST_REASONS);
+  console.warn(
+    `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`,
+  );
+}

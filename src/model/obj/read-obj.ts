@@ -1,0 +1,108 @@
+// Reads an OBJ file with its MTL libraries. One part per object and material; the material's coefficients are those of
+// the equation. Corners without a normal get one by smoothing group. A separate chunk.
+import type { ModelReader, ModelSource } from '../format.js';
+import { ModelBudget } from '../model-budget.js';
+import type { ModelLook, ModelPart } from '../model.js';
+import { ownedModel } from '../owned-model.js';
+import { Slices } from '../slices.js';
+import { asUtf8 } from '../text/utf-16.js';
+import { indexedGeometry, type CornerRange } from '../triangles/indexed-geometry.js';
+import { smoothNormals } from '../triangles/smooth-normals.js';
+import { addressOf, MapTextures } from './map-textures.js';
+import { readMtl, type MtlMaterial } from './mtl.js';
+import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
+
+export const readObj: ModelReader = async (source) => {
+  const slices = new Slices(source.signal);
+  const text = await readObjText(source.bytes, slices);
+  if (text.runs.length === 0) throw new Error('it has no faces');
+  const materials = await readLibraries(text, source);
+  await smoothNormals(text.lists, slices);
+  const budget = new ModelBudget(source.onValues);
+  const textures = new MapTextures(source, budget);
+  try {
+    const parts: ModelPart[] = [];
+    for (const { name, material, ranges } of groupsOf(text.runs)) {
+      const definition = materials.get(material) ?? NO_MATERIAL;
+      const withUvs = definition.map !== null && text.lists.uvs.length > 0;
+      const geometry = await indexedGeometry(text.lists, ranges, withUvs, budget, slices);
+      const map = withUvs ? await textures.of(definition.map) : null;
+      parts.push({ name, geometry, matrix: text.lists.places.matrix, look: lookOf(definition, map) });
+    }
+    return ownedModel(parts, () => {
+      textures.close();
+    });
+  } catch (error) {
+    textures.close();
+    throw error;
+  }
+};
+
+const NO_MATERIAL: MtlMaterial = { opacity: 1, map: null };
+
+async function readLibraries(
+  { libraries }: ObjText,
+  { linked, optional }: ModelSource,
+): Promise<ReadonlyMap<string, MtlMaterial>> {
+  const read = libraries.map(async (library) => {
+    const found = await optional(
+      library,
+      () => linked(addressOf(library)),
+      (bytes) => readMtl(asUtf8(bytes)),
+    );
+    const folder = library.slice(0, library.lastIndexOf('/') + 1);
+    return Array.from(found ?? [], (entry) => placedIn(folder, entry));
+  });
+  return new Map((await Promise.all(read)).flat());
+}
+
+/** Images are named relative to the library. */
+function placedIn(
+  folder: string,
+  [name, material]: readonly [string, MtlMaterial],
+): readonly [string, MtlMaterial] {
+  const { map } = material;
+  return [name, map === null ? material : { ...material, map: { ...map, file: folder + map.file } }];
+}
+
+interface Group {
+  readonly name: string;
+  readonly material: string;
+  readonly ranges: CornerRange[];
+}
+
+/**
+ * Most parts that keep their objects apart. Plans from CAD have an object per screw; drawing each of them alone is
+ * slow.
+ */
+const OBJECT_LIMIT = 1000;
+
+/** Runs by object and material. Past {@link OBJECT_LIMIT} objects of the same material become one part. */
+function groupsOf(runs: readonly ObjRun[]): Iterable<Group> {
+  const byObject = groupedBy(runs, ({ object, material }) => JSON.stringify([object, material]));
+  return byObject.length <= OBJECT_LIMIT ? byObject : groupedBy(runs, ({ material }) => material);
+}
+
+function groupedBy(runs: readonly ObjRun[], keyOf: (run: ObjRun) => string): readonly Group[] {
+  const groups = new Map<string, Group>();
+  for (const run of runs) {
+    const key = keyOf(run);
+    const group = groups.get(key) ?? { name: run.object || run.material, material: run.material, ranges: [] };
+    groups.set(key, group);
+    group.ranges.push(run);
+  }
+  return [...groups.values()];
+}
+
+function lookOf({ opacity, map: _, ...surface }: MtlMaterial, map: ModelLook['map']): ModelLook {
+  return {
+    baseColor: [1, 1, 1],
+    opacity,
+    alphaMode: opacity < 1 ? 'blend' : 'opaque',
+    alphaCutoff: 0,
+    map,
+    doubleSided: true,
+    flat: false,
+    ...surface,
+  };
+}

@@ -1,0 +1,21 @@
+// Recognises STL files, and which of the two kinds they are. Many binary files begin with `solid` too, so that the size
+// decides first.
+
+/** Bytes before the first triangle: a comment of 80 bytes and the number of triangles. */
+export const STL_HEADER = 84;
+/** Bytes of a triangle: normal and corners as 12 floats, and 16 bits that some programs use for a colour. */
+export const STL_TRIANGLE = 50;
+
+/** Whether the size is exactly that of the triangles it claims. */
+export function isBinaryStl(bytes: Uint8Array): boolean {
+  if (bytes.byteLength < STL_HEADER + STL_TRIANGLE) return false;
+  const count = new DataView(bytes.buffer, bytes.byteOffset).getUint32(STL_HEADER - 4, true);
+  return bytes.byteLength === STL_HEADER + count * STL_TRIANGLE;
+}
+
+/** Whether it begins as a text file does, with a byte order mark or without, with lines or in one. */
+export function isTextStl(bytes: Uint8Array): boolean {
+  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 1024));
+  // A byte order mark of UTF-8 reads as these three characters.
+  return /^(ï»¿)?\s*solid\b[^\r\n]*([\r\n]\s*facet|\s+facet\s+normal|\s+endsolid)\b/i.test(start);
+}

@@ -1,0 +1,544 @@
+// Does <phong-compare> show its viewers split or side by side, and can its dividers be moved by mouse, finger and keys? A comparison is
+// 400 × 200 CSS pixels at the page's top left, unless a test says otherwise.
+
+import type { Locator, Page } from '@playwright/test';
+import type { PhongCompare } from '../../../src/index.js';
+import { decodePng, type Picture, pixelAt } from '../../support/picture.js';
+import { allReady, expect, strictPolicy, test, type Mount } from '../../support/test.js';
+import { countEverything, countsOf } from '../support/counting.js';
+import { opened, panelOf } from '../panel/panel-rows.js';
+import {
+  assign,
+  cameraOf,
+  drag,
+  Fingers,
+  nextFrame,
+  type PhongViewer,
+  record,
+  settled,
+  shownBy,
+} from '../support/viewer.js';
+
+const light = '<phong-light position="1 2 3 0" ambient="40" diffuse="180"></phong-light>';
+const sphere = (attributes: string): string =>
+  `<phong-viewer geometry="sphere" segments="12" ${attributes}>${light}</phong-viewer>`;
+const two = sphere('shading="gouraud" alt="Gouraud"') + sphere('alt="Phong"');
+const comparison = (attributes = '', inner = two): string =>
+  `<phong-compare ${attributes}>${inner}</phong-compare>`;
+
+const css = 'phong-compare { display: block; width: 400px; height: 200px } main { display: block }';
+
+/** Mounts a page with a comparison. Resolves when its viewers have drawn. */
+async function compared(page: Page, mount: Mount, markup: string, more = ''): Promise<Locator> {
+  await mount(markup, { css: css + more, waitForReady: false });
+  const compare = page.locator('phong-compare').first();
+  await expect(compare.locator('.box')).toBeAttached();
+  await allReady(page);
+  await nextFrame(page);
+  return compare;
+}
+
+/** Also those of a comparison that is hidden. */
+const dividers = (compare: Locator): Locator => compare.getByRole('separator', { includeHidden: true });
+
+const placeOf = (divider: Locator): Promise<number> =>
+  divider.evaluate((element) => Number(element.getAttribute('aria-valuenow')));
+
+const at = (compare: Locator): Promise<unknown> => compare.evaluate((element: PhongCompare) => element.at);
+
+const framesOf = (page: Page): Promise<number[]> =>
+  page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), (viewer) => viewer.stats.frames));
+
+test('two viewers fill the comparison, and a divider stands in the middle between them', async ({
+  page,
+  mount,
+}) => {
+  const compare = await compared(page, mount, comparison());
+  await expect(dividers(compare)).toHaveCount(1);
+  expect(await placeOf(dividers(compare))).toBe(50);
+  for (const i of [0, 1])
+    expect(await page.locator('phong-viewer').nth(i).boundingBox()).toEqual({
+      x: 0,
+      y: 0,
+      width: 400,
+      height: 200,
+    });
+  const { x, width } = (await dividers(compare).boundingBox())!;
+  expect(x + width / 2).toBe(200);
+  expect(width).toBeGreaterThanOrEqual(24);
+});
+
+test.describe('a divider', () => {
+  test('stays where it is while the comparison is hidden, and is let go when the window loses the focus', async ({
+    page,
+    mount,
+  }) => {
+    const compare = await compared(page, mount, comparison('at="40"'));
+    const pull = (type: string, clientX: number): Promise<void> =>
+      dividers(compare).evaluate(
+        (handle, [name, x]) => {
+          const init = { pointerId: 7, clientX: x, clientY: 20, buttons: 1, bubbles: true, isPrimary: true };
+          handle.dispatchEvent(new PointerEvent(name, init));
+        },
+        [type, clientX] as const,
+      );
+    const show = (display: string): Promise<void> =>
+      compare.evaluate((element, value) => void (element.style.display = value), display);
+    await pull('pointerdown', 160);
+    await show('none');
+    await pull('pointermove', 200);
+    expect(await at(compare)).toEqual([40]);
+    await show('');
+    await pull('pointermove', 200);
+    expect(await at(compare)).toEqual([50]);
+    await page.evaluate(() => dispatchEvent(new Event('blur')));
+    await pull('pointermove', 240);
+    expect(await at(compare)).toEqual([50]);
+  });
+
+  test('follows the pointer from where it was pressed, and updates its value', async ({ page, mount }) => {
+    const compare = await compared(page, mount, comparison('at="40"'));
+    const heard = await record(compare, 'divider-change');
+    await drag(page, [165, 20], [-60, 30], { steps: 2 });
+    expect(await at(compare)).toEqual([25]);
+    expect(await heard.take()).toEqual([
+      { type: 'divider-change', detail: { at: [32.5] } },
+      { type: 'divider-change', detail: { at: [25] } },
+    ]);
+    expect(await placeOf(dividers(compare))).toBe(25);
+    expect(await compare.getAttribute('at')).toBe('40');
+    await page.mouse.move(300, 100);
+    expect(await at(compare)).toEqual([25]);
+    // A drag past the edge ends there.
+    await drag(page, [100, 100], [900, 0]);
+    expect(await at(compare)).toEqual([100]);
+    const { x, width } = (await dividers(compare).boundingBox())!;
+    expect(x + width).toBe(400);
+  });
+
+  test('returns by Escape during a drag, and by a double click to its declared position', async ({
+    page,
+    mount,
+  }) => {
+    const compare = await compared(page, mount, comparison('at="40"'));
+    await drag(page, [160, 20], [100, 0], { release: false });
+    expect(await at(compare)).toEqual([65]);
+    await page.keyboard.press('Escape');
+    expect(await at(compare)).toEqual([40]);
+    await page.mouse.move(300, 20);
+    await page.mouse.up();
+    expect(await at(compare)).toEqual([40]);
+    await page.keyboard.press('End');
+    const heard = await record(compare, 'divider-change');
+    await page.mouse.dblclick(395, 60);
+    expect(await at(compare)).toEqual([40]);
+    expect(await heard.take()).toEqual([{ type: 'divider-change', detail: { at: [40] } }]);
+  });
+
+  test('follows a finger', async ({ page, mount }) => {
+    const compare = await compared(page, mount, comparison());
+    const fingers = await Fingers.on(page);
+    await fingers.down([203, 100]);
+    await fingers.move([223, 100]);
+    await fingers.move([243, 100]);
+    await fingers.up();
+    expect(await at(compare)).toEqual([60]);
+  });
+
+  test('is moved by keys once it has the focus', async ({ page, mount }) => {
+    const compare = await compared(page, mount, comparison());
+    await dividers(compare).focus();
+    const keys = [
+      ['ArrowRight', 51],
+      ['Shift+ArrowRight', 61],
+      ['ArrowLeft', 60],
+      ['PageDown', 70],
+      ['PageUp', 60],
+      ['ArrowUp', 60],
+      ['Home', 0],
+      ['ArrowLeft', 0],
+      ['End', 100],
+    ] as const;
+    for (const [key, place] of keys) {
+      await page.keyboard.press(key);
+      expect(await placeOf(dividers(compare)), key).toBe(place);
+    }
+  });
+
+  test('mirrors the arrow keys on a page written from right to left, but not the pointer', async ({
+    page,
+    mount,
+  }) => {
+    const compare = await compared(page, mount, `<main dir="rtl">${comparison('at="25"')}</main>`);
+    const right = (await page.locator('phong-compare').boundingBox())!.x + 400;
+    const { x, width } = (await dividers(compare).boundingBox())!;
+    expect(right - x - width / 2).toBe(100);
+    await drag(page, [right - 100, 50], [-100, 0]);
+    expect(await at(compare)).toEqual([50]);
+    await page.keyboard.press('ArrowRight');
+    expect(await at(compare)).toEqual([49]);
+  });
+
+  test('of a vertical comparison moves up and down', async ({ page, mount }) => {
+    const compare = await compared(page, mount, comparison('direction="vertical"'));
+    await expect(dividers(compare)).toHaveAttribute('aria-orientation', 'horizontal');
+    await drag(page, [300, 100], [50, 40]);
+    expect(await at(compare)).toEqual([70]);
+    await page.keyboard.press('ArrowUp');
+    expect(await at(compare)).toEqual([69]);
+  });
+
+  test('follows the pointer in a rotated and scaled parent', async ({ page, mount }) => {
+    const compare = await compared(
+      page,
+      mount,
+      `<main>${comparison()}</main>`,
+      'main { width: 400px; height: 200px; transform: translate(100px, 100px) rotate(90deg) scale(0.5) }',
+    );
+    const box = (await dividers(compare).boundingBox())!;
+    await drag(page, [box.x + box.width / 2, box.y + box.height / 2], [0, 40]);
+    expect(((await at(compare)) as number[])[0]).toBeCloseTo(70, 6);
+  });
+});
+
+/** Channel by channel, from `left` to `right`. */
+function expectSame(one: Picture, other: Picture, left: number, right: number): void {
+  const different: string[] = [];
+  for (let y = 0; y < 200; y++)
+    for (let x = left; x < right; x++) {
+      const [a, b] = [pixelAt(one, x, y).join(' '), pixelAt(other, x, y).join(' ')];
+      if (a !== b) different.push(`${String(x)}, ${String(y)}: ${a}, not ${b}`);
+    }
+  expect(different.slice(0, 5)).toEqual([]);
+}
+
+test('both halves of a split show exactly what each viewer alone shows there', async ({ page, mount }) => {
+  const views = [
+    sphere('shading="gouraud" alt="Gouraud" theta="20"'),
+    sphere('reflection="blinn-phong" alt="Blinn-Phong" theta="20"'),
+  ];
+  const bare =
+    'phong-compare::part(line), phong-compare::part(divider), phong-compare::part(label) { display: none }';
+  const shot = async (): Promise<Picture> =>
+    decodePng(await page.screenshot({ clip: { x: 0, y: 0, width: 400, height: 200 } }));
+  await compared(page, mount, comparison('at="45"', views.join('')), bare);
+  const split = await shot();
+  const alone: Picture[] = [];
+  for (const view of views) {
+    await mount(view, { width: 400, height: 200 });
+    await nextFrame(page);
+    alone.push(await shot());
+  }
+  expectSame(split, alone[0]!, 0, 180);
+  expectSame(split, alone[1]!, 180, 400);
+  expect(pixelAt(alone[0]!, 180, 90)).not.toEqual(pixelAt(alone[1]!, 180, 90));
+});
+
+test('a drag on either picture turns both, unless a viewer has a camera group of its own', async ({
+  page,
+  mount,
+}) => {
+  await compared(page, mount, comparison('', two + sphere('alt="Other" camera-group="other"')));
+  const viewers = [0, 1, 2].map((i) => page.locator('phong-viewer').nth(i));
+  const before = await cameraOf(viewers[2]!);
+  await drag(page, [60, 100], [20, 10]);
+  const [first, second, other] = await Promise.all(viewers.map(cameraOf));
+  expect(first!.theta).not.toBe(before.theta);
+  expect(second).toEqual(first);
+  expect(other).toEqual(before);
+  await drag(page, [200, 100], [20, 10]);
+  expect(await cameraOf(viewers[0]!)).toEqual(await cameraOf(viewers[1]!));
+  expect(await cameraOf(viewers[0]!)).not.toEqual(first);
+});
+
+test('two fingers on both sides of a divider are one pinch', async ({ page, mount }) => {
+  await compared(page, mount, comparison());
+  const viewers = [0, 1].map((i) => page.locator('phong-viewer').nth(i));
+  const before = await cameraOf(viewers[0]!);
+  const fingers = await Fingers.on(page);
+  await fingers.down([150, 100]);
+  await fingers.down([150, 100], [250, 100]);
+  await fingers.move([125, 100], [275, 100]);
+  await fingers.move([100, 100], [300, 100]);
+  const after = await cameraOf(viewers[1]!);
+  expect(after.theta).toBe(before.theta);
+  expect(after.radius).toBeCloseTo(before.radius / 2, 6);
+  expect(await cameraOf(viewers[0]!)).toEqual(after);
+  await fingers.up();
+  // Each finger alone turns both.
+  await fingers.down([300, 100]);
+  await fingers.move([340, 100]);
+  await fingers.up();
+  expect((await cameraOf(viewers[0]!)).theta).toBeLessThan(before.theta);
+});
+
+test('a move draws each viewer once, except those that the divider hides', async ({ page, mount }) => {
+  const compare = await compared(page, mount, comparison());
+  const first = page.locator('phong-viewer').first();
+  const moved = async (): Promise<number[]> => {
+    const before = await framesOf(page);
+    for (let i = 0; i < 5; i++) {
+      await first.evaluate((element: PhongViewer) => {
+        element.phi += 1;
+      });
+      await nextFrame(page);
+    }
+    return (await framesOf(page)).map((frames, i) => frames - before[i]!);
+  };
+  expect(await moved()).toEqual([5, 5]);
+  await assign(compare, { at: 0 });
+  await nextFrame(page);
+  expect(await moved()).toEqual([0, 5]);
+  await assign(compare, { at: 20 });
+  await settled(first);
+  await nextFrame(page);
+  expect(await cameraOf(first)).toEqual(await cameraOf(page.locator('phong-viewer').nth(1)));
+});
+
+test('side by side, each viewer has a share of the width, and rows where that is narrow', async ({
+  page,
+  mount,
+}) => {
+  const compare = await compared(page, mount, comparison('layout="side"', two + two));
+  await expect(dividers(compare)).toHaveCount(0);
+  const boxes = async () =>
+    Promise.all([0, 1, 2, 3].map((i) => page.locator('phong-viewer').nth(i).boundingBox()));
+  expect(new Set((await boxes()).map((box) => box!.y)).size).toBe(2);
+  await page.setViewportSize({ width: 1000, height: 700 });
+  await compare.evaluate((element) => {
+    element.style.width = '800px';
+  });
+  expect((await boxes()).map((box) => [box!.y, Math.round(box!.width)])).toEqual(
+    Array.from({ length: 4 }, () => [0, 199]),
+  );
+  await assign(compare, { direction: 'vertical' });
+  expect(new Set((await boxes()).map((box) => box!.y)).size).toBe(4);
+  await assign(compare, { layout: 'split', direction: null });
+  await expect(dividers(compare)).toHaveCount(3);
+});
+
+test('labels come from `labels`, or from the names of the viewers', async ({ page, mount }) => {
+  const compare = await compared(page, mount, comparison());
+  const texts = () => compare.locator('.label:visible').allTextContents();
+  expect(await texts()).toEqual(['Gouraud', 'Phong']);
+  await assign(page.locator('phong-viewer').first(), { alt: 'Per vertex' });
+  await expect.poll(texts).toEqual(['Per vertex', 'Phong']);
+  await expect(dividers(compare)).toHaveAccessibleName('Divider between Per vertex and Phong');
+  await compare.evaluate((element) => {
+    element.setAttribute('labels', 'left, right');
+  });
+  expect(await texts()).toEqual(['left', 'right']);
+  await assign(compare, { labels: '' });
+  expect(await texts()).toEqual([]);
+  await assign(page.locator('phong-viewer').first(), { texts: { Divider: 'Trenner' } });
+  await compare.dispatchEvent('pointerover');
+  await assign(compare, { at: 30 });
+  await expect(dividers(compare)).toHaveAccessibleName('Trenner');
+});
+
+test('viewers can be added and removed, and the comparison can move on its page', async ({ page, mount }) => {
+  const compare = await compared(page, mount, `<main></main>${comparison('at="30"', '')}`);
+  await expect(dividers(compare)).toHaveCount(0);
+  const add = (): Promise<void> =>
+    compare.evaluate((element) => {
+      const viewer = Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt: 'A box' });
+      element.append('text', viewer, document.createElement('p'));
+      return viewer.ready;
+    });
+  await add();
+  await expect(dividers(compare)).toHaveCount(0);
+  await add();
+  await add();
+  await expect(dividers(compare)).toHaveCount(2);
+  await compare.evaluate((element) => {
+    element.firstElementChild?.remove();
+    document.querySelector('main')?.append(element);
+  });
+  await expect(dividers(compare)).toHaveCount(1);
+  await allReady(page);
+  await drag(page, [120, 100], [40, 0]);
+  expect(await at(compare)).toEqual([40]);
+  await compare.evaluate((element) => element.remove());
+  await nextFrame(page);
+});
+
+test('removing a divider during a drag ends the drag', async ({ page, mount }) => {
+  const compare = await compared(page, mount, comparison());
+  await drag(page, [200, 100], [40, 0], { release: false });
+  await compare.evaluate((element) => element.lastElementChild?.remove());
+  await page.mouse.move(300, 100);
+  await page.mouse.up();
+  await expect(dividers(compare)).toHaveCount(0);
+  const first = page.locator('phong-viewer').first();
+  const before = await cameraOf(first);
+  await drag(page, [300, 100], [40, 0]);
+  expect((await cameraOf(first)).theta).not.toBe(before.theta);
+});
+
+test('values set before the upgrade count', async ({ page, mount, site }) => {
+  await mount('');
+  const address = site.page(comparison(), { css });
+  await page.goto(address);
+  await page.evaluate(async () => {
+    const compare = document.querySelector('phong-compare')!;
+    Object.assign(compare, { at: 20, layout: 'split' });
+    const script = Object.assign(document.createElement('script'), {
+      type: 'module',
+      src: '/dist/phong-viewer.standalone.js',
+    });
+    document.head.append(script);
+    await customElements.whenDefined('phong-compare');
+  });
+  await expect(page.getByRole('separator')).toHaveAttribute('aria-valuenow', '20');
+});
+
+test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
+  const compare = await compared(page, mount, comparison('id="pair" labels="A &quot;, B"'));
+  await drag(page, [200, 100], [40, 0]);
+  await drag(page, [60, 100], [20, 10]);
+  const html = await compare.evaluate((element: PhongCompare) => element.toHTML());
+  expect(html).toMatch(/^<phong-compare id="pair" at="60" labels="A &#34;, B">\n {2}<phong-viewer /);
+  const first = html.slice(html.indexOf('<phong-viewer'), html.indexOf('</phong-viewer>'));
+  const picture = await shownBy(page, `${first}</phong-viewer>`, { width: 40, height: 20 });
+  expect(picture.width).toBe(40);
+  await page.evaluate((text) => {
+    document.body.innerHTML = text;
+  }, html);
+  await expect(page.getByRole('separator')).toHaveAttribute('aria-valuenow', '60');
+  await allReady(page);
+  expect(await page.locator('phong-compare').evaluate((element: PhongCompare) => element.toHTML())).toBe(
+    html,
+  );
+});
+
+test('page styles for viewers elsewhere do not affect those inside', async ({ page, mount }) => {
+  await compared(
+    page,
+    mount,
+    comparison(),
+    'phong-viewer { width: 50px; height: 20rem; max-width: 60%; margin: 1rem; float: left; border: 1px solid }',
+  );
+  expect(await page.locator('phong-viewer').first().boundingBox()).toMatchObject({ width: 400, height: 200 });
+});
+
+test('if its code cannot be fetched, the viewers are shown one after the other, with a warning', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/error: Failed to load resource/);
+  consoleGuard.allow(/warning: <phong-compare>: The code of <phong-compare> could not be fetched/, 1);
+  await page.route(/\/comparison-/, (route) => route.abort());
+  const failed = page.waitForEvent('console', (message) => message.text().includes('<phong-compare>'));
+  await mount(comparison(), { width: 150, height: 100, css, waitForReady: false });
+  await failed;
+  const second = page.locator('phong-viewer').nth(1);
+  expect(await second.boundingBox()).toMatchObject({ width: 150, height: 100 });
+  await page.unroute(/\/comparison-/);
+  await page.evaluate(() => document.body.append(document.querySelector('phong-compare')!));
+  await expect(page.getByRole('separator')).toBeAttached();
+});
+
+test("works where the page allows only Lit's Trusted Types policy, and in a shadow tree", async ({
+  page,
+  mount,
+}) => {
+  await mount('<main></main>', {
+    css,
+    csp: `${strictPolicy}; require-trusted-types-for 'script'; trusted-types lit-html`,
+  });
+  await page.evaluate(() => {
+    const compare = Object.assign(document.createElement('phong-compare'), { at: 25 });
+    for (const alt of ['A', 'B'])
+      compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt }));
+    compare.style.display = 'block';
+    compare.style.width = '400px';
+    document.querySelector('main')?.attachShadow({ mode: 'open' }).append(compare);
+  });
+  const divider = page.getByRole('separator');
+  await expect(divider).toHaveAccessibleName('Divider between A and B');
+  const box = (await divider.boundingBox())!;
+  await drag(page, [box.x + 12, box.y + 20], [100, 0]);
+  expect(await placeOf(divider)).toBe(50);
+});
+
+test('a viewer takes the camera of the comparison that it is moved to', async ({ page, mount }) => {
+  await compared(
+    page,
+    mount,
+    comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"')) +
+      comparison('', sphere('alt="C" theta="50"') + sphere('alt="D"')),
+  );
+  const thetas = () =>
+    page.evaluate(() => Array.from(document.querySelectorAll('phong-viewer'), ({ camera }) => camera.theta));
+  expect(await thetas()).toEqual([10, 10, 50, 50]);
+  await page.evaluate(() => {
+    const [first, second] = document.querySelectorAll('phong-compare');
+    second?.append(first!.lastElementChild!);
+  });
+  await allReady(page);
+  expect(await thetas()).toEqual([10, 50, 50, 50]);
+});
+
+test('a viewer that is moved without being disconnected joins the comparison, too', async ({
+  page,
+  mount,
+}) => {
+  await compared(
+    page,
+    mount,
+    `${comparison('', sphere('alt="A" theta="10"') + sphere('alt="B"'))}<main>${sphere('alt="C" theta="50"')}</main>`,
+  );
+  await page.evaluate(() => {
+    const compare = document.querySelector('phong-compare') as Element & {
+      moveBefore(node: Node | null, child: null): void;
+    };
+    compare.moveBefore(document.querySelector('main > phong-viewer'), null);
+  });
+  await allReady(page);
+  await expect(dividers(page.locator('phong-compare'))).toHaveCount(2);
+  await expect.poll(async () => (await cameraOf(page.locator('phong-viewer').nth(2))).theta).toBe(10);
+});
+
+test('an open panel in a split comparison does not shift one of the pictures', async ({ page, mount }) => {
+  const wide = 'phong-compare { width: 900px; height: 400px }';
+  const compare = await compared(
+    page,
+    mount,
+    comparison('at="60"', sphere('alt="A" gui') + sphere('alt="B"')),
+    wide,
+  );
+  const first = page.locator('phong-viewer').first();
+  await opened(first, 'Camera');
+  const surfaces = await Promise.all(
+    [0, 1].map((i) => page.locator('phong-viewer').nth(i).locator('[part=surface]').boundingBox()),
+  );
+  expect(surfaces[0]).toEqual(surfaces[1]);
+  const right = async (): Promise<number> => {
+    const { x, width } = (await panelOf(first).boundingBox())!;
+    return x + width;
+  };
+  expect(await right()).toBeLessThan(540);
+  await assign(compare, { at: 80 });
+  expect(await right()).toBeGreaterThan(600);
+  expect(await right()).toBeLessThan(720);
+});
+
+test('comparisons that come and go leave nothing behind', async ({ page, mount }) => {
+  await countEverything(page);
+  await mount('<main></main>');
+  for (let time = 0; time < 3; time++) {
+    await page.evaluate(async () => {
+      const compare = document.createElement('phong-compare');
+      for (let i = 0; i < 3; i++)
+        compare.append(Object.assign(document.createElement('phong-viewer'), { geometry: 'box', alt: '' }));
+      document.body.append(compare);
+      await Promise.all(compare.viewers.map((viewer) => viewer.ready));
+      await new Promise((resolve) => setTimeout(resolve, 50));
+      compare.remove();
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    });
+    const { listeners, observers } = await countsOf(page);
+    expect({ listeners, observers }).toEqual({ listeners: 0, observers: 0 });
+  }
+});

@@ -1,0 +1,15 @@
+// Does a page recover from every fault? Random histories of lost and refused contexts, failed requests, viewers that come and go,
+// sizes, hidden documents and printing. Failures print the seed and the shortest history that still fails.
+
+import { test } from '../../support/test.js';
+import { expectRecovery } from './fault-history.js';
+import { seedsFrom } from '../histories/history.js';
+
+test('a page shows the same as a new one once its faults have ended (seeds 1 to 4)', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  test.slow();
+  await expectRecovery({ page, mount, consoleGuard }, seedsFrom(1, 4), { tasks: 12, withLargest: false });
+});

@@ -1,0 +1,176 @@
+// Do frames in which only lights have changed cost little and still show the whole scene, whatever else changes before, with or after them?
+// The oracle is `toBlob`, which always draws everything.
+
+import type { Locator, Page } from '@playwright/test';
+import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import { drawFrames, moveFor } from './driving.js';
+import { drawnWith, type GlProgram, logGl } from '../support/gl-log.js';
+import { holdContext, loseAndRestore } from '../page/many-viewers.js';
+import type { PhongViewer } from '../support/viewer.js';
+import { betweenPrograms } from '../../visual/between-programs.js';
+
+const size = { width: 60, height: 44 };
+
+interface Shown {
+  /** The picture on the page. */
+  readonly picture: Picture;
+  /** WebGL calls of that frame. */
+  readonly calls: number;
+  /** Texts of the programs that it was drawn by. */
+  readonly programs: string;
+}
+
+const programsOf = (drawn: readonly GlProgram[]): string =>
+  drawn
+    .map(({ vertex, fragment }) => vertex + fragment)
+    .sort()
+    .join();
+
+/** Runs `change` in one task and returns what the next frame shows. */
+async function shownAfter(viewer: Locator, change: (element: PhongViewer) => void): Promise<Shown> {
+  const waiting = viewer.evaluate(async (element: PhongViewer) => {
+    window.glLog.take();
+    await new Promise((resolve) => element.addEventListener('render', resolve, { once: true }));
+    // A microtask after the drawing: the canvas still has what the page will show.
+    const drawn = window.glLog.drawnWith();
+    const { calls } = window.glLog.take();
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const { width, height } = canvas;
+    const context = new OffscreenCanvas(width, height).getContext('2d')!;
+    context.drawImage(canvas, 0, 0);
+    return { calls, drawn, width, height, data: context.getImageData(0, 0, width, height).data };
+  });
+  await viewer.evaluate(change);
+  const { calls, drawn, width, height, data } = await waiting;
+  return { calls, programs: programsOf(drawn), picture: { width, height, data: new Uint8Array(data) } };
+}
+
+const moveLights = (element: PhongViewer): void => {
+  for (const light of element.lights) {
+    const [x, y, z, w] = light.position;
+    light.position = [x - 0.3 * z, y, z + 0.3 * x, w];
+  }
+};
+
+/** Directional, point and spot lights in turn, on a sphere that fills the picture. */
+const markup = (lights: number): string =>
+  `<phong-viewer geometry="sphere" segments="24" radius="0.9" target="0 0 0">${Array.from(
+    { length: lights },
+    (_, i) => {
+      const place = `${Math.cos(i).toFixed(2)} 1 ${Math.sin(i).toFixed(2)}`;
+      const colors = `diffuse="${(300 / lights + i).toFixed(1)} 30 20" ambient="1 2 3"`;
+      const spot = i % 3 === 2 ? 'axis="0 -1 0" aperture="60" cutoff="2"' : '';
+      return `<phong-light position="${place} ${Math.min(i % 3, 1)}" ${colors} ${spot}></phong-light>`;
+    },
+  ).join('')}</phong-viewer>`;
+
+/** Beside or between moves of lights. */
+const CHANGES: Readonly<Record<string, (element: PhongViewer) => void>> = {
+  'a surface': (element) => (element.kd = [90, 200, 90]),
+  'an exponent': (element) => (element.shininess = 7.5),
+  'the eye': (element) => (element.theta += 20),
+  'the field': (element) => (element.fov = 50),
+  'the terms': (element) => (element.terms = ['diffuse', 'specular']),
+  'the shading': (element) => (element.shading = 'flat'),
+  'the colour space': (element) => (element.colorInterpolation = 'linear'),
+  'one light less': (element) => (element.lights[1]!.active = false),
+  'one light fewer': (element) => element.lights[0]!.remove(),
+  'one light more': (element) => element.append(element.lights[0]!.cloneNode()),
+  'another kind of light': (element) => (element.lights[0]!.position = [1, 1, 0.5, 1]),
+  'a mesh': (element) =>
+    element.insertAdjacentHTML(
+      'beforeend',
+      '<phong-mesh geometry="box" position="0.3 0 0.3" scale="0.4"></phong-mesh>',
+    ),
+  'its place': (element) => (element.meshes[0]!.position = [0.2, 0.3, 0.3]),
+  'an object of one’s own': (element) => {
+    element.scene.children[0]!.visible = false;
+    element.requestRender();
+  },
+  'it again': (element) => {
+    element.scene.children[0]!.visible = true;
+    element.requestRender();
+  },
+  'the mesh away': (element) => element.meshes[0]!.remove(),
+  'the geometry': (element) => (element.geometry = 'box'),
+};
+
+async function expectWhole(viewer: Locator, which: string, { picture, programs }: Shown): Promise<void> {
+  const whole = await pixels(viewer);
+  const same = programsOf(await drawnWith(viewer.page())) === programs;
+  expect(
+    picture.data.some((code) => code > 40 && code < 250),
+    which,
+  ).toBe(true);
+  // To the bit by the same programs; one that was compiled meanwhile may differ by a code.
+  if (same) expect(compare(picture, whole).max, which).toBe(0);
+  else expect(betweenPrograms(picture, whole).max, which).toBeLessThanOrEqual(1);
+}
+
+async function settle(page: Page, viewer: Locator): Promise<void> {
+  await drawFrames(page, 30); // long enough for a specialised program
+  await moveFor(viewer, 30);
+}
+
+// Few lights get a specialised program while they stand still, many never do in software.
+for (const [lights, which] of [
+  [6, 'few lights'],
+  [30, 'many lights'],
+] as const) {
+  test(`${which} that move cost three calls: one upload, one clear and one draw`, async ({ page, mount }) => {
+    await logGl(page);
+    const viewer = await mount(markup(lights), size);
+    await settle(page, viewer);
+    const before = await pixels(viewer);
+    await shownAfter(viewer, moveLights); // after a drawing of another kind
+    for (let frame = 0; frame < 3; frame++) {
+      const shown = await shownAfter(viewer, moveLights);
+      expect(shown.calls).toBe(3);
+      expect(compare(shown.picture, before).max).toBeGreaterThan(5);
+    }
+    await expectWhole(viewer, which, await shownAfter(viewer, moveLights));
+  });
+
+  test(`${which} that move show the whole scene, whatever else changes`, async ({ page, mount }) => {
+    await logGl(page);
+    const viewer = await mount(markup(lights), size);
+    await settle(page, viewer);
+    for (const [name, change] of Object.entries(CHANGES)) {
+      await shownAfter(viewer, moveLights);
+      await expectWhole(viewer, `${name} alone`, await shownAfter(viewer, change));
+      await expectWhole(viewer, `lights after ${name}`, await shownAfter(viewer, moveLights));
+      await expectWhole(viewer, `lights again after ${name}`, await shownAfter(viewer, moveLights));
+    }
+  });
+}
+
+test('lights that move beside another drawing viewer, and alone again, show the whole scene', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const viewer = await mount(markup(6), size);
+  await settle(page, viewer);
+  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(3));
+  const other = page.locator('phong-viewer').nth(1);
+  await other.evaluate((element: PhongViewer) => element.ready);
+  for (let turn = 0; turn < 3; turn++) {
+    await expectWhole(viewer, 'beside', await shownAfter(viewer, moveLights));
+    await expectWhole(other, 'the other', await shownAfter(other, moveLights));
+  }
+  await other.evaluate((element) => element.remove());
+  for (let frame = 0; frame < 3; frame++)
+    await expectWhole(viewer, 'alone', await shownAfter(viewer, moveLights));
+});
+
+test('lights that move after a context was restored show the whole scene', async ({ page, mount }) => {
+  await logGl(page);
+  await holdContext(page);
+  const viewer = await mount(markup(6), size);
+  await settle(page, viewer);
+  await loseAndRestore(page, viewer, () =>
+    viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [0, 2, 1, 0])),
+  );
+  for (let frame = 0; frame < 3; frame++)
+    await expectWhole(viewer, 'restored', await shownAfter(viewer, moveLights));
+});

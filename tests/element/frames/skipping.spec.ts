@@ -1,0 +1,310 @@
+// Does unneeded work cost nothing, and does a change cost only itself? Counts WebGL calls beside the viewer's own `stats`, and compares
+// pictures with the float64 equation over all declared lights.
+
+import type { Locator } from '@playwright/test';
+import { HEADER, ROWS } from '../../../src/light/light-layout.js';
+import type { LightValues } from '../../../src/light/light-state.js';
+import { expect, pixels, test } from '../../support/test.js';
+import { compareWithReference } from '../../visual/against-reference.js';
+import { sceneMarkup } from '../../visual/random-scene.js';
+import type { CastMesh, CastScene } from '../../visual/ray-cast.js';
+import { moveFor } from './driving.js';
+import { drawnWith, glSpent, isSpecialised, logGl, type GlSpent } from '../support/gl-log.js';
+import { nextFrame, type PhongViewer } from '../support/viewer.js';
+
+const size = { width: 60, height: 42 };
+
+const LAMP: LightValues = {
+  name: '',
+  active: true,
+  ambient: [0, 0, 0],
+  diffuse: [150, 120, 90],
+  specular: [60, 60, 60],
+  position: [0.4, 1.5, 0.3, 1],
+  axis: [0, 0, -1],
+  aperture: 180,
+  cutoff: 0,
+  attenuation: [1, 0, 0],
+  space: 'world',
+};
+const SUN: LightValues = { ...LAMP, position: [1, 2, 1, 0] };
+const SPOT: LightValues = { ...LAMP, axis: [0, -1, 0], aperture: 30 };
+
+const floorAt = (x: number): CastMesh => ({
+  geometry: 'plane',
+  position: [x, 0, 0],
+  rotation: [0, 0, 0],
+  scale: [2, 2, 2],
+  ka: [200, 200, 200],
+  kd: [220, 200, 180],
+  ks: [90, 90, 90],
+  shininess: 20,
+});
+
+const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): CastScene => ({
+  pose: { theta: 20, phi: 35, radius: 3.5, target: [0, 0, 0] },
+  fov: 45,
+  meshes,
+  lights,
+  options: { reflection: 'phong', terms: ['ambient', 'diffuse', 'specular'], linear: false },
+});
+
+/** Replaces the viewer with this scene. */
+async function show(viewer: Locator, scene: CastScene): Promise<void> {
+  await viewer.evaluate((element, html) => (element.outerHTML = html), sceneMarkup(scene));
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+}
+
+const statsOf = (viewer: Locator) => viewer.evaluate((element: PhongViewer) => element.stats);
+
+test.describe('a light', () => {
+  /** Beside a sun: what is declared, and how many lights the loop then runs over in all. */
+  const cases: Readonly<Record<string, readonly [lights: readonly LightValues[], sent: number]>> = {
+    'that is inactive': [[{ ...LAMP, active: false }], 1],
+    'that is black': [[{ ...LAMP, diffuse: [0, 0, 0], specular: [0, 0, 0] }], 1],
+    'of ambient light alone, which is summed beforehand': [[{ ...LAMP, ambient: [20, 30, 40], diffuse: [0, 0, 0], specular: [0, 0, 0] }], 1], // prettier-ignore
+    'whose cone points away': [[{ ...SPOT, axis: [0, 1, 0] }], 1],
+    'whose cone passes by': [[{ ...SPOT, axis: [1, -0.3, 0], aperture: 10 }], 1],
+    'that is a sun with a cone that misses it': [[{ ...SUN, axis: [1, 2, 1], aperture: 60 }], 1],
+    'of a direction of no length': [[{ ...SUN, position: [0, 0, 0, 0] }], 1],
+    'that does reach': [[LAMP], 2],
+    'whose cone reaches in part': [[SPOT], 2],
+    'of each sort at once': [[LAMP, SPOT, { ...LAMP, active: false }, { ...SPOT, axis: [0, 1, 0] }], 3],
+  };
+
+  test('without effect is not sent, and the picture is the same', async ({ page, mount }) => {
+    await logGl(page);
+    const viewer = await mount('<phong-viewer></phong-viewer>', size);
+    for (const [which, [lights, sent]] of Object.entries(cases)) {
+      const scene = sceneOf([SUN, ...lights]);
+      await show(viewer, scene);
+      const { lightsSent, lightsSentByMesh, lightsActive, lightsDeclared } = await statsOf(viewer);
+      expect({ which, lightsSent, lightsSentByMesh }).toEqual({ which, lightsSent: sent, lightsSentByMesh: [sent] }); // prettier-ignore
+      expect(lightsDeclared, which).toBe(1 + lights.length);
+      expect(lightsActive, which).toBe(1 + lights.filter(({ active }) => active).length);
+      const errors = compareWithReference(await pixels(viewer, size), scene);
+      expect(errors.max, `${which}: ${errors.at}`).toBeLessThanOrEqual(1);
+      expect(errors.compared).toBeGreaterThan(1000);
+    }
+  });
+
+  test('that reaches only one of two meshes is left out of the other’s draw', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', size);
+    const over = (x: number): LightValues => ({ ...SPOT, position: [x, 1, 0, 1], aperture: 40 });
+    const meshes = [floorAt(-1.5), floorAt(1.5)];
+    const scene = sceneOf([over(-1.5), over(1.5)], meshes);
+    await show(viewer, scene);
+    expect(await statsOf(viewer)).toMatchObject({ lightsSent: 2, lightsSentByMesh: [1, 1] });
+    const errors = compareWithReference(await pixels(viewer, size), scene);
+    expect(errors.max, errors.at).toBeLessThanOrEqual(1);
+    // The first one's light turned to the second: it has none left.
+    const turned: CastScene = { ...scene, lights: [over(1.5), over(1.5)] };
+    await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [1.5, 1, 0, 1]));
+    await viewer.evaluate((element: PhongViewer) => element.ready);
+    expect(await statsOf(viewer)).toMatchObject({ lightsSent: 2, lightsSentByMesh: [0, 2] });
+    const after = compareWithReference(await pixels(viewer, size), turned);
+    expect(after.max, after.at).toBeLessThanOrEqual(1);
+    expect(after.compared).toBeGreaterThan(2000);
+  });
+});
+
+/** Ten directional lights, fifteen points and fifteen spots, in this order; together they declare every feature. */
+const CROWD: readonly LightValues[] = Array.from({ length: 40 }, (_, i): LightValues => {
+  const dim: LightValues = { ...LAMP, ambient: [1, 1, 1], diffuse: [5, 4, 3], specular: [2, 2, 2] };
+  const turn = (i / 40) * 2 * Math.PI;
+  const round = (x: number): number => Number(x.toFixed(3));
+  if (i < 10) return { ...dim, position: [round(Math.cos(turn)), 1, round(Math.sin(turn)), 0] };
+  const place = [round(Math.cos(turn)), 1.5, round(Math.sin(turn)), 1] as const;
+  if (i < 25) return { ...dim, position: place, attenuation: [1, 0.1, 0.1] };
+  return { ...dim, position: place, axis: [0, -1, 0], aperture: 50, cutoff: 2 };
+});
+
+/** Bytes of a row, a vec4 of floats. */
+const ROW = 16;
+const firstRow = (light: number): number =>
+  HEADER.rows +
+  Math.min(light, 10) * ROWS.directional.rows +
+  Math.min(Math.max(light - 10, 0), 15) * ROWS.point.rows +
+  Math.max(light - 25, 0) * ROWS.spot.rows;
+const ALL_ROWS = firstRow(40);
+
+type Change = 'move' | 'recolour' | 'toggle' | 'remove' | 'add';
+
+interface Cost extends GlSpent {
+  readonly frames: number;
+  readonly sent: number;
+  readonly viewerUploads: number;
+}
+
+/** Changes this many evenly spaced lights in one task, and returns the cost until the page is at rest. */
+function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
+  return viewer.evaluate(
+    async (element: PhongViewer, [what, some]) => {
+      const rest = () =>
+        new Promise<void>((resolve) =>
+          requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(resolve))),
+        );
+      await rest();
+      const before = element.stats;
+      window.glLog.take();
+      const all = element.lights;
+      for (let i = 0; i < some; i++) {
+        const light = all[Math.floor((i * all.length) / some)]!;
+        const [x, y, z, w] = light.position;
+        if (what === 'move') light.position = [x + 0.01, y + 0.01, z + 0.01, w];
+        if (what === 'recolour') light.diffuse = [light.diffuse[0] === 5 ? 6 : 5, 4, 3];
+        if (what === 'toggle') light.active = !light.active;
+        if (what === 'remove') light.remove();
+        // Clones declare no new features.
+        if (what === 'add') element.append(light.cloneNode());
+      }
+      await rest();
+      const { frames, uploads, lightsSent } = element.stats;
+      const spent = window.glLog.take();
+      return {
+        ...spent,
+        frames: frames - before.frames,
+        viewerUploads: uploads - before.uploads,
+        sent: lightsSent,
+      };
+    },
+    [change, count] as const,
+  );
+}
+
+const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
+const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 2, 3, 7, 16, 39, 40];
+
+test('one to forty lights that change together cost one frame, one upload of the changes, and no program', async ({
+  page,
+  mount,
+}) => {
+  test.setTimeout(300_000);
+  await logGl(page);
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  for (const count of COUNTS) {
+    await show(viewer, sceneOf(CROWD));
+    expect((await statsOf(viewer)).lightsSent).toBe(40);
+    const last = Math.floor(((count - 1) * 40) / count);
+    /** From the first changed light to the last one. */
+    const span = (firstRow(last + 1) - HEADER.rows) * ROW;
+    const steps: readonly (readonly [Change, bytes: number, sent: number])[] = [
+      ['move', span, 40],
+      ['recolour', span, 40],
+      ['toggle', ALL_ROWS * ROW, 40 - count],
+      ['toggle', ALL_ROWS * ROW, 40],
+      ['add', (ALL_ROWS + count * ROWS.spot.rows) * ROW, 40 + count],
+      ['move', (ALL_ROWS + count * ROWS.spot.rows) * ROW, 40 + count],
+      ['remove', (ALL_ROWS + count * ROWS.spot.rows) * ROW, 40],
+    ];
+    for (const [change, bytes, sent] of steps) {
+      const cost = await costOf(viewer, change, count);
+      expect(cost, `${change} ${count}`).toMatchObject({ frames: 1, draws: 1, links: 0, compiles: 0, uploads: 1, allocations: 0, viewerUploads: 1, sent }); // prettier-ignore
+      expect(cost.bytes, `${change} ${count}`).toBeLessThanOrEqual(bytes);
+      expect(cost.bytes, `${change} ${count}`).toBeGreaterThan(0);
+    }
+  }
+});
+
+test('a single moving light uploads only its position, at any index', async ({ page, mount }) => {
+  await logGl(page);
+  const viewer = await mount(sceneMarkup(sceneOf(CROWD)), size);
+  for (const light of [0, 9, 10, 24, 25, 39]) {
+    const bytes = await viewer.evaluate(async (element: PhongViewer, i) => {
+      window.glLog.take();
+      const [x, y, z, w] = element.lights[i]!.position;
+      element.lights[i]!.position = [x + 0.1, y + 0.1, z + 0.1, w];
+      await element.ready;
+      return window.glLog.take().bytes;
+    }, light);
+    expect(bytes, `light ${light}`).toBe(ROW);
+  }
+});
+
+test('the first light with a new kind or feature compiles at most one program, the second none', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const viewer = await mount('<phong-viewer geometry="plane"><phong-light specular="0"></phong-light></phong-viewer>', size); // prettier-ignore
+  const needs: Readonly<Record<string, string>> = {
+    point: 'position="0 1 0 1" specular="0"',
+    attenuated: 'position="0 1 0 1" specular="0" attenuation="1 1 1"',
+    cone: 'position="0 1 0 1" specular="0" axis="0 -1 0" aperture="40"',
+    decay: 'position="0 1 0 1" specular="0" axis="0 -1 0" cutoff="3"',
+    ambient: 'ambient="9" specular="0"',
+    'narrow cone': 'position="0 1 0 1" specular="0" axis="0 -1 0" aperture="5"',
+    specular: '',
+    'spot with all of it': 'ambient="9" position="0 1 0 1" axis="0 -1 0" aperture="40" cutoff="3" attenuation="1 1 1"', // prettier-ignore
+  };
+  for (const [which, attributes] of Object.entries(needs)) {
+    const links: number[] = [];
+    for (let i = 0; i < 2; i++) {
+      await glSpent(page);
+      await viewer.evaluate((element, html) => {
+        element.insertAdjacentHTML('beforeend', html);
+      }, `<phong-light ${attributes}></phong-light>`);
+      await nextFrame(page);
+      links.push((await glSpent(page)).links);
+    }
+    expect([which, ...links]).toEqual([which, which === 'spot with all of it' ? 0 : 1, 0]);
+  }
+});
+
+test('an inactive light has its program from the start', async ({ page, mount }) => {
+  await logGl(page);
+  const viewer = await mount(sceneMarkup(sceneOf([SUN, { ...SPOT, active: false, ambient: [9, 9, 9], cutoff: 3, attenuation: [1, 1, 1] }])), size); // prettier-ignore
+  await nextFrame(page);
+  await glSpent(page);
+  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.active = true));
+  await nextFrame(page);
+  expect(await glSpent(page)).toMatchObject({ links: 0, compiles: 0, draws: 1 });
+});
+
+/**
+ * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still picture's program
+ * has the lights' numbers in its text, that frame goes over to one that reads them.
+ */
+async function callsPerFrame(viewer: Locator, move: number): Promise<number> {
+  return viewer.evaluate(async (element: PhongViewer, lights) => {
+    let most = 0;
+    for (let frame = 0; frame < 12; frame++) {
+      window.glLog.take();
+      if (lights === 0) element.requestRender();
+      for (const light of element.lights.slice(0, lights)) {
+        const [x, y, z, w] = light.position;
+        light.position = [x + 0.001, y, z + 0.001, w];
+      }
+      await element.ready;
+      const { calls, draws, links } = window.glLog.take();
+      if (draws !== 1 || links !== 0) throw new Error(`${draws} draws and ${links} links in frame ${frame}`);
+      if (frame > 0) most = Math.max(most, calls);
+    }
+    return most;
+  }, move);
+}
+
+test('lights that move in every frame cost four calls more than a still frame, however many', async ({
+  page,
+  mount,
+}) => {
+  await logGl(page);
+  const viewer = await mount('<phong-viewer></phong-viewer>', size);
+  const figures: Record<string, readonly [still: number, moving: number]> = {};
+  for (const [name, lights] of Object.entries({
+    '1 sun': CROWD.slice(0, 1),
+    '1 spot': CROWD.slice(39),
+    '8 of each kind': CROWD.slice(6, 14),
+    '32 of each kind': CROWD.slice(0, 32),
+  })) {
+    await show(viewer, sceneOf(lights));
+    // Lights move first: the program that draws then has no values inlined, and draws still pictures as well.
+    await moveFor(viewer, 60);
+    const moving = await callsPerFrame(viewer, lights.length);
+    const still = await callsPerFrame(viewer, 0);
+    expect((await drawnWith(page)).every(isSpecialised)).toBe(true);
+    figures[name] = [still, moving];
+    expect(moving - still, name).toBeLessThanOrEqual(4);
+  }
+  console.log('WebGL calls in a still frame, and with all lights moving:', JSON.stringify(figures));
+});

@@ -1,0 +1,366 @@
+// Are models of every format shown as written, from addresses, files and drops, under a strict policy? Do unknown formats, missing files and
+// several models at once give an error with the cure?
+
+import { fileURLToPath } from 'node:url';
+import type { Locator, Page } from '@playwright/test';
+import { patch } from '../../support/gltf.js';
+import { compare, expect, pixelAt, pixels, strictPolicy, test } from '../../support/test.js';
+import { assign, type PhongMesh, type PhongViewer, record, settled } from '../support/viewer.js';
+
+const size = { width: 400, height: 200 };
+const folder = fileURLToPath(new URL('../../fixtures/models', import.meta.url));
+const model = (name: string): string => `/fixtures/models/${name}`;
+/** The eye sees 2.31 × 4.62 units of the plane z = 0; one light of full strength along the view. */
+const straight = 'theta="0" phi="90" radius="2" target="0 0 0" fov="60"';
+const light = '<phong-light position="0 0 1 0" ambient="255 255 255" diffuse="255 255 255"></phong-light>';
+const viewerOf = (attributes: string, inner = ''): string =>
+  `<phong-viewer ${straight} ${attributes}>${light}${inner}</phong-viewer>`;
+
+/** The colour at a point of the plane z = 0. */
+async function colorAt(viewer: Locator, x: number, y: number): Promise<readonly number[]> {
+  const perUnit = 100 / (2 * Math.tan(Math.PI / 6));
+  return [
+    ...pixelAt(await pixels(viewer), Math.floor(200 + x * perUnit), Math.floor(100 - y * perUnit)),
+  ].slice(0, 3);
+}
+
+function expectNear(color: readonly number[], wanted: readonly number[], tolerance = 1): void {
+  const far = color.filter((code, i) => Math.abs(code - (wanted[i] ?? NaN)) > tolerance);
+  expect(far, `${color.join(' ')} is not ${wanted.join(' ')}`).toEqual([]);
+}
+
+/** The contents of fixtures as files, in the page. */
+async function filesIn(page: Page, names: readonly string[], as: readonly string[] = names): Promise<void> {
+  await page.evaluate(
+    async ([paths, given]) => {
+      const files = paths.map(async (path, i) => {
+        const bytes = await (await fetch(`/fixtures/models/${path}`)).arrayBuffer();
+        return new File([bytes], given[i] ?? path);
+      });
+      Reflect.set(window, 'files', await Promise.all(files));
+    },
+    [names, as] as const,
+  );
+}
+
+/** Sets a property of the element to the first of those files, or to a Blob of the same bytes. */
+const setFile = (element: Locator, blob = false): Promise<void> =>
+  element.evaluate((target: PhongViewer | PhongMesh, asBlob) => {
+    const [file] = Reflect.get(window, 'files') as File[];
+    if (file === undefined) throw new Error('no file');
+    target.src = asBlob ? new Blob([file]) : file;
+  }, blob);
+
+/** Drops the page's files on the viewer. Returns whether the event was used. */
+const dropFiles = (viewer: Locator): Promise<{ taken: boolean }> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const dataTransfer = new DataTransfer();
+    for (const file of Reflect.get(window, 'files') as File[]) dataTransfer.items.add(file);
+    const over = new DragEvent('dragover', { dataTransfer, bubbles: true, cancelable: true });
+    const drop = new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true });
+    return { taken: !element.dispatchEvent(over) && !element.dispatchEvent(drop) };
+  });
+
+/** Drops files and folders of this disk, as a user does. */
+async function dropPaths(page: Page, paths: readonly string[]): Promise<void> {
+  const session = await page.context().newCDPSession(page);
+  const data = { items: [], files: [...paths], dragOperationsMask: 1 };
+  for (const type of ['dragEnter', 'dragOver', 'drop'] as const)
+    await session.send('Input.dispatchDragEvent', { type, x: 200, y: 100, data });
+}
+
+interface Outcome {
+  readonly type: string;
+  readonly detail: {
+    readonly code?: string;
+    readonly message?: string;
+    readonly url?: string;
+    readonly missing?: readonly string[];
+  };
+}
+
+/** The load or error event that `act` causes. */
+async function outcomeOf(viewer: Locator, act: () => Promise<unknown>): Promise<Outcome> {
+  const events = await record(viewer, 'load', 'error');
+  await act();
+  const heard: Outcome[] = [];
+  await expect
+    .poll(async () => {
+      heard.push(...((await events.take()) as Outcome[]));
+      return heard.length;
+    })
+    .toBe(1);
+  await settled(viewer);
+  const [outcome] = heard;
+  if (outcome === undefined) throw new Error('nothing happened');
+  return outcome;
+}
+
+test('an OBJ file shows the coefficients of its MTL file, unconverted, and its texture the right way up', async ({
+  mount,
+}) => {
+  const viewer = await mount(viewerOf(`src="${model('quads.obj')}" terms="ambient"`), size);
+  expectNear(await colorAt(viewer, -0.5, 0), [25.5, 51, 76.5]);
+  expectNear(await colorAt(viewer, 0.25, 0.25), [255, 0, 0], 8);
+  expectNear(await colorAt(viewer, 0.75, 0.25), [0, 255, 0], 8);
+  expectNear(await colorAt(viewer, 0.25, -0.25), [0, 0, 255], 8);
+  expectNear(await colorAt(viewer, 0.75, -0.25), [188, 64, 20], 8);
+  await assign(viewer, { terms: 'diffuse' });
+  await settled(viewer);
+  expectNear(await colorAt(viewer, -0.5, 0), [204, 102, 51]);
+  await assign(viewer, { terms: 'specular' });
+  await settled(viewer);
+  const [red = 0, green = 0, blue = 0] = await colorAt(viewer, -0.1, 0);
+  expectNear([red], [127], 3); // R·V is nearly 1 there
+  expectNear([green * 2, blue * 4], [red, red], 4);
+  await assign(viewer, { terms: 'diffuse', kd: '255 0 0' });
+  await settled(viewer);
+  expectNear(await colorAt(viewer, -0.5, 0), [255, 0, 0]);
+});
+
+test('STL and PLY files show their colours', async ({ mount }) => {
+  const stl = await mount(viewerOf(`src="${model('coloured.stl')}" kd="255" terms="diffuse"`), size);
+  expectNear(await colorAt(stl, 0.3, -0.3), [255, 0, 0]);
+  expectNear(await colorAt(stl, -0.3, 0.3), [0, 0, 255]);
+  const ply = await mount(viewerOf(`src="${model('coloured.ply')}" kd="255" terms="diffuse"`), size);
+  expectNear(await colorAt(ply, -0.48, -0.48), [245, 5, 5], 12);
+  expectNear(await colorAt(ply, 0.48, -0.48), [5, 245, 5], 12);
+  expectNear(await colorAt(ply, 0, 0), [127, 0, 127], 6);
+});
+
+test('`type` names the format if nothing else does', async ({ mount }) => {
+  const text = 'unknown words\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3';
+  const src = `data:text/plain,${encodeURIComponent(text)}`;
+  const viewer = await mount(viewerOf(`src="${src}"`), size);
+  await expect(viewer.locator('[part=notice]')).toContainText(
+    'The format is not supported: the data: URI. These are: glTF',
+  );
+  expect((await outcomeOf(viewer, () => assign(viewer, { type: 'model/obj' }))).type).toBe('load');
+  await expect(viewer.locator('[part=notice]')).toHaveCount(0);
+});
+
+test('`src` of a viewer and of a mesh accepts a File or a Blob, and returns it', async ({ page, mount }) => {
+  const viewer = await mount(viewerOf('terms="diffuse"', '<phong-mesh></phong-mesh>'), size);
+  await filesIn(page, ['textured.glb']);
+  const outcome = await outcomeOf(viewer, () => setFile(viewer));
+  expect(outcome).toEqual({ type: 'load', detail: { url: 'file:///textured.glb', missing: [] } });
+  const shown = await pixels(viewer);
+  const same = await viewer.evaluate((element: PhongViewer) => {
+    const [file] = Reflect.get(window, 'files') as File[];
+    return [element.src === file, Object.isFrozen(file), element.loaded];
+  });
+  expect(same).toEqual([true, false, true]);
+  await assign(viewer, { src: '' });
+  const mesh = viewer.locator('phong-mesh');
+  expect((await outcomeOf(viewer, () => setFile(mesh, true))).type).toBe('load');
+  expect(compare(await pixels(viewer), shown).max).toBe(0);
+});
+
+test('toHTML writes a file’s name, and warns once that it must be hosted', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/warning: <phong-viewer src="my quad.glb"> is a file on this device/, 1);
+  const viewer = await mount(viewerOf(''), size);
+  await filesIn(page, ['textured.glb'], ['my quad.glb']);
+  await outcomeOf(viewer, () => setFile(viewer));
+  const html = (): Promise<string> => viewer.evaluate((element: PhongViewer) => element.toHTML());
+  expect(await html()).toContain('src="my%20quad.glb"');
+  expect(await html()).toBe(await html());
+});
+
+test('a file that cannot be shown is named in a message, and the picture stays', async ({ page, mount }) => {
+  const viewer = await mount(viewerOf(`src="${model('textured.glb')}"`), size);
+  const before = await pixels(viewer);
+  await filesIn(page, ['truncated.glb']);
+  const outcome = await outcomeOf(viewer, () => setFile(viewer));
+  expect(outcome).toMatchObject({ type: 'error', detail: { code: 'bad-model' } });
+  expect(outcome.detail.message).toMatch(
+    /^The model cannot be read: it is truncated.* \(truncated\.glb\)\.$/,
+  );
+  expect(compare(await pixels(viewer), before).max).toBe(0);
+});
+
+test('a lone OBJ file is shown without the files that it names, with a warning that lists them', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/warning: quads\.obj is shown without 1 of the files.*quads\.mtl/, 1);
+  const viewer = await mount(viewerOf('terms="diffuse" kd="0 255 0"'), size);
+  await filesIn(page, ['quads.obj']);
+  const outcome = await outcomeOf(viewer, () => setFile(viewer));
+  expect(outcome).toEqual({ type: 'load', detail: { url: 'file:///quads.obj', missing: ['quads.mtl'] } });
+  expectNear(await colorAt(viewer, -0.5, 0), [0, 255, 0]);
+});
+
+test('a glTF file is shown without an image that is missing, from a server and from a data: address', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/error: Failed to load resource/, 1);
+  consoleGuard.allow(/quad\.gltf is shown without 1 of .*: textures\/four colours\.png\./, 1);
+  consoleGuard.allow(
+    /the data: URI is shown without 1 of .*: images\[0\]\. images\[0\] cannot be decoded/,
+    1,
+  );
+  await page.route(/four%20colours/, (route) => route.fulfill({ status: 404 }));
+  const viewer = await mount(viewerOf('kd="0 255 0" ka="0" ks="0"'), size);
+  const load = async (src: string): Promise<unknown> => {
+    const { type, detail } = await outcomeOf(viewer, () => assign(viewer, { src }));
+    expectNear(await colorAt(viewer, 0.2, 0.2), [0, 255, 0]);
+    return [type, detail.missing, await viewer.evaluate((element: PhongViewer) => element.loaded)];
+  };
+  expect(await load(model('beside/quad.gltf'))).toEqual(['load', ['textures/four colours.png'], true]);
+  // The texture is a PNG as far as its header.
+  const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } };
+  const broken = patch({ material, textures: [[[255, 0, 0]]] }).split(',', 2)[1] ?? '';
+  const document = Buffer.from(broken, 'base64')
+    .toString()
+    .replace(/(image\/png;base64,.{48})[^"]*/, '$1');
+  const src = `data:model/gltf+json,${encodeURIComponent(document)}`;
+  expect(await load(src)).toEqual(['load', ['images[0]'], true]);
+});
+
+test('a model compressed by meshopt without WebAssembly gives an error that says how to allow it', async ({
+  mount,
+  consoleGuard,
+}) => {
+  const source = `src="${model('meshopt.glb')}"`;
+  const allowed = strictPolicy.replace("script-src 'self'", "script-src 'self' 'wasm-unsafe-eval'");
+  const shown = await mount(viewerOf(source), { ...size, csp: allowed });
+  const picture = await pixels(shown);
+  await assign(shown, { src: model('no-normals.glb') });
+  await settled(shown);
+  expect(compare(await pixels(shown), picture).max).toBe(0);
+  consoleGuard.allow(/Content Security Policy|violates the following|CSP report|wasm/i);
+  const refused = await mount(viewerOf(source), size);
+  await expect(refused.locator('[part=notice]')).toContainText("Add 'wasm-unsafe-eval' to script-src");
+});
+
+test.describe('a droppable viewer', () => {
+  test('shows a folder dropped on it as one model, and files dropped together too', async ({
+    page,
+    mount,
+  }) => {
+    const wanted = await pixels(await mount(viewerOf(`src="${model('beside/quad.gltf')}"`), size));
+    const viewer = await mount(viewerOf('droppable'), size);
+    expect((await outcomeOf(viewer, () => dropPaths(page, [`${folder}/beside`]))).type).toBe('load');
+    expect(compare(await pixels(viewer), wanted).max).toBe(0);
+    // All files in one place, although the names inside contain folders.
+    await filesIn(page, ['beside/quad.bin', 'beside/quad.gltf', 'beside/textures/four colours.png'], ['QUAD.BIN', 'quad.gltf', 'four colours.png']); // prettier-ignore
+    const outcome = await outcomeOf(viewer, () => dropFiles(viewer));
+    expect(outcome).toMatchObject({ type: 'load', detail: { url: 'file:///quad.gltf' } });
+    expect(compare(await pixels(viewer), wanted).max).toBe(0);
+  });
+
+  test('lists missing files, and keeps its picture if the model cannot be shown without them', async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(
+      /quads\.obj is shown without 1 of .*: beside\/textures\/four colours\.png\. Drop them together/,
+      1,
+    );
+    const viewer = await mount(viewerOf(`droppable src="${model('textured.glb')}"`), size);
+    const before = await pixels(viewer);
+    await filesIn(page, ['beside/quad.gltf', 'quads.mtl'], ['quad.gltf', 'other.mtl']);
+    const gltf = await outcomeOf(viewer, () => dropFiles(viewer));
+    expect(gltf).toMatchObject({ type: 'error', detail: { code: 'load-failed' } });
+    expect(gltf.detail.message).toMatch(/quad\.gltf names files that did not come with it: .*quad\.bin/);
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+    await filesIn(page, ['quads.obj', 'quads.mtl']);
+    expect(await outcomeOf(viewer, () => dropFiles(viewer))).toEqual({
+      type: 'load',
+      detail: { url: 'file:///quads.obj', missing: ['beside/textures/four colours.png'] },
+    });
+    expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+  });
+
+  test('has a message about a file that can be removed, by its button, by Escape and by the next file', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(viewerOf(`droppable src="${model('textured.glb')}"`), size);
+    const before = await pixels(viewer);
+    const [notice, close, retry] = ['notice', 'dismiss', 'retry'].map((part) =>
+      viewer.locator(`[part=${part}]`),
+    );
+    const fail = async (): Promise<void> => {
+      await filesIn(page, ['truncated.glb']);
+      expect((await outcomeOf(viewer, () => dropFiles(viewer))).type).toBe('error');
+      await expect(notice!).toContainText('truncated.glb');
+      await expect(retry!).toHaveCount(0);
+    };
+    await fail();
+    await expect(close!).toHaveAccessibleName('Close');
+    await assign(viewer, { texts: { Close: 'Schließen' } });
+    await expect(close!).toHaveAccessibleName('Schließen');
+    const box = await close!.boundingBox();
+    expect(Math.min(box!.width, box!.height)).toBeGreaterThanOrEqual(24);
+    await close!.click();
+    await expect(notice!).toHaveCount(0);
+    expect(await viewer.evaluate((element: PhongViewer) => element.matches(':state(error)'))).toBe(false);
+    expect(compare(await pixels(viewer), before).max).toBe(0);
+
+    await fail();
+    // The drop has moved the focus into the viewer. A listener around it can tell that Escape was used.
+    await viewer.evaluate((element) => {
+      const keys: boolean[] = [];
+      Reflect.set(window, 'keys', keys);
+      element.parentElement?.addEventListener('keydown', (event) => keys.push(event.defaultPrevented));
+    });
+    await page.keyboard.press('Escape');
+    await expect(notice!).toHaveCount(0);
+    await page.keyboard.press('Escape');
+    expect(await page.evaluate(() => Reflect.get(window, 'keys') as unknown)).toEqual([true, false]);
+
+    await fail();
+    await filesIn(page, ['textured.glb']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).type).toBe('load');
+    await expect(notice!).toHaveCount(0);
+
+    // An address can be tried again, and its message stays.
+    await assign(viewer, { src: model('truncated.glb') });
+    await expect(retry!).toBeVisible();
+    await expect(close!).toHaveCount(0);
+    await viewer.focus();
+    await page.keyboard.press('Escape');
+    await expect(notice!).toBeVisible();
+  });
+
+  test('says what to do about several models, none, and other formats', async ({ page, mount }) => {
+    const viewer = await mount(viewerOf('droppable'), size);
+    await filesIn(page, ['coloured.stl', 'coloured.ply']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).detail.message).toMatch(
+      /There are 2 models: coloured\.stl, coloured\.ply\. Drop one of them/,
+    );
+    await filesIn(page, ['quads.mtl', 'beside/quad.bin'], ['a.mtl', 'b.bin']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).detail.message).toMatch(
+      /None of the 2 files is a model: glTF/,
+    );
+    await filesIn(page, ['beside/quad.bin'], ['chair.fbx']);
+    expect((await outcomeOf(viewer, () => dropFiles(viewer))).detail.message).toMatch(
+      /^It is an FBX file, which cannot be shown: chair\.fbx\. Export it as glTF/,
+    );
+  });
+
+  test('leaves drops to the page while the attribute is absent, and where the page has taken them', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(viewerOf(''), size);
+    await filesIn(page, ['textured.glb']);
+    expect(await dropFiles(viewer)).toEqual({ taken: false });
+    await assign(viewer, { droppable: true });
+    await page.evaluate(() => {
+      document.addEventListener('drop', (event) => event.preventDefault(), { capture: true });
+    });
+    await dropFiles(viewer);
+    await settled(viewer);
+    expect(await viewer.evaluate((element: PhongViewer) => element.src)).toBe('');
+  });
+});

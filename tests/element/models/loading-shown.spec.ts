@@ -1,0 +1,360 @@
+// What do users, CSS and screen readers get to know about loading? Progress, states, posters and the retry button. The test controls when
+// models arrive and when the progress bar's timer ends.
+
+import AxeBuilder from '@axe-core/playwright';
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from '../../support/test.js';
+import { assign, type PhongViewer, settled } from '../support/viewer.js';
+
+const size = { width: 300, height: 200 };
+const model = '/fixtures/models/no-normals.glb';
+
+declare global {
+  interface Window {
+    loads: {
+      /** Callbacks that wait for the progress bar's delay. */
+      timers: Map<number, () => void>;
+      /** Sends the next half of each file whose address contains "slow". */
+      send: (() => void)[];
+    };
+  }
+}
+
+/** To be called before the page is mounted. */
+async function slowDown(page: Page, sizeIsKnown = true): Promise<void> {
+  await page.addInitScript((known) => {
+    const timers = new Map<number, () => void>();
+    const send: (() => void)[] = [];
+    window.loads = { timers, send };
+    const { setTimeout: start, clearTimeout: stop, fetch: get } = window;
+    Reflect.set(window, 'setTimeout', (run: () => void, ms?: number) => {
+      const id = start(() => (ms === 300 ? undefined : run()), ms);
+      if (ms === 300) timers.set(id, run);
+      return id;
+    });
+    window.clearTimeout = (id) => {
+      timers.delete(Number(id));
+      stop(id);
+    };
+    window.fetch = async (input, init) => {
+      const response = await get(input, init);
+      const address = input instanceof Request ? input.url : String(input);
+      if (!address.includes('slow') || !response.ok) return response;
+      const bytes = new Uint8Array(await response.arrayBuffer());
+      const half = bytes.length / 2;
+      const body = new ReadableStream({
+        start(controller) {
+          send.push(
+            () => controller.enqueue(bytes.slice(0, half)),
+            () => {
+              controller.enqueue(bytes.slice(half));
+              controller.close();
+            },
+          );
+        },
+      });
+      const headers = known ? { 'content-length': String(bytes.length) } : undefined;
+      return new Response(body, headers === undefined ? {} : { headers });
+    };
+  }, sizeIsKnown);
+}
+
+const slow = `${model}?slow`;
+const barOf = (viewer: Locator): Locator => viewer.getByRole('progressbar');
+const delayOver = (page: Page): Promise<void> =>
+  page.evaluate(() => {
+    for (const run of window.loads.timers.values()) run();
+  });
+const sendNext = async (page: Page): Promise<void> => {
+  await page.waitForFunction(() => window.loads.send.length > 0);
+  await page.evaluate(() => window.loads.send.shift()?.());
+};
+const statesOf = (viewer: Locator): Promise<string[]> =>
+  viewer.evaluate((element) =>
+    ['loading', 'error', 'empty'].filter((name) => element.matches(`:state(${name})`)),
+  );
+
+test('shows a progress bar with a name and a value once loading has taken 300 ms, until it ends', async ({
+  page,
+  mount,
+}) => {
+  await slowDown(page);
+  const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {
+    ...size,
+    waitForReady: false,
+  });
+  const surface = viewer.locator('[part=surface]');
+  await expect(surface).toHaveAttribute('aria-busy', 'true');
+  await expect(barOf(viewer)).toHaveCount(0);
+  await delayOver(page);
+  await expect(barOf(viewer)).toBeVisible();
+  await expect(barOf(viewer)).toHaveAccessibleName('Loading');
+  await sendNext(page);
+  await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
+  const { violations } = await new AxeBuilder({ page }).include('phong-viewer').analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+  await sendNext(page);
+  await settled(viewer);
+  await expect(barOf(viewer)).toHaveCount(0);
+  await expect(surface).not.toHaveAttribute('aria-busy');
+});
+
+test('the bar of a load of unknown size moves, except with reduced motion; paper shows no bar', async ({
+  page,
+  mount,
+}) => {
+  await slowDown(page, false);
+  const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {
+    ...size,
+    waitForReady: false,
+  });
+  await delayOver(page);
+  await sendNext(page);
+  await expect(barOf(viewer)).toBeVisible();
+  await expect(barOf(viewer)).not.toHaveAttribute('aria-valuenow');
+  const animations = (): Promise<number> =>
+    viewer.evaluate((element) => element.shadowRoot!.getAnimations().length);
+  expect(await animations()).toBe(1);
+  await page.emulateMedia({ reducedMotion: 'reduce' });
+  expect(await animations()).toBe(0);
+  await page.emulateMedia({ media: 'print' });
+  await expect(barOf(viewer)).toBeHidden();
+  await page.emulateMedia({ media: null, reducedMotion: null });
+});
+
+test('a faster load shows no progress bar, and shapes start no timer', async ({ page, mount }) => {
+  await slowDown(page);
+  const viewer = await mount('<phong-viewer alt="A box" geometry="box"></phong-viewer>', size);
+  const timers = (): Promise<number> => page.evaluate(() => window.loads.timers.size);
+  expect(await timers()).toBe(0);
+  await assign(viewer, { src: slow });
+  await expect.poll(timers).toBe(1);
+  await sendNext(page);
+  await sendNext(page);
+  await settled(viewer);
+  expect(await timers()).toBe(0);
+});
+
+test('progress does not decrease when one of several loads ends', async ({ page, mount }) => {
+  await slowDown(page);
+  const viewer = await mount(
+    `<phong-viewer alt="Models" src="${slow}"><phong-mesh src="${slow}2"></phong-mesh></phong-viewer>`,
+    { ...size, waitForReady: false },
+  );
+  await page.waitForFunction(() => window.loads.send.length === 4);
+  await delayOver(page);
+  await sendNext(page);
+  await sendNext(page);
+  await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
+  await sendNext(page);
+  await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '75');
+  await sendNext(page);
+  await settled(viewer);
+  await expect(barOf(viewer)).toHaveCount(0);
+});
+
+test('an author’s own element in the slot progress takes the bar’s place, for as long', async ({
+  page,
+  mount,
+}) => {
+  await slowDown(page);
+  const viewer = await mount(
+    `<phong-viewer alt="A model" src="${slow}"><b slot="progress">Wait</b></phong-viewer>`,
+    { ...size, waitForReady: false },
+  );
+  await expect(viewer.locator('b')).toBeHidden();
+  await delayOver(page);
+  await expect(viewer.locator('b')).toBeVisible();
+  await expect(viewer.locator('[part=progress]')).toBeHidden();
+  await sendNext(page);
+  await sendNext(page);
+  await settled(viewer);
+  await expect(viewer.locator('b')).toBeHidden();
+});
+
+test('CSS can select viewers that are loading, failed or empty', async ({ page, mount, consoleGuard }) => {
+  consoleGuard.allow(/404/);
+  await slowDown(page);
+  const viewer = await mount('<phong-viewer alt="A model"></phong-viewer>', size);
+  expect(await statesOf(viewer)).toEqual(['empty']);
+  await assign(viewer, { src: slow });
+  await expect.poll(() => statesOf(viewer)).toEqual(['loading']);
+  await sendNext(page);
+  await sendNext(page);
+  await settled(viewer);
+  expect(await statesOf(viewer)).toEqual([]);
+  await assign(viewer, { src: '/none.glb' });
+  await settled(viewer);
+  expect(await statesOf(viewer)).toEqual(['error']);
+  await assign(viewer, { src: null });
+  await expect.poll(() => statesOf(viewer)).toEqual(['empty']);
+  await viewer.evaluate((element) => {
+    element.append(Object.assign(document.createElement('phong-mesh'), { geometry: 'box' }));
+  });
+  await expect.poll(() => statesOf(viewer)).toEqual([]);
+  await viewer.evaluate((element) => {
+    element.replaceChildren();
+  });
+  await expect.poll(() => statesOf(viewer)).toEqual(['empty']);
+});
+
+for (const [what, withdraw] of [
+  ['without custom states', () => Reflect.deleteProperty(ElementInternals.prototype, 'states')],
+  ['without internals', () => Reflect.deleteProperty(HTMLElement.prototype, 'attachInternals')],
+  [
+    'that refuses the names of states',
+    () =>
+      (CustomStateSet.prototype.add = () => {
+        throw new SyntaxError();
+      }),
+  ],
+] as const) {
+  test(`a browser ${what} shows and loads everything`, async ({ page, mount }) => {
+    await page.addInitScript(withdraw);
+    const viewer = await mount(`<phong-viewer alt="A model" src="${model}"></phong-viewer>`, size);
+    expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+  });
+}
+
+test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({ page, mount }) => {
+  await slowDown(page);
+  const viewer = await mount(
+    `<phong-viewer alt="A model" poster="data:image/png,none" src="${slow}"></phong-viewer>`,
+    { ...size, waitForReady: false },
+  );
+  const poster = viewer.locator('[part=poster]');
+  await expect(poster).toHaveCount(0);
+  await assign(viewer, { alt: 'The model' });
+  await expect(viewer.getByRole('application', { name: 'The model' })).toHaveCount(1);
+  await expect(poster).toHaveCount(0);
+  const good = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>";
+  await assign(viewer, { poster: good });
+  await expect(poster).toHaveCount(1);
+  await sendNext(page);
+  await sendNext(page);
+  await settled(viewer);
+  await expect(poster).toHaveCount(0);
+});
+
+test('the button of the message repeats what failed, and the focus stays in the viewer', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/404/);
+  let refuse = true;
+  await page.route('**/none*.glb', (route) =>
+    refuse ? route.fulfill({ status: 404 }) : route.continue({ url: new URL(model, page.url()).href }),
+  );
+  const viewer = await mount(
+    '<phong-viewer alt="Models" src="/none.glb"><phong-mesh src="/none2.glb"></phong-mesh></phong-viewer>',
+    size,
+  );
+  const retry = viewer.getByRole('button', { name: 'Try again' });
+  await expect(viewer.getByRole('alert')).toContainText('404');
+  const box = (await retry.boundingBox())!;
+  expect(box.height).toBeGreaterThanOrEqual(24);
+  expect(box.width).toBeGreaterThanOrEqual(24);
+  const { violations } = await new AxeBuilder({ page }).include('phong-viewer').analyze();
+  expect(violations.map(({ id }) => id)).toEqual([]);
+  await retry.click();
+  await settled(viewer);
+  await expect(retry).toBeVisible();
+  refuse = false;
+  await retry.focus();
+  await page.keyboard.press('Enter');
+  await settled(viewer);
+  await expect(retry).toHaveCount(0);
+  expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
+  expect(await page.evaluate(() => document.activeElement?.localName)).toBe('phong-viewer');
+  await page.emulateMedia({ media: null });
+});
+
+test('`texts` replaces texts at once, and null restores all', async ({ page, mount, consoleGuard }) => {
+  consoleGuard.allow(/404/);
+  await slowDown(page);
+  const viewer = await mount('<phong-viewer alt="A model" src="/none.glb"></phong-viewer>', size);
+  const notice = viewer.locator('[part=notice]');
+  const own = await notice.textContent();
+  await assign(viewer, { texts: { 'Try again': 'Nochmal', 'load-failed': 'Die Datei fehlt.' } });
+  await expect(notice).toHaveText('Die Datei fehlt.');
+  await expect(viewer.getByRole('button', { name: 'Nochmal' })).toBeVisible();
+  expect(await viewer.evaluate(({ texts }: PhongViewer) => [texts?.['Try again'], Object.isFrozen(texts)])).toEqual(['Nochmal', true]); // prettier-ignore
+  await assign(viewer, { texts: { Loading: 'Lädt', 'Try again': undefined }, src: slow });
+  await delayOver(page);
+  await expect(barOf(viewer)).toHaveAccessibleName('Lädt');
+  await assign(viewer, { texts: null, src: '/none.glb' });
+  await expect(notice).toHaveText(own!);
+  await expect(viewer.getByRole('button', { name: 'Try again' })).toBeVisible();
+});
+
+test('invalid `texts` throw, or give a warning if set before the upgrade', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  const viewer = await mount('<phong-viewer alt="Nothing"></phong-viewer>', size);
+  await assign(viewer, { texts: { 'Try again': 'Nochmal' } });
+  for (const texts of ['Nochmal', 1, true, [], ['a'], { Loading: 1 }, { Loading: null }]) {
+    const error = await viewer.evaluate((element, value) => {
+      try {
+        Reflect.set(element, 'texts', value);
+        return '';
+      } catch (thrown) {
+        return String(thrown);
+      }
+    }, texts);
+    expect(error, JSON.stringify(texts)).toMatch(/^TypeError: <phong-viewer>\.texts: expected/);
+    expect(await viewer.evaluate((element: PhongViewer) => element.texts)).toEqual({
+      'Try again': 'Nochmal',
+    });
+  }
+  consoleGuard.allow(/<phong-viewer>\.texts: expected/, 1);
+  const upgraded = await page.evaluate(() => {
+    const page2 = new DOMParser().parseFromString('<phong-viewer></phong-viewer>'.repeat(2), 'text/html');
+    return [{ 'Try again': 'Nochmal' }, 'Nochmal'].map((texts) => {
+      const element = page2.querySelector('phong-viewer')!;
+      Object.assign(element, { texts });
+      document.body.append(element);
+      return element.texts;
+    });
+  });
+  expect(upgraded).toEqual([{ 'Try again': 'Nochmal' }, null]);
+});
+
+test('under dir="rtl" the bar grows from the right and the panel is on the left', async ({ page, mount }) => {
+  await slowDown(page);
+  const viewer = await mount(`<phong-viewer dir="rtl" alt="A model" gui src="${slow}"></phong-viewer>`, {
+    width: 600,
+    height: 400,
+    waitForReady: false,
+  });
+  await delayOver(page);
+  await sendNext(page);
+  await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
+  const arrived = (await viewer.locator('.arrived').boundingBox())!;
+  expect([arrived.x, arrived.width]).toEqual([300, 300]);
+  const panel = (await viewer.locator('.lil-root').boundingBox())!;
+  expect(panel.x).toBeLessThan(20);
+  const title = viewer.locator('.lil-title', { hasText: 'Camera' });
+  expect(await title.evaluate((part) => getComputedStyle(part, '::before').scale)).toBe('-1 1');
+  await title.click();
+  const slider = viewer.locator('input[type=range]').first();
+  expect(await slider.evaluate((part) => getComputedStyle(part).backgroundPositionX)).toBe('100%');
+});
+
+test('in forced colours the filled part of the bar differs from the rest', async ({ page, mount }) => {
+  await page.emulateMedia({ forcedColors: 'active' });
+  await slowDown(page);
+  const viewer = await mount(`<phong-viewer alt="A model" src="${slow}"></phong-viewer>`, {
+    ...size,
+    waitForReady: false,
+  });
+  await delayOver(page);
+  await sendNext(page);
+  const colors = await barOf(viewer).evaluate((bar) =>
+    [bar, bar.firstElementChild!].map((part) => getComputedStyle(part).backgroundColor),
+  );
+  expect(colors[0]).not.toBe(colors[1]);
+  await page.emulateMedia({ forcedColors: null });
+});

@@ -1,0 +1,300 @@
+// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels with shadeAt, and shadeAt with values
+// computed here from those rules.
+
+import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
+import { expect, test } from '../../support/test.js';
+import { comparedWithPicture } from '../shade-at/shade-at-support.js';
+import { type PhongViewer, settled } from '../support/viewer.js';
+import type { Locator } from '@playwright/test';
+
+const LIGHTS = `
+  <phong-light position="0.5 1 2 0" ambient="60 50 40" diffuse="120 110 100" specular="90 100 110"></phong-light>
+  <phong-light position="-0.6 0.4 1.6 1" diffuse="60 70 80" specular="120"></phong-light>`;
+
+/** The encoded value of a linear one. */
+const encoded = (c: number): number => (c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055);
+
+const viewerOf = (options: PatchOptions, attributes = '', mesh = ''): string =>
+  `<phong-viewer theta="12" phi="80" target="0 0 0" radius="3.2" ${attributes}>
+    <phong-mesh src="${patch(options)}" ${mesh}></phong-mesh>${LIGHTS}
+  </phong-viewer>`;
+
+async function show(viewer: Locator, markup: string): Promise<void> {
+  await viewer.evaluate((element: PhongViewer, text) => {
+    element.outerHTML = text;
+    return document.querySelector<PhongViewer>('phong-viewer')!.ready;
+  }, markup);
+  await settled(viewer);
+}
+
+/** The result of shadeAt for the pixel in the middle. */
+const middle = (viewer: Locator) =>
+  viewer.evaluate(async (element: PhongViewer) => {
+    const { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum } = (await element.shadeAt(
+      80,
+      60,
+    ))!;
+    return { ka, kd, ks, shininess, emissive, metalness, unlit, color, N, sum };
+  });
+
+/** Red of the drawn pixel in the middle. */
+const middlePixel = (viewer: Locator): Promise<number> =>
+  viewer.evaluate(async (element: PhongViewer) => {
+    const bitmap = await createImageBitmap(await element.toBlob());
+    const context = new OffscreenCanvas(1, 1).getContext('2d')!;
+    context.drawImage(bitmap, -Math.floor(bitmap.width / 2), -Math.floor(bitmap.height / 2));
+    return context.getImageData(0, 0, 1, 1).data[0]!;
+  });
+
+const SIZE = { width: 160, height: 120 };
+
+const SMOOTH: readonly Texel[] = [
+  [250, 20, 40],
+  [40, 120, 200],
+  [90, 240, 90],
+  [200, 180, 10],
+];
+/** Green is roughness, blue metalness. */
+const METAL_ROUGH: readonly Texel[] = [
+  [0, 90, 250],
+  [0, 200, 0],
+  [0, 130, 120],
+  [0, 60, 200],
+];
+const BUMPS: readonly Texel[] = [
+  [128, 128, 255],
+  [190, 100, 220],
+  [80, 150, 230],
+  [120, 200, 210],
+];
+const MAPPED = { metallicRoughnessTexture: { index: 0 } };
+const RED = [0.8, 0.1, 0.05, 1];
+
+const MATERIALS: Readonly<Record<string, PatchOptions>> = {
+  'an emissive colour': { material: { emissiveFactor: [0.05, 0.1, 0.02] } },
+  'an emissive texture': {
+    material: {
+      emissiveFactor: [0.2, 0.2, 0.2],
+      emissiveTexture: { index: 0 },
+      extensions: { KHR_materials_emissive_strength: { emissiveStrength: 1.5 } },
+    },
+    textures: [SMOOTH],
+  },
+  metal: {
+    material: { pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 1, roughnessFactor: 0.5 } },
+  },
+  'half a metal': {
+    material: { pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 0.5, roughnessFactor: 0.7 } },
+  },
+  'a rough surface': {
+    material: { pbrMetallicRoughness: { baseColorFactor: RED, metallicFactor: 0, roughnessFactor: 0.8 } },
+  },
+  'textures of metalness, roughness and base colour': {
+    material: { pbrMetallicRoughness: { ...MAPPED, baseColorTexture: { index: 1, texCoord: 1 } } },
+    textures: [METAL_ROUGH, SMOOTH],
+  },
+  'a texture of roughness alone': {
+    material: { pbrMetallicRoughness: { ...MAPPED, metallicFactor: 0, baseColorFactor: RED } },
+    textures: [METAL_ROUGH],
+  },
+  'an unlit texture': {
+    material: {
+      extensions: { KHR_materials_unlit: {} },
+      emissiveFactor: [1, 1, 1],
+      pbrMetallicRoughness: { baseColorFactor: [0.5, 0.9, 0.7, 1], baseColorTexture: { index: 0 } },
+    },
+    textures: [SMOOTH],
+  },
+  'a normal map': { material: { normalTexture: { index: 0, scale: 0.8 } }, textures: [BUMPS] },
+  'a normal map with tangents of its own': {
+    material: { normalTexture: { index: 0 } },
+    textures: [BUMPS],
+    tangents: true,
+  },
+  'a normal map on a mirrored node': {
+    material: { normalTexture: { index: 0 } },
+    textures: [BUMPS],
+    tangents: true,
+    matrix: [-1.2, 0, 0, 0, 0, 0.9, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+  },
+  'a normal map with coordinates of its own': {
+    material: {
+      normalTexture: { index: 0, texCoord: 1 },
+      pbrMetallicRoughness: { baseColorTexture: { index: 1 } },
+    },
+    textures: [BUMPS, SMOOTH],
+  },
+};
+
+const VIEWS: readonly string[] = [
+  '',
+  'shading="gouraud"',
+  'shading="flat"',
+  'color-interpolation="linear"',
+  'reflection="blinn-phong"',
+  'theta="190"',
+];
+
+for (const [name, options] of Object.entries(MATERIALS)) {
+  test(`the picture of ${name} is what shadeAt explains, within one code`, async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    for (const attributes of VIEWS) {
+      await show(viewer, viewerOf(options, attributes));
+      const compared = (await comparedWithPicture(viewer, 9)).filter(
+        ({ edgeMargin, steepness }) => edgeMargin > 3e-3 && steepness < 8,
+      );
+      expect(compared.length, attributes).toBeGreaterThan(15);
+      // One expectation for all pixels: one for each took a quarter of the time.
+      const wrong = compared.filter(({ drawn, explained }) =>
+        [0, 1, 2].some((channel) => Math.abs(Math.round(explained[channel]!) - drawn[channel]!) > 1),
+      );
+      expect.soft(wrong, attributes).toEqual([]);
+    }
+  });
+}
+
+test.describe('by the rules of src/MODELS.md', () => {
+  const base = RED.slice(0, 3).map(encoded);
+
+  test('a metal has its base colour in Ks and no Kd', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    await show(viewer, viewerOf(MATERIALS['metal']!, '', 'ka="255" kd="255"'));
+    const { ka, kd, ks, shininess, metalness } = await middle(viewer);
+    expect(metalness).toBe(1);
+    expect(kd).toEqual([0, 0, 0]);
+    expect(shininess).toBeCloseTo(7.5, 12); // (1 / 0.5⁴ − 1) / 2
+    base.forEach((c, i) => {
+      expect(ka[i]).toBeCloseTo(c, 6);
+      expect(ks[i]).toBeCloseTo((c * 128) / 255, 6);
+    });
+  });
+
+  test('a rough surface has a broad lobe that reflects no more light than a narrow one', async ({
+    mount,
+  }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    await show(viewer, viewerOf(MATERIALS['a rough surface']!, '', 'kd="255"'));
+    const { kd, ks, shininess } = await middle(viewer);
+    // (1 / 0.8⁴ − 1) / 2 is below 1, the smallest exponent.
+    const n = 1;
+    expect(shininess).toBeCloseTo(n, 12);
+    for (const k of ks) expect(k).toBeCloseTo(((128 / 255) * (n + 2)) / 34, 9);
+    base.forEach((c, i) => expect(kd[i]).toBeCloseTo(c, 6));
+  });
+
+  test('an exponent in the markup replaces the roughness', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    await show(viewer, viewerOf(MATERIALS['a texture of roughness alone']!, '', 'shininess="20"'));
+    const { ks, shininess } = await middle(viewer);
+    expect(shininess).toBe(20);
+    expect(ks).toEqual([128 / 255, 128 / 255, 128 / 255]);
+  });
+
+  test('a file without metalness and roughness looks like a built-in shape', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    await show(viewer, viewerOf({ material: {} }, '', 'kd="255"'));
+    const { kd, ...rest } = await middle(viewer);
+    expect(rest).toMatchObject({ shininess: 32, metalness: 0, unlit: false });
+    for (const k of kd) expect(k).toBeCloseTo(1, 12);
+  });
+
+  test('an emissive colour is added once, whatever the terms and the lights', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    await show(viewer, viewerOf(MATERIALS['an emissive colour']!, 'terms=""'));
+    const expected = [0.05, 0.1, 0.02].map(encoded);
+    const { color, emissive } = await middle(viewer);
+    expected.forEach((c, i) => {
+      expect(color[i]).toBeCloseTo(c, 9);
+      expect(emissive[i]).toBeCloseTo(c, 9);
+    });
+  });
+
+  test('an unlit surface has its base colour in the dark and under any light', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const material = {
+      extensions: { KHR_materials_unlit: {} },
+      pbrMetallicRoughness: { baseColorFactor: RED },
+    };
+    for (const attributes of ['', 'terms=""', 'color-interpolation="linear"']) {
+      await show(viewer, viewerOf({ material }, attributes));
+      const { color, unlit, kd } = await middle(viewer);
+      expect(unlit).toBe(true);
+      expect(kd).toEqual([0, 0, 0]);
+      base.forEach((c, i) => expect(color[i], attributes).toBeCloseTo(c, 6));
+    }
+  });
+
+  test('a flat normal map changes nothing, and a tilted one tilts N along u', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const flat = { normalTexture: { index: 0 } };
+    await show(viewer, viewerOf({ material: {} }));
+    const plain = await middle(viewer);
+    await show(viewer, viewerOf({ material: flat, textures: [Array<Texel>(4).fill([255, 128, 128])] }));
+    const tilted = await middle(viewer);
+    // Where the patch faces the viewer, u runs along +x: the normal turns to it.
+    expect(tilted.N[0]).toBeGreaterThan(0.9);
+    expect(plain.N[2]).toBeGreaterThan(0.9);
+  });
+
+  test('green points up the image, with and without tangents of its own', async ({ mount }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const material = { normalTexture: { index: 0 } };
+    const grazing = { kd: '255', ks: '0', ka: '0' };
+    const attributes = Object.entries(grazing).map(([name, value]) => `${name}="${value}"`);
+    // Square textures of one texel, which names a direction: up, down, to the right and to the left of the image.
+    const directions: readonly (readonly [Texel, readonly [number, number]])[] = [
+      [
+        [128, 218, 218],
+        [0, 1],
+      ],
+      [
+        [128, 37, 218],
+        [0, -1],
+      ],
+      [
+        [218, 128, 218],
+        [1, 0],
+      ],
+      [
+        [37, 128, 218],
+        [-1, 0],
+      ],
+    ];
+    for (const tangents of [false, true]) {
+      for (const [texel, [x, y]] of directions) {
+        const textures = [Array<Texel>(4).fill(texel)];
+        await show(
+          viewer,
+          `<phong-viewer theta="0" phi="90" target="0 0 0.3" radius="3.2">
+            <phong-mesh src="${patch({ material, textures, tangents })}" ${attributes.join(' ')}></phong-mesh>
+            <phong-light position="${String(x)} ${String(y)} 1 0" ambient="0" diffuse="255" specular="0"></phong-light>
+          </phong-viewer>`,
+        );
+        // In the middle the patch faces +z, its u runs along +x and its v along -y: the texel is the normal in world space.
+        const t = texel.slice(0, 3).map((c) => (2 * c!) / 255 - 1);
+        const length = Math.hypot(...t);
+        const diffuse = (x * t[0]! + y * t[1]! + t[2]!) / (Math.SQRT2 * length);
+        const which = `${tangents ? 'own' : 'computed'} tangents, ${texel.join(' ')}`;
+        const { N, color } = await middle(viewer);
+        N.forEach((n, i) => expect(n, which).toBeCloseTo(t[i]! / length, 2));
+        expect(color[0], which).toBeCloseTo(diffuse, 2);
+        const pixel = await middlePixel(viewer);
+        expect(Math.abs(pixel - 255 * diffuse), which).toBeLessThan(2);
+      }
+    }
+  });
+
+  test('features that the equation does not have give one warning', async ({ mount, consoleGuard }) => {
+    const met = consoleGuard.allow(
+      /^warning: .*KHR_materials_transmission, KHR_materials_clearcoat, occlusionTexture/,
+      1,
+    );
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const material = {
+      occlusionTexture: { index: 0 },
+      extensions: { KHR_materials_transmission: { transmissionFactor: 1 }, KHR_materials_clearcoat: {} },
+    };
+    await show(viewer, viewerOf({ material, textures: [SMOOTH] }));
+    expect(met).toHaveLength(1);
+  });
+});

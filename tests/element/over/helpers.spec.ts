@@ -1,0 +1,527 @@
+// Are lights drawn where they are in the scene, and do they follow pointer and keys? Handles are located by role and name, as a screen
+// reader does.
+
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from '../../support/test.js';
+import { field, opened } from '../panel/panel-rows.js';
+import {
+  assign,
+  cameraOf,
+  Fingers,
+  nextFrame,
+  type PhongLight,
+  type PhongViewer,
+  record,
+  settled,
+} from '../support/viewer.js';
+
+const scene = (lights: string, attributes = '', camera = 'theta="0" phi="90"'): string =>
+  `<phong-viewer alt="A box" helpers geometry="box" ${camera} ${attributes}>${lights}</phong-viewer>`;
+
+const lamp = '<phong-light name="lamp" position="0.5 0.4 0 1"></phong-light>';
+const sun = '<phong-light name="sun" position="0 1 2 0"></phong-light>';
+const torch = '<phong-light name="torch" space="camera" position="0.2 0.1 -2 1"></phong-light>';
+const spot =
+  '<phong-light name="spot" position="-0.6 0.5 0 1" axis="1 0 0" aperture="20" cutoff="4"></phong-light>';
+
+/** The handle whose name begins with this. */
+const handle = (viewer: Locator, name: string): Locator =>
+  viewer.getByRole('option', { name: new RegExp(`^${name}`) });
+
+const light = (viewer: Locator, index = 0): Promise<Pick<PhongLight, 'position' | 'axis' | 'aperture'>> =>
+  viewer.evaluate((element: PhongViewer, i) => {
+    const { position, axis, aperture } = element.lights[i]!;
+    return { position, axis, aperture };
+  }, index);
+
+async function middleOf(target: Locator): Promise<{ readonly x: number; readonly y: number }> {
+  const { x, y, width, height } = (await target.boundingBox())!;
+  return { x: x + width / 2, y: y + height / 2 };
+}
+
+async function drag(page: Page, target: Locator, dx: number, dy: number): Promise<void> {
+  const { x, y } = await middleOf(target);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, { steps: 5 });
+  await page.mouse.up();
+  await nextFrame(page);
+}
+
+const lengthOf = (v: readonly number[]): number => Math.hypot(v[0]!, v[1]!, v[2]!);
+
+test.describe('a light in the picture', () => {
+  test('is drawn at its place in the scene, with its name', async ({ mount }) => {
+    const viewer = await mount(scene(lamp, 'radius="4" target="0 0 0" fov="90"'));
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    // 200 pixels are half the height, which is 4 units at the target.
+    expect(x).toBeCloseTo(300 + 25, 0);
+    expect(y).toBeCloseTo(200 - 20, 0);
+    await expect(viewer.locator('svg text')).toHaveText('lamp');
+    await expect(handle(viewer, 'lamp')).toHaveAccessibleName(
+      'lamp: point light, position 0.5 0.4 0, diffuse 255 255 255',
+    );
+  });
+
+  test('follows the pointer in the plane of the view, as one step of undo and without moving the camera', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene(lamp, 'gui'));
+    const events = await record(viewer, 'light-change', 'camera-change');
+    const folder = await opened(viewer, 'lamp');
+    const before = await middleOf(handle(viewer, 'lamp'));
+    await drag(page, handle(viewer, 'lamp'), -60, 30);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(after.x).toBeCloseTo(before.x - 60, 0);
+    expect(after.y).toBeCloseTo(before.y + 30, 0);
+    const { position } = await light(viewer);
+    expect(position[2]).toBeCloseTo(0, 3);
+    expect(position[3]).toBe(1);
+    await expect(field(folder, 'position x')).toHaveValue(String(position[0]));
+    const types = new Set((await events.take()).map(({ type }) => type));
+    expect([...types]).toEqual(['light-change']);
+    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
+      `position="${position.join(' ')}"`,
+    );
+    await handle(viewer, 'lamp').press('Control+z');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    await handle(viewer, 'lamp').press('Control+Shift+z');
+    expect((await light(viewer)).position).toEqual(position);
+  });
+
+  test('is let go when the window loses the focus, in the middle of a drag', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 30, y, { steps: 2 });
+    const { position } = await light(viewer);
+    expect(position[0]).toBeLessThan(0.5);
+    await page.evaluate(() => dispatchEvent(new Event('blur')));
+    await page.mouse.move(x - 60, y);
+    expect((await light(viewer)).position).toEqual(position);
+    await page.mouse.up();
+    await handle(viewer, 'lamp').press('Control+z');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+  });
+
+  test('stays under a resting pointer while something else turns the camera', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 50, y, { steps: 3 });
+    await assign(viewer, { theta: 30 });
+    await settled(viewer);
+    await nextFrame(page);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(after.x).toBeCloseTo(x - 50, 0);
+    expect(after.y).toBeCloseTo(y, 0);
+    await page.mouse.up();
+  });
+
+  test('moves along the view with Shift, and stays under the same pixel', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const before = await middleOf(handle(viewer, 'lamp'));
+    await page.keyboard.down('Shift');
+    await drag(page, handle(viewer, 'lamp'), 0, 40);
+    await page.keyboard.up('Shift');
+    const { position } = await light(viewer);
+    expect(position[2]).toBeGreaterThan(0.3);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(1);
+  });
+
+  test('turns and keeps its length if it is directional', async ({ page, mount }) => {
+    const viewer = await mount(scene(sun));
+    await drag(page, handle(viewer, 'sun'), 70, 90);
+    const { position } = await light(viewer);
+    expect(position[0]).toBeGreaterThan(0.3);
+    expect(position[3]).toBe(0);
+    expect(lengthOf(position)).toBeCloseTo(Math.sqrt(5), 12);
+  });
+
+  test('is dragged in camera space if it belongs to the camera', async ({ page, mount }) => {
+    const viewer = await mount(scene(torch, '', 'theta="120" phi="40"'));
+    await drag(page, handle(viewer, 'torch'), -50, 20);
+    const { position } = await light(viewer);
+    expect(position[0]).toBeLessThan(0.2);
+    expect(position[1]).toBeLessThan(0.1);
+    expect(position[2]).toBe(-2);
+  });
+
+  test('has handles for the axis of a spot and the edge of its cone', async ({ page, mount }) => {
+    const viewer = await mount(scene(spot));
+    await drag(page, handle(viewer, 'spot: axis'), 0, 30);
+    const { axis } = await light(viewer);
+    expect(axis[1]).toBeLessThan(-0.1);
+    expect(lengthOf(axis)).toBeCloseTo(1, 12);
+    const edge = handle(viewer, 'spot: edge');
+    const at = await middleOf(edge);
+    const apex = await middleOf(handle(viewer, 'spot: spot'));
+    // Away from the axis: across the line from the apex.
+    await drag(page, edge, 0, at.y < apex.y ? -30 : 30);
+    expect((await light(viewer)).aperture).not.toBe(20);
+  });
+
+  test('returns when Escape ends its drag, without a step of undo', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x + 80, y + 10, { steps: 3 });
+    expect((await light(viewer)).position[0]).toBeGreaterThan(0.6);
+    await page.keyboard.press('Escape');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    await page.mouse.move(x + 120, y + 10);
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    await page.mouse.up();
+    await assign(viewer.locator('phong-light'), { position: [1, 1, 1, 1] });
+    await handle(viewer, 'lamp').press('Control+z');
+    expect((await light(viewer)).position).toEqual([1, 1, 1, 1]);
+  });
+});
+
+test.describe('helpers by keyboard', () => {
+  test('all lights are one Tab stop, arrow keys choose, and Enter starts and ends moving', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(`${scene(lamp + sun + spot)}<a href="#next">Next</a>`);
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Tab');
+    await expect(handle(viewer, 'lamp')).toBeFocused();
+    await page.keyboard.press('ArrowRight');
+    await expect(handle(viewer, 'sun')).toBeFocused();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Shift+ArrowDown');
+    await expect(handle(viewer, 'lamp')).toBeFocused();
+    const { position } = await light(viewer);
+    expect(position[0]).toBeGreaterThan(0.5);
+    expect(position[1]).toBeGreaterThan(0.4);
+    expect(position[2]).toBeGreaterThan(0);
+    await page.keyboard.press('Enter');
+    await page.keyboard.press('End');
+    await expect(handle(viewer, 'spot: edge')).toBeFocused();
+    await page.keyboard.press('Control+z');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    await page.keyboard.press('Tab');
+    await expect(page.getByText('Next')).toBeFocused();
+  });
+
+  test('key presses between two frames all count', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const positions = await handle(viewer, 'lamp').evaluate((element) => {
+      const { lights } = (element.getRootNode() as ShadowRoot).host as PhongViewer;
+      element.focus();
+      return ['Enter', 'ArrowRight', 'Shift+ArrowDown', 'ArrowRight'].map((name) => {
+        const key = name.replace('Shift+', '');
+        element.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey: key !== name, bubbles: true }));
+        return lights[0]!.position;
+      });
+    });
+    const [start, right, nearer, end] = positions.map(([x]) => x);
+    expect(right).toBeGreaterThan(start!);
+    expect(nearer! / right!).toBeCloseTo(Math.exp(-8 / 150), 3); // nearer to the axis of the view, on the same line
+    expect(end).toBeGreaterThan(nearer!);
+  });
+
+  test('Escape restores, and moving there and back changes nothing', async ({ page, mount }) => {
+    const viewer = await mount(scene(sun));
+    await handle(viewer, 'sun').press('Enter');
+    for (const key of ['ArrowLeft', 'ArrowUp', 'ArrowUp']) await page.keyboard.press(key);
+    expect((await light(viewer)).position).not.toEqual([0, 1, 2, 0]);
+    for (const key of ['ArrowRight', 'ArrowDown', 'ArrowDown']) await page.keyboard.press(key);
+    const { position } = await light(viewer);
+    expect(Math.hypot(position[0], position[1] - 1, position[2] - 2)).toBeLessThan(1e-12);
+    await page.keyboard.press('ArrowUp');
+    await page.keyboard.press('Escape');
+    expect((await light(viewer)).position).toEqual([0, 1, 2, 0]);
+  });
+});
+
+test.describe('helpers throw nothing and stay usable', () => {
+  for (const [what, act] of [
+    [
+      'its light is removed',
+      (viewer: Locator) => viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove()),
+    ],
+    ['the viewer is removed', (viewer: Locator) => viewer.evaluate((element) => element.remove())],
+    ['the helpers are switched off', (viewer: Locator) => assign(viewer, { helpers: [] })],
+  ] as const)
+    test(`where ${what} in the middle of a drag`, async ({ page, mount }) => {
+      const viewer = await mount(scene(lamp + sun));
+      const { x, y } = await middleOf(handle(viewer, 'lamp'));
+      const element = await viewer.elementHandle();
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + 20, y, { steps: 2 });
+      await act(viewer);
+      await page.mouse.move(x + 60, y, { steps: 2 });
+      await page.mouse.up();
+      await nextFrame(page);
+      // Back again, and dragged again.
+      await page.evaluate((target) => {
+        const shown = target as PhongViewer;
+        document.body.append(shown);
+        shown.helpers = ['lights'];
+        return shown.ready;
+      }, element);
+      await expect(handle(viewer, 'sun')).toBeVisible();
+      const before = (await light(viewer, (await handle(viewer, 'lamp').count()) === 0 ? 0 : 1)).position;
+      await drag(page, handle(viewer, 'sun'), 20, 20);
+      const after = (await light(viewer, (await handle(viewer, 'lamp').count()) === 0 ? 0 : 1)).position;
+      expect(after).not.toEqual(before);
+    });
+
+  test('where the context is lost in the middle of a drag, and comes back', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    await viewer.evaluate((element: PhongViewer) =>
+      element.addEventListener('error', (event) => event.preventDefault()),
+    );
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 20, y, { steps: 2 });
+    const loss = await viewer.evaluateHandle((element) => {
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+      extension.loseContext();
+      return extension;
+    });
+    await nextFrame(page);
+    await page.mouse.move(x - 40, y, { steps: 2 });
+    await page.mouse.up();
+    const { position } = await light(viewer);
+    expect(position[0]).toBeLessThan(0.35);
+    await loss.evaluate((extension) => extension.restoreContext());
+    await settled(viewer);
+    await drag(page, handle(viewer, 'lamp'), 0, 30);
+    expect((await light(viewer)).position[1]).toBeLessThan(position[1]);
+  });
+
+  test('where two viewers are on the page: each has its own lights, Tab stop and undo', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene(lamp) + scene(sun), { width: 300, height: 200 });
+    const other = page.locator('phong-viewer').nth(1);
+    await drag(page, handle(viewer, 'lamp'), -20, 10);
+    await drag(page, handle(other, 'sun'), 20, 10);
+    const [moved, turned] = [(await light(viewer)).position, (await light(other)).position];
+    await handle(viewer, 'lamp').press('Control+z');
+    expect((await light(viewer)).position).toEqual([0.5, 0.4, 0, 1]);
+    expect((await light(other)).position).toEqual(turned);
+    expect(moved).not.toEqual([0.5, 0.4, 0, 1]);
+    expect(turned).not.toEqual([0, 1, 2, 0]);
+  });
+
+  test('with lights behind the eye, at it, at a pole, and in a viewer of 120 × 90', async ({
+    page,
+    mount,
+  }) => {
+    const places = [
+      '0 0 9 1',
+      '0 0 4 1',
+      '0 9 0 1',
+      '0 -9 0 1',
+      '0 0 0 0',
+      '0 0 1 0',
+      '0 1 0 0',
+      '1e15 0 0 1',
+    ];
+    const lights = places
+      .map((place, i) => `<phong-light name="l${i}" position="${place}"></phong-light>`)
+      .join('');
+    const viewer = await mount(scene(lights, 'radius="4"', 'phi="0"'), { width: 120, height: 90 });
+    for (let i = 0; i < places.length; i++) {
+      const at = handle(viewer, `l${i}:`);
+      const { x, y } = await middleOf(at);
+      expect(x >= 10 && y >= 10 && x <= 110 && y <= 80, places[i]).toBe(true);
+      await at.press('Enter');
+      for (const key of ['ArrowRight', 'ArrowDown', 'Shift+ArrowUp', 'Shift+ArrowDown'])
+        await page.keyboard.press(key);
+      await page.keyboard.press('Enter');
+      const { position } = await light(viewer, i);
+      expect(position.every(Number.isFinite), places[i]).toBe(true);
+    }
+    expect((await cameraOf(viewer)).phi).toBe(0);
+  });
+});
+
+test('helpers are in a picture file only on request', async ({ mount }) => {
+  const viewer = await mount(scene(lamp));
+  const differs = (helpers: boolean) =>
+    viewer.evaluate(async (element: PhongViewer, asked) => {
+      const data = async (options: { helpers?: boolean }): Promise<Uint8ClampedArray> => {
+        const bitmap = await createImageBitmap(await element.toBlob({ width: 300, height: 200, ...options }));
+        const context = new OffscreenCanvas(300, 200).getContext('2d')!;
+        context.drawImage(bitmap, 0, 0);
+        return context.getImageData(0, 0, 300, 200).data;
+      };
+      const given = await data({ helpers: asked });
+      element.helpers = [];
+      const plain = await data({});
+      element.helpers = ['lights'];
+      return given.some((value, i) => value !== plain[i]);
+    }, helpers);
+  expect(await differs(false)).toBe(false);
+  expect(await differs(true)).toBe(true);
+});
+
+test.describe('a viewer with helpers', () => {
+  test('fetches nothing while helpers are off, and redraws nothing while nothing changes', async ({
+    page,
+    mount,
+  }) => {
+    const requests: string[] = [];
+    page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+    const viewer = await mount(scene(lamp).replace(' helpers', ''));
+    await assign(viewer, { theta: 20 });
+    await settled(viewer);
+    expect(requests.filter((path) => path.includes('helpers'))).toEqual([]);
+    await assign(viewer, { helpers: 'lights axes grid normals bounds' });
+    await expect(viewer.getByRole('listbox')).toBeVisible();
+    expect(requests.filter((path) => path.includes('helpers'))).toHaveLength(1);
+    const work = () =>
+      viewer.evaluate(async (element: PhongViewer) => {
+        const { frames } = element.stats;
+        const changes: MutationRecord[] = [];
+        const observer = new MutationObserver((records) => changes.push(...records));
+        const layer = element.shadowRoot!.querySelector('.layer')!;
+        observer.observe(layer, { subtree: true, attributes: true, childList: true, characterData: true });
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        return [element.stats.frames - frames, changes.length];
+      });
+    // The rays that find hidden parts are spread over several frames.
+    await expect.poll(work).toEqual([0, 0]);
+    expect(await work()).toEqual([0, 0]);
+  });
+
+  test('changes only the elements of the dragged light, of 64', async ({ page, mount }) => {
+    const lights = Array.from(
+      { length: 64 },
+      (_, i) =>
+        `<phong-light name="l${i}" position="${Math.cos(i)} ${Math.sin(i)} ${i / 64} 1"></phong-light>`,
+    );
+    const viewer = await mount(scene(lights.join('')));
+    const { x, y } = await middleOf(handle(viewer, 'l0:'));
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    await page.mouse.move(x - 10, y - 5);
+    await nextFrame(page);
+    await page.waitForTimeout(300);
+    const written = await viewer.evaluateHandle((element) => {
+      const nodes = new Set<Node>();
+      const observer = new MutationObserver((records) => {
+        for (const { target } of records) nodes.add(target);
+      });
+      const layer = element.shadowRoot!.querySelector('.layer')!;
+      observer.observe(layer, { subtree: true, attributes: true, childList: true });
+      return nodes;
+    });
+    await page.mouse.move(x - 12, y - 6);
+    await nextFrame(page);
+    // Its disc with outline, its handle and name, and the names that make room for it, of more than 250 elements.
+    expect(await written.evaluate(({ size }) => size)).toBeLessThan(16);
+    await page.mouse.up();
+  });
+
+  test('keeps zooming by the wheel over a handle', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    await handle(viewer, 'lamp').focus();
+    const { radius } = await cameraOf(viewer);
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    await page.mouse.move(x, y);
+    await page.mouse.wheel(0, 100);
+    await expect.poll(async () => (await cameraOf(viewer)).radius).toBeGreaterThan(radius);
+  });
+
+  test('lets a finger drag a light, and the page scroll beside it', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const fingers = await Fingers.on(page);
+    const { x, y } = await middleOf(handle(viewer, 'lamp'));
+    const { theta } = await cameraOf(viewer);
+    await fingers.down([x, y]);
+    for (const step of [10, 20, 40]) await fingers.move([x, y + step]);
+    await fingers.up();
+    expect((await light(viewer)).position[1]).toBeLessThan(0.35);
+    expect((await cameraOf(viewer)).theta).toBe(theta);
+  });
+
+  test('follows the pointer under CSS rotation and scale', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp), {
+      css: 'phong-viewer { transform: translate(50px, 60px) rotate(90deg) scale(0.5) }',
+    });
+    const before = await middleOf(handle(viewer, 'lamp'));
+    await drag(page, handle(viewer, 'lamp'), 20, 30);
+    const after = await middleOf(handle(viewer, 'lamp'));
+    expect(after.x).toBeCloseTo(before.x + 20, 0);
+    expect(after.y).toBeCloseTo(before.y + 30, 0);
+  });
+
+  test('draws a light behind a shape dashed', async ({ mount }) => {
+    const viewer = await mount(scene('<phong-light name="lamp" position="0 0 -2 1"></phong-light>'));
+    const dashed = viewer.locator('circle:not([stroke-dasharray=none])');
+    await expect(dashed).toHaveCount(2);
+    await assign(viewer.locator('phong-light'), { position: [0, 0, 2, 1] });
+    await expect(dashed).toHaveCount(0);
+  });
+
+  test('uses the page’s texts, and moves the focus of a removed light to the next one', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene(lamp + sun));
+    await assign(viewer, {
+      texts: {
+        'Lights in the picture': 'Lichter im Bild',
+        'Enter starts moving.': 'Enter bewegt.',
+        '{name}: point light, position {position}, diffuse {diffuse}': '{name}, bei {position}',
+      },
+    });
+    await expect(viewer.getByRole('listbox', { name: 'Lichter im Bild' })).toBeVisible();
+    await expect(handle(viewer, 'lamp')).toHaveAccessibleName('lamp, bei 0.5 0.4 0');
+    await expect(handle(viewer, 'lamp')).toHaveAccessibleDescription('Enter bewegt.');
+    await handle(viewer, 'lamp').focus();
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await expect(handle(viewer, 'sun')).toBeFocused();
+    await page.keyboard.press('Enter');
+    await viewer.evaluate((element: PhongViewer) => element.lights[0]!.remove());
+    await expect(viewer).toBeFocused();
+    await expect(viewer.getByRole('listbox')).toBeHidden();
+  });
+
+  test('draws axes, grid, bounds and normals, and takes them away', async ({ mount }) => {
+    const viewer = await mount(scene(lamp).replace(' helpers', ' helpers="axes"'));
+    await expect(viewer.locator('svg text')).toHaveText(['x', 'y', 'z']);
+    await expect(viewer.getByRole('listbox')).toBeHidden();
+    const paths = viewer.locator('svg path');
+    for (const name of ['grid', 'bounds', 'normals']) {
+      await assign(viewer, { helpers: name });
+      await expect(viewer.locator('svg text')).toHaveCount(0);
+      await expect(paths.first(), name).toBeAttached();
+      expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).toContain(
+        `helpers="${name}"`,
+      );
+    }
+    await assign(viewer, { helpers: [] });
+    await expect(viewer.locator('svg')).toHaveCount(0);
+  });
+
+  test('has the same framing, fragments and lights as without helpers', async ({ mount }) => {
+    const viewer = await mount(scene(`${lamp}<phong-light position="40 0 0 1"></phong-light>`));
+    const facts = () =>
+      viewer.evaluate(async (element: PhongViewer) => {
+        await element.ready;
+        return [element.camera.radius, await element.shadeAt(300, 200), element.stats.drawCalls];
+      });
+    const withHelpers = await facts();
+    await assign(viewer, { helpers: [] });
+    expect(await facts()).toEqual(withHelpers);
+  });
+});

@@ -1,0 +1,545 @@
+// Does the probe explain the point chosen by mouse, finger, keyboard or markup? Compared with shadeAt. Places are CSS pixels of the viewer,
+// which lies at the page's top left.
+
+import type { Locator, Page } from '@playwright/test';
+import { expect, test } from '../../support/test.js';
+import { assign, drag, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+
+const LIGHTS = `
+  <phong-light name="sun" position="-1 1.4 1.2 0" ambient="26 28 36" diffuse="110 112 118" specular="150"></phong-light>
+  <phong-light name="lamp" position="0.9 0.5 0.6 1" diffuse="#d98c46" specular="#c8aa8a" attenuation="1 0.2 0.6"></phong-light>
+  <phong-light name="off" active="false"></phong-light>`;
+
+/** A sphere that fills most of 600 × 400. */
+const scene = (attributes = 'probe', lights = LIGHTS): string =>
+  `<phong-viewer geometry="sphere" segments="64" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>${lights}</phong-viewer>`;
+
+const box = (viewer: Locator): Locator => viewer.locator('[part=probe]');
+const codes = (viewer: Locator): Locator => viewer.locator('[part=probe] .codes');
+const cursor = (viewer: Locator): Locator => viewer.locator('.probe > .cursor');
+const labels = (viewer: Locator): Promise<string[]> => viewer.locator('.probe > svg text').allTextContents();
+
+/** The expected texts of the box for this place. */
+const expected = (viewer: Locator, x: number, y: number): Promise<string> =>
+  viewer.evaluate(
+    async (element: PhongViewer, at) => {
+      const fragment = (await element.shadeAt(...at))!;
+      return fragment.color.map((c) => (255 * c).toFixed(1)).join(' ');
+    },
+    [x, y] as const,
+  );
+
+const escape = (page: Page): Promise<void> => page.keyboard.press('Escape');
+
+test.describe('a mouse over a viewer with a probe', () => {
+  test('shows the colour and the sum of the fragment below it, and nothing beside the shape', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene());
+    await expect(box(viewer)).toBeHidden();
+    await page.mouse.move(250, 150);
+    await expect(box(viewer)).toBeVisible();
+    expect(await codes(viewer).textContent()).toBe(await expected(viewer, 250, 150));
+    await page.mouse.move(330.5, 260);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 330.5, 260));
+    await page.mouse.move(5, 5);
+    await expect(box(viewer)).toBeHidden();
+    expect(await labels(viewer)).toEqual([]);
+  });
+
+  test('gets a table of the active lights whose terms add up to the sum', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await page.mouse.move(280, 130);
+    const table = box(viewer).getByRole('table', { name: 'Red, green and blue of each term; 255 is full' });
+    await expect(table.getByRole('rowheader')).toHaveText([/^sun/, /^lamp/, 'sum']);
+    await expect(table.getByRole('columnheader')).toHaveText([
+      ...['light', 'ambient', 'diffuse', 'specular', 'att', 'decay', 'sum'],
+    ]);
+    const rows = await table
+      .locator('tbody tr')
+      .evaluateAll((all) =>
+        all.map((row) => Array.from(row.querySelectorAll('td'), (cell) => cell.textContent)),
+      );
+    const shares = await viewer.evaluate(async (element: PhongViewer) => {
+      const { shares } = (await element.shadeAt(280, 130))!;
+      return shares.flatMap((share) => (share === null ? [] : [share]));
+    });
+    const triple = (color: readonly number[]): string =>
+      color.every((c) => c === 0) ? '0' : color.map((c) => (255 * c).toFixed(1)).join(' ');
+    shares.forEach(({ ambient, diffuse, specular, att, decay }, i) => {
+      const total = ambient.map((c, k) => c + diffuse[k]! + specular[k]!);
+      const factor = (x: number): string => (x === 1 ? '1' : x.toFixed(2));
+      expect(rows[i]).toEqual([
+        ...[ambient, diffuse, specular].map(triple),
+        ...[att, decay].map(factor),
+        triple(total),
+      ]);
+    });
+  });
+
+  test('sees N, V, an L for each active light, and R of the one that adds most', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await page.mouse.move(280, 130);
+    await expect
+      .poll(async () => (await labels(viewer)).sort().join())
+      .toMatch(/^\d+°,L lamp,L sun,N,R ∠V \d+°,V$/);
+    await assign(viewer, { reflection: 'blinn-phong' });
+    await expect.poll(() => labels(viewer)).toContain('H');
+    expect(await labels(viewer)).not.toContainEqual(expect.stringMatching(/^R/));
+  });
+
+  test('is followed when the picture changes below it', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await page.mouse.move(280, 130);
+    await expect(box(viewer)).toBeVisible();
+    const before = await codes(viewer).textContent();
+    await assign(viewer.locator('phong-light').first(), { diffuse: [10, 200, 10] });
+    await expect(codes(viewer)).not.toHaveText(before!);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 280, 130));
+    await viewer
+      .locator('phong-light')
+      .first()
+      .evaluate((light) => light.remove());
+    await expect(box(viewer).locator('tbody tr')).toHaveCount(1);
+  });
+});
+
+test.describe('a click', () => {
+  test('pins the point, which stays in its place in the scene, until Escape', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await page.mouse.click(280, 130);
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    const pinned = await codes(viewer).textContent();
+    await page.mouse.move(320, 220);
+    await nextFrame(page);
+    await expect(codes(viewer)).toHaveText(pinned!);
+    const at = await cursor(viewer).boundingBox();
+    await assign(viewer, { theta: 20 });
+    await expect.poll(async () => (await cursor(viewer).boundingBox())!.x).toBeLessThan(at!.x - 20);
+    const { x, width, y, height } = (await cursor(viewer).boundingBox())!;
+    await expect(codes(viewer)).toHaveText(await expected(viewer, x + width / 2, y + height / 2));
+    await escape(page);
+    await expect(box(viewer)).toBeHidden();
+    await page.mouse.move(321, 220);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 321, 220));
+  });
+
+  test('pins the point, which stays where the viewer moves on its page, and goes with `probe`', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene());
+    await page.mouse.click(280, 130);
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    const pinned = await codes(viewer).textContent();
+    await viewer.evaluate((element) => {
+      const section = document.createElement('section');
+      element.before(section);
+      section.append(element);
+    });
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await expect(codes(viewer)).toHaveText(pinned!);
+    await assign(viewer, { probe: false });
+    await expect(box(viewer)).toHaveCount(0);
+    await assign(viewer, { probe: true });
+    await expect(box(viewer)).toBeAttached();
+    await settled(viewer);
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+  });
+
+  test('elsewhere moves the pin; beside the shape, or on its button, removes it', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await page.mouse.click(280, 130);
+    await page.mouse.click(330, 150);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
+    await page.mouse.click(5, 5);
+    await expect(box(viewer)).toBeHidden();
+    await page.mouse.click(280, 130);
+    await box(viewer).getByRole('button', { name: 'Unpin' }).click();
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+  });
+
+  test('does not pin if the pointer has turned the camera', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await drag(page, [280, 130], [40, 0]);
+    await nextFrame(page);
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+    expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta)).not.toBe(0);
+  });
+});
+
+test.describe('`probe-at`', () => {
+  /** The sphere's point nearest to the eye. */
+  const FRONT = [0, 0, 0.5] as const;
+
+  test('is explained while the mouse is not on the shape, and follows the attribute', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await page.mouse.move(350, 150);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 350, 150));
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+    await page.mouse.move(5, 5);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await expect(box(viewer).getByRole('button', { name: 'Unpin' })).toBeHidden();
+    await viewer.evaluate((element) => element.setAttribute('probe-at', '0 0.25 0.4330127'));
+    await expect(codes(viewer)).not.toHaveText(await expected(viewer, 300, 200));
+    const { x, width, y, height } = (await cursor(viewer).boundingBox())!;
+    expect(x + width / 2).toBeCloseTo(300, 0);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, y + height / 2));
+    await viewer.evaluate((element) => element.removeAttribute('probe-at'));
+    await expect(box(viewer)).toBeHidden();
+  });
+
+  test('is reported as hidden behind another surface, or as missing', async ({ mount }) => {
+    const viewer = await mount(scene('probe probe-at="0 0 -0.5"'));
+    await expect(box(viewer)).toHaveText(/Another surface hides the point\./);
+    expect(await labels(viewer)).toEqual([]);
+    await assign(viewer, { theta: 180 });
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await assign(viewer, { probeAt: [2, 0.5, 0] });
+    await expect(box(viewer)).toHaveText(/The point is outside the picture\./);
+    await assign(viewer, { probeAt: [0, 0, 9], theta: 0 }); // behind the eye
+    await expect(box(viewer)).toHaveText(/The point is outside the picture\./);
+    await assign(viewer, { probeAt: [0.7, 0, 0] });
+    await expect(box(viewer)).toHaveText(/No surface there\./);
+  });
+
+  test('is not changed by a click, and Escape returns to it', async ({ page, mount }) => {
+    const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+    const declared = await expected(viewer, 300, 200);
+    await expect(codes(viewer)).toHaveText(declared);
+    await page.mouse.click(330, 150);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
+    expect(await viewer.evaluate((element: PhongViewer) => element.probeAt)).toEqual(FRONT);
+    expect(await viewer.getAttribute('probe-at')).toBe('0 0 0.5');
+    await escape(page);
+    await expect(codes(viewer)).toHaveText(declared);
+    await page.mouse.click(330, 150);
+    const unpin = box(viewer).getByRole('button', { name: 'Unpin' });
+    await expect(unpin).toBeVisible();
+    await assign(viewer, { probeAt: [0, 0.25, 0.4330127] });
+    await expect(unpin, 'what is assigned takes the place of what was clicked').toBeHidden();
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await expect(codes(viewer)).not.toHaveText(declared);
+  });
+
+  test('is written by toHTML, as is a point that the user has pinned', async ({ page, mount }) => {
+    const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+    const written = async (): Promise<string | undefined> => {
+      const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+      return /probe-at="([^"]*)"/.exec(html)?.[1];
+    };
+    expect(await written()).toBe('0 0 0.5');
+    await page.mouse.click(330, 150);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 330, 150));
+    const p = await viewer.evaluate(async (element: PhongViewer) => (await element.shadeAt(330, 150))!.p);
+    const numbers = (await written())!.split(' ').map(Number);
+    p.forEach((x, i) => expect(numbers[i]).toBeCloseTo(x, 6));
+    await assign(viewer, { probe: false });
+    expect(await written(), 'without a probe nothing is pinned but what is declared').toBe('0 0 0.5');
+  });
+
+  test('in the markup of toHTML pins the same point again', async ({ page, mount }) => {
+    const first = await mount(scene());
+    await page.mouse.click(330, 150);
+    await expect(box(first)).toHaveClass(/pinned/);
+    const shown = await codes(first).textContent();
+    const html = await first.evaluate((element: PhongViewer) => element.toHTML());
+    const second = await mount(html);
+    await expect(codes(second)).toHaveText(shown!);
+  });
+});
+
+test.describe('the cross-hair', () => {
+  test('is a Tab stop that arrow keys move by a pixel and by ten, and Enter pins', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene());
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Tab');
+    await expect(cursor(viewer)).toBeFocused();
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 200));
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('Shift+ArrowUp');
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 301, 190));
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+    await page.keyboard.press('Enter');
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await page.keyboard.press('ArrowLeft');
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 300, 190));
+    await expect(box(viewer)).not.toHaveClass(/pinned/);
+    expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta), 'the camera stays').toBe(0);
+  });
+
+  test('stays inside the picture, reports missing surfaces, and disappears with the focus', async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(scene());
+    await cursor(viewer).focus();
+    for (let i = 0; i < 45; i++) await page.keyboard.press('Shift+ArrowLeft');
+    await expect(box(viewer)).toHaveText(/No surface there\./);
+    const { x, width } = (await cursor(viewer).boundingBox())!;
+    expect(x + width / 2).toBe(0.5);
+    await viewer.locator('.surface').focus();
+    await expect(box(viewer)).toBeHidden();
+  });
+
+  test('selects a light by its button in the table: only its vectors are drawn', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await cursor(viewer).focus();
+    for (const key of ['Shift+ArrowUp', 'Shift+ArrowUp', 'Enter']) await page.keyboard.press(key);
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await page.keyboard.press('Tab');
+    await expect(box(viewer).getByRole('button', { name: 'Unpin' })).toBeFocused();
+    await page.keyboard.press('Tab');
+    await expect
+      .poll(async () => (await labels(viewer)).filter((text) => text.startsWith('L')))
+      .toHaveLength(1);
+    const before = await labels(viewer);
+    await page.keyboard.press(before.includes('L sun') ? 'ArrowDown' : 'ArrowUp');
+    await expect.poll(() => labels(viewer)).toContain(before.includes('L sun') ? 'L lamp' : 'L sun');
+    await page.keyboard.press('Enter');
+    await cursor(viewer).focus();
+    expect(
+      (await labels(viewer)).filter((text) => text.startsWith('L')),
+      'a press keeps it',
+    ).toHaveLength(1);
+    await expect(box(viewer).locator('[aria-pressed=true]')).toHaveCount(1);
+  });
+});
+
+test.describe('under a finger', () => {
+  test.use({ hasTouch: true });
+
+  test('a tap pins, and a tap beside the shape removes the pin', async ({ page, mount }) => {
+    const viewer = await mount(scene());
+    await page.touchscreen.tap(280, 130);
+    await expect(box(viewer)).toHaveClass(/pinned/);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 280, 130));
+    await page.touchscreen.tap(5, 5);
+    await expect(box(viewer)).toBeHidden();
+  });
+});
+
+test.describe('the box', () => {
+  test('never covers the point, at any size', async ({ page, mount }) => {
+    for (const [width, height] of [
+      [700, 500],
+      [390, 320],
+      [300, 150],
+      [120, 90],
+    ] as const) {
+      const viewer = await mount(scene('probe', LIGHTS.repeat(4)), { width, height });
+      for (const down of [0.2, 0.35, 0.5, 0.65, 0.8]) {
+        // Before the first one: a pinned box takes the pointer itself.
+        await escape(page);
+        await page.mouse.click(Math.round(width / 2), Math.round(height * down));
+        await expect(box(viewer)).toHaveClass(/pinned/);
+        await nextFrame(page);
+        const covered = (await box(viewer).boundingBox())!;
+        const y = Math.round(height * down);
+        expect(covered.y >= y || covered.y + covered.height <= y, `${width}: ${down}`).toBe(true);
+        expect(covered.x).toBeGreaterThanOrEqual(0);
+        expect(covered.y).toBeGreaterThanOrEqual(0);
+        expect(covered.x + covered.width).toBeLessThanOrEqual(width);
+        expect(covered.y + covered.height).toBeLessThanOrEqual(height);
+      }
+    }
+  });
+
+  test('shows the whole table in viewers of 240 pixels and wider, with three digits in every colour', async ({
+    page,
+    mount,
+  }) => {
+    const light = (name: string): string =>
+      `<phong-light name="${name}" position="1 1 0 0" ambient="120" diffuse="190" specular="150"></phong-light>`;
+    const viewer = await mount(
+      `<phong-viewer probe probe-at="0 0 0" geometry="plane" theta="-90" phi="26.565" radius="20" fov="4.2" target="0 0 0" ka="255" kd="255" ks="255" shininess="1">
+         ${light('light')}${light('a light with a long name')}
+         <phong-light name="back" position="-1 -1 0 0" ambient="111"></phong-light></phong-viewer>`,
+      { width: 240, height: 400 },
+    );
+    for (const width of [240, 269, 270, 294, 344, 345, 355, 389, 390, 420, 479, 480, 599, 600, 690]) {
+      await viewer.evaluate((element: PhongViewer, px) => {
+        element.style.width = `${px}px`;
+      }, width);
+      await nextFrame(page);
+      await expect(box(viewer).getByRole('table')).toBeVisible();
+      const { hidden, right, edge, name } = await box(viewer).evaluate((element) => {
+        const scroll = element.querySelector('.scroll')!;
+        const last = [...scroll.querySelectorAll('tr > :last-child')];
+        return {
+          hidden: scroll.scrollWidth - scroll.clientWidth,
+          right: last.map((cell) => Math.round(cell.getBoundingClientRect().right)),
+          edge: Math.round(scroll.getBoundingClientRect().right),
+          name: scroll.querySelectorAll('button')[1]!.getBoundingClientRect().width,
+        };
+      });
+      expect(hidden, `${width}`).toBe(0);
+      expect(new Set(right).size, `${width}: the sums share a column`).toBe(1);
+      expect(right[0], `${width}`).toBeLessThanOrEqual(edge);
+      expect(name, `${width}: the name`).toBeGreaterThan(20);
+    }
+  });
+
+  test('shows only the colour in a viewer of 120 × 90', async ({ page, mount }) => {
+    const viewer = await mount(scene(), { width: 120, height: 90 });
+    await page.mouse.click(60, 30);
+    await expect(box(viewer)).toBeVisible();
+    const color = await viewer.evaluate(
+      async (element: PhongViewer) => (await element.shadeAt(60, 30))!.color,
+    );
+    await expect(codes(viewer)).toHaveText(color.map((c) => (255 * c).toFixed(0)).join(' '));
+    await expect(box(viewer).getByRole('table')).toBeHidden();
+  });
+
+  test('lists fifty lights, with arrows of the six that add most', async ({ page, mount }) => {
+    const lights = Array.from(
+      { length: 50 },
+      (_, i) =>
+        `<phong-light name="n${i}" position="${(i % 7) - 3} ${(i % 5) - 1} 3 0" diffuse="${i}" specular="0"></phong-light>`,
+    ).join('');
+    const viewer = await mount(scene('probe', lights));
+    await page.mouse.click(300, 150);
+    await expect(box(viewer).locator('tbody tr')).toHaveCount(50);
+    await expect
+      .poll(async () => (await labels(viewer)).filter((text) => text.startsWith('L')).length)
+      .toBeLessThanOrEqual(6);
+    const arrows = await viewer
+      .locator('.probe > svg')
+      .evaluate((svg) => svg.querySelectorAll('path').length);
+    expect(arrows).toBeGreaterThan(0);
+    const scroll = await box(viewer)
+      .locator('.scroll')
+      .evaluate((element) => {
+        element.scrollTop = 100;
+        return element.scrollTop;
+      });
+    expect(scroll).toBe(100);
+  });
+
+  test('explains Gouraud, flat, linear and unlit surfaces', async ({ page, mount }) => {
+    const viewer = await mount(scene('probe shading="gouraud"'));
+    await page.mouse.click(280, 130);
+    await expect(box(viewer)).toHaveText(/Gouraud: the terms are those of the triangle’s corners/);
+    await assign(viewer, { shading: 'flat' });
+    await expect(box(viewer)).not.toHaveText(/Gouraud/);
+    await expect(codes(viewer)).toHaveText(await expected(viewer, 280, 130));
+    await assign(viewer, { colorInterpolation: 'linear' });
+    await expect(box(viewer).getByRole('rowheader')).toHaveText([/^sun/, /^lamp/, 'sum', 'encoded']);
+    const row = box(viewer).locator('tfoot tr').last().locator('td');
+    await expect(row).toHaveText((await codes(viewer).textContent())!);
+  });
+
+  test('says why a light adds nothing', async ({ page, mount }) => {
+    const viewer = await mount(
+      scene(
+        'probe',
+        `<phong-light name="back" position="0 0 -1 0" ambient="9"></phong-light>
+         <phong-light name="spot" position="0 0 3 1" axis="1 0 0" aperture="10"></phong-light>
+         <phong-light name="none" position="0 0 0 0"></phong-light>`,
+      ),
+    );
+    await page.mouse.click(300, 200);
+    await expect(box(viewer).getByRole('rowheader')).toHaveText([
+      'backbehind the surface',
+      'spotoutside its cone',
+      'noneno direction',
+      'sum',
+    ]);
+  });
+});
+
+test('`probe-change` has the fragment, whether it is pinned, and null when there is none', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene());
+  const events = await viewer.evaluateHandle((element: PhongViewer) => {
+    const list: (number | boolean | null)[][] = [];
+    element.addEventListener('probe-change', ({ detail: { fragment, x, y, pinned } }) =>
+      list.push([fragment === null ? null : fragment.color[0], x, y, pinned]),
+    );
+    return list;
+  });
+  const last = (): Promise<unknown> => events.evaluate((list) => list.at(-1));
+  const red = (x: number, y: number): Promise<number> =>
+    viewer.evaluate(async (element: PhongViewer, at) => (await element.shadeAt(...at))!.color[0], [
+      x,
+      y,
+    ] as const);
+  await page.mouse.move(280, 130);
+  await expect.poll(last).toEqual([await red(280, 130), 280, 130, false]);
+  await page.mouse.click(280, 130);
+  await expect.poll(last).toEqual([await red(280, 130), 280, 130, true]);
+  await escape(page);
+  await expect.poll(last).toEqual([null, null, null, false]);
+  const count = await events.evaluate((list) => list.length);
+  await assign(viewer, { kd: [9, 9, 9] });
+  await nextFrame(page);
+  expect(await events.evaluate((list) => list.length), 'nothing is shown').toBe(count);
+});
+
+test('without `probe` none of its code is fetched; with it, one file, once', async ({ page, mount }) => {
+  const fetched: string[] = [];
+  page.on('request', (request) => fetched.push(new URL(request.url()).pathname));
+  const viewer = await mount(scene(''));
+  await page.mouse.move(280, 130);
+  await nextFrame(page);
+  expect(fetched.filter((path) => /probe|shade-at|overlay/.test(path))).toEqual([]);
+  await assign(viewer, { probe: true });
+  await expect(box(viewer)).toHaveCount(1);
+  await page.mouse.move(281, 130);
+  await expect(box(viewer)).toBeVisible();
+  await assign(viewer, { probe: false });
+  await expect(box(viewer)).toHaveCount(0);
+  await assign(viewer, { probe: true });
+  await expect(box(viewer)).toHaveCount(1);
+  await page.mouse.move(282, 130);
+  await expect(box(viewer)).toBeVisible();
+  expect(fetched.filter((path) => path.includes('probe'))).toHaveLength(1);
+});
+
+test('the arrows are in a picture file on request, at its size and for the scene at that time', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
+  await expect(box(viewer)).toBeVisible();
+  const [without, inside] = await viewer.evaluate(async (element: PhongViewer) => {
+    const size = { width: 300, height: 200 };
+    const pixels = async (helpers: boolean): Promise<Uint8ClampedArray> => {
+      const context = new OffscreenCanvas(300, 200).getContext('2d')!;
+      context.drawImage(await createImageBitmap(await element.toBlob({ ...size, helpers })), 0, 0);
+      return context.getImageData(0, 0, 300, 200).data;
+    };
+    /** Pixels that the probe draws: all, and those around this place. */
+    const drawn = async (x: number, y: number): Promise<readonly [number, number]> => {
+      const [plain, over] = [await pixels(false), await pixels(true)];
+      const places = Array.from({ length: 60000 }, (_, i) => i).filter((i) =>
+        [0, 1, 2].some((c) => plain[4 * i + c] !== over[4 * i + c]),
+      );
+      return [
+        places.length,
+        places.filter((i) => Math.hypot((i % 300) - x, Math.floor(i / 300) - y) < 5).length,
+      ];
+    };
+    element.probeAt = null;
+    const without = await drawn(150, 100);
+    element.probeAt = [0.25, 0, 0.4330127];
+    // In the same task as the assignment: half way between the middle and the outline.
+    return [
+      without,
+      await drawn(150 + (100 * 0.25) / (Math.tan((element.fov * Math.PI) / 360) * (1.6 - 0.433)), 100),
+    ] as const;
+  });
+  expect(without).toEqual([0, 0]);
+  expect(inside[0]).toBeGreaterThan(200);
+  expect(inside[1]).toBeGreaterThan(30);
+});

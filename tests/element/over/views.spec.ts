@@ -1,0 +1,400 @@
+// Do `view` and `view-light` behave as documented: legend, lights by name, what is fetched and compiled, measuring the error?
+
+import type { Locator } from '@playwright/test';
+import { scaleColor } from '../../../src/material/view/scale.js';
+import { VIEWS } from '../../../src/material/views.js';
+import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
+import { Requests } from '../../package/requests.js';
+import { choice, flag, opened, button, panelOf } from '../panel/panel-rows.js';
+import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+
+const SIZE = { width: 300, height: 240 };
+const lights = `
+  <phong-light name="sun" position="1 2 1 0" diffuse="120 100 80" ambient="20"></phong-light>
+  <phong-light id="lamp" name="lamp" position="1 1 1 1" diffuse="0 60 60"></phong-light>
+  <phong-light position="0 1 2 1" axis="0 -1 -2" aperture="9" cutoff="3"></phong-light>`;
+const scene = (attributes: string): string =>
+  `<phong-viewer geometry="sphere" ${attributes}>${lights}</phong-viewer>`;
+
+const legendOf = (viewer: Locator): Locator => viewer.locator('.legend');
+
+/** Title and lights of the legend, and the marks of its scale. */
+const legendText = async (viewer: Locator): Promise<string[]> => {
+  const legend = legendOf(viewer);
+  const texts = await legend.locator('p:not(:empty), .legend-marks').allTextContents();
+  return texts.map((text) => text.trim());
+};
+
+const errorDone = (viewer: Locator): Promise<unknown> =>
+  expect(legendOf(viewer).getByRole('status')).toContainText('largest', { timeout: 60_000 });
+
+test('without a view there is no legend, and nothing is fetched', async ({ page, mount }) => {
+  const requests = new Requests(page);
+  const viewer = await mount(scene(''), SIZE);
+  await nextFrame(page);
+  expect(requests.take()).toEqual(['phong-viewer.standalone.js']);
+  await expect(legendOf(viewer)).toHaveCount(0);
+});
+
+test('each view has a legend that says what its colours mean', async ({ mount }) => {
+  const viewer = await mount(scene(''), SIZE);
+  const expected: Partial<Record<(typeof VIEWS)[number], readonly string[]>> = {
+    ambient: ['Ambient term', 'all lights'],
+    diffuse: ['Diffuse term', 'all lights'],
+    specular: ['Specular term', 'all lights'],
+    normals: ['Normals', '−1 0 1'],
+    'n-dot-l': ['N · L', 'sun', '0 0.5 1'],
+    'r-dot-v': ['R · V', 'sun', '0 0.5 1'],
+    attenuation: ['Attenuation', 'sun', '0 0.5 1'],
+    decay: ['Decay', 'sun', '0 0.5 1'],
+    'light-count': ['Lights that add something', 'all lights', '0 1 2 3'],
+    triangles: ['Triangles'],
+  };
+  for (const [view, texts] of Object.entries(expected)) {
+    await assign(viewer, { view });
+    await settled(viewer);
+    expect(await legendText(viewer), view).toEqual(texts);
+  }
+  await assign(viewer, { view: 'error' });
+  await expect(legendOf(viewer)).toContainText('Error in steps of 1/255');
+  await assign(viewer, { view: 'r-dot-v', reflection: 'blinn-phong', viewLight: 'light 3' });
+  await settled(viewer);
+  expect(await legendText(viewer)).toEqual(['N · H', 'light 3', '0 0.5 1']);
+  await assign(viewer, { view: null, viewLight: 'lamp' });
+  await settled(viewer);
+  expect(await legendText(viewer)).toEqual(['Shaded', 'lamp']);
+  await assign(viewer, { viewLight: null });
+  await settled(viewer);
+  await expect(legendOf(viewer)).toHaveCount(0);
+});
+
+test('`ready` and `toBlob` wait until the view is shown, and leaving it restores the picture', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene('view="normals"'), SIZE);
+  // The middle of the sphere faces the eye: no shade of these lights has as much blue.
+  const [r, g, b] = pixelAt(await pixels(viewer), 150, 120);
+  const back = await viewer.evaluate(({ camera: { eye, radius } }: PhongViewer) =>
+    eye.map((x) => x / radius),
+  );
+  expect([r, g, b].map((code) => code / 127.5 - 1).every((x, i) => Math.abs(x - back[i]!) < 0.02)).toBe(true);
+  await assign(viewer, { view: null });
+  const shaded = await pixels(viewer);
+  await page.reload();
+  const again = page.locator('phong-viewer');
+  const blob = again.evaluate(async (element: PhongViewer) => {
+    await customElements.whenDefined('phong-viewer');
+    element.view = 'light-count';
+    const picture = await element.toBlob();
+    element.view = 'shaded';
+    return picture.size;
+  });
+  expect(await blob).toBeGreaterThan(0);
+  expect(compare(shaded, await pixels(again)).max).toBe(0);
+});
+
+test('follows lights that are renamed, switched off, added and removed', async ({ mount, consoleGuard }) => {
+  consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
+  const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), SIZE);
+  const write = (values: Readonly<Record<string, string | boolean>>) =>
+    viewer.evaluate((element: PhongViewer, given) => {
+      Object.assign(element.querySelector('#lamp')!, given);
+      return element.ready;
+    }, values);
+  expect(await legendText(viewer)).toContain('lamp');
+  await write({ active: false });
+  expect(await legendText(viewer)).toContain('lamp (not active)');
+  expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
+  await write({ active: true });
+  expect(pixelAt(await pixels(viewer), 150, 120)[0]).toBeGreaterThan(50);
+  await write({ name: 'other' });
+  expect(await legendText(viewer)).toContain('no light has the name lamp');
+  await write({ name: 'lamp' });
+  expect(await legendText(viewer)).toContain('lamp');
+  await viewer.evaluate((element: PhongViewer) => {
+    element.querySelector('#lamp')!.remove();
+    return element.ready;
+  });
+  expect(await legendText(viewer)).toContain('no light has the name lamp');
+  // Without a name it is the first active light.
+  await assign(viewer, { viewLight: null });
+  await settled(viewer);
+  expect(await legendText(viewer)).toContain('sun');
+  await viewer.evaluate((element: PhongViewer) => {
+    for (const one of element.lights) one.active = false;
+    return element.ready;
+  });
+  expect(await legendText(viewer)).toContain('no light is active');
+  expect(pixelAt(await pixels(viewer), 150, 120)).toEqual([0, 0, 0, 255]);
+  await viewer.evaluate((element: PhongViewer) => {
+    element.replaceChildren();
+    return element.ready;
+  });
+  expect(await legendText(viewer)).toContain('head-light');
+});
+
+test('the colours of counts are those of the legend, and its end is the number of active lights', async ({
+  mount,
+}) => {
+  const viewer = await mount(scene('view="light-count"'), SIZE);
+  const fields = () =>
+    legendOf(viewer)
+      .locator('.legend-colors > i')
+      .evaluateAll((list) => list.map((field) => getComputedStyle(field).backgroundColor));
+  const css = (t: number): string =>
+    `rgb(${scaleColor(t).map((channel) => Math.round(255 * channel)).join(', ')})`; // prettier-ignore
+  expect(await fields()).toEqual([0, 1 / 3, 2 / 3, 1].map(css));
+  const seen = new Set<string>();
+  const { data } = await pixels(viewer);
+  for (let at = 0; at < data.length; at += 4)
+    if (data[at + 3] === 255) seen.add(`rgb(${data.slice(at, at + 3).join(', ')})`);
+  expect((await fields()).filter((color) => seen.has(color)).length).toBeGreaterThan(1);
+  await viewer.evaluate((element: PhongViewer) => {
+    for (let i = 0; i < 77; i++) element.append(document.createElement('phong-light'));
+    return element.ready;
+  });
+  expect((await legendText(viewer)).at(-1)).toBe('0 20 40 60 80');
+});
+
+test('a view is compiled once, however often it is chosen', async ({ page, mount }) => {
+  const viewer = await mount(scene(''), { width: 60, height: 42 });
+  const rounds: number[] = [];
+  for (let round = 0; round < 3; round++) {
+    for (const view of VIEWS) {
+      await assign(viewer, { view });
+      await settled(viewer);
+      await nextFrame(page);
+    }
+    rounds.push(await viewer.evaluate((element: PhongViewer) => element.stats.programs));
+  }
+  // The general program, and those of the seven views that no sum of terms shows.
+  expect(rounds[0]).toBeLessThanOrEqual(1 + 7);
+  expect(rounds).toEqual([rounds[0], rounds[0], rounds[0]]);
+});
+
+test('the legend can be styled and hidden, speaks the page’s language, and leaves small viewers alone', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene('view="n-dot-l" view-light="lamp"'), {
+    ...SIZE,
+    css: 'phong-viewer::part(legend) { border-width: 3px } .quiet::part(legend) { display: none }',
+  });
+  await expect(legendOf(viewer)).toHaveCSS('border-top-width', '3px');
+  await viewer.evaluate((element: PhongViewer) => {
+    element.texts = { Legend: 'Legende', 'N · L': 'N mal L' };
+  });
+  await expect(legendOf(viewer)).toContainText('N mal L');
+  await expect(legendOf(viewer)).toHaveAttribute('aria-label', 'Legende');
+  const inside = async (): Promise<boolean> => {
+    const [inner, outer] = [await legendOf(viewer).boundingBox(), await viewer.boundingBox()];
+    return (
+      inner !== null &&
+      outer !== null &&
+      inner.x >= outer.x &&
+      inner.y >= outer.y &&
+      inner.x + inner.width <= outer.x + outer.width &&
+      inner.y + inner.height <= outer.y + outer.height
+    );
+  };
+  expect(await inside()).toBe(true);
+  await page.evaluate(() => (document.documentElement.dir = 'rtl'));
+  expect(await inside()).toBe(true);
+  const box = (await legendOf(viewer).boundingBox())!;
+  expect(box.x).toBeGreaterThan((await viewer.boundingBox())!.x + 100);
+  await viewer.evaluate((element) => Object.assign(element.style, { width: '120px', height: '90px' }));
+  await expect(legendOf(viewer)).toBeHidden();
+  await viewer.evaluate((element) => Object.assign(element.style, { width: '', height: '' }));
+  await expect(legendOf(viewer)).toBeVisible();
+  await viewer.evaluate((element) => element.classList.add('quiet'));
+  await expect(legendOf(viewer)).toBeHidden();
+});
+
+test('is restored after the element was removed, and after its context was lost', async ({ page, mount }) => {
+  const viewer = await mount(scene('view="triangles"'), SIZE);
+  const before = await pixels(viewer);
+  await viewer.evaluate((element: PhongViewer) => {
+    const parent = element.parentNode!;
+    element.remove();
+    return new Promise((resolve) => setTimeout(resolve)).then(() => {
+      parent.append(element);
+      return element.ready;
+    });
+  });
+  await expect(legendOf(viewer)).toHaveCount(1);
+  expect(compare(before, await pixels(viewer)).max).toBe(0);
+  await viewer.evaluate((element: PhongViewer) => {
+    const parent = element.parentNode!;
+    element.remove();
+    element.view = 'shaded';
+    parent.append(element);
+    return element.ready;
+  });
+  expect(compare(before, await pixels(viewer)).max).toBeGreaterThan(0);
+  await assign(viewer, { view: 'triangles' });
+  await settled(viewer);
+  await viewer.evaluate(async (element: PhongViewer) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    extension.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 50));
+    extension.restoreContext();
+  });
+  await expect.poll(async () => compare(before, await pixels(viewer).catch(() => before)).max).toBe(0);
+  await nextFrame(page);
+  expect(compare(before, await pixels(viewer)).max).toBe(0);
+});
+
+test('a name that no light has is black with one warning, and a light that comes later shows at once', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(
+    /view-light="lampe">: no light has this name, so none is shown. Names of lights: "sun", "lamp", "light 3"/,
+    1,
+  );
+  const viewer = await mount(scene('view-light="lampe"'), SIZE);
+  const brightest = async (): Promise<number> => {
+    const { data } = await pixels(viewer);
+    return data.reduce((most, value, i) => (i % 4 === 3 ? most : Math.max(most, value)), 0);
+  };
+  expect(await legendText(viewer)).toContain('no light has the name lampe');
+  for (const view of ['shaded', 'diffuse', 'n-dot-l'] as const) {
+    await assign(viewer, { view });
+    await settled(viewer);
+    expect(await brightest(), view).toBe(0);
+  }
+  await nextFrame(page);
+  await viewer.evaluate((element: PhongViewer) => {
+    element.lights[1]!.name = 'lampe';
+    return element.ready;
+  });
+  expect(await brightest()).toBeGreaterThan(100);
+  // Lights that come in the same task or its microtasks, as frameworks add them, are no mistake.
+  await viewer.evaluate(async (element: PhongViewer) => {
+    element.viewLight = 'late';
+    await Promise.resolve();
+    element.append(Object.assign(document.createElement('phong-light'), { name: 'late' }));
+    await new Promise((resolve) => setTimeout(resolve, 20));
+    return element.ready;
+  });
+  expect(await brightest()).toBeGreaterThan(100);
+});
+
+test('a screen reader finds the legend with its title, light and numbers', async ({ mount }) => {
+  const viewer = await mount(scene('alt="A ball" view="n-dot-l"'), SIZE);
+  await expect(viewer.getByRole('group', { name: 'Legend' })).toMatchAriaSnapshot(`
+    - group "Legend":
+      - paragraph: N · L
+      - paragraph: sun
+      - text: 0 0.5 1
+  `);
+});
+
+test('the markup keeps the view, and the panel writes and follows it', async ({ mount, consoleGuard }) => {
+  consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
+  const viewer = await mount(scene('gui view="decay" view-light="lamp"'), { width: 900, height: 700 });
+  const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
+  expect(html).toContain(' view="decay" view-light="lamp"');
+  const folder = await opened(viewer, 'Show');
+  await expect(choice(folder, 'view')).toHaveValue('decay');
+  await choice(folder, 'view').selectOption('normals');
+  await choice(folder, 'view light').selectOption('light 3');
+  await flag(folder, 'show axes').click();
+  await flag(folder, 'probe').click();
+  const values = () =>
+    viewer.evaluate(({ view, viewLight, helpers, probe }: PhongViewer) => [view, viewLight, helpers, probe]);
+  expect(await values()).toEqual(['normals', 'light 3', ['axes'], true]);
+  for (let step = 0; step < 4; step++) await button(panelOf(viewer), 'undo').click();
+  expect(await values()).toEqual(['decay', 'lamp', [], false]);
+  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.name = 'torch'));
+  await expect(choice(folder, 'view light').locator('option')).toHaveText([
+    'all, or the first',
+    'sun',
+    'torch',
+    'light 3',
+    'lamp',
+  ]);
+});
+
+test.describe('the error', () => {
+  const small = { width: 200, height: 150 };
+
+  test('is measured once the picture is still, and again after each change', async ({ mount }) => {
+    const viewer = await mount(scene('view="error"'), small);
+    const canvas = viewer.locator('.view-error');
+    await errorDone(viewer);
+    await expect(canvas).toBeVisible();
+    const share = () =>
+      canvas.evaluate((element: HTMLCanvasElement) => {
+        const { data } = element.getContext('2d')!.getImageData(0, 0, element.width, element.height);
+        let drawn = 0;
+        for (let at = 3; at < data.length; at += 4) drawn += Number(data[at] === 255);
+        return drawn / (element.width * element.height);
+      });
+    expect(await share()).toBeGreaterThan(0.2);
+    const frames = () => viewer.evaluate((element: PhongViewer) => element.stats.frames);
+    const before = await frames();
+    await viewer.page().waitForTimeout(1400); // longer than the pause before the description is written
+    expect(await frames(), 'measuring draws no frames of its own').toBe(before);
+    await assign(viewer, { theta: 70 });
+    await expect(legendOf(viewer)).toContainText('when the picture is still');
+    await errorDone(viewer);
+    await assign(viewer, { view: 'normals' });
+    await expect(canvas).toHaveCount(0);
+  });
+
+  test('is below one step inside faces, and excludes edges of faces and cones', async ({ mount }) => {
+    const markup = `<phong-viewer geometry="box" view="error" theta="30" phi="60">${lights}</phong-viewer>`;
+    const viewer = await mount(markup, small);
+    await errorDone(viewer);
+    const text = await legendOf(viewer).getByRole('status').textContent();
+    expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
+  });
+
+  test('excludes borders of triangles under Gouraud shading, where a pixel averages two slopes', async ({
+    mount,
+  }) => {
+    const attributes = 'segments="12" shading="gouraud" view="error"';
+    const viewer = await mount(scene(attributes), { width: 440, height: 290 });
+    await errorDone(viewer);
+    const text = await legendOf(viewer).getByRole('status').textContent();
+    expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
+  });
+
+  test('is in the picture that toBlob gives, at any size', async ({ mount }) => {
+    const viewer = await mount(scene('view="error"'), small);
+    const { width, height, data } = await pixels(viewer, { width: 60, height: 40 });
+    expect([width, height]).toEqual([60, 40]);
+    const at = 4 * (20 * width + 30);
+    const [r, g, b] = data.slice(at, at + 3);
+    // Below a step of 1/255: the dark half of the scale, which is blue.
+    const middle = scaleColor(0.5).map((channel) => Math.round(255 * channel));
+    expect(r! <= middle[0]! && g! <= middle[1]!).toBe(true);
+    expect(b!).toBeGreaterThan(r!);
+    expect(pixelAt({ width, height, data }, 0, 0)[3]).toBe(0);
+  });
+
+  test('lies below the helpers in a picture file', async ({ mount }) => {
+    const lamp = '<phong-light name="lamp" position="0 0 2 1" diffuse="255 40 40"></phong-light>';
+    const attributes = 'geometry="box" helpers view="error" theta="0" phi="90" target="0 0 0"';
+    const viewer = await mount(`<phong-viewer ${attributes}>${lamp}</phong-viewer>`, small);
+    const [width, height] = [300, 200];
+    const picture = await pixels(viewer, { width, height, helpers: true });
+    expect(pixelAt(picture, width / 2, height / 2)).toEqual([255, 40, 40, 255]);
+  });
+
+  test('ends with the view and with the element', async ({ mount }) => {
+    const viewer = await mount(scene('view="error"'), { width: 600, height: 400 });
+    await expect(legendOf(viewer).getByRole('progressbar')).toBeVisible({ timeout: 30_000 });
+    await viewer.evaluate((element: PhongViewer) => {
+      element.remove();
+      document.body.append(element);
+    });
+    await expect(legendOf(viewer).getByRole('progressbar')).toBeVisible({ timeout: 30_000 });
+    await assign(viewer, { view: 'shaded' });
+    await expect(legendOf(viewer)).toHaveCount(0);
+  });
+});

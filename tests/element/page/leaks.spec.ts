@@ -1,0 +1,104 @@
+// Does a removed viewer leave anything behind: in the heap, on the GPU, among the page's listeners and observers?
+
+import { findBrowser, softwareGl } from '../../../.ci/browser.mjs';
+import { expect, test } from '../../support/test.js';
+import { countEverything, countsOf } from '../support/counting.js';
+import { comeAndGo, Ledger } from './many-viewers.js';
+import { nextFrame, type PhongViewer } from '../support/viewer.js';
+
+const size = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
+const stays = '<phong-viewer geometry="box"><phong-light position="1 2 3 0"></phong-light></phong-viewer>';
+const kinds = [
+  '<phong-viewer src="/fixtures/models/textured.glb"></phong-viewer>',
+  '<phong-viewer geometry="sphere" shading="flat" gui></phong-viewer>',
+  '<phong-viewer geometry="box" helpers="lights grid"><phong-light position="1 2 3 1"></phong-light></phong-viewer>',
+  '<phong-viewer color-interpolation="linear" auto-rotate="9"><phong-light></phong-light><phong-mesh geometry="torus"></phong-mesh></phong-viewer>',
+];
+
+test.beforeEach(({ page }) => countEverything(page));
+
+// On a page composed by WebGL: composed without, a specialised program may keep waiting for its next frame, with its shaders.
+const executablePath = await findBrowser();
+test.use({
+  launchOptions: { ...(executablePath === undefined ? {} : { executablePath }), args: softwareGl },
+});
+
+test('viewers that come and go leave nothing behind', async ({ page, mount }) => {
+  test.slow();
+  await mount(stays, size);
+  const ledger = await Ledger.of(page);
+  // The first viewers load what stays for good, such as the panel's code.
+  await comeAndGo(page, kinds, kinds.length);
+  const before = await ledger.read();
+  await comeAndGo(page, kinds, 8 * kinds.length);
+  const { counts, objects } = await ledger.read();
+  expect(counts).toEqual(before.counts);
+  expect(objects).toEqual(before.objects);
+  expect(objects).toMatchObject({ viewers: 1, scenes: 1 });
+});
+
+test('removing the last viewer closes the context and removes every listener and observer', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(kinds.join(''), size);
+  const nothing = { listeners: 0, observers: 0 };
+  await viewer.evaluate((element) => {
+    element.parentElement!.replaceChildren();
+  });
+  await nextFrame(page);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, ...nothing });
+  await page.evaluate((html) => {
+    document.body.innerHTML = html;
+    return document.querySelector('phong-viewer')!.ready;
+  }, stays);
+  expect(await countsOf(page)).toMatchObject({ contexts: 2 });
+});
+
+test('moving a viewer on its page loads nothing again, opens no context and uploads nothing', async ({
+  page,
+  mount,
+}) => {
+  const asked: string[] = [];
+  page.on('request', (request) => asked.push(request.url()));
+  const viewer = await mount(`${kinds[0]}${stays}<section></section>`, size);
+  const models = (): number => asked.filter((url) => url.endsWith('.glb')).length;
+  const held = async (): Promise<object> => {
+    const { contexts, textures, buffers, programs } = await countsOf(page);
+    return { contexts, textures, buffers, programs, models: models() };
+  };
+  const before = await held();
+  const shot = await viewer.screenshot();
+  await viewer.evaluate(async (element: PhongViewer) => {
+    const place = document.querySelector('section')!;
+    for (let i = 0; i < 10; i++) {
+      place.append(element);
+      document.body.prepend(element);
+      await element.ready;
+    }
+  });
+  await nextFrame(page);
+  expect(await held()).toEqual(before);
+  expect(Buffer.compare(await viewer.screenshot(), shot)).toBe(0);
+});
+
+test('toBlob of a viewer that is not on the page leaves nothing on the GPU', async ({ page, mount }) => {
+  await mount(stays, size);
+  const held = async (): Promise<object> => {
+    const { contexts, textures, buffers, programs, vertexArrays } = await countsOf(page);
+    return { contexts, textures, buffers, programs, vertexArrays };
+  };
+  const before = await held();
+  await page.evaluate(async () => {
+    const viewer = document.createElement('phong-viewer');
+    viewer.src = '/fixtures/models/textured.glb';
+    document.body.append(viewer);
+    await viewer.ready;
+    viewer.remove();
+    await new Promise((resolve) => setTimeout(resolve));
+    await viewer.toBlob({ width: 40, height: 30 });
+    await new Promise((resolve) => setTimeout(resolve));
+  });
+  await nextFrame(page);
+  expect(await held()).toEqual(before);
+});

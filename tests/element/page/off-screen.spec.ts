@@ -1,0 +1,230 @@
+// What does a viewer do while it is out of view, for each value of `loading`? Screen and window are 700 px high.
+
+import type { Locator } from '@playwright/test';
+import { allReady, expect, test } from '../../support/test.js';
+import { countEverything, countsOf, NOTHING, spentIn } from '../support/counting.js';
+import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+
+const size = { width: 90, height: 60 };
+const bunny = '/assets/models/bunny.glb';
+const viewer = (attributes = ''): string =>
+  `<phong-viewer geometry="box" ${attributes}><phong-light></phong-light></phong-viewer>`;
+const frames = (element: Locator): Promise<number> =>
+  element.evaluate(({ stats }: PhongViewer) => stats.frames);
+const above = (height: number): string => `main { padding: ${height}px 0 5000px }`;
+
+test.beforeEach(({ page }) => countEverything(page));
+
+test('auto fetches at once, and draws what is less than a screen height away', async ({ page, mount }) => {
+  const near = await mount(`<main>${viewer()}</main>`, { ...size, css: above(700 + 650) });
+  expect(await frames(near)).toBe(1);
+  const far = await mount(`<main><phong-viewer src="${bunny}"></phong-viewer></main>`, { ...size, css: above(700 + 750) }); // prettier-ignore
+  expect(await far.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
+  await nextFrame(page);
+  expect(await frames(far)).toBe(0);
+  await page.evaluate(() => scrollTo(0, 100));
+  await expect.poll(() => frames(far)).toBe(1);
+});
+
+test('lazy fetches what is less than a screen height away, and nothing else', async ({ page, mount }) => {
+  const requests: string[] = [];
+  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+  const markup = `<main><phong-viewer loading="lazy" src="${bunny}"></phong-viewer></main>`;
+  const far = await mount(markup, { ...size, css: above(700 + 750) });
+  await nextFrame(page);
+  expect([requests.includes(bunny), await frames(far)]).toEqual([false, 0]);
+  await page.evaluate(() => scrollTo(0, 100));
+  await expect.poll(() => far.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
+  await expect.poll(() => frames(far)).toBeGreaterThan(0);
+});
+
+test('eager draws off screen, and is ready when it is drawn', async ({ page, mount }) => {
+  const eager = await mount(`<main>${viewer('loading="eager"')}${viewer()}</main>`, { ...size, css: above(9000) }); // prettier-ignore
+  const auto = page.locator('phong-viewer').last();
+  expect([await frames(eager), await frames(auto)]).toEqual([1, 0]);
+  const drawn = await eager.evaluate(async (element: PhongViewer) => {
+    element.theta = 50;
+    await element.ready;
+    return element.stats.frames;
+  });
+  expect(drawn).toBe(2);
+  await assign(auto, { loading: 'eager' });
+  await settled(auto);
+  expect(await frames(auto)).toBe(1);
+  await assign(eager, { loading: 'auto' });
+  await assign(eager, { theta: 70 });
+  await settled(eager);
+  expect(await frames(eager)).toBe(2);
+});
+
+test('eager does not draw what scrolling cannot show', async ({ page, mount }) => {
+  for (const css of [
+    'main { display: none }',
+    'main { visibility: hidden }',
+    'phong-viewer { width: 0 !important }',
+  ]) {
+    const hidden = await mount(`<main>${viewer('loading="eager"')}</main>`, { ...size, css });
+    await nextFrame(page);
+    expect(await frames(hidden), css).toBe(0);
+  }
+});
+
+test('out of view a change is drawn once, and nothing moves', async ({ page, mount }) => {
+  const turning = 'auto-rotate="90"';
+  const first = await mount(`<main>${viewer(turning)}${viewer(`${turning} loading="eager"`)}</main>`, { ...size, css: above(1000) }); // prettier-ignore
+  const both = [first, page.locator('phong-viewer').last()];
+  for (const one of both) expect(await frames(one)).toBe(1);
+  await nextFrame(page);
+  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  for (const one of both) await assign(one, { kd: [9, 9, 9] });
+  await nextFrame(page);
+  for (const one of both) expect(await frames(one)).toBe(2);
+  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  await page.evaluate(() => scrollTo(0, 1000));
+  for (const one of both) await expect.poll(() => frames(one)).toBeGreaterThan(4);
+});
+
+test('pictures below the end of a scrolling box are drawn before they come into view', async ({
+  page,
+  mount,
+}) => {
+  const inside = await mount(`<main><p></p>${viewer()}<p></p>${viewer()}</main>`, {
+    ...size,
+    css: 'main { height: 200px; overflow: auto } p { margin: 0; height: 600px }',
+  });
+  await nextFrame(page);
+  await nextFrame(page);
+  expect(await frames(inside)).toBe(1);
+  const far = page.locator('phong-viewer').last();
+  expect(await frames(far)).toBe(0);
+  await assign(inside, { kd: [9, 9, 9] });
+  await nextFrame(page);
+  expect(await frames(inside)).toBe(2);
+  await page.evaluate(() => document.querySelector('main')!.scrollTo(0, 500));
+  await expect.poll(() => frames(far)).toBe(1);
+});
+
+for (const overflow of ['auto', 'hidden']) {
+  test(`the next pictures of a carousel are drawn before they come into view (overflow: ${overflow})`, async ({
+    page,
+    mount,
+  }) => {
+    const slides = Array.from({ length: 5 }, () => `<div>${viewer('auto-rotate="45"')}</div>`).join('');
+    await mount(`<main>${slides}</main>`, {
+      width: 400,
+      height: 300,
+      css: `main { display: flex; width: 400px; overflow: ${overflow}; scroll-snap-type: x mandatory }
+        div { flex: 0 0 400px; scroll-snap-align: start }`,
+    });
+    await nextFrame(page);
+    await nextFrame(page);
+    const all = await page.locator('phong-viewer').all();
+    const counts = async (): Promise<number[]> => Promise.all(all.map(frames));
+    // Slides 1 and 2 lie within 700 px of the visible one, which alone moves.
+    await expect.poll(async () => (await counts())[0]).toBeGreaterThan(3);
+    expect((await counts()).slice(1)).toEqual([1, 1, 0, 0]);
+    await page.evaluate(() => document.querySelector('main')!.scrollTo(400, 0));
+    await expect.poll(async () => (await counts())[1]).toBeGreaterThan(3);
+    expect((await counts()).slice(2)).toEqual([1, 1, 0]);
+  });
+}
+
+test('in an iframe the same holds, and nothing moves while the iframe itself is out of view', async ({
+  page,
+  mount,
+}) => {
+  await mount(`<main><iframe></iframe></main>${viewer(`auto-rotate="45"`)}${viewer()}`, {
+    ...size,
+    css: 'iframe { width: 300px; height: 200px } main { height: 5000px }',
+  });
+  await page.evaluate(async () => {
+    const inner = document.querySelector('iframe')!.contentDocument!;
+    const [turning, below] = document.querySelectorAll('phong-viewer');
+    for (const one of [turning!, below!]) one.style.cssText = 'display: block; width: 90px; height: 60px';
+    below!.style.marginTop = '500px';
+    inner.body.append(turning!, below!);
+    await Promise.all([turning!.ready, below!.ready]);
+  });
+  const inside = page.frameLocator('iframe').locator('phong-viewer');
+  await nextFrame(page);
+  await nextFrame(page);
+  expect(await frames(inside.last())).toBe(1);
+  const turned = await frames(inside.first());
+  await expect.poll(() => frames(inside.first())).toBeGreaterThan(turned + 2);
+  await page.evaluate(() => scrollTo(0, 3000));
+  await nextFrame(page);
+  await nextFrame(page);
+  const rest = await frames(inside.first());
+  expect(await spentIn(page, 300)).toEqual(NOTHING);
+  expect(await frames(inside.first())).toBe(rest);
+});
+
+test('in an iframe that is far away nothing is fetched or drawn', async ({ page, mount }) => {
+  const requests: string[] = [];
+  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
+  await mount(`<main><iframe></iframe></main><phong-viewer></phong-viewer>`, { ...size, css: above(2000) });
+  const inside = page.frameLocator('iframe').locator('phong-viewer');
+  await page.evaluate(async (src) => {
+    const viewer = document.createElement('phong-viewer');
+    Object.assign(viewer, { src, loading: 'lazy' });
+    document.querySelector('iframe')!.contentDocument!.body.append(viewer);
+    await viewer.ready;
+  }, bunny);
+  await nextFrame(page);
+  await nextFrame(page);
+  expect([await frames(inside), requests.includes(bunny)]).toEqual([0, false]);
+  await page.evaluate(() => scrollTo(0, 700));
+  await expect.poll(() => inside.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
+});
+
+test('in a closed accordion nearby nothing is drawn', async ({ page, mount }) => {
+  const inside = await mount(`<main>${viewer()}</main>`, { ...size, css: 'main { height: 0; overflow: hidden }' }); // prettier-ignore
+  await nextFrame(page);
+  await assign(inside, { kd: [9, 9, 9] });
+  await nextFrame(page);
+  expect(await frames(inside)).toBe(0);
+  await page.evaluate(() => (document.querySelector('main')!.style.height = 'auto'));
+  await expect.poll(() => frames(inside)).toBe(1);
+});
+
+test('during scrolling no viewer in view is blank for more than a frame', async ({ page, mount }) => {
+  const count = 60;
+  await mount(`<main>${viewer().repeat(count)}</main>`, { width: 300, height: 200 });
+  const blank = await page.evaluate(async () => {
+    const viewers = [...document.querySelectorAll('phong-viewer')];
+    const since = new Map<Element, number>();
+    let longest = 0;
+    const end = document.documentElement.scrollHeight;
+    // Includes jumps of more than a screen and its margin, each in one frame.
+    for (let top = 0, frame = 0; top < end; frame += 1) {
+      scrollTo(0, top);
+      await new Promise(requestAnimationFrame);
+      // What came into view is reported by a task after the frame, which the next frame may overtake on a busy machine.
+      await new Promise((resolve) => setTimeout(resolve));
+      for (const one of viewers) {
+        const { top: upper, bottom } = one.getBoundingClientRect();
+        const isBlank = bottom > 0 && upper < innerHeight && !one.shadowRoot!.querySelector('canvas');
+        since.set(one, isBlank ? (since.get(one) ?? 0) + 1 : 0);
+        longest = Math.max(longest, since.get(one)!);
+      }
+      if (frame % 2 === 1) top += frame % 10 === 9 ? 2500 : 120;
+    }
+    return longest;
+  });
+  expect(blank).toBeLessThanOrEqual(1);
+});
+
+test('eager viewers off screen keep only their own pixels; the shared canvas stays within a screen', async ({
+  page,
+  mount,
+}) => {
+  const count = 48;
+  await mount(`<main>${viewer('loading="eager"').repeat(count)}</main>`, { width: 300, height: 200, css: above(5000) }); // prettier-ignore
+  await allReady(page);
+  await nextFrame(page);
+  const { contexts, canvasPixels, sheetPixels } = await countsOf(page);
+  expect(contexts).toBe(1);
+  expect(sheetPixels).toBeLessThanOrEqual(1000 * 700);
+  expect(canvasPixels).toBe(count * 300 * 200 + sheetPixels);
+  expect(await spentIn(page, 300)).toEqual(NOTHING);
+});

@@ -1,0 +1,168 @@
+// Does the canvas follow the element's size and the screen's pixels exactly, also while they change? Canvas sizes are in device pixels,
+// everything else in CSS pixels.
+
+import type { Locator } from '@playwright/test';
+import { compare, expect, pixels, setPixelRatio, test } from '../../support/test.js';
+import { assign, nextFrame, type PhongViewer, record } from '../support/viewer.js';
+
+const light = '<phong-light position="1 2 3 0"></phong-light>';
+const box = `<phong-viewer geometry="box">${light}</phong-viewer>`;
+
+const canvasSize = (viewer: Locator): Promise<number[]> =>
+  viewer.evaluate((element: PhongViewer) => {
+    const canvas = element.shadowRoot?.querySelector('canvas');
+    return [canvas?.width ?? -1, canvas?.height ?? -1];
+  });
+
+const style = (viewer: Locator, css: string): Promise<string> =>
+  viewer.evaluate((element, text) => (element.style.cssText = text), css);
+
+test('is 300 × 150 without CSS, and otherwise as large as CSS says', async ({ page, mount }) => {
+  const viewer = await mount(box, { css: 'phong-viewer { width: revert-layer; height: revert-layer }' });
+  await page.evaluate(
+    () => (document.querySelector<HTMLLinkElement>('link[rel=stylesheet]')!.disabled = true),
+  );
+  await expect.poll(() => canvasSize(viewer)).toEqual([300, 150]);
+  for (const [css, width, height] of [
+    ['width: 211px; height: 97px', 211, 97],
+    ['width: 50%; height: 40vh; position: absolute', 500, 280],
+    ['width: 100px; height: 60px; padding: 10px; border: 5px solid red', 120, 80],
+  ] as const) {
+    await style(viewer, css);
+    await expect.poll(() => canvasSize(viewer), { message: css }).toEqual([width, height]);
+  }
+});
+
+for (const count of [1, 2]) {
+  test(`has the screen's own pixels at ratios of 1, 1.5, 2 and 3, live, with ${count} on the page`, async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(box.repeat(count), { width: 121, height: 77 });
+    for (const ratio of [1, 1.5, 2, 3, 1]) {
+      await setPixelRatio(page, ratio);
+      const wanted = await viewer.evaluate((element) => {
+        const { left, right, top, bottom } = element.getBoundingClientRect();
+        const snap = (x: number): number => Math.round(x * devicePixelRatio);
+        return [snap(right) - snap(left), snap(bottom) - snap(top)];
+      });
+      await expect.poll(() => canvasSize(viewer), { message: `ratio ${ratio}` }).toEqual(wanted);
+    }
+  });
+}
+
+for (const count of [1, 2]) {
+  test(`pixel-ratio limits the canvas on dense screens, live, with ${count} on the page`, async ({
+    mount,
+  }) => {
+    const viewer = await mount(box.repeat(count), { width: 101, height: 61, deviceScaleFactor: 3 });
+    for (const [ratio, width, height] of [
+      [2, 202, 122],
+      [1, 101, 61],
+      [0.5, 51, 31],
+      [1e-6, 1, 1],
+      [10, 303, 183],
+      ['1.5', 152, 92],
+      [null, 303, 183],
+    ] as const) {
+      await assign(viewer, { pixelRatio: ratio });
+      await viewer.evaluate((element: PhongViewer) => element.ready);
+      expect(await canvasSize(viewer), String(ratio)).toEqual([width, height]);
+    }
+    expect(await viewer.evaluate((element: PhongViewer) => element.toHTML())).not.toContain('pixel-ratio');
+  });
+}
+
+test('pixel-ratio gives the picture of a screen with that ratio, and shadeAt keeps to CSS pixels', async ({
+  page,
+  mount,
+}) => {
+  const size = { width: 90, height: 60 };
+  const plain = await mount(box, size);
+  const expected = await pixels(plain);
+  const place = await plain.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p);
+  const limited = await mount(box.replace(' ', ' pixel-ratio="1" '), { ...size, deviceScaleFactor: 2 });
+  expect(await page.evaluate(() => devicePixelRatio)).toBe(2);
+  expect(compare(await pixels(limited), expected).max).toBe(0);
+  expect(await limited.evaluate(async (element: PhongViewer) => (await element.shadeAt(45, 30))?.p)).toEqual(place); // prettier-ignore
+  expect(await limited.evaluate((element: PhongViewer) => element.toHTML())).toContain('pixel-ratio="1"');
+});
+
+test('shows at a ratio of 2 what toBlob draws at twice the size', async ({ mount }) => {
+  const viewer = await mount(box, { width: 100, height: 60, deviceScaleFactor: 2 });
+  expect(await canvasSize(viewer)).toEqual([200, 120]);
+  const own = await pixels(viewer);
+  expect(compare(own, await pixels(viewer, { width: 200, height: 120 })).max).toBe(0);
+});
+
+for (const [what, hidden] of [
+  ['0 × 0', 'width: 0; height: 0'],
+  ['not displayed', 'display: none'],
+  ['of no height', 'height: 0'],
+] as const) {
+  test(`is right after it was ${what} and is shown again`, async ({ page, mount }) => {
+    const viewer = await mount(box, { width: 90, height: 60 });
+    const before = await viewer.screenshot();
+    const renders = await record(viewer, 'render');
+    await style(viewer, hidden);
+    await nextFrame(page);
+    await assign(viewer, { theta: 99 });
+    await assign(viewer, { theta: 30 });
+    await nextFrame(page);
+    expect(await renders.take()).toEqual([]);
+    await style(viewer, '');
+    await expect.poll(() => canvasSize(viewer)).toEqual([90, 60]);
+    await nextFrame(page);
+    expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
+  });
+
+  test(`is right if it starts ${what}`, async ({ mount }) => {
+    const viewer = await mount(box, { width: 90, height: 60, css: `.gone { ${hidden} !important }` });
+    const before = await viewer.screenshot();
+    const other = await mount(box.replace('<phong-viewer', '<phong-viewer class="gone"'), {
+      width: 90,
+      height: 60,
+      css: `phong-viewer.gone { ${hidden} }`,
+    });
+    await other.evaluate((element) => element.removeAttribute('class'));
+    await expect.poll(() => canvasSize(other)).toEqual([90, 60]);
+    expect(Buffer.compare(await other.screenshot(), before)).toBe(0);
+  });
+}
+
+test('draws once when it is scrolled into view, however much has changed', async ({ page, mount }) => {
+  const viewer = await mount(`<div class="tall"></div>${box}`, {
+    width: 90,
+    height: 60,
+    css: '.tall { height: 5000px }',
+  });
+  const renders = await record(viewer, 'render');
+  for (let theta = 1; theta < 5; theta++) await assign(viewer, { theta });
+  await nextFrame(page);
+  expect(await renders.take()).toEqual([]);
+  await viewer.scrollIntoViewIfNeeded();
+  await expect.poll(async () => (await renders.take()).length).toBe(1);
+  await nextFrame(page);
+  await page.evaluate(() => scrollTo(0, 0));
+  await nextFrame(page);
+  await viewer.scrollIntoViewIfNeeded();
+  await nextFrame(page);
+  expect(await renders.take()).toEqual([]);
+});
+
+test('follows a size that changes in every frame, and never stretches a picture', async ({ page, mount }) => {
+  const viewer = await mount(box, { width: 100, height: 60 });
+  const stretched = await viewer.evaluate(async (element: PhongViewer) => {
+    const wrong: number[][] = [];
+    for (let width = 100; width < 120; width += 3) {
+      element.style.width = `${width}px`;
+      // Observers run after layout, in the frame that shows the new size. The picture follows in the next frame.
+      for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve));
+      const canvas = element.shadowRoot!.querySelector('canvas')!;
+      if (canvas.width !== width) wrong.push([width, canvas.width]);
+    }
+    return wrong;
+  });
+  expect(stretched).toEqual([]);
+  await nextFrame(page);
+});

@@ -1,0 +1,272 @@
+// Does a page with many viewers cost no more than its visible part? One context, one frame, copies of changed pictures, bounded pixels.
+
+import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';
+import { holdContext, loseAndRestore, redsShown, reddening, scrollThrough } from './many-viewers.js';
+import { drag, nextFrame, type PhongViewer } from '../support/viewer.js';
+
+const small = { width: 90, height: 60, css: 'phong-viewer { float: left }' };
+
+test.beforeEach(({ page }) => countEverything(page));
+
+test('a viewer alone draws directly on the page, without a copy', async ({ page, mount }) => {
+  const viewer = await mount(reddening(1), small);
+  await drag(page, [45, 30], [20, 10]);
+  await allReady(page);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 0 });
+  expect(await viewer.evaluate((element: PhongViewer) => element.stats)).toMatchObject({ viewersDrawn: 1 });
+});
+
+for (const count of [2, 64]) {
+  test(`${count} viewers share one context and one frame; only those that changed draw`, async ({
+    page,
+    mount,
+  }) => {
+    const viewer = await mount(reddening(count), small);
+    const drawn = (): Promise<number> =>
+      viewer.evaluate((element: PhongViewer) => element.stats.viewersDrawn);
+    const taken = await countsOf(page);
+    expect(taken).toMatchObject({ contexts: 1, copies: count, observers: 3 }); // of place, of surroundings and of size
+    expect(taken.listeners).toBeGreaterThan(0);
+    expect(await drawn()).toBe(count);
+    const reds = await redsShown(page);
+    expect(reds.every((red, i) => red > (reds[i - 1] ?? -1))).toBe(true);
+    await nextFrame(page);
+    const before = await countsOf(page);
+    const changed = Math.ceil(count / 16);
+    await page.evaluate((many) => {
+      for (const element of [...document.querySelectorAll('phong-viewer')].slice(-many)) {
+        element.theta = 77;
+        element.lights[0]!.diffuse = [9, 9, 9];
+      }
+    }, changed);
+    await allReady(page);
+    expect(spentBetween(before, await countsOf(page))).toMatchObject({ frames: 1, copies: changed });
+    expect(await drawn()).toBe(changed);
+    expect((await redsShown(page)).slice(0, -changed)).toEqual(reds.slice(0, -changed));
+    await page.evaluate(() => {
+      for (const element of document.querySelectorAll('phong-viewer')) element.remove();
+    });
+    await nextFrame(page);
+    expect(await spentIn(page, 300)).toEqual(NOTHING);
+    expect(await countsOf(page)).toMatchObject({ contexts: 1, listeners: 0, observers: 0 });
+  });
+}
+
+test('render comes once for each frame, when a listener can read the new picture from the canvas', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(reddening(2), small);
+  const turn = (theta: number): Promise<boolean[]> =>
+    page.evaluate(async (angle) => {
+      const viewers = [...document.querySelectorAll('phong-viewer')];
+      const read = ({ shadowRoot }: PhongViewer): string => {
+        const context = new OffscreenCanvas(90, 60).getContext('2d')!;
+        context.drawImage(shadowRoot!.querySelector('canvas')!, 0, 0);
+        return context.getImageData(0, 0, 90, 60).data.join();
+      };
+      const seen = viewers.map((element) => {
+        const pictures: string[] = [];
+        element.addEventListener('render', () => pictures.push(read(element)));
+        return pictures;
+      });
+      for (const element of viewers) element.theta = angle;
+      await Promise.all(viewers.map(({ ready }) => ready));
+      // The picture of toBlob is drawn apart from what the page shows.
+      const shown = await Promise.all(
+        viewers.map(async (element) => {
+          const image = await createImageBitmap(await element.toBlob());
+          const context = new OffscreenCanvas(90, 60).getContext('2d')!;
+          context.drawImage(image, 0, 0);
+          return context.getImageData(0, 0, 90, 60).data.join();
+        }),
+      );
+      return seen.map((pictures, i) => pictures.length === 1 && pictures[0] === shown[i]);
+    }, theta);
+  expect(await turn(60)).toEqual([true, true]);
+  await viewer.evaluate((element) => element.remove());
+  await nextFrame(page);
+  // A lone viewer shows the shared canvas itself, whose pixels last until the end of the task.
+  expect(await turn(90)).toEqual([true]);
+});
+
+test('turning viewers are all drawn before the first one is copied', async ({ page, mount }) => {
+  // A copy between two drawings makes the browser resolve and copy the whole canvas again.
+  await page.addInitScript(() => {
+    const log: string[] = [];
+    Object.assign(window, { drawnOrCopied: log });
+    const record = (prototype: object, method: string, letter: string): void => {
+      const real = Reflect.get(prototype, method) as (...args: unknown[]) => unknown;
+      Reflect.set(prototype, method, function (this: unknown, ...args: unknown[]) {
+        log.push(letter);
+        return Reflect.apply(real, this, args);
+      });
+    };
+    record(WebGL2RenderingContext.prototype, 'drawElements', 'd');
+    record(CanvasRenderingContext2D.prototype, 'drawImage', 'c');
+  });
+  const viewer = await mount(
+    reddening(6).replaceAll('<phong-viewer', '<phong-viewer auto-rotate="90"'),
+    small,
+  );
+  await expect.poll(() => viewer.evaluate(({ stats }: PhongViewer) => stats.frames)).toBeGreaterThan(3);
+  const frame = await page.evaluate(async () => {
+    await new Promise(requestAnimationFrame);
+    window.drawnOrCopied.length = 0;
+    await new Promise(requestAnimationFrame);
+    return window.drawnOrCopied.join('');
+  });
+  expect(frame).toMatch(/^d{6,}c{6}$/);
+});
+
+test('the context opens with the first visible picture, at its size', async ({ page, mount }) => {
+  // Resizing a canvas with a context reallocates all buffers, once for each side.
+  await page.addInitScript(() => {
+    const opened = new Set<HTMLCanvasElement>();
+    const { getContext } = HTMLCanvasElement.prototype;
+    HTMLCanvasElement.prototype.getContext = function (this: HTMLCanvasElement, ...call: unknown[]) {
+      if (call[0] === 'webgl2') opened.add(this);
+      return Reflect.apply(getContext, this, call) as null;
+    } as typeof getContext;
+    Object.assign(window, { resized: 0 });
+    for (const side of ['width', 'height'] as const) {
+      const { get, set } = Object.getOwnPropertyDescriptor(HTMLCanvasElement.prototype, side)!;
+      const counted = function (this: HTMLCanvasElement, value: number): void {
+        if (opened.has(this)) window.resized += 1;
+        set!.call(this, value);
+      };
+      Object.defineProperty(HTMLCanvasElement.prototype, side, { get: get!, set: counted });
+    }
+  });
+  await mount(`<p></p>${reddening(16)}`, { ...small, css: `${small.css} p { height: 3000px }` });
+  await nextFrame(page);
+  expect(await countsOf(page)).toMatchObject({ contexts: 0, gl: 0 });
+  await page.evaluate(() => scrollTo(0, 3000));
+  await expect.poll(async () => (await redsShown(page)).every((red) => red >= 0)).toBe(true);
+  expect(await countsOf(page)).toMatchObject({ contexts: 1, copies: 16 });
+  expect(await page.evaluate(() => window.resized)).toBe(0);
+});
+
+test('pictures of any sizes side by side look the same as alone', async ({ page, mount }) => {
+  const sizes = [[300, 40], [40, 300], [7, 5], [333, 111], [1, 1], [64, 64]] as const; // prettier-ignore
+  const css = sizes.map(([w, h], i) => `#v${i} { width: ${w}px; height: ${h}px; float: left }`).join('\n');
+  const markup = sizes.map(
+    ([w], i) => `<phong-viewer id="v${i}" geometry="sphere" segments="16" theta="${w}"></phong-viewer>`,
+  );
+  await mount(markup.join(''), { ...small, css });
+  for (const [i, [width, height]] of sizes.entries()) {
+    const viewer = page.locator(`#v${i}`);
+    const shown = await viewer.evaluate(({ shadowRoot }) => {
+      const { width, height } = shadowRoot!.querySelector('canvas')!;
+      const data = shadowRoot!
+        .querySelector('canvas')!
+        .getContext('2d')!
+        .getImageData(0, 0, width, height).data;
+      return { width, height, data };
+    });
+    const picture = await pixels(viewer, { width, height });
+    // To the bit on software GL, wherever on the sheet it lies.
+    expect(compare({ ...shown, data: new Uint8Array(shown.data) }, picture).max, `${width} × ${height}`).toBe(
+      0,
+    );
+  }
+});
+
+test('viewers that were scrolled past free their pixels, and get them back', async ({ page, mount }) => {
+  test.slow();
+  await scrollThrough(page, mount, 56);
+});
+
+test('all viewers of a long page are printed, even those without pixels of their own', async ({
+  page,
+  mount,
+}) => {
+  const count = 56;
+  const viewer = await mount(reddening(count), { width: 300, height: 200 });
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')));
+  const reds = await redsShown(page);
+  expect(reds).toHaveLength(count);
+  expect(reds.every((red, i) => red > (reds[i - 1] ?? -1))).toBe(true);
+  const printed = (await countsOf(page)).canvasPixels;
+  // The next frame of any viewer frees the pixels for print.
+  await viewer.evaluate((element: PhongViewer) => {
+    element.theta = 77;
+    return element.ready;
+  });
+  await nextFrame(page);
+  expect((await countsOf(page)).canvasPixels).toBeLessThan(printed / 1.2);
+});
+
+test('the shared canvas shrinks when a large viewer is removed or out of view', async ({ page, mount }) => {
+  const css = '#large { width: 900px; height: 600px } #low { margin-top: 2000px }';
+  const viewer = await mount(`<phong-viewer id="large" geometry="box"></phong-viewer>${reddening(2)}`, { ...small, css }); // prettier-ignore
+  const ofOne = small.width * small.height;
+  const sheet = async (): Promise<number> => (await countsOf(page)).sheetPixels;
+  expect(await sheet()).toBeGreaterThanOrEqual(900 * 600);
+  await page.locator('phong-viewer').last().scrollIntoViewIfNeeded();
+  await viewer.evaluate((element) => (element.style.display = 'none'));
+  await nextFrame(page);
+  const turned = page.locator('phong-viewer').last();
+  await turned.evaluate(async (element: PhongViewer) => {
+    for (let i = 0; i < 31; i++) {
+      element.theta = i;
+      await element.ready;
+    }
+  });
+  expect(await sheet()).toBe(ofOne);
+  await viewer.evaluate((element) => (element.style.display = ''));
+  await expect.poll(sheet).toBeGreaterThanOrEqual(900 * 600);
+  await viewer.evaluate((element) => element.remove());
+  expect(await sheet()).toBeLessThanOrEqual(ofOne);
+});
+
+test('sixteen viewers, some off screen, have the same pixels after a lost context', async ({
+  page,
+  mount,
+}) => {
+  await holdContext(page);
+  await mount(reddening(16), { ...small, css: 'phong-viewer:nth-child(n + 9) { position: relative; top: 900px }' }); // prettier-ignore
+  const shots = async (): Promise<Buffer[]> => {
+    await page.evaluate(() => scrollTo(0, 0));
+    await nextFrame(page);
+    const top = await page.screenshot();
+    await page.evaluate(() => scrollTo(0, 2000));
+    await nextFrame(page);
+    await nextFrame(page);
+    return [top, await page.screenshot()];
+  };
+  const before = await shots();
+  await page.evaluate(() => scrollTo(0, 0));
+  await nextFrame(page);
+  await loseAndRestore(page, page.locator('phong-viewer'));
+  const after = await shots();
+  expect(after.map((shot, i) => Buffer.compare(shot, before[i]!))).toEqual([0, 0]);
+  expect((await countsOf(page)).contexts).toBe(1);
+});
+
+test('no shader log is read, and a program that does not link is reported', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  await mount(reddening(2), small);
+  expect((await countsOf(page)).logs).toBe(0);
+  await page.addInitScript(() => {
+    const real = Object.getOwnPropertyDescriptor(WebGL2RenderingContext.prototype, 'shaderSource')
+      ?.value as WebGL2RenderingContext['shaderSource'];
+    WebGL2RenderingContext.prototype.shaderSource = function (this: WebGL2RenderingContext, shader, source) {
+      real.call(this, shader, `${source}\n#error broken by hand\n`);
+    };
+  });
+  consoleGuard.allow(/uncaught: .*a program does not link.*broken by hand/s, 1);
+  consoleGuard.allow(/WebGL: INVALID_/); // of drawing with it
+  await mount(reddening(2), small);
+});
+
+declare global {
+  interface Window {
+    drawnOrCopied: string[];
+    resized: number;
+  }
+}

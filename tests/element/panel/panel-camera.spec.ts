@@ -1,0 +1,125 @@
+// Does the camera's folder follow every move of the camera, and move the camera itself?
+
+import type { Locator } from '@playwright/test';
+import { expect, test } from '../../support/test.js';
+import { assign, cameraOf, type PhongViewer, record } from '../support/viewer.js';
+import { button, field, opened, row, slider, titleOf } from './panel-rows.js';
+
+const scene = '<phong-viewer gui geometry="box" theta="30" phi="70"></phong-viewer>';
+
+const eyeOf = async (folder: Locator): Promise<number[]> =>
+  (await row(folder, 'eye').locator('.lil-widget').textContent())!.split(', ').map(Number);
+
+test('shows θ, φ, radius and eye live while the picture is dragged', async ({ page, mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  await expect(field(folder, 'θ azimuth °')).toHaveValue('30');
+  await page.mouse.move(100, 100);
+  await page.mouse.down();
+  await page.mouse.move(160, 120);
+  await expect(field(folder, 'θ azimuth °')).toHaveValue('-6');
+  await expect(field(folder, 'φ polar °')).toHaveValue('61');
+  await expect(slider(folder, 'θ azimuth °')).toHaveValue('-6');
+  await page.mouse.move(220, 120);
+  await expect(field(folder, 'θ azimuth °')).toHaveValue('-42');
+  const { eye } = await cameraOf(viewer);
+  (await eyeOf(folder)).forEach((n, i) => expect(n).toBeCloseTo(eye[i]!, 2));
+  await page.mouse.up();
+  await page.mouse.wheel(0, 200);
+  const { radius } = await cameraOf(viewer);
+  await expect.poll(async () => Number(await field(folder, 'radius').inputValue())).toBeCloseTo(radius, 3);
+});
+
+test('moves the camera with the source "panel"', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  const moves = await record(viewer, 'camera-change');
+  await slider(folder, 'θ azimuth °').fill('75');
+  await field(folder, 'φ polar °').fill('45.5');
+  await field(folder, 'radius').fill('6');
+  await field(folder, 'target y').fill('0.25');
+  expect(await cameraOf(viewer)).toMatchObject({ theta: 75, phi: 45.5, radius: 6, target: [0, 0.25, 0] });
+  const heard = await moves.take();
+  expect(heard.length).toBeGreaterThanOrEqual(4);
+  for (const { detail } of heard) expect(detail).toEqual({ source: 'panel' });
+});
+
+test('moves the target without zooming', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  const { radius } = await cameraOf(viewer);
+  await field(folder, 'target x').fill('1');
+  const moved = await cameraOf(viewer);
+  expect(moved.target).toEqual([1, 0, 0]);
+  expect(moved.radius).toBe(radius);
+});
+
+test('sets field of view and auto-rotate', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  await field(folder, 'fov °').fill('60');
+  await field(folder, 'auto-rotate').fill('10');
+  expect(await viewer.evaluate((element: PhongViewer) => [element.fov, element.autoRotate])).toEqual([
+    60, 10,
+  ]);
+  const theta = field(folder, 'θ azimuth °');
+  const first = await theta.inputValue();
+  await expect.poll(() => theta.inputValue()).not.toBe(first);
+  await assign(viewer, { autoRotate: 0, fov: 30 });
+  await expect(field(folder, 'fov °')).toHaveValue('30');
+});
+
+test('resets to the declared camera after drags and after its own moves', async ({ page, mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  const start = await cameraOf(viewer);
+  await page.mouse.move(100, 100);
+  await page.mouse.down();
+  await page.mouse.move(160, 120);
+  await page.mouse.up();
+  await field(folder, 'θ azimuth °').fill('100');
+  await field(folder, 'radius').fill('9');
+  await field(folder, 'target z').fill('2');
+  await button(folder, 'reset camera').click();
+  expect(await cameraOf(viewer)).toEqual(start);
+  expect(
+    await viewer.evaluate(({ theta, radius, target }: PhongViewer) => ({ theta, radius, target })),
+  ).toEqual({
+    theta: 30,
+    radius: 'auto',
+    target: 'auto',
+  });
+});
+
+test('resets to a camera that a script has declared since', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  await field(folder, 'θ azimuth °').fill('100');
+  await assign(viewer, { theta: -50, phi: 20 });
+  await field(folder, 'φ polar °').fill('90');
+  await button(folder, 'reset camera').click();
+  expect(await cameraOf(viewer)).toMatchObject({ theta: -50, phi: 20 });
+});
+
+test('refuses a radius of 0', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  const { radius } = await cameraOf(viewer);
+  await field(folder, 'radius').fill('0');
+  await expect(field(folder, 'radius')).toHaveAttribute('aria-invalid', 'true');
+  await slider(folder, 'radius').fill('0');
+  expect((await cameraOf(viewer)).radius).toBe(radius);
+});
+
+test('shows the present camera when it is opened after a move', async ({ mount }) => {
+  const viewer = await mount(scene);
+  const folder = await opened(viewer, 'Camera');
+  await titleOf(viewer, 'Camera').click();
+  await assign(viewer, { theta: 12 });
+  await opened(viewer, 'Camera');
+  await expect(field(folder, 'θ azimuth °')).toHaveValue('12');
+  await titleOf(viewer, 'Controls').click();
+  await assign(viewer, { theta: 13 });
+  await titleOf(viewer, 'Controls').click();
+  await expect(field(folder, 'θ azimuth °')).toHaveValue('13');
+});

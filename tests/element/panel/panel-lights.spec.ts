@@ -1,0 +1,385 @@
+// Do a light's folder and its element agree? Each row writes the element, and each write to the element shows in the row.
+
+import type { Locator } from '@playwright/test';
+import { expect, test } from '../../support/test.js';
+import { assign, type PhongLight, type PhongViewer } from '../support/viewer.js';
+import {
+  button,
+  choice,
+  field,
+  flag,
+  folderOf,
+  opened,
+  picker,
+  row,
+  slider,
+  titleOf,
+  titlesIn,
+} from './panel-rows.js';
+
+const scene = (...lights: readonly string[]): string =>
+  `<phong-viewer gui geometry="box" target="0 0 0">${lights.join('')}</phong-viewer>`;
+const lamp = '<phong-light name="lamp" position="1 2 3 1" diffuse="400 200 0"></phong-light>';
+const sun = '<phong-light name="sun" position="1 1 1 0"></phong-light>';
+const spot =
+  '<phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>';
+
+const lightOf = (viewer: Locator, name: string): Locator => viewer.locator(`phong-light[name=${name}]`);
+
+const read = <K extends keyof PhongLight>(light: Locator, key: K): Promise<PhongLight[K]> =>
+  light.evaluate((element: PhongLight, name) => element[name as K], key);
+
+test('has a folder for each light, in order, with its name, live', async ({ mount }) => {
+  const viewer = await mount(scene(sun, '<phong-light></phong-light>', spot));
+  const titles = () => titlesIn(folderOf(viewer, 'Lights'));
+  await expect.poll(titles).toEqual(['sun', 'light 2', 'spot']); // the panel's code comes with its first use
+  await assign(lightOf(viewer, 'spot'), { name: 'beam' });
+  await expect.poll(titles).toEqual(['sun', 'light 2', 'beam']);
+  await viewer.evaluate((element: PhongViewer) => element.prepend(element.lights[1]!));
+  await expect.poll(titles).toEqual(['light 1', 'sun', 'beam']);
+  await viewer.evaluate((element: PhongViewer) => element.lights[1]!.remove());
+  await expect.poll(titles).toEqual(['light 1', 'beam']);
+});
+
+test('writes every attribute of a light through its properties', async ({ mount }) => {
+  const viewer = await mount(scene(spot));
+  const light = lightOf(viewer, 'spot');
+  const folder = await opened(viewer, 'spot');
+  await flag(folder, 'active').click();
+  await field(folder, 'ambient').fill('16 32 48');
+  await slider(folder, 'specular brightness').fill('0.5');
+  await field(folder, 'position x').fill('-1.25');
+  await field(folder, 'axis y').fill('-2');
+  await field(folder, 'aperture °').fill('33');
+  await slider(folder, 'aperture °').fill('40');
+  await field(folder, 'cutoff').fill('7');
+  await field(folder, 'kq quadratic').fill('0.25');
+  await choice(folder, 'space').selectOption('camera');
+  await field(folder, 'name').fill('beam');
+  const values = await light.evaluate((element: PhongLight) => ({
+    name: element.name,
+    active: element.active,
+    ambient: element.ambient,
+    specular: element.specular,
+    position: element.position,
+    axis: element.axis,
+    aperture: element.aperture,
+    cutoff: element.cutoff,
+    attenuation: element.attenuation,
+    space: element.space,
+  }));
+  expect(values).toEqual({
+    name: 'beam',
+    active: false,
+    ambient: [16, 32, 48],
+    specular: [127.5, 127.5, 127.5],
+    position: [-1.25, 3, 3, 1],
+    axis: [0, -2, -1],
+    aperture: 40,
+    cutoff: 7,
+    attenuation: [1, 0, 0.25],
+    space: 'camera',
+  });
+  await expect(titleOf(viewer, 'beam')).toBeVisible();
+});
+
+test('shows changes of attributes and properties', async ({ mount }) => {
+  const viewer = await mount(scene(lamp));
+  const light = lightOf(viewer, 'lamp');
+  const folder = await opened(viewer, 'lamp');
+  await light.evaluate((element) => element.setAttribute('position', '0.1 0.30000000000000004 1e-7 1'));
+  await expect(field(folder, 'position x')).toHaveValue('0.1');
+  await expect(field(folder, 'position y')).toHaveValue('0.3');
+  await expect(field(folder, 'position z')).toHaveValue('1e-7');
+  await assign(light, { active: false, diffuse: [0, 0, 255], space: 'camera', attenuation: [1, 0.5, 0] });
+  await expect(flag(folder, 'active')).not.toBeChecked();
+  await expect(field(folder, 'diffuse')).toHaveValue('0 0 255');
+  await expect(choice(folder, 'space')).toHaveValue('camera');
+  await expect(field(folder, 'kl linear')).toHaveValue('0.5');
+  await light.evaluate((element) => element.removeAttribute('position'));
+  await expect(choice(folder, 'kind')).toHaveValue('directional');
+});
+
+test('switches a light without opening its folder', async ({ mount }) => {
+  const viewer = await mount(scene(sun, lamp));
+  const toggle = flag(folderOf(viewer, 'lamp'), 'lamp active');
+  await toggle.click();
+  expect(await read(lightOf(viewer, 'lamp'), 'active')).toBe(false);
+  await expect(titleOf(viewer, 'lamp')).toHaveAttribute('aria-expanded', 'false');
+  await assign(lightOf(viewer, 'lamp'), { active: true });
+  await expect(toggle).toBeChecked();
+});
+
+test.describe('colours', () => {
+  test('are accepted in all spellings, and stay as typed', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    const diffuse = field(folder, 'diffuse');
+    for (const [text, value] of [
+      ['200 80 60', [200, 80, 60]],
+      ['200, 80.5, 60', [200, 80.5, 60]],
+      ['#c85', [204, 136, 85]],
+      ['orange', [255, 165, 0]],
+      ['128', [128, 128, 128]],
+      ['1020 510 0', [1020, 510, 0]],
+    ] as const) {
+      await diffuse.fill(text);
+      expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual(value);
+      await diffuse.blur();
+      await expect(diffuse).toHaveValue(text);
+    }
+    await assign(lightOf(viewer, 'lamp'), { diffuse: [1, 2, 3] });
+    await expect(diffuse).toHaveValue('1 2 3');
+  });
+
+  test('mark invalid text and return to the current value', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    for (const text of ['', 'orangish', '1 2', '-1 0 0', '#12']) {
+      await field(folder, 'diffuse').fill(text);
+      await expect(field(folder, 'diffuse')).toHaveAttribute('aria-invalid', 'true');
+    }
+    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([400, 200, 0]);
+    await field(folder, 'diffuse').press('Enter');
+    await expect(field(folder, 'diffuse')).toHaveValue('400 200 0');
+    await expect(field(folder, 'diffuse')).not.toHaveAttribute('aria-invalid');
+  });
+
+  test('are exactly what the picker shows', async ({ mount }) => {
+    const viewer = await mount(scene('<phong-light name="lamp" diffuse="200 80 60"></phong-light>'));
+    const folder = await opened(viewer, 'lamp');
+    await expect(picker(folder, 'diffuse')).toHaveValue('#c8503c');
+    await picker(folder, 'diffuse').fill('#102030');
+    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([16, 32, 48]);
+    await expect(field(folder, 'diffuse')).toHaveValue('16 32 48');
+  });
+
+  test('above 255 keep their factor when another colour is picked, even a dark one', async ({ mount }) => {
+    const viewer = await mount(scene('<phong-light name="lamp" diffuse="510 510 510"></phong-light>'));
+    const folder = await opened(viewer, 'lamp');
+    await expect(picker(folder, 'diffuse')).toHaveValue('#ffffff');
+    await picker(folder, 'diffuse').fill('#804000');
+    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([256, 128, 0]);
+    await expect(field(folder, 'diffuse')).toHaveValue('256 128 0');
+    await expect(picker(folder, 'diffuse')).toHaveValue('#804000');
+  });
+
+  test('keep their hue when the brightness changes, even to zero and back', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    const brightness = slider(folder, 'diffuse brightness');
+    await expect(brightness).toHaveAttribute('aria-valuetext', '1.56863');
+    await brightness.fill('0');
+    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([0, 0, 0]);
+    await brightness.fill('2');
+    expect(await read(lightOf(viewer, 'lamp'), 'diffuse')).toEqual([510, 255, 0]);
+  });
+
+  test('extend the brightness slider for values beyond its end', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    await field(folder, 'diffuse').fill('25500 12750 0');
+    await expect(slider(folder, 'diffuse brightness')).toHaveAttribute('max', '100');
+  });
+});
+
+test.describe('kind', () => {
+  test('shows only the rows that have an effect', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    const shown = async () =>
+      Promise.all(
+        ['axis', 'aperture °', 'cutoff', 'attenuation'].map((name) => row(folder, name).isVisible()),
+      );
+    expect(await shown()).toEqual([false, false, false, true]);
+    await choice(folder, 'kind').selectOption('spot');
+    await expect.poll(shown).toEqual([true, true, true, true]);
+    await choice(folder, 'kind').selectOption('directional');
+    await expect.poll(shown).toEqual([false, false, false, false]);
+  });
+
+  test('keeps the position and restores the cone of a spot', async ({ mount }) => {
+    const viewer = await mount(scene(spot));
+    const light = lightOf(viewer, 'spot');
+    const folder = await opened(viewer, 'spot');
+    await choice(folder, 'kind').selectOption('directional');
+    expect(await read(light, 'position')).toEqual([0, 3, 3, 0]);
+    expect([await read(light, 'aperture'), await read(light, 'cutoff')]).toEqual([180, 0]);
+    await choice(folder, 'kind').selectOption('point');
+    expect(await read(light, 'position')).toEqual([0, 3, 3, 1]);
+    await choice(folder, 'kind').selectOption('spot');
+    expect([await read(light, 'aperture'), await read(light, 'cutoff')]).toEqual([20, 12]);
+    expect(await read(light, 'axis')).toEqual([0, -1, -1]);
+  });
+
+  test('aims a new spot at what the camera looks at', async ({ mount }) => {
+    const viewer = await mount(scene('<phong-light name="lamp" position="0 4 2 1"></phong-light>'));
+    const folder = await opened(viewer, 'lamp');
+    await choice(folder, 'kind').selectOption('spot');
+    expect(await read(lightOf(viewer, 'lamp'), 'axis')).toEqual([0, -1, -0.5]);
+  });
+
+  test('keeps the aperture row while the user opens the cone with it', async ({ mount }) => {
+    const viewer = await mount(scene(spot.replace('cutoff="12"', '')));
+    const folder = await opened(viewer, 'spot');
+    await field(folder, 'aperture °').fill('180');
+    await expect(choice(folder, 'kind')).toHaveValue('point');
+    await expect(field(folder, 'aperture °')).toBeFocused();
+    await field(folder, 'aperture °').fill('15');
+    await expect(choice(folder, 'kind')).toHaveValue('spot');
+  });
+});
+
+test.describe('numbers', () => {
+  test('refuse what the light refuses and return to the current value', async ({ mount }) => {
+    const viewer = await mount(scene(spot));
+    const folder = await opened(viewer, 'spot');
+    const aperture = field(folder, 'aperture °');
+    for (const text of ['181', '-1', 'wide', '']) {
+      await aperture.fill(text);
+      await expect(aperture).toHaveAttribute('aria-invalid', 'true');
+    }
+    expect(await read(lightOf(viewer, 'spot'), 'aperture')).toBe(20);
+    await aperture.press('Enter');
+    await expect(aperture).toHaveValue('20');
+    await expect(aperture).not.toHaveAttribute('aria-invalid');
+  });
+
+  test('step by arrow keys without stray digits', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    const factor = field(folder, 'kl linear');
+    await factor.focus();
+    for (let i = 0; i < 3; i++) await factor.press('Shift+ArrowUp');
+    await expect(factor).toHaveValue('0.3');
+    await factor.press('ArrowDown');
+    await expect(factor).toHaveValue('0.29');
+    expect(await read(lightOf(viewer, 'lamp'), 'attenuation')).toEqual([1, 0.29, 0]);
+  });
+
+  test('are updated after the user has finished typing, not before', async ({ mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    const x = field(folder, 'position x');
+    await x.fill('-');
+    await assign(lightOf(viewer, 'lamp'), { position: [7, 8, 9, 1] });
+    await expect(field(folder, 'position y')).toHaveValue('8');
+    await expect(x).toHaveValue('-');
+    await x.blur();
+    await expect(x).toHaveValue('7');
+  });
+
+  test('follow a slider while the pointer drags it', async ({ page, mount }) => {
+    const viewer = await mount(scene(spot));
+    const folder = await opened(viewer, 'spot');
+    const aperture = slider(folder, 'aperture °');
+    await aperture.scrollIntoViewIfNeeded();
+    const box = (await aperture.boundingBox())!;
+    await page.mouse.move(box.x + box.width / 2, box.y + 8);
+    await page.mouse.down();
+    await page.mouse.move(box.x + box.width - 1, box.y + 8, { steps: 5 });
+    expect(await aperture.inputValue()).toBe('180');
+    expect(await read(lightOf(viewer, 'spot'), 'aperture')).toBe(180);
+    await assign(lightOf(viewer, 'spot'), { aperture: 10 });
+    await expect(field(folder, 'aperture °')).toHaveValue('10');
+    expect(await aperture.inputValue()).toBe('180');
+    await page.mouse.up();
+    await expect(aperture).toHaveValue('10');
+  });
+
+  test('of a vector share one row and follow a drag across their field', async ({ page, mount }) => {
+    const viewer = await mount(scene(lamp));
+    const folder = await opened(viewer, 'lamp');
+    const boxes = await Promise.all(
+      ['x', 'y', 'z'].map((axis) => field(folder, `position ${axis}`).boundingBox()),
+    );
+    expect(new Set(boxes.map((box) => box?.y)).size).toBe(1);
+    const { x, y } = boxes[1]!;
+    await page.mouse.move(x + 20, y + 8);
+    await page.mouse.down();
+    await page.mouse.move(x + 40, y + 8, { steps: 4 });
+    const [, risen] = await read(lightOf(viewer, 'lamp'), 'position');
+    expect(risen).toBeGreaterThan(2);
+    await page.mouse.move(x + 20, y + 8, { steps: 4 });
+    expect((await read(lightOf(viewer, 'lamp'), 'position'))[1]).toBe(2);
+    await page.mouse.up();
+    await expect(field(folder, 'position y')).not.toBeFocused();
+    await field(folder, 'position y').click();
+    await expect(field(folder, 'position y')).toBeFocused();
+    expect(await read(lightOf(viewer, 'lamp'), 'position')).toEqual([1, 2, 3, 1]);
+  });
+
+  test('cover the range of the scene, whatever its size', async ({ page, mount }) => {
+    const viewer = await mount(
+      `<phong-viewer gui>${lamp}<phong-mesh geometry="sphere" scale="1000"></phong-mesh></phong-viewer>`,
+    );
+    const folder = await opened(viewer, 'lamp');
+    await field(folder, 'position x').focus();
+    await page.keyboard.press('ArrowUp');
+    expect((await read(lightOf(viewer, 'lamp'), 'position'))[0]).toBe(6);
+  });
+});
+
+test.describe('buttons', () => {
+  test('add a light that can be seen and edited at once', async ({ page, mount }) => {
+    const viewer = await mount(scene(sun));
+    await button(folderOf(viewer, 'Lights'), 'add light').click();
+    await expect(titleOf(viewer, 'light 2')).toHaveAttribute('aria-expanded', 'true');
+    await expect(titleOf(viewer, 'light 2')).toBeFocused();
+    await expect(field(folderOf(viewer, 'light 2'), 'name')).toHaveAttribute('placeholder', 'light 2');
+    await button(folderOf(viewer, 'Lights'), 'add light').click();
+    const added = await viewer.evaluate((element: PhongViewer) =>
+      element.lights.slice(1).map(({ localName, position, active }) => ({ localName, position, active })),
+    );
+    expect(added).toHaveLength(2);
+    for (const light of added) expect(light).toMatchObject({ localName: 'phong-light', active: true });
+    expect(added[0]?.position).not.toEqual(added[1]?.position);
+    expect(await page.locator('phong-viewer > phong-light').count()).toBe(3);
+  });
+
+  test('remove a light and move the focus to the next one', async ({ mount }) => {
+    const viewer = await mount(scene(sun, lamp, spot));
+    const folder = await opened(viewer, 'lamp');
+    await button(folder, 'remove').click();
+    expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual(['sun', 'spot']);
+    await expect(titleOf(viewer, 'spot')).toBeFocused();
+    expect(
+      await viewer.evaluate((element: PhongViewer) => element.lights.map((light) => light.name)),
+    ).toEqual(['sun', 'spot']);
+  });
+
+  test('leave a viewer without lights usable', async ({ mount }) => {
+    const viewer = await mount(scene(sun));
+    await button(await opened(viewer, 'sun'), 'remove').click();
+    expect(await titlesIn(folderOf(viewer, 'Lights'))).toEqual([]);
+    await button(folderOf(viewer, 'Lights'), 'add light').click();
+    await expect(titleOf(viewer, 'light 1')).toBeVisible();
+  });
+});
+
+test('keeps folders as they are while lights are added, removed and reordered', async ({ mount }) => {
+  const viewer = await mount(scene(sun, lamp, spot));
+  await opened(viewer, 'lamp');
+  const before = await folderOf(viewer, 'lamp').elementHandle();
+  await viewer.evaluate((element: PhongViewer) => {
+    element.append(element.lights[0]!);
+    element.lights.find((light) => light.name === 'spot')?.remove();
+    element.prepend(document.createElement('phong-light'));
+  });
+  await expect.poll(() => titlesIn(folderOf(viewer, 'Lights'))).toEqual(['light 1', 'lamp', 'sun']);
+  await expect(titleOf(viewer, 'lamp')).toHaveAttribute('aria-expanded', 'true');
+  await expect(titleOf(viewer, 'sun')).toHaveAttribute('aria-expanded', 'false');
+  expect(await folderOf(viewer, 'lamp').evaluate((node, old) => node === old, before)).toBe(true);
+});
+
+test('builds the rows of hundreds of lights only when their folders are opened', async ({ mount }) => {
+  const many = Array.from({ length: 300 }, (_, i) => `<phong-light name="n${i}"></phong-light>`);
+  // From far away, because this test does not look at pixels under three hundred lights.
+  const viewer = await mount(scene(...many).replace('gui', 'gui radius="300"'));
+  const lights = folderOf(viewer, 'Lights');
+  await expect(lights.locator('.lil-gui')).toHaveCount(300);
+  expect(await lights.locator('.lil-controller').count()).toBe(1);
+  const folder = await opened(viewer, 'n150');
+  await expect(field(folder, 'position x')).toHaveValue('1');
+  expect(await lights.locator('.lil-controller').count()).toBeLessThan(40);
+});

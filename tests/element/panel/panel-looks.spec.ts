@@ -1,0 +1,125 @@
+// Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom, with long words, from right to left?
+
+import { AxeBuilder } from '@axe-core/playwright';
+import type { Locator, Page } from '@playwright/test';
+import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';
+import { expect, test } from '../../support/test.js';
+import { field, listOf, opened, panelOf, titleOf } from './panel-rows.js';
+import { assign } from '../support/viewer.js';
+
+const scene = `<phong-viewer alt="A scene" geometry="box" gui>
+  <phong-light name="lamp" position="-1 -2 3 1" cutoff="4" axis="0 -1 0"></phong-light>
+  <phong-mesh name="ball" geometry="sphere"></phong-mesh></phong-viewer>`;
+
+const violationsOf = async (page: Page): Promise<unknown> => {
+  const { violations } = await new AxeBuilder({ page })
+    .include({ fromShadowDom: ['phong-viewer', '.panel'] })
+    .analyze();
+  return violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)]);
+};
+
+for (const scheme of ['light', 'dark'] as const) {
+  test(`follows the page's color-scheme, is legible in it and has accessible names (${scheme})`, async ({
+    page,
+    mount,
+  }) => {
+    await page.setViewportSize({ width: 900, height: 1800 }); // high enough for all rows
+    const viewer = await mount(`${scene}<main></main>`, { width: 900, height: 1790 });
+    await page.evaluate((value) => {
+      Object.assign(document.documentElement.style, { colorScheme: value, background: 'Canvas' });
+    }, scheme);
+    const brightness = (property: 'color' | 'backgroundColor') =>
+      panelOf(viewer).evaluate((panel, key) => {
+        const pixel = new OffscreenCanvas(1, 1).getContext('2d')!;
+        pixel.fillStyle = getComputedStyle(panel)[key];
+        pixel.fillRect(0, 0, 1, 1);
+        return pixel.getImageData(0, 0, 1, 1).data[1]!;
+      }, property);
+    const [text, ground] = [await brightness('color'), await brightness('backgroundColor')];
+    expect(scheme === 'light' ? ground - text : text - ground).toBeGreaterThan(200);
+    for (const title of ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'])
+      await opened(viewer, title);
+    expect(await violationsOf(page)).toEqual([]);
+  });
+}
+
+test('is legible as a sheet on a phone, whose rows can be reached by scrolling', async ({ page, mount }) => {
+  await page.setViewportSize({ width: 390, height: 800 });
+  const viewer = await mount(`${scene}<main></main>`, { width: 390, height: 800 });
+  await titleOf(viewer, 'Controls').click();
+  await opened(viewer, 'lamp');
+  expect(await violationsOf(page)).toEqual([]);
+  await expectNothingCut(viewer);
+});
+
+/** Texts and numbers fit into their boxes, and scrolling the panel shows each of them whole. */
+async function expectNothingCut(viewer: Locator): Promise<void> {
+  const cut = await listOf(viewer).evaluate((list) => {
+    const found: string[] = [];
+    const { left, right, top, bottom } = list.getBoundingClientRect();
+    for (const element of list.querySelectorAll<HTMLElement>(
+      '.lil-name, .lil-title, button, select, input',
+    )) {
+      if (!element.checkVisibility() || element.closest('.lil-display') !== null) continue;
+      element.scrollIntoView({ block: 'nearest' });
+      const box = element.getBoundingClientRect();
+      const name = element.getAttribute('aria-label') ?? element.textContent;
+      // Names that the user writes scroll in their fields.
+      const isName = element instanceof HTMLInputElement && element.placeholder !== '';
+      const tooWide =
+        element.scrollWidth > element.clientWidth + 1 || element.scrollHeight > element.clientHeight + 1;
+      const isText = !element.matches('[type=checkbox], [type=range], [type=color], select') && !isName;
+      if (isText && tooWide) found.push(`cut: ${name}`);
+      if (box.left < left - 1 || box.right > right + 1 || box.top < top - 1 || box.bottom > bottom + 1)
+        found.push(`out of reach: ${name}`);
+    }
+    return found;
+  });
+  expect(cut).toEqual([]);
+}
+
+const long = Object.fromEntries(VIEWER_TEXTS.map((text) => [text, `${text} Sonderbezeichnung`]));
+
+for (const [width, height, of] of [
+  [320, 256, '640 × 512'],
+  [195, 350, '390 × 700'],
+  [450, 310, '900 × 620'],
+] as const) {
+  for (const texts of [null, long]) {
+    test(`at 200 % zoom a viewer of ${of} cuts nothing (${texts === null ? 'English' : 'long words'})`, async ({
+      page,
+      mount,
+    }) => {
+      await page.setViewportSize({ width, height });
+      const viewer = await mount(scene, { width, height });
+      await titleOf(viewer, 'Controls').click();
+      for (const title of ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'])
+        await opened(viewer, title);
+      await assign(viewer, { texts });
+      await expectNothingCut(viewer);
+    });
+  }
+}
+
+test('from right to left the picture stands to the right of the panel, and numbers keep their order', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(scene, { width: 900, height: 600 });
+  await page.evaluate(() => {
+    document.documentElement.dir = 'rtl';
+  });
+  await assign(viewer, { gui: false });
+  await assign(viewer, { gui: true });
+  const lamp = await opened(viewer, 'lamp');
+  const panel = (await panelOf(viewer).boundingBox())!;
+  const picture = (await viewer.locator('[part=surface]').boundingBox())!;
+  const whole = (await viewer.boundingBox())!;
+  expect(panel.x).toBeLessThan(whole.x + 20);
+  expect(picture.x).toBeGreaterThanOrEqual(panel.x + panel.width);
+  expect(picture.x + picture.width).toBeCloseTo(whole.x + whole.width, 0);
+  for (const name of ['position x', 'cutoff', 'diffuse'])
+    await expect(field(lamp, name)).toHaveCSS('direction', 'ltr');
+  await expect(field(lamp, 'name')).toHaveCSS('direction', 'rtl');
+  await expectNothingCut(viewer);
+});

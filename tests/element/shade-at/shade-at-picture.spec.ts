@@ -1,0 +1,223 @@
+// Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of toBlob, in 8-bit codes.
+
+import { readFileSync } from 'node:fs';
+import type { Locator } from '@playwright/test';
+import { expect as equationExpect } from '../../support/built-playwright.js';
+import { expect, test } from '../../support/test.js';
+import { randomScene, sceneMarkup } from '../../visual/random-scene.js';
+import { comparedWithPicture, type Compared } from './shade-at-support.js';
+import { assign, cameraOf, type PhongViewer, settled } from '../support/viewer.js';
+
+const SIZE = { width: 160, height: 120 };
+/**
+ * The rasteriser snaps vertices to sixteenths of a pixel. So near a cone's edge or a light's horizon, in radians, a pixel
+ * may be on either side; and where colours change by more than these codes a pixel, it may be another one's.
+ */
+const EDGE = 3e-3;
+const STEEP = 8;
+/** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? 4);
+const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
+
+class Tally {
+  max = 0;
+  worst = '';
+  channels = 0;
+  exact = 0;
+
+  /** Pixels whose explained colour rounds to the drawn code count as exact. */
+  add(compared: readonly Compared[], what: string): void {
+    for (const fragment of compared) {
+      if (fragment.edgeMargin < EDGE || fragment.steepness > STEEP) continue;
+      for (let channel = 0; channel < 3; channel++) {
+        const error = Math.abs(Math.round(fragment.explained[channel]!) - fragment.drawn[channel]!);
+        this.channels += 1;
+        if (error === 0) this.exact += 1;
+        if (error <= this.max) continue;
+        this.max = error;
+        this.worst = `${what}: ${JSON.stringify(fragment)}`;
+      }
+    }
+  }
+}
+
+/** Replaces the viewer and waits for its shape: a torus is fetched. */
+const show = (viewer: Locator, markup: string): Promise<void> =>
+  viewer.evaluate((element: PhongViewer, text) => {
+    element.outerHTML = text;
+    return document.querySelector<PhongViewer>('phong-viewer')!.ready;
+  }, markup);
+
+test.describe('shadeAt explains the picture', () => {
+  test('within one code on random scenes of every shape and shading, at the origin and far from it', async ({
+    mount,
+  }) => {
+    test.setTimeout(1_800_000);
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const tally = new Tally();
+    for (const geometry of ['plane', 'box', 'sphere', 'torus'] as const) {
+      for (const [i, shading] of ['phong', 'flat', 'gouraud'].entries()) {
+        for (let seed = FIRST + i; seed < FIRST + 3 * SCENES; seed += 3) {
+          const scene = randomScene(seed, geometry === 'torus' ? 'sphere' : geometry);
+          const far = seed % 2 === 0 ? ([1e6, -3e6, 2e6] as const) : ([0, 0, 0] as const);
+          const markup = sceneMarkup(moved(scene, far), shading).replace(
+            'geometry="sphere"',
+            `geometry="${geometry}"`,
+          );
+          await show(viewer, markup);
+          tally.add(await comparedWithPicture(viewer, 15), `seed ${seed}, ${markup}`);
+        }
+      }
+    }
+    expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
+    // The rest lies next to a half, within what float32 rounds: 0.15 % of the channels of 360 scenes.
+    expect(tally.exact / tally.channels).toBeGreaterThan(0.995);
+    expect(tally.channels).toBeGreaterThan(3 * 500);
+  });
+
+  test('within one code on a model', async ({ mount }) => {
+    const lights = `<phong-light position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
+      <phong-light position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>`;
+    const viewer = await mount(
+      `<phong-viewer src="/assets/models/bunny.glb" shininess="60">${lights}</phong-viewer>`,
+      { width: 150, height: 100 },
+    );
+    // Close by, so that triangles are larger than a few pixels.
+    await assign(viewer, { radius: (await cameraOf(viewer)).radius / 4 });
+    await equationExpect(viewer).toShowTheEquation({ share: 0.1 });
+  });
+
+  test('within one code on flattened and stretched shapes, from inside, behind others, at two device pixels per CSS pixel', async ({
+    mount,
+  }) => {
+    const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
+      <phong-light space="camera" position="0.5 0.5 0 1" axis="0 0 -1" cutoff="3" diffuse="60 90 40" specular="0"></phong-light>`;
+    const viewer = await mount('<phong-viewer></phong-viewer>', {
+      width: 60,
+      height: 45,
+      deviceScaleFactor: 2,
+    });
+    for (const meshes of [
+      '<phong-mesh geometry="box" scale="2 0 2"></phong-mesh>',
+      '<phong-mesh geometry="plane" scale="2 1e12 -2"></phong-mesh>',
+      '<phong-mesh geometry="sphere" segments="9" scale="9 9 -9"></phong-mesh>',
+      '<phong-mesh geometry="box"></phong-mesh><phong-mesh geometry="cone" segments="7" position="0 0.6 0.9"></phong-mesh>',
+    ]) {
+      await show(viewer, `<phong-viewer radius="3" target="0 0 0">${meshes}${lights}</phong-viewer>`);
+      await equationExpect(viewer, meshes).toShowTheEquation({ share: 0.2 });
+    }
+  });
+
+  test('within one code on textures, filtered, wrapped and moved as their file says, and on vertex colours', async ({
+    mount,
+  }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const tally = new Tally();
+    let blended = 0;
+    for (const magFilter of [NEAREST, LINEAR]) {
+      for (const wrap of [
+        [REPEAT, MIRRORED],
+        [CLAMPED, REPEAT],
+      ] as const) {
+        for (const [alphaMode, interpolation] of [
+          ['OPAQUE', 'linear'],
+          ['BLEND', 'srgb'],
+        ] as const) {
+          const markup = model(texturedModel(magFilter, wrap, alphaMode), interpolation);
+          await show(viewer, markup);
+          await settled(viewer);
+          const compared = await comparedWithPicture(viewer, 10);
+          if (alphaMode === 'OPAQUE') tally.add(compared, markup);
+          else for (const fragment of compared) blended = Math.max(blended, blendedError(fragment));
+        }
+      }
+    }
+    await show(viewer, model('/fixtures/models/vertex-colours.glb'));
+    await settled(viewer);
+    tally.add(await comparedWithPicture(viewer, 10), 'vertex colours');
+    expect(tally.max, tally.worst).toBeLessThanOrEqual(1);
+    expect(tally.channels).toBeGreaterThan(3 * 500);
+    expect(blended).toBeLessThan(1);
+  });
+
+  test('by hitting nothing where a mask is transparent', async ({ mount }) => {
+    const viewer = await mount(model(texturedModel(LINEAR, [REPEAT, MIRRORED], 'MASK')), SIZE);
+    const counts = await viewer.evaluate(async (element: PhongViewer) => {
+      const context = new OffscreenCanvas(160, 120).getContext('2d')!;
+      context.drawImage(await createImageBitmap(await element.toBlob()), 0, 0);
+      const { data } = context.getImageData(0, 0, 160, 120);
+      const found = { hit: 0, missed: 0, wrong: 0 };
+      for (let y = 3; y < 120; y += 4) {
+        for (let x = 3; x < 160; x += 4) {
+          const alpha = data[4 * (160 * y + x) + 3];
+          const hit = (await element.shadeAt(x, y)) !== null;
+          found[hit ? 'hit' : 'missed'] += 1;
+          if (hit ? alpha === 0 : alpha === 255) found.wrong += 1;
+        }
+      }
+      return found;
+    });
+    expect(counts.wrong).toBe(0);
+    expect(Math.min(counts.hit, counts.missed)).toBeGreaterThan(200);
+  });
+});
+
+// glTF's numbers, which are OpenGL's.
+const [NEAREST, LINEAR, REPEAT, CLAMPED, MIRRORED] = [9728, 9729, 10497, 33071, 33648];
+
+/** A square with a texture of 2 × 2 texels, one of them half transparent, as a data: address. */
+function texturedModel(
+  magFilter: number,
+  [wrapS, wrapT]: readonly [number, number],
+  alphaMode: string,
+): string {
+  const file = new URL('../../fixtures/models/data-uris.gltf', import.meta.url);
+  const document = JSON.parse(readFileSync(file, 'utf8')) as Record<string, unknown>;
+  document['samplers'] = [{ magFilter, minFilter: magFilter, wrapS, wrapT }];
+  document['extensionsUsed'] = ['KHR_texture_transform'];
+  const transform = { offset: [0.13, -0.4], scale: [1.7, 1.3], rotation: 0.4 };
+  document['materials'] = [
+    {
+      alphaMode,
+      alphaCutoff: 0.7,
+      pbrMetallicRoughness: {
+        baseColorFactor: [0.9, 0.7, 1, 0.95],
+        baseColorTexture: { index: 0, extensions: { KHR_texture_transform: transform } },
+      },
+    },
+  ];
+  return `data:model/gltf+json,${encodeURIComponent(JSON.stringify(document))}`;
+}
+
+const model = (src: string, interpolation = 'srgb'): string =>
+  `<phong-viewer src="${src}" color-interpolation="${interpolation}" theta="20" phi="75" radius="1.1">
+     <phong-light position="0.3 0.3 1 1" ambient="60" specular="40"></phong-light>
+   </phong-viewer>`;
+
+/**
+ * How far a blended pixel is off, in units of what it can say: 8 bits are multiplied by alpha, rounded, divided and
+ * rounded again. Alpha itself is off by no more than a code.
+ */
+function blendedError({ drawn, explained, opacity }: Compared): number {
+  const alpha = drawn[3]!;
+  const off = Math.max(...[0, 1, 2].map((channel) => Math.abs(explained[channel]! - drawn[channel]!)));
+  return Math.max(off / (1 + 255 / alpha), Math.abs(alpha - opacity * 255));
+}
+
+type Scene = ReturnType<typeof randomScene>;
+type Triple = readonly [number, number, number];
+
+/** The same scene elsewhere. */
+function moved(scene: Scene, by: Triple): Scene {
+  const shift = (v: Triple): Triple => [v[0] + by[0], v[1] + by[1], v[2] + by[2]];
+  return {
+    ...scene,
+    pose: { ...scene.pose, target: shift(scene.pose.target) },
+    meshes: scene.meshes.map((mesh) => ({ ...mesh, position: shift(mesh.position) })),
+    lights: scene.lights.map((light) => {
+      const [x, y, z, w] = light.position;
+      if (w === 0 || light.space === 'camera') return light;
+      return { ...light, position: [...shift([x, y, z]), w] };
+    }),
+  };
+}

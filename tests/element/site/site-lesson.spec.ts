@@ -1,0 +1,171 @@
+// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons, behave as their captions say?
+
+import type { Locator, Page } from '@playwright/test';
+import { accessibleNodes } from '../../a11y/tree.js';
+import { allReady, expect, test } from '../../support/test.js';
+import { linkTo } from '../../support/site-pages.js';
+import { drag, nextFrame, type PhongViewer } from '../support/viewer.js';
+
+async function open(page: Page, path: string): Promise<void> {
+  await page.goto(`/demo/${path}`);
+  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  await allReady(page);
+}
+
+async function figure(page: Page, id: string): Promise<Locator> {
+  const found = page.locator(`#${id}`);
+  await found.scrollIntoViewIfNeeded();
+  return found;
+}
+
+const anglesOf = (viewers: Locator): Promise<string[]> =>
+  viewers.evaluateAll((all) =>
+    all.map((viewer) => {
+      const { theta, phi, radius } = (viewer as unknown as PhongViewer).camera;
+      return [theta, phi, radius].map((value) => value.toFixed(6)).join(' ');
+    }),
+  );
+
+/** Turns the first picture of a figure and expects the others to follow. */
+async function expectTurnedTogether(page: Page, id: string): Promise<void> {
+  const viewers = (await figure(page, id)).locator('phong-viewer[camera-group], phong-compare phong-viewer');
+  const before = await anglesOf(viewers);
+  expect(before.length).toBeGreaterThan(1);
+  const { x, y, width, height } = (await viewers.first().boundingBox())!;
+  await drag(page, [x + 0.2 * width, y + 0.7 * height], [25, 4]);
+  await nextFrame(page);
+  const after = await anglesOf(viewers);
+  expect(after[0]).not.toBe(before[0]);
+  expect(new Set(after).size).toBe(1);
+}
+
+/** Every figure of the open page is on paper, within its width. */
+async function expectPrinted(page: Page): Promise<void> {
+  await page.emulateMedia({ media: 'print' });
+  const wide = await page.evaluate(() =>
+    Array.from(document.querySelectorAll('phong-compare, figure > phong-viewer'), (picture) => {
+      const { width, height } = picture.getBoundingClientRect();
+      return width > 0 && height > 0 && width <= document.documentElement.clientWidth;
+    }),
+  );
+  expect(wide).not.toContain(false);
+  await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  await page.emulateMedia({ media: 'screen' });
+}
+
+// The article has two dozen pictures: all tests of its figures share one page.
+test('the figures of the article behave as their captions say', async ({ page }) => {
+  test.setTimeout(120_000);
+  await open(page, 'article/');
+  await test.step('a screen reader finds every picture, divider and light by name', async () => {
+    for (const id of ['fig-near-far', 'fig-blinn', 'fig-point']) await figure(page, id);
+    await expect(page.getByRole('option', { name: /^lamp/ }).first()).toBeAttached();
+    const nodes = await accessibleNodes(page);
+    const named = (role: RegExp): readonly string[] =>
+      nodes.filter((node) => role.test(node.role)).map(({ name }) => name);
+    const pictures = named(/^application$/i).filter((name) => name !== 'Probe');
+    const viewers = await page.locator('phong-viewer').count();
+    expect(pictures).toHaveLength(viewers);
+    expect(new Set(pictures).size, 'no two pictures have the same name').toBe(viewers);
+    const dividers = named(/separator|splitter/i).filter((name) => name !== '');
+    expect(dividers).toContain('Divider between R·V and (R·V)ⁿ');
+    expect(dividers).toContain('Divider between Gouraud and Phong');
+    expect(named(/^option$|listboxoption/i).some((name) => name.startsWith('spot'))).toBe(true);
+  });
+  await test.step('the probe finds the numbers of Table 1', async () => {
+    const box = (await figure(page, 'fig-point-by-hand')).locator('[part=probe]');
+    const rows = page.getByRole('table', { name: /Table 1/ }).locator('tbody tr td:last-child');
+    const written = await rows.allTextContents();
+    expect(written).toEqual(['15.7', '99.8', '8.4', '123.9']);
+    for (const number of written) await expect(box).toContainText(`${number} ${number} ${number}`);
+  });
+  await test.step('dragging the rim of the cone opens it, and the markup under the figure follows', async () => {
+    const cone = await figure(page, 'fig-cone');
+    await cone.locator('.source summary').click();
+    await expect(cone.locator('pre')).toContainText('aperture="18"');
+    const rim = cone.getByRole('option', { name: /edge of the cone/ });
+    await rim.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = (await rim.boundingBox())!;
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x - 30, y + height / 2, { steps: 4 });
+    await page.mouse.up();
+    await expect(cone.locator('pre')).not.toContainText('aperture="18"');
+    const aperture = await cone
+      .locator('phong-viewer')
+      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[0]!.aperture);
+    expect(aperture).toBeGreaterThan(20);
+    await expect(cone.locator('pre')).toContainText(`aperture="${aperture}"`);
+    // The rest stays as its author wrote it.
+    await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
+  });
+  await test.step('a slider under a divider changes the light on both sides', async () => {
+    const decay = await figure(page, 'fig-decay');
+    await decay.getByRole('slider', { name: 'cutoff' }).fill('2');
+    const cutoffs = await decay
+      .locator('phong-viewer')
+      .evaluateAll((all) => all.map((viewer) => (viewer as unknown as PhongViewer).lights[0]!.cutoff));
+    expect(cutoffs).toEqual([2, 2]);
+  });
+  await test.step('the listing of a comparison holds all of its viewers', async () => {
+    const gouraud = await figure(page, 'fig-gouraud');
+    await gouraud.locator('.source summary').click();
+    const text = (await gouraud.locator('pre').textContent())!;
+    expect(text).toMatch(/^<phong-compare labels="Gouraud, Phong">\n {2}<phong-viewer/);
+    expect(text.match(/<phong-viewer/g)).toHaveLength(2);
+    expect(text.trim()).toMatch(/<\/phong-viewer>\n<\/phong-compare>$/);
+  });
+  await test.step('turning one picture of a figure turns the others', async () => {
+    for (const id of ['fig-exponents', 'fig-near-far']) await expectTurnedTogether(page, id);
+  });
+  await test.step('every figure is on paper', () => expectPrinted(page));
+});
+
+for (const [path, id] of [
+  ['shapes/', 'geometries'],
+  ['guide/spots/', 'main'],
+] as const) {
+  test(`turning one picture of ${path}#${id} turns the others`, async ({ page }) => {
+    await open(page, path);
+    await expectTurnedTogether(page, id);
+  });
+}
+
+test('the guide prints every figure on paper', async ({ page }) => {
+  await open(page, 'guide/see/');
+  await expectPrinted(page);
+});
+
+test('the playground says that it shows one viewer of a comparison', async ({ page }) => {
+  const viewer = '<phong-viewer geometry="box" alt="A box"></phong-viewer>';
+  await page.goto(`/demo/${linkTo(`<phong-compare>${viewer}${viewer}</phong-compare>`)}`);
+  await allReady(page);
+  await expect(page.locator('#messages')).toHaveText('Left out: <phong-compare>.');
+  await expect(page.locator('phong-viewer')).toHaveCount(1);
+});
+
+test('the lights page draws its lights on request, and drags of them are in its listing', async ({
+  page,
+}) => {
+  await open(page, 'lights/');
+  const show = page.getByRole('button', { name: 'Show them' });
+  const handles = page.getByRole('option');
+  await expect(handles).toHaveCount(0);
+  await show.click();
+  await expect(show).toHaveAttribute('aria-pressed', 'true');
+  await expect(page.getByRole('option', { name: /^light 3: spot/ })).toBeVisible();
+  const position = (): Promise<string> =>
+    page
+      .locator('#garden')
+      .evaluate((viewer) => (viewer as unknown as PhongViewer).lights[2]!.position.join(' '));
+  const before = await position();
+  await page.getByRole('option', { name: /^light 3: spot/ }).focus();
+  await page.keyboard.press('Enter');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Enter');
+  const after = await position();
+  expect(after).not.toBe(before);
+  await expect(page.locator('.listing[data-of] pre')).toContainText(`position="${after}"`);
+  await show.click();
+  await expect(handles).toHaveCount(0);
+});

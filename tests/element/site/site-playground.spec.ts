@@ -1,0 +1,172 @@
+// Do markup, picture and address of the playground always agree? Served under the strict policy.
+
+import type { Locator, Page } from '@playwright/test';
+import { allReady, expect, test } from '../../support/test.js';
+import { linkTo } from '../../support/site-pages.js';
+import { drag, type PhongViewer } from '../support/viewer.js';
+
+const SCENE = `<phong-viewer theta="10" phi="70" radius="4" target="0 0 0" gui>
+  <phong-light name="sun" position="1 2 3 0"></phong-light>
+  <phong-mesh geometry="sphere"></phong-mesh>
+</phong-viewer>
+`;
+
+const editorOf = (page: Page): Locator => page.getByRole('textbox', { name: 'Markup of the scene' });
+
+const textOf = async (page: Page): Promise<string> =>
+  (await editorOf(page).locator('.cm-line').allTextContents()).join('\n');
+
+async function open(page: Page, scene = SCENE): Promise<Locator> {
+  await page.goto('about:blank');
+  await page.goto(`/demo/${linkTo(scene)}`);
+  await allReady(page);
+  await expect(page.locator('.cm-content')).toBeVisible();
+  return page.locator('phong-viewer');
+}
+
+async function rewrite(page: Page, text: string): Promise<void> {
+  await editorOf(page).click();
+  await page.keyboard.press('ControlOrMeta+a');
+  await page.keyboard.insertText(text);
+}
+
+test('a link shows its scene, and the same link is in the address', async ({ page }) => {
+  const viewer = await open(page);
+  await expect(viewer.locator('phong-light')).toHaveAttribute('position', '1 2 3 0');
+  expect(await textOf(page)).toBe(SCENE);
+  expect(page.url()).toContain(linkTo(SCENE));
+});
+
+test('typed markup is shown, and is in the address', async ({ page }) => {
+  const viewer = await open(page);
+  const next = SCENE.replace('sphere', 'torus').replace(
+    '  <phong-mesh',
+    '  <phong-light name="two"></phong-light>\n  <phong-mesh',
+  );
+  await rewrite(page, next);
+  await expect(viewer.locator('phong-light')).toHaveCount(2);
+  await expect(viewer.locator('phong-mesh')).toHaveAttribute('geometry', 'torus');
+  await expect.poll(() => page.url()).not.toContain(linkTo(SCENE));
+  await expect
+    .poll(async () => {
+      const address = page.url();
+      const other = await page.context().newPage();
+      await other.goto(address);
+      const geometry = await other.locator('phong-mesh').getAttribute('geometry');
+      await other.close();
+      return geometry;
+    })
+    .toBe('torus');
+});
+
+test('removing a value from the markup restores the default', async ({ page }) => {
+  const viewer = await open(page, SCENE.replace('geometry="sphere"', 'geometry="sphere" kd="9"'));
+  const kd = (): Promise<unknown> =>
+    viewer.locator('phong-mesh').evaluate((mesh) => (mesh as unknown as { kd: unknown }).kd);
+  expect(await kd()).toEqual([9, 9, 9]);
+  await rewrite(page, SCENE);
+  await expect.poll(kd).toEqual([200, 200, 200]);
+});
+
+test('a drag is written into the markup, and undoing it there turns the picture back', async ({ page }) => {
+  const viewer = await open(page);
+  const box = (await viewer.boundingBox())!;
+  await drag(page, [box.x + 40, box.y + 200], [60, 0]);
+  await expect.poll(() => textOf(page)).not.toContain('theta="10"');
+  const theta = await viewer.evaluate((v: PhongViewer) => v.camera.theta);
+  const written = /theta="([^"]*)"/.exec(await textOf(page))?.[1];
+  expect(Number(written)).toBeCloseTo(theta, 2);
+  await editorOf(page).click();
+  await page.keyboard.press('ControlOrMeta+z');
+  await expect.poll(() => textOf(page)).toContain('theta="10"');
+  await expect.poll(() => viewer.evaluate((v: PhongViewer) => v.camera.theta)).toBeCloseTo(10, 9);
+});
+
+test('changes by the panel are written into the markup, and the markup can still be edited', async ({
+  page,
+}) => {
+  const viewer = await open(page);
+  const active = viewer.getByRole('checkbox').first();
+  await active.click();
+  await expect.poll(() => textOf(page)).toContain('active="false"');
+  const html = await viewer.evaluate((v: PhongViewer) => v.toHTML());
+  const again = await page.context().newPage();
+  await expect.poll(() => page.url()).not.toContain(linkTo(SCENE));
+  await again.goto(page.url());
+  await allReady(again);
+  expect(await again.locator('phong-viewer').evaluate((v: PhongViewer) => v.toHTML())).toBe(html);
+  await again.close();
+  await rewrite(page, SCENE);
+  const isActive = (): Promise<boolean> =>
+    viewer.locator('phong-light').evaluate((light) => (light as unknown as { active: boolean }).active);
+  await expect.poll(isActive).toBe(true);
+});
+
+test('a light added by the panel appears in the markup and can be changed there', async ({ page }) => {
+  const viewer = await open(page);
+  await viewer.getByRole('button', { name: 'add light' }).click();
+  await expect.poll(async () => (await textOf(page)).match(/<phong-light/g)?.length).toBe(2);
+  await rewrite(page, (await textOf(page)).replaceAll('<phong-light ', '<phong-light diffuse="7" '));
+  await expect(viewer.locator('phong-light[diffuse="7"]')).toHaveCount(2);
+});
+
+test('typing keeps the unchanged parts: the model is fetched once, the camera stays', async ({ page }) => {
+  let fetched = 0;
+  page.on('request', (request) => {
+    if (request.url().endsWith('.glb')) fetched += 1;
+  });
+  const scene = SCENE.replace('geometry="sphere"', 'src="../assets/models/bunny.glb"');
+  const viewer = await open(page, scene);
+  await rewrite(page, scene.replace('1 2 3 0', '3 2 1 0'));
+  await expect(viewer.locator('phong-light')).toHaveAttribute('position', '3 2 1 0');
+  await allReady(page);
+  expect(fetched).toBe(1);
+});
+
+test('the picture waits while the markup is incomplete', async ({ page }) => {
+  const viewer = await open(page);
+  await rewrite(page, '<phong-vie');
+  await expect(page.locator('#messages')).toHaveText('Write a <phong-viewer> to see a picture.');
+  await expect(viewer.locator('phong-mesh')).toHaveCount(1);
+  await rewrite(page, '<phong-viewer geometry="box"><phong-light position="1 1 ');
+  await expect(viewer).toHaveAttribute('geometry', 'box');
+});
+
+test('tags, attributes and words are completed', async ({ page }) => {
+  await open(page);
+  await rewrite(page, '<phong-viewer>\n');
+  await page.keyboard.type('<phong-me');
+  await page.getByRole('option', { name: 'phong-mesh' }).click();
+  await page.keyboard.type(' ');
+  await expect(page.getByRole('option', { name: 'kd' })).toBeVisible();
+  await page.keyboard.type('geom');
+  await page.getByRole('option', { name: 'geometry' }).click();
+  await page.keyboard.type('tea');
+  await page.getByRole('option', { name: 'teapot' }).click();
+  expect(await textOf(page)).toContain('<phong-mesh geometry="teapot"');
+});
+
+test('examples are opened by the list and by their address', async ({ page }) => {
+  await page.goto('/demo/playground/#example=facets');
+  await expect(page.locator('phong-viewer')).toHaveAttribute('shading', 'flat');
+  const choice = page.getByRole('combobox', { name: 'Example' });
+  await expect(choice).toHaveValue('facets');
+  await choice.selectOption('candle');
+  await expect(page.locator('phong-light[name=flame]')).toHaveCount(1);
+  await expect(page.locator('phong-viewer')).not.toHaveAttribute('shading');
+  await page.goBack();
+  await expect(page.locator('phong-viewer')).toHaveAttribute('shading', 'flat');
+});
+
+test('the button copies a link to the current markup', async ({ page, context }) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  await open(page);
+  const next = SCENE.replace('sphere', 'cone');
+  await rewrite(page, next);
+  await page.getByRole('button', { name: 'Copy a link' }).click();
+  await expect(page.locator('#shared')).toHaveText('Copied.');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  await page.goto('about:blank');
+  await page.goto(link);
+  await expect(page.locator('phong-mesh')).toHaveAttribute('geometry', 'cone');
+});

@@ -1,0 +1,149 @@
+// Is every page of the site fit for publication? An empty console, a policy, a link to the package, a layout for phones, no problem found by
+// axe, and data for search engines and link previews.
+
+import AxeBuilder from '@axe-core/playwright';
+import type { APIRequestContext, Page } from '@playwright/test';
+import { allReady, expect, test } from '../../support/test.js';
+import { strictPolicy } from '../../support/site.js';
+import { sitePages } from '../../support/site-pages.js';
+
+const PHONE = { width: 390, height: 844 };
+
+async function open(page: Page, path: string): Promise<void> {
+  await page.goto(`/demo/${path}`);
+  await page.evaluate(() => customElements.whenDefined('phong-viewer'));
+  await allReady(page);
+}
+
+const contentOf = (page: Page, selector: string): Promise<string | null> =>
+  page.locator(selector).getAttribute('content');
+
+async function expectFitAndAccessible(page: Page): Promise<void> {
+  const tooWide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+  expect.soft(tooWide, 'pixels beside the screen').toBeLessThanOrEqual(0);
+  for (const colorScheme of ['light', 'dark'] as const) {
+    await page.emulateMedia({ colorScheme });
+    const axe = new AxeBuilder({ page });
+    // The dark page is the light one in other colours.
+    if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
+    const { violations } = await axe.analyze();
+    expect
+      .soft(violations.map(({ id, nodes }) => [colorScheme, id, nodes.map(({ html }) => html)]))
+      .toEqual([]);
+  }
+}
+
+async function expectHead(page: Page, request: APIRequestContext, path: string): Promise<void> {
+  const policy = await contentOf(page, 'meta[http-equiv="Content-Security-Policy"]');
+  for (const rule of strictPolicy.split('; ')) expect.soft(policy).toContain(rule);
+  expect.soft(policy).not.toContain('unsafe');
+  expect.soft(await page.title()).toContain('phong-viewer');
+  expect.soft(await contentOf(page, 'meta[name=description]')).toMatch(/^.{40,170}$/);
+  expect.soft(await contentOf(page, 'meta[property="og:title"]')).toBe(await page.title());
+  expect.soft(await contentOf(page, 'meta[property="og:url"]')).toMatch(new RegExp(`^https://.*/${path}$`));
+  const picture = await contentOf(page, 'meta[property="og:image"]');
+  const response = await request.get(`/demo/assets/${picture?.split('/assets/')[1] ?? ''}`);
+  expect.soft(response.headers()['content-type']).toBe('image/png');
+}
+
+/** Addresses that were fetched, with their text; empty where there is none. One fetch serves all pages of a worker. */
+const fetched = new Map<string, string>();
+
+async function brokenLinks(page: Page, request: APIRequestContext): Promise<string[]> {
+  const links = await page
+    .locator('a[href]')
+    .evaluateAll((all) =>
+      all
+        .map((a) => (a as HTMLAnchorElement).href)
+        .filter((href) => new URL(href).origin === location.origin),
+    );
+  const broken: string[] = [];
+  for (const link of new Set(links)) {
+    const [address = '', id = ''] = link.split('#');
+    if (!fetched.has(address)) {
+      const response = await request.get(address);
+      fetched.set(address, response.ok() ? await response.text() : '');
+    }
+    const text = fetched.get(address)!;
+    const found = id === '' || id.includes('=') ? text !== '' : text.includes(`id="${id}"`);
+    if (!found) broken.push(link);
+  }
+  return broken;
+}
+
+for (const path of sitePages) {
+  const name = path === '' ? 'start page' : `page ${path}`;
+
+  test(`the ${name} fits a phone, passes axe, and has a head, a link to the package and no broken link`, async ({
+    page,
+    request,
+  }) => {
+    test.setTimeout(120_000);
+    await page.setViewportSize(PHONE);
+    await page.emulateMedia({ colorScheme: 'light' });
+    await open(page, path);
+    await expectFitAndAccessible(page);
+    await expectHead(page, request, path);
+    await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
+    const nav = page.getByRole('navigation', { name: 'Pages', exact: true });
+    const pages = ['Guide', 'Playground', 'Gallery', 'API', 'Bench', 'Releases'];
+    await expect.soft(nav.getByRole('link')).toHaveText(pages);
+    await expect.soft(page.getByRole('heading', { level: 1 })).toHaveCount(1);
+    expect.soft(await brokenLinks(page, request), 'links that lead nowhere').toEqual([]);
+  });
+}
+
+test('the API page lists every attribute, property, method and event of the manifest', async ({
+  page,
+  request,
+}) => {
+  interface Named {
+    readonly name: string;
+  }
+  interface Declaration {
+    readonly tagName: string;
+    readonly attributes: readonly Named[];
+    readonly members: readonly (Named & { readonly attribute?: string })[];
+    readonly events: readonly Named[];
+  }
+  const manifest = (await (await request.get('/dist/custom-elements.json')).json()) as {
+    readonly modules: readonly { readonly declarations: readonly Declaration[] }[];
+  };
+  await page.goto('/demo/api/');
+  const ids = new Set(await page.locator('.api a[id]').evaluateAll((all) => all.map(({ id }) => id)));
+  const wanted = manifest.modules[0]!.declarations.flatMap(({ tagName, attributes, members, events }) => [
+    ...attributes.map(({ name }) => `${tagName}-${name}`),
+    ...members.filter((m) => m.attribute === undefined).map(({ name }) => `${tagName}-${name}`),
+    ...events.map(({ name }) => `${tagName}-${name}-event`),
+  ]);
+  expect(wanted.filter((id) => !ids.has(id))).toEqual([]);
+  expect(ids.size).toBe(wanted.length);
+});
+
+test('the start page gives the size of the standalone file, as in dist/', async ({ page, request }) => {
+  const { brotliCompressSync } = await import('node:zlib');
+  const file = await (await request.get('/dist/phong-viewer.standalone.js')).body();
+  await page.goto('/demo/');
+  const kilobytes = Math.round(brotliCompressSync(file).length / 1000);
+  await expect(page.locator('.install')).toContainText(`${kilobytes} kB`);
+  await expect(page.locator('#sizes tr').first()).toContainText(`${kilobytes} kB`);
+});
+
+test('a listing opens in the playground with its model', async ({ page }) => {
+  await page.goto('/demo/guide/models/');
+  await allReady(page);
+  await page.locator('.source summary').first().click();
+  await page.getByRole('button', { name: /Edit in the playground/ }).click();
+  await page.waitForURL(/playground\/#scene=/);
+  await expect(page.locator('phong-mesh[src]')).toHaveAttribute('src', '../assets/models/bunny.glb');
+  await allReady(page);
+  await expect(page.locator('#messages')).toBeEmpty();
+});
+
+test('the site prints its text without navigation and buttons', async ({ page }) => {
+  await page.goto('/demo/guide/lights/');
+  await page.emulateMedia({ media: 'print' });
+  await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
+  await expect(page.getByRole('navigation', { name: 'Pages', exact: true })).toBeHidden();
+  await expect(page.getByRole('navigation', { name: 'Guide' })).toBeHidden();
+});

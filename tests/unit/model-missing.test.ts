@@ -1,0 +1,221 @@
+// Is a model shown without the images and material libraries that are missing or broken, with one warning that names them? The same for every
+// format, and for files from a server, from the user's disk and inside the model.
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { setFileGroup } from '../../src/model/file-group.js';
+import { loadModel, type Model, type ModelLook } from '../../src/model/load-model.js';
+import {
+  BREAKS_OFF,
+  failureOf,
+  type FileContent,
+  loadFiles,
+  png,
+  pngHeader,
+  standInImages,
+} from './model-files.js';
+
+let warnings: string[] = [];
+
+beforeEach(() => {
+  warnings = [];
+  vi.spyOn(console, 'warn').mockImplementation((line: unknown) => void warnings.push(String(line)));
+});
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+  vi.restoreAllMocks();
+});
+
+type Json = Record<string, unknown>;
+
+/** A triangle with texture coordinates, its buffer inside; `parts` replace the document's own. */
+function gltf(parts: Json): string {
+  const numbers = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1]);
+  const uri = `data:application/octet-stream;base64,${Buffer.from(numbers.buffer).toString('base64')}`;
+  const primitive = { attributes: { POSITION: 0, TEXCOORD_0: 1 }, material: 0 };
+  return JSON.stringify({
+    asset: { version: '2.0' },
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [{ primitives: [primitive] }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }],
+    textures: [{ source: 0 }],
+    images: [{ uri: 'pictures/oak%20wood.png' }],
+    accessors: [
+      { bufferView: 0, type: 'VEC3', count: 3, componentType: 5126 },
+      { bufferView: 1, type: 'VEC2', count: 3, componentType: 5126 },
+    ],
+    bufferViews: [
+      { buffer: 0, byteLength: 36 },
+      { buffer: 0, byteOffset: 36, byteLength: 24 },
+    ],
+    buffers: [{ byteLength: 60, uri }],
+    ...parts,
+  });
+}
+
+/** A triangle for each image. */
+const obj = (images: readonly string[]): Readonly<Record<string, string>> => ({
+  'a.obj': `mtllib lib/a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n${images.map((_, i) => `usemtl m${i}\nf 1/1 2/1 3/1\n`).join('')}`,
+  'lib/a.mtl': images.map((image, i) => `newmtl m${i}\nKd 0.5 0 0\nmap_Kd ${image}\n`).join(''),
+});
+
+const mapsOf = ({ parts }: Model): boolean[] => parts.map(({ look }) => look.map !== null);
+
+/** Loads a model whose one image does not come, and gives the warning. */
+async function warningFor(files: Parameters<typeof loadFiles>[0], missing: string): Promise<string> {
+  warnings = [];
+  const model = await loadFiles(files);
+  expect(mapsOf(model)).toEqual([false]);
+  expect(model.missing).toEqual([missing]);
+  expect(warnings).toHaveLength(1);
+  return warnings[0] ?? '';
+}
+
+const broken: readonly (readonly [what: string, content: FileContent | undefined, reason: RegExp])[] = [
+  ['the server does not have', undefined, /answered 404 for oak wood\.png/],
+  ['whose connection breaks', BREAKS_OFF, /connection broke/],
+  ['that is cut after its header', pngHeader(), /cannot be decoded by this browser/],
+  ['that is no image', 'no picture', /is no PNG, JPEG, WebP, AVIF or KTX2 image/],
+];
+
+describe('an image', () => {
+  beforeEach(() => void standInImages());
+
+  it.each(broken)('that glTF names and %s is left out', async (_, content, reason) => {
+    const image = content === undefined ? {} : { 'pictures/oak wood.png': content };
+    const warning = await warningFor({ 'a.gltf': gltf({}), ...image }, 'pictures/oak wood.png');
+    expect(warning).toMatch(
+      /a\.gltf is shown without 1 of the files that it names: pictures\/oak wood\.png\. /,
+    );
+    expect(warning).toMatch(reason);
+  });
+
+  it.each(broken)('that MTL names and %s is left out', async (_, content, reason) => {
+    const image = content === undefined ? {} : { 'lib/oak wood.png': content };
+    const warning = await warningFor({ ...obj(['oak wood.png']), ...image }, 'lib/oak wood.png');
+    expect(warning).toMatch(/a\.obj is shown without 1 of the files that it names: lib\/oak wood\.png\. /);
+    expect(warning).toMatch(reason);
+  });
+
+  it.each([
+    ['whose data: URI is broken', { images: [{ uri: 'data:image/png;base64,*' }] }, /images\[0\].*base64/],
+    ['whose data: URI holds none', { images: [{ uri: 'data:image/png,x', name: 'oak' }] }, /oak is no PNG/],
+    ['whose view is none', { images: [{ bufferView: 7 }] }, /images\[0\]/],
+    ['without any source', { images: [{}] }, /images\[0\]/],
+    ['on another origin', { images: [{ uri: 'https://other.example/x.png' }] }, /crossorigin/],
+    ['that is no address', { images: [{ uri: 'https://:/x.png' }] }, /no valid address/],
+    ['that only an unknown extension has', { textures: [{ extensions: { MSFT_texture_dds: { source: 0 } } }] }, /textures\[0\] needs the glTF extension MSFT_texture_dds/], // prettier-ignore
+    ['that a texture lacks', { textures: [{}] }, /textures\[0\] has no image/],
+  ])('%s is left out of a glTF', async (_, parts, reason) => {
+    const model = await loadFiles({ 'a.gltf': gltf(parts) });
+    expect(mapsOf(model)).toEqual([false]);
+    expect(model.missing).toHaveLength(1);
+    expect(warnings).toEqual([expect.stringMatching(reason)]);
+  });
+
+  it('that is there stays, and nothing is missing', async () => {
+    const model = await loadFiles({ 'a.gltf': gltf({}), 'pictures/oak wood.png': png() });
+    expect(mapsOf(model)).toEqual([true]);
+    expect(model.missing).toEqual([]);
+    expect(warnings).toEqual([]);
+  });
+
+  it('that several textures name is named once', async () => {
+    const textures = [{ source: 0, sampler: 0 }, { source: 0 }, { source: 1 }];
+    const images = [{ uri: 'x.png' }, { uri: 'x.png' }];
+    const samplers = [{ wrapS: 33071 }];
+    const textured = (index: number): Json => ({ pbrMetallicRoughness: { baseColorTexture: { index } } });
+    const primitives = [0, 1, 2].map((material) => ({
+      attributes: { POSITION: 0, TEXCOORD_0: 1 },
+      material,
+    }));
+    const parts = {
+      textures,
+      images,
+      samplers,
+      materials: [0, 1, 2].map(textured),
+      meshes: [{ primitives }],
+    };
+    const model = await loadFiles({ 'a.gltf': gltf(parts) });
+    expect(mapsOf(model)).toEqual([false, false, false]);
+    expect(model.missing).toEqual(['x.png']);
+  });
+
+  it('past the limits is an error', async () => {
+    const files = { 'a.gltf': gltf({}), 'pictures/oak wood.png': png(8193, 8192) };
+    expect((await failureOf(files)).code).toBe('too-large');
+    expect(warnings).toEqual([]);
+  });
+
+  it('beside a buffer that is missing is no excuse: the buffer is an error', async () => {
+    const buffers = [{ byteLength: 60, uri: 'a.bin' }];
+    const error = await failureOf({ 'a.gltf': gltf({ buffers }) });
+    expect(error.code).toBe('load-failed');
+    expect(error.message).toMatch(/answered 404 for a\.bin/);
+    expect(warnings).toEqual([]);
+  });
+});
+
+describe('the factors of a map whose image is missing', () => {
+  const lookOf = async (material: Json): Promise<ModelLook | undefined> =>
+    (await loadFiles({ 'a.gltf': gltf({ materials: [material] }) })).parts[0]?.look;
+
+  it('do not make all of the surface glow', async () => {
+    const emissiveFactor = [1, 1, 1];
+    expect((await lookOf({ emissiveFactor, emissiveTexture: { index: 0 } }))?.emissive).toEqual([0, 0, 0]);
+    expect((await lookOf({ emissiveFactor }))?.emissive?.[0]).toBeCloseTo(1, 12);
+  });
+
+  it('do not make all of the surface metal', async () => {
+    const factors = { metallicFactor: 1, roughnessFactor: 1 };
+    const metallicRoughnessTexture = { index: 0 };
+    const lost = await lookOf({ pbrMetallicRoughness: { ...factors, metallicRoughnessTexture } });
+    expect(lost).toMatchObject({ metalness: 0, roughness: null });
+    expect(await lookOf({ pbrMetallicRoughness: factors })).toMatchObject({ metalness: 1, roughness: 1 });
+  });
+});
+
+describe('files from the user’s disk', () => {
+  /** The first file, with the others beside it. */
+  function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>): Promise<Model> {
+    const group = new Map(Object.entries(files).map(([path, content]) => [path, new File([content], path)]));
+    const [[path, model] = ['', new File([], '')]] = group;
+    setFileGroup(model, { files: group, path, problem: null });
+    const options = { signal: new AbortController().signal, crossOrigin: null };
+    return loadModel(new URL(path, 'file:///'), options, model);
+  }
+
+  it('show an OBJ with three of its four images, and name the fourth', async () => {
+    standInImages();
+    const model = await dropped({
+      ...obj(['a.png', 'b.png', 'c.png', 'd.png']),
+      'a.png': png(),
+      'b.png': png(),
+      'd.png': png(),
+    });
+    expect(mapsOf(model)).toEqual([true, true, false, true]);
+    expect(model.missing).toEqual(['lib/c.png']);
+    expect(warnings).toEqual([
+      'a.obj is shown without 1 of the files that it names: lib/c.png. Drop them together with it, or drop the folder that holds them all.',
+    ]);
+  });
+
+  it('say once how to bring many images that are missing, and list ten', async () => {
+    standInImages();
+    const model = await dropped(obj(Array.from({ length: 14 }, (_, i) => `${i}.png`)));
+    expect(model.missing).toHaveLength(14);
+    expect(warnings).toHaveLength(1);
+    expect(warnings[0]).toMatch(
+      /without 14 of .*lib\/0\.png, .*lib\/9\.png and 4 more\. Drop them[^:]*all\.$/,
+    );
+  });
+
+  it('are an error that names everything missing if a buffer is', async () => {
+    const buffers = [{ byteLength: 60, uri: 'a.bin' }];
+    await expect(dropped({ 'a.gltf': gltf({ buffers }), 'b.txt': '' })).rejects.toMatchObject({
+      code: 'load-failed',
+      message: expect.stringMatching(/^a\.gltf names files that did not come with it: .*a\.bin/) as string,
+    });
+    expect(warnings).toEqual([]);
+  });
+});

@@ -1,0 +1,69 @@
+// Does choosing a kind of light make it that kind without losing its other values?
+
+import fc from 'fast-check';
+import { describe, expect, it } from 'vitest';
+import { KindChange, LIGHT_KINDS } from '../../src/gui/light-values.js';
+import { kindOf } from '../../src/light/light-features.js';
+import { LightState, type LightValues } from '../../src/light/light-state.js';
+import type { Vec3 } from '../../src/math/vector.js';
+
+const coordinate = fc.double({ min: -1e15, max: 1e15, noNaN: true });
+const place: fc.Arbitrary<Vec3> = fc.tuple(coordinate, coordinate, coordinate);
+const anyLight: fc.Arbitrary<Partial<LightValues>> = fc.record(
+  {
+    position: fc.tuple(coordinate, coordinate, coordinate, fc.constantFrom(0, 1)),
+    axis: place,
+    aperture: fc.constantFrom(0, 20, 90, 180),
+    cutoff: fc.constantFrom(0, 1e-9, 12, 1e6),
+  },
+  { requiredKeys: [] },
+);
+
+function choose(
+  light: LightState,
+  change: KindChange,
+  kind: (typeof LIGHT_KINDS)[number],
+  target: Vec3,
+): void {
+  light.assign(change.writesFor(light.values, kind, light.given('axis'), target));
+}
+
+describe('KindChange', () => {
+  it('turns any light into the chosen kind at the same place', () => {
+    fc.assert(
+      fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), place, (values, kinds, target) => {
+        const light = new LightState(values);
+        const choice = new KindChange();
+        const before = light.values.position.slice(0, 3);
+        for (const kind of kinds) {
+          choose(light, choice, kind, target);
+          expect(kindOf(light.values)).toBe(kind);
+        }
+        expect(light.values.position.slice(0, 3)).toEqual(before);
+      }),
+    );
+  });
+
+  it('restores the cone of a spot after other kinds in between', () => {
+    fc.assert(
+      fc.property(anyLight, fc.array(fc.constantFrom(...LIGHT_KINDS)), (values, kinds) => {
+        const light = new LightState(values);
+        fc.pre(kindOf(light.values) === 'spot');
+        const before = { ...light.values };
+        const choice = new KindChange();
+        for (const kind of [...kinds, 'spot' as const]) choose(light, choice, kind, [0, 0, 0]);
+        expect(light.values).toEqual(before);
+      }),
+    );
+  });
+
+  it('writes nothing if the light is of that kind already', () => {
+    const light = new LightState({ position: [0, 1, 0, 1] });
+    expect(new KindChange().writesFor(light.values, 'point', false, [0, 0, 0])).toEqual({});
+  });
+
+  it('points a spot straight down if it has no target', () => {
+    const light = new LightState({ position: [1, 2, 3, 1] });
+    expect(new KindChange().writesFor(light.values, 'spot', false, [1, 2, 3]).axis).toEqual([0, -1, 0]);
+  });
+});

@@ -1,0 +1,88 @@
+// What happens to a mesh when there is no memory to show its content?
+import { BoxGeometry, Matrix4, Scene } from 'three';
+import { describe, expect, it, vi } from 'vitest';
+import { FieldStore } from '../../src/fields/field-store.js';
+import { PhongLighting } from '../../src/material/lighting.js';
+import { PLAIN_LOOK } from '../../src/material/base-look.js';
+import type { Content } from '../../src/model/content.js';
+import { SHAPE_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
+import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
+import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
+import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
+
+const noMemory = (): never => {
+  throw new RangeError('Array buffer allocation failed');
+};
+
+/** A content of two parts that look different. */
+function content(red: number) {
+  const dispose = vi.fn();
+  const parts: Content['parts'] = [0, 1].map((i) => ({
+    name: '',
+    geometry: new BoxGeometry(),
+    matrix: new Matrix4(),
+    look: { ...PLAIN_LOOK, opacity: 1 - i / 2 },
+    sides: 'single',
+    surface: { ka: [red, i, 0] },
+  }));
+  return { parts, motion: null, dispose };
+}
+
+function setUp() {
+  const materials = new SharedMaterials(new PhongLighting());
+  const ended = vi.fn();
+  const host: MeshHost = {
+    ...{ materials, ended, animations: new Set() as unknown as MeshHost['animations'] },
+    ...{ crossOrigin: null, mayLoad: true, began: vi.fn(), progress: vi.fn(), dropped: vi.fn() },
+    budget: new TriangleBudget(),
+    ...{ changed: vi.fn(), reshaped: vi.fn(), shown: () => false, removed: vi.fn() },
+  };
+  const state = new FieldStore(SHAPE_FIELDS);
+  const mesh = new SceneMesh(state, host);
+  const scene = new Scene();
+  mesh.attach(scene);
+  return { materials, ended, host, state, mesh, scene };
+}
+
+const url = new URL('https://shop.example/a.glb');
+
+describe('a mesh without memory', () => {
+  it.each([1, 2])('for material %i of its content keeps what it shows, and its load fails', (nth) => {
+    const { materials, ended, host, mesh, scene } = setUp();
+    const [first, second] = [content(1), content(2)];
+    mesh.arrived(first, host.budget.claim(mesh), url, true);
+    expect(ended).toHaveBeenLastCalledWith(mesh, url, null);
+    const [shown, ...others] = scene.children;
+    expect(others).toEqual([]);
+    const acquire = materials.acquire.bind(materials);
+    let calls = 0;
+    const release = vi.spyOn(materials, 'release');
+    vi.spyOn(materials, 'acquire').mockImplementation((appearance) =>
+      ++calls === nth ? noMemory() : acquire(appearance),
+    );
+    mesh.arrived(second, host.budget.claim(mesh), url, true);
+    expect(ended).toHaveBeenLastCalledWith(mesh, url, expect.any(RangeError));
+    expect(scene.children).toEqual([shown]);
+    expect(release).toHaveBeenCalledTimes(nth - 1);
+    expect(second.dispose).toHaveBeenCalledTimes(1);
+    expect(first.dispose).not.toHaveBeenCalled();
+  });
+
+  it('for another material keeps the one that it has, with one error', () => {
+    const { materials, ended, host, mesh, state } = setUp();
+    mesh.arrived(content(1), host.budget.claim(mesh), url, true);
+    const before = mesh.parts.map(({ material }) => material);
+    ended.mockClear();
+    vi.spyOn(materials, 'exchange').mockImplementation(noMemory);
+    state.set('ka', [9, 9, 9]);
+    mesh.restyle();
+    mesh.restyle();
+    expect(ended.mock.calls).toEqual([[mesh, url, expect.any(RangeError)]]);
+    expect(mesh.parts.map(({ material }) => material)).toEqual(before);
+    vi.restoreAllMocks();
+    state.set('ka', [8, 8, 8]);
+    mesh.restyle();
+    expect(host.dropped).toHaveBeenCalledTimes(1);
+    expect(mesh.parts.every(({ material }) => material.surface.ka[0] === 8)).toBe(true);
+  });
+});

@@ -1,0 +1,214 @@
+// Which pixels of a picture show another mesh than a float64 ray caster finds there, or none? Meshes are told apart
+// by one colour each, without shading. Pixels at an outline, and those where two meshes are too close for a depth
+// buffer, are left out.
+import { expect, type Page } from '@playwright/test';
+import type { BufferGeometry } from 'three';
+import type { PhongViewer } from '../../src/index.js';
+import type { Pose } from '../../src/camera/orbit.js';
+import { dot, type Vec3 } from '../../src/math/vector.js';
+import { type CastMesh, caster, lens } from './ray-cast.js';
+
+/** A scene of shapes, told apart by colour. */
+export interface CoverageScene {
+  readonly name: string;
+  readonly theta: number;
+  readonly phi: number;
+  readonly radius: number;
+  readonly target: Vec3;
+  readonly fov: number;
+  readonly meshes: readonly CoverageMesh[];
+}
+
+export interface CoverageMesh {
+  readonly geometry: CastMesh['geometry'];
+  readonly position?: Vec3;
+  readonly rotation?: Vec3;
+  readonly scale?: Vec3;
+}
+
+export interface Coverage {
+  /** Pixels that were compared. */
+  readonly compared: number;
+  /** Pixels where a mesh should be and nothing is. */
+  readonly holes: number;
+  /** Pixels that show another mesh, or a mesh where nothing should be. */
+  readonly others: number;
+}
+
+export interface PictureSize {
+  readonly width: number;
+  readonly height: number;
+}
+
+/** Ka of each mesh; its colour in the picture. */
+const COLORS: readonly Vec3[] = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 0], [0, 255, 255], [255, 0, 255], [255, 255, 255]]; // prettier-ignore
+
+const meshMarkup = ({ geometry, position, rotation, scale }: CoverageMesh, i: number): string =>
+  `<phong-mesh geometry="${geometry}" ka="${COLORS[i]!.join(' ')}" kd="0" ks="0"` +
+  Object.entries({ position, rotation, scale })
+    .map(([name, value]) => (value === undefined ? '' : ` ${name}="${value.join(' ')}"`))
+    .join('') +
+  '></phong-mesh>';
+
+/** The scene as children of a viewer with these attributes. */
+export const markupOf = ({ theta, phi, radius, target, fov, meshes }: CoverageScene): string =>
+  `<phong-viewer theta="${theta}" phi="${phi}" radius="${radius}" target="${target.join(' ')}" fov="${fov}">` +
+  '<phong-light ambient="255" diffuse="0" specular="0"></phong-light>' +
+  `${meshes.map(meshMarkup).join('')}</phong-viewer>`;
+
+/** The codes r, g, b, a of each scene's picture, one viewer after the other on this page. */
+export const drawAll = (
+  page: Page,
+  scenes: readonly CoverageScene[],
+  size: PictureSize,
+): Promise<(readonly number[])[]> =>
+  page.evaluate(
+    async ({ markups, size: { width, height } }) => {
+      const place = document.createElement('section');
+      document.body.append(place);
+      const surface = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true })!;
+      const pictures: number[][] = [];
+      for (const markup of markups) {
+        place.innerHTML = markup;
+        const viewer = place.firstElementChild as PhongViewer;
+        await viewer.ready;
+        const image = await createImageBitmap(await viewer.toBlob({ width, height }));
+        surface.clearRect(0, 0, width, height);
+        surface.drawImage(image, 0, 0);
+        pictures.push([...surface.getImageData(0, 0, width, height).data]);
+      }
+      place.remove();
+      return pictures;
+    },
+    { markups: scenes.map(markupOf), size },
+  );
+
+/** Draws the scenes, and expects no pixel to differ from the caster's. */
+export async function expectNoHoles(
+  page: Page,
+  scenes: readonly CoverageScene[],
+  size: PictureSize,
+): Promise<void> {
+  const pictures = await drawAll(page, scenes, size);
+  const wrong = scenes.flatMap((scene, i) => {
+    const { holes, others, compared } = coverageOf(pictures[i]!, scene, size);
+    return holes + others > 0 || compared === 0 ? [{ scene: scene.name, holes, others, compared }] : [];
+  });
+  expect(wrong).toEqual([]);
+}
+
+/** Relative difference of two distances below which either mesh may be seen. */
+const CLOSE = 1e-2;
+
+/** Compares a picture with the caster's. */
+export function coverageOf(
+  codes: readonly number[],
+  scene: CoverageScene,
+  { width, height }: PictureSize,
+): Coverage {
+  const seen = seenBy(scene, width, height);
+  const result = { compared: 0, holes: 0, others: 0 };
+  for (let y = 1; y < height - 1; y++) {
+    for (let x = 1; x < width - 1; x++) {
+      const expected = seen(x, y);
+      const around = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => seen(x + dx, y + dy)));
+      if (around.some(({ face }) => face !== expected.face) || expected.close) continue;
+      result.compared += 1;
+      const [r, g, b, a] = codes.slice(4 * (y * width + x), 4 * (y * width + x) + 4);
+      const color = COLORS[expected.mesh];
+      if (color !== undefined && a === 0) result.holes += 1;
+      else if (color === undefined ? a !== 0 : r !== color[0] || g !== color[1] || b !== color[2]) result.others += 1; // prettier-ignore
+    }
+  }
+  return result;
+}
+
+interface Seen {
+  /** -1 for none. */
+  readonly mesh: number;
+  readonly face: string;
+  /** Another mesh is nearly as near. */
+  readonly close: boolean;
+}
+
+const SURFACE = { ka: [0, 0, 0], kd: [0, 0, 0], ks: [0, 0, 0], shininess: 1 } as const;
+const ZERO: Vec3 = [0, 0, 0];
+const ONE: Vec3 = [1, 1, 1];
+
+function seenBy(scene: CoverageScene, width: number, height: number): (x: number, y: number) => Seen {
+  const { theta, phi, radius, target, fov } = scene;
+  const casters = scene.meshes.map(({ geometry, position = ZERO, rotation = ZERO, scale = ONE }) =>
+    caster(
+      {
+        pose: { theta, phi, radius, target },
+        fov,
+        meshes: [{ ...SURFACE, geometry, position, rotation, scale }],
+        lights: [],
+        options: {},
+      },
+      width,
+      height,
+    ),
+  );
+  const known = new Map<number, Seen>();
+  return (x, y) => {
+    const at = y * width + x;
+    let seen = known.get(at);
+    if (seen === undefined) known.set(at, (seen = nearest(casters.map((cast) => cast(x, y)))));
+    return seen;
+  };
+}
+
+function nearest(hits: readonly ReturnType<ReturnType<typeof caster>>[]): Seen {
+  let mesh = -1;
+  hits.forEach((hit, i) => {
+    if (hit !== null && hit.t < (hits[mesh]?.t ?? Infinity)) mesh = i;
+  });
+  const t = hits[mesh]?.t ?? Infinity;
+  const close = hits.some((hit, i) => i !== mesh && hit !== null && hit.t < t * (1 + CLOSE));
+  return { mesh, face: `${String(mesh)} ${hits[mesh]?.face ?? ''}`, close };
+}
+
+/** 1 where the ray through a pixel's centre meets a triangle, from either side. All of it lies before the eye. */
+export function coveredBy(
+  geometry: BufferGeometry,
+  pose: Pose,
+  fov: number,
+  { width, height }: PictureSize,
+): Uint8Array {
+  const { axes, eyeOffset, pixel } = lens({ pose, fov, meshes: [], lights: [], options: {} }, width, height);
+  const position = geometry.getAttribute('position');
+  /** In pixels, a centre at whole numbers. */
+  const onPicture = (corner: number): readonly [number, number] => {
+    const vertex = geometry.index?.getX(corner) ?? corner;
+    const p = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
+    const d = p.map((x, i) => x - pose.target[i]! - eyeOffset[i]!) as unknown as Vec3;
+    const depth = -dot(d, axes.back) * pixel;
+    return [dot(d, axes.right) / depth + (width - 1) / 2, (height - 1) / 2 - dot(d, axes.up) / depth];
+  };
+  const covered = new Uint8Array(width * height);
+  for (let corner = 0; corner + 2 < (geometry.index ?? position).count; corner += 3)
+    fill(covered, width, height, [onPicture(corner), onPicture(corner + 1), onPicture(corner + 2)]);
+  return covered;
+}
+
+type Point = readonly [number, number];
+
+/** Marks the pixels whose centres a triangle holds. */
+function fill(
+  covered: Uint8Array,
+  width: number,
+  height: number,
+  [a, b, c]: readonly [Point, Point, Point],
+): void {
+  const side = ([px, py]: Point, [qx, qy]: Point, x: number, y: number): number =>
+    (qx - px) * (y - py) - (qy - py) * (x - px);
+  const low = (axis: 0 | 1): number => Math.max(0, Math.ceil(Math.min(a[axis], b[axis], c[axis])));
+  const high = (axis: 0 | 1, size: number): number => Math.min(size - 1, Math.floor(Math.max(a[axis], b[axis], c[axis]))); // prettier-ignore
+  for (let y = low(1); y <= high(1, height); y++) {
+    for (let x = low(0); x <= high(0, width); x++) {
+      const sides = [side(a, b, x, y), side(b, c, x, y), side(c, a, x, y)];
+      if (sides.every((s) => s >= 0) || sides.every((s) => s <= 0)) covered[y * width + x] = 1;
+    }
+  }
+}
