@@ -14,11 +14,16 @@ const SETTLE_MS = 300;
 /** Characters per line of markup that the page writes. */
 const LINE_LENGTH = 76;
 
+/** Far more than a person writes by hand: 0.23 GB. The text may come from a stranger's link. */
+const MOST_TRIANGLES = 2 ** 22;
+
 const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const viewer = part<HTMLElementTagNameMap['phong-viewer']>('scene');
 const gate = part('gate');
 const choice = part<HTMLSelectElement>('example');
 const area = part<HTMLTextAreaElement>('text');
+
+viewer.maxTriangles = MOST_TRIANGLES;
 
 let text = '';
 /** The scene that the viewer shows; null before the first. */
