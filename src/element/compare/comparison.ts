@@ -23,6 +23,9 @@ interface Label {
 
 const NO_LABEL: Label = { text: '', isName: false };
 
+/** Height of a label with the space above it; see comparison.css. */
+const LABEL = 'calc(1.6em + 8px)';
+
 export class Comparison implements DividerHost, ReactiveController {
   readonly #element: PhongCompare;
   readonly #values: Readonly<CompareValues>;
@@ -162,7 +165,7 @@ export class Comparison implements DividerHost, ReactiveController {
   /** What a viewer shows over its picture, such as its panel, keeps to the visible part. */
   #room(from: number, to: number, label: string): string {
     const [start, end] = this.vertical ? ['top', 'bottom'] : ['start', 'end'];
-    const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : '26px' };
+    const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : LABEL };
     const kept = { ...room, [start]: `${String(from)}%`, [end]: `${String(100 - to)}%` };
     return Object.entries(kept)
       .map(([side, length]) => `--phong-${side}: ${length}`)

@@ -54,6 +54,7 @@ export class ViewerDisplay {
     const failure = this.#failure;
     const { poster } = viewer;
     if (poster !== this.#badPoster) this.#badPoster = '';
+    const isSlotting = loading.bar !== undefined || failure.newest !== null;
     return viewerTemplate({
       holder: this.#context.viewport.holder,
       name: surfaceName(viewer, this.#texts),
@@ -64,6 +65,7 @@ export class ViewerDisplay {
       poster: this.#revealed || poster === this.#badPoster ? '' : poster,
       onPosterError: this.#dropPoster,
       bar: loading.bar,
+      pageText: isSlotting ? pageText(viewer) : '',
       failure: failure.newest,
       retryable: failure.retryable,
       dismissible: failure.dismissible,
@@ -144,4 +146,11 @@ export class ViewerDisplay {
   get #isEmpty(): boolean {
     return !this.#loading.wanted && this.#context.viewport.scene.children.length === 0;
   }
+}
+
+/** Text size around a viewer and the comparison that it is in, which have sizes of their own. CSS pixels with a unit. */
+function pageText(viewer: HTMLElement): string {
+  const outermost = viewer.closest('phong-compare') ?? viewer;
+  const around = outermost.parentElement ?? (outermost.getRootNode() as Partial<ShadowRoot>).host;
+  return around === undefined ? '' : getComputedStyle(around).fontSize;
 }

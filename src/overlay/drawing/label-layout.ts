@@ -18,10 +18,10 @@ export interface Box {
   readonly bottom: number;
 }
 
-/** Height of a label's line, and how far above its lower edge the baseline is. For a font of 12 pixels. */
-export const LINE = { height: 16, descent: 4 } as const;
+/** Height of a label's line, and how far above its lower edge the baseline is. In font sizes. */
+export const LINE = { height: 4 / 3, descent: 1 / 3 } as const;
 
-/** Pixels to the layer's edge: the text's outline. */
+/** Pixels to the room's edge: the text's outline. */
 const MARGIN = 2;
 
 /** Right, left, above, below, then between them. */
@@ -36,45 +36,73 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
   [-1, 1],
 ];
 
+/** Where a label goes if something is in its way: farther from its centre by so many font sizes. */
+const FARTHER = [0, 0.7];
+
 /**
- * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other and, if
- * they can, `avoided`.
+ * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other and, as
+ * far as they can, `avoided`. `room`: they stay inside.
  */
 export function placeLabels(
   wishes: readonly LabelWish[],
-  size: { readonly width: number; readonly height: number },
+  room: Box,
   avoided: readonly Box[],
+  fontSize: number,
 ): (Point | null)[] {
   const taken: Box[] = [];
   return wishes.map((wish) => {
-    const boxes = SIDES.map((side) => boxAt(wish, side)).filter(
-      (box) => isInside(box, size) && isFree(box, taken),
-    );
-    const box = boxes.find((each) => isFree(each, avoided)) ?? boxes[0];
-    if (box === undefined) return null;
+    const box = bestBox(wish, room, taken, avoided, fontSize);
+    if (box === null) return null;
     taken.push(box);
-    return { x: box.left, y: box.bottom - LINE.descent };
+    return { x: box.left, y: box.bottom - LINE.descent * fontSize };
   });
 }
 
-function boxAt({ center, gap, width }: LabelWish, [across, down]: (typeof SIDES)[number]): Box {
-  const { height } = LINE;
+/** The first place of those that cover least of `avoided`. */
+function bestBox(
+  wish: LabelWish,
+  room: Box,
+  taken: readonly Box[],
+  avoided: readonly Box[],
+  fontSize: number,
+): Box | null {
+  let [best, least]: [Box | null, number] = [null, Infinity];
+  for (const by of FARTHER)
+    for (const side of SIDES) {
+      const box = boxAt(wish, wish.gap + by * fontSize, side, fontSize);
+      if (!isInside(box, room) || overlap(box, taken) > 0) continue;
+      const covered = overlap(box, avoided);
+      if (covered === 0) return box;
+      if (covered < least) [best, least] = [box, covered];
+    }
+  return best;
+}
+
+function boxAt(
+  { center, width }: LabelWish,
+  gap: number,
+  [across, down]: (typeof SIDES)[number],
+  fontSize: number,
+): Box {
+  const height = LINE.height * fontSize;
   const left = center.x + across * gap - ((1 - across) / 2) * width;
   const top = center.y + down * gap - ((1 - down) / 2) * height;
   return { left, top, right: left + width, bottom: top + height };
 }
 
-const isInside = ({ left, top, right, bottom }: Box, size: { width: number; height: number }): boolean =>
-  left >= MARGIN && top >= 0 && right <= size.width - MARGIN && bottom <= size.height;
+const isInside = ({ left, top, right, bottom }: Box, room: Box): boolean =>
+  left >= room.left + MARGIN && top >= room.top && right <= room.right - MARGIN && bottom <= room.bottom;
 
-const isFree = (box: Box, others: readonly Box[]): boolean =>
-  others.every(
-    (other) =>
-      box.right <= other.left ||
-      box.left >= other.right ||
-      box.bottom <= other.top ||
-      box.top >= other.bottom,
-  );
+/** Square pixels that a box shares with others. */
+function overlap(box: Box, others: readonly Box[]): number {
+  let sum = 0;
+  for (const other of others) {
+    const width = Math.min(box.right, other.right) - Math.max(box.left, other.left);
+    const height = Math.min(box.bottom, other.bottom) - Math.max(box.top, other.top);
+    if (width > 0 && height > 0) sum += width * height;
+  }
+  return sum;
+}
 
 /** A square around a point. */
 export const boxAround = ({ x, y }: Point, half: number): Box => ({
@@ -83,3 +111,23 @@ export const boxAround = ({ x, y }: Point, half: number): Box => ({
   right: x + half,
   bottom: y + half,
 });
+
+/** All of a layer or a picture. */
+export const whole = ({ width, height }: { readonly width: number; readonly height: number }): Box => ({
+  left: 0,
+  top: 0,
+  right: width,
+  bottom: height,
+});
+
+/** Squares along a line, so close that no label fits between them. */
+export function boxesAlong(points: readonly Point[], half: number): Box[] {
+  return points.flatMap((to, i) => {
+    const from = points[i - 1] ?? to;
+    const count = Math.max(Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / (2 * half)), 1);
+    return Array.from({ length: count }, (_, k) => {
+      const share = (k + 1) / count;
+      return boxAround({ x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) }, half);
+    });
+  });
+}

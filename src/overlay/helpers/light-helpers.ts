@@ -26,6 +26,9 @@ interface Known {
 /** Between a light's place and its name, CSS pixels. */
 const GAP = 12;
 
+/** The part of lights' names. */
+export const LIGHT_NAME = 'light-name';
+
 /** Opacity of the name of a light that is off. */
 const DIMMED = 0.75;
 
@@ -91,6 +94,7 @@ export class LightHelpers {
           text: lightName(texts, values.name || numberedName(i, texts), values),
           center: marks[i]!.handles[0]!.at,
           gap: GAP,
+          part: LIGHT_NAME,
           opacity: values.active ? 1 : DIMMED,
         };
       }),

@@ -43,8 +43,8 @@ class Probe implements Extra, ProbeInputHost {
     this.#host = host;
     this.#declared = host.values.probeAt;
     this.#view = new ProbeView(host, () => this.release());
-    const { cursor, root } = this.#view;
-    listen({ surface: host.tree.surface, cursor, root }, this, this.#listening.signal);
+    const { cursor, root, place } = this.#view;
+    listen({ surface: host.tree.surface, cursor, boxes: [root, place] }, this, this.#listening.signal);
     this.#view.show(null, false);
   }
 
