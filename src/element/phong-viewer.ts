@@ -58,6 +58,7 @@ interface ViewerElement extends ViewerProperties {
  * @csspart panel - the control panel's place
  * @csspart legend - what the colours of `view` mean
  * @csspart probe - the box of `probe`: a point's colour and the table of its sum
+ * @csspart light-name - the name of a light that `helpers` draws
  * @cssState loading - something requested has not arrived yet
  * @cssState error - something has failed and still does
  * @cssState empty - nothing to show is declared, and `scene` holds no object

@@ -140,7 +140,13 @@ describe('labels', () => {
 
   it('cover least where everything is taken, and keep clear of lines where they can', () => {
     const wishes = [{ center: { x: 100, y: 75 }, gap: 6, width: 30 }];
-    const along = boxesAlong([{ x: 100, y: 75 }, { x: 200, y: 75 }], 2);
+    const along = boxesAlong(
+      [
+        { x: 100, y: 75 },
+        { x: 200, y: 75 },
+      ],
+      2,
+    );
     const [at] = placeLabels(wishes, room, along, 12);
     expect(at!.x + 30).toBeLessThan(100);
     const all = [room, boxAround({ x: 120, y: 75 }, 20)];

@@ -15,7 +15,11 @@ export class Room {
   /** `changed` is called when room or text have another size. `part`: of the text, if the page can style it. */
   constructor(tree: ViewerTree, changed: () => void, part?: string) {
     this.#tree = tree;
-    this.#em = create('i', { class: 'corner', 'aria-hidden': 'true', ...(part === undefined ? {} : { part }) });
+    this.#em = create('i', {
+      class: 'corner',
+      'aria-hidden': 'true',
+      ...(part === undefined ? {} : { part }),
+    });
     this.#em.style.width = '1em';
     tree.layer.prepend(this.#em);
     this.#read();

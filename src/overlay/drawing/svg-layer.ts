@@ -82,7 +82,15 @@ function draw(elements: readonly SVGElement[], primitive: Primitive): void {
   if (halo === undefined) return;
   if (primitive.kind === 'label') {
     const { at, text, color, part = null } = primitive;
-    set(halo, { part, x: round(at.x), y: round(at.y), fill: color, stroke: HALO, 'stroke-width': '3', opacity });
+    set(halo, {
+      part,
+      x: round(at.x),
+      y: round(at.y),
+      fill: color,
+      stroke: HALO,
+      'stroke-width': '3',
+      opacity,
+    });
     // As attributes: a style attribute is text that a strict CSP refuses.
     set(halo, { 'paint-order': 'stroke', 'stroke-linejoin': 'round' });
     write(halo, text);

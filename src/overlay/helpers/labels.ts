@@ -42,7 +42,18 @@ export function listOf(drawings: readonly Drawing[], room: Box, fontSize: number
   );
   const labels = names.flatMap(({ part, opacity = 1 }, i): Label[] => {
     const at = places[i];
-    return at ? [{ kind: 'label', at, text: texts[i]!, color: COLOR, opacity, ...(part === undefined ? {} : { part }) }] : [];
+    return at
+      ? [
+          {
+            kind: 'label',
+            at,
+            text: texts[i]!,
+            color: COLOR,
+            opacity,
+            ...(part === undefined ? {} : { part }),
+          },
+        ]
+      : [];
   });
   return [...drawings.flatMap(({ list }) => list), ...labels];
 }
