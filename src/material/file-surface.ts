@@ -1,10 +1,10 @@
-// What a model's file may say about a surface besides its base colour, and how that enters the equation. Roughness
-// becomes an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes the same
-// per fragment.
+// What a model's file may say about a surface besides Ka, Kd, Ks and the exponent, and how that enters the equation.
+// Roughness becomes an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes
+// the same per fragment.
 import type { Texture } from 'three';
 import { isBlack } from '../light/light-features.js';
 import type { Vec3 } from '../math/vector.js';
-import type { ShadingStyle } from './shading-style.js';
+import type { ShadingStyle } from './material-values.js';
 
 export interface FileSurface {
   /** The colour is the base colour: no light is summed, and nothing is emitted besides. */
@@ -80,3 +80,25 @@ export const usesRoughnessMap = (
   { unlit, roughness, metalRoughMap }: FileSurface,
   { shading }: ShadingStyle,
 ): boolean => !unlit && roughness !== null && metalRoughMap !== null && shading !== 'gouraud';
+
+/** All of it. The base colour multiplies Ka and Kd. */
+export interface BaseLook extends FileSurface {
+  /** Encoded sRGB, 0–1. */
+  readonly baseColor: Vec3;
+  readonly opacity: number;
+  readonly alphaMode: 'opaque' | 'mask' | 'blend';
+  readonly alphaCutoff: number;
+  readonly map: Texture | null;
+  readonly vertexColors: boolean;
+}
+
+/** The look of a built-in shape. */
+export const PLAIN_LOOK: BaseLook = {
+  baseColor: [1, 1, 1],
+  opacity: 1,
+  alphaMode: 'opaque',
+  alphaCutoff: 0.5,
+  map: null,
+  vertexColors: false,
+  ...NO_FILE_SURFACE,
+};

@@ -1,7 +1,7 @@
 // What a mesh shows, whether it is a built-in shape or a loaded model.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { Sides } from '../material/back-faces.js';
-import type { BaseLook } from '../material/base-look.js';
+import type { BaseLook } from '../material/file-surface.js';
 import type { Model } from './model.js';
 import type { SurfaceValues } from '../material/material-values.js';
 

@@ -1,16 +1,17 @@
 // Loads a model from an address: downloads it, detects the format and reads it. Every failure is a ModelError with a
 // code and a sentence. Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval.
 import { clip } from '../fields/clip.js';
-import { isOutOfMemory } from './out-of-memory.js';
-import { measureModel } from './bounds.js';
+import { isOutOfMemory } from './limits.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, listed, MissingFileError, openFile, type OpenedModel } from './file-group.js';
 import { nameOf } from './file-name.js';
 import { formatOf, type ReadOptional } from './format.js';
 import { asUtf8 } from './text/utf-16.js';
-import { linkedUrl } from './linked-url.js';
 import { ModelError, type Model } from './model.js';
 import type { CrossOrigin, FileRequest } from './request-file.js';
+import { Box3, type BufferGeometry, Sphere, Vector3 } from 'three';
+import { findExtremePoints } from './extreme-points.js';
+import { Slices } from './slices.js';
 
 export {
   ModelError,
@@ -139,4 +140,76 @@ function warnOfMissing(model: string, missing: ReadonlyMap<string, string>): voi
   console.warn(
     `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`,
   );
+}
+
+// Some servers treat an escaped slash as a slash, after the URL parser has resolved `..`.
+const ESCAPED_SLASH = /%(2f|5c)/i;
+
+/**
+ * The address of the file that the model at `model` refers to as `uri`.
+ * @param anywhere whether any http(s) origin and folder is allowed (`crossorigin` is set).
+ * @throws ModelError `load-failed` if it is not allowed, or no address.
+ */
+export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
+  const url = parsed(uri, model);
+  if (!url)
+    throw new ModelError(
+      'load-failed',
+      `The file "${uri}", which ${nameOf(model)} names, has no valid address.`,
+    );
+  if (anywhere && /^https?:$/.test(url.protocol)) return url;
+  const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
+  const below =
+    url.origin === model.origin &&
+    url.protocol === model.protocol &&
+    url.username === model.username &&
+    url.password === model.password &&
+    /^(https?|file):$/.test(url.protocol) &&
+    url.pathname.startsWith(folder) &&
+    !ESCAPED_SLASH.test(url.pathname.slice(folder.length));
+  if (below) return url;
+  throw new ModelError(
+    'load-failed',
+    `The file "${uri}" is not in the folder of ${nameOf(model)}, which names it. ` +
+      'Put it beside the model, or set crossorigin to allow it.',
+  );
+}
+
+function parsed(uri: string, base: URL): URL | null {
+  try {
+    return new URL(uri, base);
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * Computes all bounds that framing and culling will need, in slices: the first frame would do it in one task.
+ * @throws the signal's reason after an abort.
+ */
+async function measureModel({ parts }: Model, signal: AbortSignal): Promise<void> {
+  const slices = new Slices(signal);
+  for (const geometry of new Set(parts.map((part) => part.geometry))) {
+    if (geometry.boundingSphere === null) await setBounds(geometry, slices);
+    await findExtremePoints(geometry, () => (slices.due ? slices.pause() : null));
+  }
+}
+
+/** Sets the box and the sphere of a geometry with plain, finite positions. */
+async function setBounds(geometry: BufferGeometry, slices: Slices): Promise<void> {
+  const { array, count } = geometry.getAttribute('position');
+  const box = new Box3();
+  const point = new Vector3();
+  await slices.over(count, (from, to) => {
+    for (let i = from; i < to; i += 1) box.expandByPoint(point.fromArray(array, i * 3));
+  });
+  const center = box.getCenter(new Vector3());
+  let farthest = 0;
+  await slices.over(count, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      farthest = Math.max(farthest, center.distanceToSquared(point.fromArray(array, i * 3)));
+    }
+  });
+  geometry.boundingBox = box;
+  geometry.boundingSphere = new Sphere(center, Math.sqrt(farthest));
 }

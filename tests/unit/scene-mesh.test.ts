@@ -3,7 +3,7 @@ import { BoxGeometry, Matrix4, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
 import { PhongLighting } from '../../src/material/lighting.js';
-import { PLAIN_LOOK } from '../../src/material/base-look.js';
+import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import type { Content } from '../../src/model/content.js';
 import { SHAPE_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';

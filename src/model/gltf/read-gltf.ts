@@ -15,7 +15,7 @@ import { checkDracoHeader } from './draco-header.js';
 import { dracoLoader } from './draco-loader.js';
 import type { FileIndices } from './geometries.js';
 import { readMotion } from './motion.js';
-import { collectParts } from './parts.js';
+import { collectParts } from './collect-parts.js';
 import { gltfTextures } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {

@@ -9,8 +9,7 @@ import { ModelBudget } from '../model-budget.js';
 import type { ModelLook, ModelPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';
-import { Growing } from '../triangles/growing.js';
-import { Places } from '../triangles/places.js';
+import { Growing, Places } from '../triangles/positions.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
