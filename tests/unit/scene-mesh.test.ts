@@ -4,7 +4,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { PLAIN_LOOK } from '../../src/material/file-surface.js';
-import type { Content } from '../../src/model/content.js';
+import type { Content } from '../../src/model/model.js';
 import { SHAPE_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';

@@ -6,7 +6,7 @@ import type { Animations } from '../../scene/mesh/animation.js';
 import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
-import type { CrossOrigin } from '../../model/load-model.js';
+import type { CrossOrigin } from '../../model/request-file.js';
 import { ModelError } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';

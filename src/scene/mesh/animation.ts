@@ -1,5 +1,5 @@
 // The poses that meshes show, and the one clock of the animations of a picture.
-import type { Motion } from '../../model/content.js';
+import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;

@@ -1,9 +1,9 @@
 // Loads the content that a mesh's values name, a built-in shape or a model. One load at a time: a newer one replaces
 // it.
 import { sameValue } from '../../fields/field-store.js';
-import type { CrossOrigin, LoadOptions } from '../../model/load-model.js';
+import type { LoadOptions } from '../../model/model-content.js';
 import { fileName } from '../../model/file-name.js';
-import { type Content, NOTHING } from '../../model/content.js';
+import { type Content, NOTHING } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 import { shapeNeeds, acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
 import {
@@ -17,7 +17,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../material/file-surface.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import { gltfCode, isNamedGltf } from '../../model/gltf-code.js';
-import { isDataUri, requestFile } from '../../model/request-file.js';
+import { type CrossOrigin, isDataUri, requestFile } from '../../model/request-file.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 

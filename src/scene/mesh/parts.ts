@@ -10,7 +10,7 @@ import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
-import { type Content, type ContentPart, NOTHING } from '../../model/content.js';
+import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
 import { flatNeedsOf } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';

@@ -4,10 +4,9 @@ import type { Object3D } from 'three';
 import { type Animated, type Animations, MeshAnimation } from './animation.js';
 import type { ShadingStyle } from '../../material/material-values.js';
 import type { FieldStore } from '../../fields/field-store.js';
-import { ModelError } from '../../model/model.js';
+import { ModelError, type Content, type ContentPart } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { Content, ContentPart } from '../../model/content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   appearanceOf,
