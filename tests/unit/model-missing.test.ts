@@ -165,7 +165,7 @@ describe('the factors of a map whose image is missing', () => {
   it('do not make all of the surface glow', async () => {
     const emissiveFactor = [1, 1, 1];
     expect((await lookOf({ emissiveFactor, emissiveTexture: { index: 0 } }))?.emissive).toEqual([0, 0, 0]);
-    expect((await lookOf({ emissiveFactor }))?.emissive?.[0]).toBeCloseTo(1, 12);
+    expect((await lookOf({ emissiveFactor }))?.emissive[0]).toBeCloseTo(1, 12);
   });
 
   it('do not make all of the surface metal', async () => {

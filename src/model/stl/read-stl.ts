@@ -10,7 +10,7 @@ import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';
-import { Growing, Places } from '../triangles/positions.js';
+import { Growing, Positions } from '../triangles/positions.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
@@ -29,7 +29,7 @@ export const readStl: ModelReader = async ({ bytes, signal, onValues }) => {
 export interface StlSolid {
   readonly name: string;
   /** Three per triangle. */
-  readonly places: Places;
+  readonly places: Positions;
   /** r g b of each triangle, or null. Encoded sRGB, 0 to 1. */
   readonly colors: Growing<Float32Array> | null;
   /** Colour of the whole body. Encoded sRGB, 0 to 1. */
@@ -52,7 +52,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promi
   // Before anything is allocated.
   new ModelBudget().add({ corners: 3 * count });
   const header = headerColor(view);
-  const places = new Places(3 * count);
+  const places = new Positions(3 * count);
   const colors = new Growing(Float32Array);
   let colored = false;
   let anyBits = 0;

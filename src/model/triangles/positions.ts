@@ -10,7 +10,7 @@ import { ModelError } from '../model.js';
  */
 const FAR_OUT = 1024;
 
-export class Places {
+export class Positions {
   readonly #values: Growing<Float32Array>;
   #origin: readonly [number, number, number] | null = null;
 

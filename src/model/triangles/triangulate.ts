@@ -1,7 +1,7 @@
 // Cuts a polygon into triangles: a fan for convex ones; ears are cut off others. Works on vertex numbers, calls back
 // for each triangle.
 import { ModelError } from '../model.js';
-import type { Places } from './positions.js';
+import type { Positions } from './positions.js';
 
 /** Most corners of a polygon. Real ones have hundreds; each takes memory before the triangles do. */
 const POLYGON_LIMIT = 2 ** 20;
@@ -23,10 +23,10 @@ type Emit = (a: number, b: number, c: number) => void;
 
 /** Cuts the polygons of one model. */
 export class Triangulator {
-  readonly #places: Places;
+  readonly #places: Positions;
   #steps = 0;
 
-  constructor(places: Places) {
+  constructor(places: Positions) {
     this.#places = places;
   }
 

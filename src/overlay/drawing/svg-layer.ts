@@ -7,7 +7,7 @@ import type { Point } from './projection.js';
 
 const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 
-interface Shown {
+interface DrawnPrimitive {
   readonly primitive: Primitive;
   /** The outline first. */
   readonly elements: readonly SVGElement[];
@@ -20,7 +20,7 @@ export class SvgLayer {
     'aria-hidden': 'true',
     focusable: 'false',
   });
-  #shown: Shown[] = [];
+  #shown: DrawnPrimitive[] = [];
 
   /** `className`: of the element; none by default. */
   constructor(className: string | null = null) {
@@ -44,7 +44,7 @@ export class SvgLayer {
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
-  #replace(shown: Shown | undefined, kind: Primitive['kind']): readonly SVGElement[] {
+  #replace(shown: DrawnPrimitive | undefined, kind: Primitive['kind']): readonly SVGElement[] {
     const tags = TAGS[kind];
     const elements = tags.map((tag) => createSvg(tag));
     const [first] = shown?.elements ?? [];

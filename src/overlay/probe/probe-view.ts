@@ -20,7 +20,7 @@ import { trianglePlaces } from './plane.js';
 import { fragmentText } from './words.js';
 
 /** What the probe shows. */
-export interface Shown {
+export interface ProbedPoint {
   /** Null: outside the picture. */
   readonly at: Point | null;
   /** Null if nothing can be explained there; `message` gives the reason. */
@@ -44,7 +44,7 @@ export class ProbeView {
   readonly #drawing = new SvgLayer();
   readonly #announcer = new Announcer();
   readonly #box: ProbeBox;
-  #shown: Shown | null = null;
+  #shown: ProbedPoint | null = null;
   #releasable = false;
   #showing = false;
   /** {@link #show} was called while it ran. */
@@ -65,7 +65,7 @@ export class ProbeView {
     host.tree.layer.append(this.root);
   }
 
-  get shown(): Shown | null {
+  get shown(): ProbedPoint | null {
     return this.#shown;
   }
 
@@ -105,7 +105,7 @@ export class ProbeView {
   }
 
   /** `releasable`: the user has pinned the point. */
-  show(shown: Shown | null, releasable: boolean): void {
+  show(shown: ProbedPoint | null, releasable: boolean): void {
     this.#shown = shown;
     this.#releasable = releasable;
     const focused = this.hasFocus && this.#focus !== this.cursor;
@@ -190,7 +190,7 @@ export class ProbeView {
   }
 
   /** Draws the arrows, and gives what the box shows. */
-  #contentOf({ at, fragment, message }: Shown): BoxState['content'] {
+  #contentOf({ at, fragment, message }: ProbedPoint): BoxState['content'] {
     const { values } = this.#host;
     const { x, y } = at ?? this.middle;
     this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;

@@ -25,7 +25,7 @@ export interface Part {
 }
 
 /** Content in the scene. */
-export interface Shown {
+export interface ShownContent {
   readonly content: Content;
   /** What the content holds of its viewer's triangles. */
   readonly claim: Claim | null;
@@ -38,7 +38,7 @@ export interface Shown {
   readonly animation: MeshAnimation | null;
 }
 
-export const EMPTY: Shown = {
+export const EMPTY: ShownContent = {
   content: NOTHING,
   claim: null,
   parts: [],
@@ -88,7 +88,7 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
 }
 
 /** Call after the next ones are acquired: equal looks keep their material, and so their program. */
-export function freeShown({ content, claim, parts }: Shown, materials: SharedMaterials): void {
+export function freeShown({ content, claim, parts }: ShownContent, materials: SharedMaterials): void {
   releaseParts(parts, materials);
   content.dispose();
   claim?.release();
