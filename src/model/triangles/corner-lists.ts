@@ -1,7 +1,6 @@
 // A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
 // their own, as OBJ writes them.
-import { Growing } from './growing.js';
-import { Places } from './places.js';
+import { Growing, Places } from './positions.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
 export const UNSTATED = -1;

@@ -1,7 +1,7 @@
 // Shows a probed point on the page: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and
 // announcements. Knows which light is looked at, but not which point is next.
 import { html, render } from 'lit';
-import { create, set } from '../../element/dom.js';
+import { create, set, write } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
@@ -11,13 +11,12 @@ import type { Primitive } from '../drawing/display-list.js';
 import type { Box } from '../drawing/label-layout.js';
 import { type Point, Projection, type Sight } from '../drawing/projection.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
-import { Announcer } from './announcer.js';
 import { drawingOf, markOf } from './drawing.js';
 import { figureOf } from './figure.js';
 import { type BoxState, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
-import { trianglePlaces } from './triangle.js';
+import { trianglePlaces } from './plane.js';
 import { fragmentText } from './words.js';
 
 /** What the probe shows. */
@@ -232,4 +231,37 @@ export class ProbeView {
   #isGouraud({ mesh }: FragmentExplanation): boolean {
     return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
   }
+}
+
+/** Milliseconds between two announcements. */
+const PAUSE = 1000;
+
+/**
+ * Announces what the probe shows to screen readers: politely, the first change at once, then at most once a second the
+ * newest. No timer runs while nothing changes.
+ */
+class Announcer {
+  /** The live region. */
+  readonly element = create('p', { class: 'reader', 'aria-live': 'polite' });
+  #timer: number | undefined;
+  #waiting: string | null = null;
+
+  say(text: string): void {
+    if (text === (this.#waiting ?? this.element.textContent)) return;
+    this.#waiting = text;
+    if (this.#timer === undefined) this.#speak();
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer);
+    this.element.remove();
+  }
+
+  readonly #speak = (): void => {
+    this.#timer = undefined;
+    if (this.#waiting === null) return;
+    write(this.element, this.#waiting);
+    this.#waiting = null;
+    this.#timer = window.setTimeout(this.#speak, PAUSE);
+  };
 }

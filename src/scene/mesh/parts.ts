@@ -3,15 +3,15 @@ import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three'
 import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { BaseLook } from '../../material/base-look.js';
+import type { BaseLook } from '../../material/file-surface.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
-import { type Content, type ContentPart, NOTHING } from '../../model/content.js';
-import { flatNeedsOf } from './content.js';
+import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
+import { flatNeedsOf } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import type { Claim } from './triangle-budget.js';

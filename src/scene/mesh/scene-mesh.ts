@@ -1,14 +1,12 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
 // the next one is there and can be shown.
 import type { Object3D } from 'three';
-import type { Animated, Animations } from '../animations.js';
-import type { ShadingStyle } from '../../material/shading-style.js';
+import { type Animated, type Animations, MeshAnimation } from './animation.js';
+import type { ShadingStyle } from '../../material/material-values.js';
 import type { FieldStore } from '../../fields/field-store.js';
-import { ModelError } from '../../model/model.js';
-import { isOutOfMemory } from '../../model/out-of-memory.js';
-import { MeshAnimation } from './animation.js';
+import { ModelError, type Content, type ContentPart } from '../../model/model.js';
+import { isOutOfMemory } from '../../model/limits.js';
 import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { Content, ContentPart } from '../../model/content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   appearanceOf,
