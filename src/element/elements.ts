@@ -128,7 +128,7 @@ export interface ViewerStats {
   readonly programs: number;
   /** In the last frame. */
   readonly drawCalls: number;
-  /** Of light data. */
+  /** Uploads of light data. */
   readonly uploads: number;
   /** Viewers that the page's last frame has drawn: those in view that had changed. */
   readonly viewersDrawn: number;

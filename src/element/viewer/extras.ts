@@ -22,7 +22,7 @@ export interface ExtraHost {
   readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
-  /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
+  /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
   size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
 }

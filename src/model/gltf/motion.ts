@@ -16,7 +16,7 @@ export interface Movable {
   readonly rigid: readonly { readonly part: ContentPart; readonly mesh: Mesh }[];
   readonly joints: readonly JointPose[];
   readonly deformations: readonly Deformation[];
-  /** Of each node with morph targets, by the node's index; overwritten when it moves. */
+  /** The weights of each node with morph targets, by the node's index; overwritten when it moves. */
   readonly weights: ReadonlyMap<number, Float64Array>;
 }
 

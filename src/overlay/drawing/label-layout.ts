@@ -8,7 +8,7 @@ export interface LabelWish {
   readonly center: Point;
   /** Pixels around the centre that the label keeps free. */
   readonly gap: number;
-  /** Of the text. */
+  /** Width of the text. */
   readonly width: number;
 }
 
@@ -104,7 +104,7 @@ export function textWidth(text: string): number {
   return width;
 }
 
-/** At most so many characters, with an ellipsis in place of the rest. */
+/** The first `most` characters of a text, with an ellipsis in place of the rest. */
 export function shortened(text: string, most = 24): string {
   const characters = Array.from(text);
   return characters.length <= most ? text : `${characters.slice(0, most - 1).join('')}…`;

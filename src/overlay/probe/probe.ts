@@ -128,7 +128,7 @@ class Probe implements Extra, ProbeInputHost {
     else viewerPins.set(this.#host.viewer, p);
   }
 
-  /** Of pointer events, and so of shadeAt, to pixels of the layer. Not all browsers have this property. */
+  /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. Not all browsers have this property. */
   get #zoom(): number {
     return (this.#host.tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   }
