@@ -97,7 +97,7 @@ test.describe('toShowTheEquation', () => {
     expect(await refusal(viewer, { pixels: 'all' })).toMatch(/^\d+ of \d+ pixels of surfaces were judged/);
   });
 
-  test('names what it gets instead of a viewer', async ({ mount, page }) => {
+  test('names what it gets instead of a viewer', async ({ mount, page, site }) => {
     const viewer = await mount('<main><phong-viewer></phong-viewer></main><p></p>', SIZE);
     const advice = "expected a locator of a <phong-viewer>, such as page.locator('phong-viewer')";
     expect(await refusal(page as unknown as Locator)).toContain(`${advice}, got a Page`);
@@ -111,7 +111,7 @@ test.describe('toShowTheEquation', () => {
     );
     await viewer.evaluate((element) => element.after(element.cloneNode()));
     expect(await refusal(page.locator('phong-viewer'))).toContain('resolved to 2 elements');
-    await page.setContent('<phong-viewer></phong-viewer>');
+    await page.goto(site.page('<phong-viewer></phong-viewer>'));
     expect(await refusal(page.locator('phong-viewer'), { timeout: 200 })).toContain('is not defined');
   });
 
