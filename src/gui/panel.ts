@@ -2,7 +2,7 @@
 // only and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import type { ViewerTexts } from '../element/fields/texts.js';
-import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
+import type { CreatePanel, Panel, PanelChange } from '../element/viewer/viewer-panel.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';

@@ -8,11 +8,10 @@ import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
-import type { PhongCompare } from '../elements.js';
-import type { PhongViewer } from '../elements.js';
+import type { PhongCompare, PhongViewer } from '../elements.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
-import { placesOf, rangeOf, withMoved } from './places.js';
+import { placesOf, rangeOf, withMoved } from './divider-positions.js';
 import { SharedTouch } from './shared-touch.js';
 
 /** The text over a viewer; `isName`: the viewer itself has it as its name. */

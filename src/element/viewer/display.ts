@@ -4,11 +4,10 @@ import type { TemplateResult } from 'lit';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../elements.js';
 import { ViewerAnnouncements } from './announcements.js';
-import type { ViewerContext } from './context.js';
+import type { ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
-import { ViewerStates } from './states.js';
 import { surfaceName } from './naming.js';
 import { treeIn, type ViewerTree, viewerTemplate } from './template.js';
 
@@ -153,4 +152,31 @@ function pageText(viewer: HTMLElement): string {
   const outermost = viewer.closest('phong-compare') ?? viewer;
   const around = outermost.parentElement ?? (outermost.getRootNode() as Partial<ShadowRoot>).host;
   return around === undefined ? '' : getComputedStyle(around).fontSize;
+}
+
+/**
+ * Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`. Browsers without them go
+ * without.
+ */
+class ViewerStates {
+  #states: Set<string> | undefined;
+
+  constructor(element: HTMLElement) {
+    // Missing in older browsers, whatever the types say.
+    const { attachInternals } = element as Partial<HTMLElement>;
+    try {
+      this.#states = (attachInternals?.call(element) as Partial<ElementInternals> | undefined)?.states;
+    } catch {
+      // refused where the tag has an attribute `is`
+    }
+  }
+
+  set(state: 'loading' | 'error' | 'empty', on: boolean): void {
+    try {
+      if (on) this.#states?.add(state);
+      else this.#states?.delete(state);
+    } catch {
+      this.#states = undefined; // Chrome before 125 accepts only names that begin with two dashes
+    }
+  }
 }

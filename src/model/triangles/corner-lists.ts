@@ -1,7 +1,6 @@
 // A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
 // their own, as OBJ writes them.
-import { Growing } from './growing.js';
-import { Places } from './places.js';
+import { Growing, Positions } from './positions.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
 export const UNSTATED = -1;
@@ -12,7 +11,7 @@ export const FACETED = 0;
 export const NONE = -1;
 
 export class CornerLists {
-  readonly places = new Places();
+  readonly places = new Positions();
   /** r g b of each position, or empty. Encoded sRGB, 0 to 1. */
   readonly colors = new Growing(Float32Array);
   /** u v; the first row of an image is at v = 0, as in glTF. */

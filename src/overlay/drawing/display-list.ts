@@ -7,7 +7,7 @@ export interface Stroke {
   /** Lines in one colour; they share their dashes and outline. */
   readonly lines: readonly (readonly Point[])[];
   readonly color: string;
-  /** Of the core, CSS pixels. */
+  /** Width of the core, CSS pixels. */
   readonly width: number;
   readonly dashed?: boolean;
   /** Fills the lines as polygons instead of drawing them. */

@@ -1,13 +1,14 @@
-// Places labels so that none covers another and all stay inside. One place after the other, the first ones first. CSS
-// pixels of the layer.
+// Measures labels and places them so that none covers another and all stay inside. One place after the other, the first
+// ones first. CSS pixels of the layer.
 import type { Point } from './projection.js';
+import { labelFont } from './display-list.js';
 
 export interface LabelWish {
   /** What the label belongs to. */
   readonly center: Point;
   /** Pixels around the centre that the label keeps free. */
   readonly gap: number;
-  /** Of the text. */
+  /** Width of the text. */
   readonly width: number;
 }
 
@@ -130,4 +131,42 @@ export function boxesAlong(points: readonly Point[], half: number): Box[] {
       return boxAround({ x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y) }, half);
     });
   });
+}
+
+/** Names are few; a page that writes new ones every frame must not keep them all. */
+const MOST_WIDTHS = 1000;
+
+/** Pixels at which texts are measured. Widths at other sizes are in proportion. */
+const MEASURED = 12;
+
+const LABEL = labelFont(`${String(MEASURED)}px`);
+
+/** Of a table. */
+export const PLAIN = `${String(MEASURED)}px system-ui, sans-serif`;
+
+const widths = new Map<string, number>();
+let context: CanvasRenderingContext2D | null = null;
+
+/** Measured by a canvas, which costs no layout. CSS pixels. `font`: that of labels, or {@link PLAIN}. */
+export function textWidth(text: string, fontSize: number, font = LABEL): number {
+  return (widthAt(text, font) * fontSize) / MEASURED;
+}
+
+function widthAt(text: string, font: string): number {
+  const key = `${font} ${text}`;
+  const known = widths.get(key);
+  if (known !== undefined) return known;
+  if (widths.size >= MOST_WIDTHS) widths.clear();
+  context ??= document.createElement('canvas').getContext('2d');
+  if (context !== null) context.font = font;
+  // Without a canvas: seven pixels a letter is wider than most text.
+  const width = context?.measureText(text).width ?? 7 * text.length;
+  widths.set(key, width);
+  return width;
+}
+
+/** The first `most` characters of a text, with an ellipsis in place of the rest. */
+export function shortened(text: string, most = 24): string {
+  const characters = Array.from(text);
+  return characters.length <= most ? text : `${characters.slice(0, most - 1).join('')}…`;
 }

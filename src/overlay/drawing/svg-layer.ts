@@ -7,7 +7,7 @@ import type { Point } from './projection.js';
 
 const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 
-interface Shown {
+interface DrawnPrimitive {
   readonly primitive: Primitive;
   /** The outline first. */
   readonly elements: readonly SVGElement[];
@@ -20,7 +20,7 @@ export class SvgLayer {
     'aria-hidden': 'true',
     focusable: 'false',
   });
-  #shown: Shown[] = [];
+  #shown: DrawnPrimitive[] = [];
 
   /**
    * `figure`: what it shows is of this size for a text of 12 pixels, and scaled by the style sheet. By default it shows
@@ -51,7 +51,7 @@ export class SvgLayer {
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
-  #replace(shown: Shown | undefined, kind: Primitive['kind']): readonly SVGElement[] {
+  #replace(shown: DrawnPrimitive | undefined, kind: Primitive['kind']): readonly SVGElement[] {
     const tags = TAGS[kind];
     const elements = tags.map((tag) => createSvg(tag));
     const [first] = shown?.elements ?? [];

@@ -1,9 +1,8 @@
 // Names in the picture, and their places. Places the names of all helpers together, so that none covers another. CSS
 // pixels of the layer.
 import type { Label, Primitive } from '../drawing/display-list.js';
-import { type Box, placeLabels } from '../drawing/label-layout.js';
+import { type Box, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
-import { shortened, textWidth } from '../drawing/text-width.js';
 
 export interface Name {
   readonly text: string;

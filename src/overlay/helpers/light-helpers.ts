@@ -16,7 +16,7 @@ import { Occlusion } from './occlusion.js';
 import type { SceneBall } from './placed-light.js';
 
 /** What a light's marks were computed from. */
-interface Known {
+interface KnownLight {
   readonly values: LightValues;
   readonly view: Projection;
   readonly hidden: boolean;
@@ -36,7 +36,7 @@ export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
   readonly #occlusion: Occlusion<PhongLight>;
-  readonly #known = new Map<PhongLight, Known>();
+  readonly #known = new Map<PhongLight, KnownLight>();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {

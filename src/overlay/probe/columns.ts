@@ -1,7 +1,7 @@
 // Which columns of a sum there is room for. Names can be shortened, numbers cannot: columns are left out instead, and
 // the sum last. CSS pixels. Widths are measured without layout: a table is shown once per frame.
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
-import { PLAIN, textWidth } from '../drawing/text-width.js';
+import { PLAIN, textWidth } from '../drawing/label-layout.js';
 import { type Sum, type SumRow, numberText, termText, tripleText } from './sum.js';
 
 /** A column after the light's name. */

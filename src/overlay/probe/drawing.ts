@@ -1,12 +1,18 @@
 // Turns a fragment's figure into lines over the picture: arrows, arcs and labels in CSS pixels of the layer, as a
 // display list.
-import type { Vec3 } from '../../math/vector.js';
-import { add, scale } from '../../math/vector.js';
+import { type Vec3, add, scale } from '../../math/vector.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
-import { type Box, boxAround, boxesAlong, type LabelWish, placeLabels } from '../drawing/label-layout.js';
+import {
+  type Box,
+  boxAround,
+  boxesAlong,
+  type LabelWish,
+  placeLabels,
+  shortened,
+  textWidth,
+} from '../drawing/label-layout.js';
 import type { Point, Projection } from '../drawing/projection.js';
-import { shortened, textWidth } from '../drawing/text-width.js';
 import type { Figure } from './figure.js';
 
 const WHITE: Vec3 = [1, 1, 1];

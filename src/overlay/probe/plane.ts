@@ -4,9 +4,15 @@
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { add, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
-import { type Box, boxesAlong, type LabelWish, placeLabels, whole } from '../drawing/label-layout.js';
+import {
+  type Box,
+  boxesAlong,
+  type LabelWish,
+  placeLabels,
+  textWidth,
+  whole,
+} from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
-import { textWidth } from '../drawing/text-width.js';
 import { degreesText, type SumRow } from './sum.js';
 
 /** Of the diagram, in pixels for text of 12 pixels: probe.css scales it with its text. */
@@ -97,5 +103,23 @@ function arcBetween(from: Point, to: Point, radius: number): Point[] {
   return Array.from({ length: ARC_STEPS + 1 }, (_, i) => {
     const angle = start + (turn * i) / ARC_STEPS;
     return { x: FOOT.x + radius * Math.cos(angle), y: FOOT.y - radius * Math.sin(angle) };
+  });
+}
+
+/**
+ * The corners of the triangle that a fragment belongs to, in world space, as drawn now. Empty if the object's geometry
+ * has changed.
+ */
+export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[] {
+  const { geometry, matrixWorld } = object;
+  const { index } = geometry;
+  const position = geometry.getAttribute('position');
+  if (3 * triangle + 2 >= (index ?? position).count) return [];
+  const e = matrixWorld.elements;
+  return [0, 1, 2].map((corner): Vec3 => {
+    const vertex = index === null ? 3 * triangle + corner : index.getX(3 * triangle + corner);
+    const [x, y, z] = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
+    const along = (row: 0 | 1 | 2): number => e[row] * x + e[4 + row]! * y + e[8 + row]! * z + e[12 + row]!;
+    return [along(0), along(1), along(2)];
   });
 }

@@ -70,7 +70,7 @@ export class ProbeBox {
     this.#size = { width: size.inlineSize, height: size.blockSize };
     this.#changed();
   });
-  /** Of the box as it was last laid out: reading it here would cost a layout per frame. */
+  /** Size of the box as it was last laid out: reading it here would cost a layout per frame. */
   #size = { width: 0, height: 0 };
   #edge: Edge = 'low';
   readonly #room: Room;

@@ -1,7 +1,7 @@
 // Shows a probed point on the page: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and
 // announcements. Knows which light is looked at, but not which point is next.
 import { html, render } from 'lit';
-import { create } from '../../element/dom.js';
+import { create, write } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
@@ -12,17 +12,16 @@ import { type Box, whole } from '../drawing/label-layout.js';
 import { type Point, Projection, type Sight } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
-import { Announcer } from './announcer.js';
 import { drawingOf, markOf } from './drawing.js';
 import { figureOf } from './figure.js';
 import { type BoxState, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
-import { trianglePlaces } from './triangle.js';
+import { trianglePlaces } from './plane.js';
 import { fragmentText } from './words.js';
 
 /** What the probe shows. */
-export interface Shown {
+export interface ProbedPoint {
   /** Null: outside the picture. */
   readonly at: Point | null;
   /** Null if nothing can be explained there; `message` gives the reason. */
@@ -50,7 +49,7 @@ export class ProbeView {
   readonly #announcer = new Announcer();
   readonly #room: Room;
   readonly #box: ProbeBox;
-  #shown: Shown | null = null;
+  #shown: ProbedPoint | null = null;
   #releasable = false;
   #showing = false;
   /** {@link #show} was called while it ran. */
@@ -73,7 +72,7 @@ export class ProbeView {
     host.tree.free.append(this.place);
   }
 
-  get shown(): Shown | null {
+  get shown(): ProbedPoint | null {
     return this.#shown;
   }
 
@@ -114,7 +113,7 @@ export class ProbeView {
   }
 
   /** `releasable`: the user has pinned the point. */
-  show(shown: Shown | null, releasable: boolean): void {
+  show(shown: ProbedPoint | null, releasable: boolean): void {
     this.#shown = shown;
     this.#releasable = releasable;
     const focused = this.hasFocus && this.#focus !== this.cursor;
@@ -200,7 +199,7 @@ export class ProbeView {
   }
 
   /** Draws the arrows, and gives what the box shows. */
-  #contentOf({ at, fragment, message }: Shown): BoxState['content'] {
+  #contentOf({ at, fragment, message }: ProbedPoint): BoxState['content'] {
     const { values } = this.#host;
     const { x, y } = at ?? this.middle;
     this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
@@ -247,4 +246,37 @@ export class ProbeView {
   #isGouraud({ mesh }: FragmentExplanation): boolean {
     return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
   }
+}
+
+/** Milliseconds between two announcements. */
+const PAUSE = 1000;
+
+/**
+ * Announces what the probe shows to screen readers: politely, the first change at once, then at most once a second the
+ * newest. No timer runs while nothing changes.
+ */
+class Announcer {
+  /** The live region. */
+  readonly element = create('p', { class: 'reader', 'aria-live': 'polite' });
+  #timer: number | undefined;
+  #waiting: string | null = null;
+
+  say(text: string): void {
+    if (text === (this.#waiting ?? this.element.textContent)) return;
+    this.#waiting = text;
+    if (this.#timer === undefined) this.#speak();
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer);
+    this.element.remove();
+  }
+
+  readonly #speak = (): void => {
+    this.#timer = undefined;
+    if (this.#waiting === null) return;
+    write(this.element, this.#waiting);
+    this.#waiting = null;
+    this.#timer = window.setTimeout(this.#speak, PAUSE);
+  };
 }

@@ -19,7 +19,7 @@ export interface SumRow {
   readonly specular: Vec3;
   readonly att: number;
   readonly decay: number;
-  /** Of the three terms. */
+  /** Sum of the three terms. */
   readonly total: Vec3;
   readonly share: LightExplanation;
 }

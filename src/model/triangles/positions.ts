@@ -3,7 +3,6 @@ import { Matrix4 } from 'three';
 import { LIMITS } from '../../light/light-state.js';
 import { CORNER_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
-import { Growing } from './growing.js';
 
 /**
  * A first vertex farther out than this becomes the origin. Maps and plants have coordinates of 1e5 to 1e7 metres and
@@ -11,7 +10,7 @@ import { Growing } from './growing.js';
  */
 const FAR_OUT = 1024;
 
-export class Places {
+export class Positions {
   readonly #values: Growing<Float32Array>;
   #origin: readonly [number, number, number] | null = null;
 
@@ -57,4 +56,39 @@ export class Places {
 function wrongCoordinate(x: number, y: number, z: number): Error {
   const value = [x, y, z].find((coordinate) => !(Math.abs(coordinate) <= LIMITS.coordinate));
   return new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
+}
+
+interface NumberArray {
+  readonly length: number;
+  [index: number]: number;
+  set(values: ArrayLike<number>, offset?: number): void;
+  subarray(begin: number, end: number): NumberArray;
+}
+
+const FIRST_LENGTH = 1024;
+
+/** A list of numbers whose length is not known before the end of the file: a typed array, doubled when it is full. */
+export class Growing<A extends NumberArray> {
+  readonly #make: new (length: number) => A;
+  /** Valid up to {@link length}. Replaced when it grows: do not keep it. */
+  array: A;
+  length = 0;
+
+  /** @param capacity the length it will probably have. */
+  constructor(make: new (length: number) => A, capacity = FIRST_LENGTH) {
+    this.#make = make;
+    this.array = new make(capacity);
+  }
+
+  push(value: number): void {
+    if (this.length === this.array.length) this.#grow();
+    this.array[this.length] = value;
+    this.length += 1;
+  }
+
+  #grow(): void {
+    const larger = new this.#make(Math.max(this.array.length * 2, FIRST_LENGTH));
+    larger.set(this.array);
+    this.array = larger;
+  }
 }
