@@ -141,7 +141,7 @@ test.describe('in forced colours', () => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     await expect(box(viewer)).toBeVisible();
     const [shown, color] = await viewer.evaluate(async (element: PhongViewer) => {
-      const swatch = element.shadowRoot!.querySelector('.probe .swatch')!;
+      const swatch = element.shadowRoot!.querySelector('[part=probe] .swatch')!;
       return [getComputedStyle(swatch).backgroundColor, (await element.shadeAt(300, 200))!.color] as const;
     });
     const numbers = (shown.match(/[\d.]+/g) ?? []).map(Number);
