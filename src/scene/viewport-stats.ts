@@ -2,6 +2,7 @@
 
 export interface ViewportStats {
   readonly frames: number;
+  readonly samples: number;
   readonly lightsActive: number;
   readonly lightsSent: number;
   readonly lightsSentByMesh: readonly number[];

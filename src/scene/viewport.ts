@@ -7,6 +7,7 @@ import type { PhongLighting } from '../material/lighting.js';
 import type { ShadingStyle } from '../material/shading-style.js';
 import { Animations } from './animations.js';
 import { AutoFit, type Framing } from './auto-fit.js';
+import { lazyCode } from '../model/lazy-code.js';
 import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
@@ -16,10 +17,16 @@ import { SharedMaterials } from './mesh/shared-materials.js';
 import { TriangleBudget } from './mesh/triangle-budget.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import { type NoWebGL2Error, type Region, stage, type StageClient } from './gpu/stage.js';
+import type { ConvergingPicture } from './samples/converging-picture.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportSignals } from './viewport-signals.js';
 import type { ViewportStats } from './viewport-stats.js';
+
+const convergingPicture = /* @__PURE__ */ lazyCode(
+  () => import('./samples/converging-picture.js').then(({ ConvergingPicture }) => ConvergingPicture),
+  'antialias="full"',
+);
 
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
@@ -41,6 +48,13 @@ export class Viewport implements StageClient, Framed {
   #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
+  /** The picture has not changed, but its pixels are gone. */
+  #blank = false;
+  /** Something moves by itself, as of the last animation frame. */
+  #moving = false;
+  #samples = 0;
+  /** Null while {@link samples} is 0 or the code is being fetched. */
+  #still: ConvergingPicture | null = null;
   /** A changed picture was drawn and has not been reported as shown. */
   #unshown = false;
   #fov = 45;
@@ -97,6 +111,7 @@ export class Viewport implements StageClient, Framed {
     this.#attached = false;
     this.#near = undefined;
     this.#loop?.cancel(this);
+    this.#still?.pause();
     stage.remove(this);
     this.#releaseUnlessAttached();
   }
@@ -127,6 +142,25 @@ export class Viewport implements StageClient, Framed {
     this.lighting.linear = linear;
   }
 
+  /** Samples per pixel of a picture that stands still. 0, the default: it stays as it was drawn. */
+  get samples(): number {
+    return this.#samples;
+  }
+
+  set samples(samples: number) {
+    if (samples === this.#samples) return;
+    this.#samples = samples;
+    this.#still?.dispose();
+    this.#still = null;
+    this.invalidate();
+    if (samples > 0) void this.#converge();
+  }
+
+  /** The picture stands still and is not yet what it will be. */
+  get converging(): boolean {
+    return this.#samples > 0 && !this.#moving && (this.#still?.pending ?? true);
+  }
+
   /** How target and radius are found; null leaves them where the user put them. */
   get framing(): Framing | null {
     return this.fit.framing;
@@ -148,7 +182,7 @@ export class Viewport implements StageClient, Framed {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
     this.fit.resized(width, height);
-    this.#dirty = true;
+    this.#outdate();
     this.#wake();
   }
 
@@ -190,14 +224,21 @@ export class Viewport implements StageClient, Framed {
     return this.#near === undefined || (this.width > 0 && this.height > 0);
   }
 
-  /** Nothing has changed since the last frame. */
+  /** The canvas shows the scene as it is, if only the plain picture. */
   get upToDate(): boolean {
-    return !this.#dirty;
+    return !this.#dirty && !this.#blank;
   }
 
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
-    this.#dirty = true;
+    this.#outdate();
+    this.animate();
+  }
+
+  repaint(): void {
+    // Out of sight, what the GPU keeps goes with the copy on the page.
+    if (!this.#keepsPicture || !this.drawable) this.#outdate();
+    this.#blank = true;
     this.animate();
   }
 
@@ -212,21 +253,29 @@ export class Viewport implements StageClient, Framed {
   }
 
   advance(now: number): boolean {
-    return this.drawable && this.moveTo(now);
+    this.#moving = this.drawable && this.moveTo(now);
+    return this.#moving;
   }
 
   draw(): void {
-    if (this.#dirty && this.drawable) this.redraw();
+    if (!this.drawable) return;
+    if (!this.upToDate) this.redraw();
+    else if (this.#moving || !this.#addSamples()) return;
+    if (this.#still !== null && this.converging) this.animate();
   }
 
   redraw(): void {
     if (!this.drawable || this.#near === undefined) {
-      this.#dirty = true;
+      this.#outdate();
       return;
     }
     const changed = this.#dirty;
     // Before drawing: if that throws, the next attempt follows the next change.
-    this.#dirty = false;
+    this.#dirty = this.#blank = false;
+    if (!changed && this.#keepsPicture) {
+      this.show(false);
+      return;
+    }
     try {
       if (this.#paint()) {
         this.#signals.painted.emit();
@@ -243,6 +292,16 @@ export class Viewport implements StageClient, Framed {
     } finally {
       this.#signals.frameEnded.emit();
     }
+  }
+
+  sample(renderer: WebGLRenderer, part: Region): void {
+    this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
+    this.#painter.paintAgain(renderer, this.#view);
+  }
+
+  show(last: boolean): void {
+    this.#blank = !stage.draw(this, this.#renderKept);
+    this.#unshown ||= last;
   }
 
   /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
@@ -281,7 +340,8 @@ export class Viewport implements StageClient, Framed {
 
   get stats(): ViewportStats {
     const { programs, viewersDrawn } = stage;
-    return { ...this.#painter.stats, frames: this.#frames, programs, viewersDrawn };
+    const samples = this.#still?.samples ?? 0;
+    return { ...this.#painter.stats, frames: this.#frames, samples, programs, viewersDrawn };
   }
 
   shown(): void {
@@ -291,7 +351,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   contextLost(): void {
-    this.#dirty = true;
+    this.#outdate();
     this.#loop?.cancel(this);
     this.#releaseGpu();
     this.#signals.contextLost.emit();
@@ -312,6 +372,10 @@ export class Viewport implements StageClient, Framed {
   readonly #render = (renderer: WebGLRenderer): void => {
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height);
     this.#painter.paint(renderer, this.#view);
+  };
+
+  readonly #renderKept = (renderer: WebGLRenderer): void => {
+    this.#still?.copy(renderer);
   };
 
   contextMissing(error: NoWebGL2Error): void {
@@ -336,13 +400,48 @@ export class Viewport implements StageClient, Framed {
 
   /** Drawing sends everything to the GPU again. */
   #releaseGpu(): void {
+    this.#still?.dispose();
     this.materials.sweep();
     this.#painter.release();
   }
 
   /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
   #wake(): void {
-    if (!this.drawable) this.#loop?.cancel(this);
-    else if (this.#dirty) this.#loop?.request(this);
+    if (!this.drawable) {
+      this.#loop?.cancel(this);
+      this.#still?.pause();
+    } else if (!this.upToDate || this.converging) this.#loop?.request(this);
+  }
+
+  #outdate(): void {
+    this.#dirty = true;
+    this.#still?.reset();
+  }
+
+  get #keepsPicture(): boolean {
+    return this.#still !== null && this.#still.samples > 0;
+  }
+
+  /** Whether more are to come in the next animation frame. */
+  #addSamples(): boolean {
+    try {
+      if (this.#still?.step() === true) return true;
+    } finally {
+      if (!this.converging) this.#signals.frameEnded.emit();
+    }
+    return false;
+  }
+
+  async #converge(): Promise<void> {
+    try {
+      const Converging = await convergingPicture();
+      if (this.#samples === 0 || this.#still !== null) return;
+      this.#still = new Converging(this, this.#samples);
+      this.animate();
+    } catch (error) {
+      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+      this.#samples = 0;
+      this.#signals.frameEnded.emit();
+    }
   }
 }
