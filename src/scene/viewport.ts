@@ -7,7 +7,6 @@ import type { PhongLighting } from '../material/lighting.js';
 import type { ShadingStyle } from '../material/shading-style.js';
 import { Animations } from './animations.js';
 import { AutoFit, type Framing } from './auto-fit.js';
-import { lazyCode } from '../model/lazy-code.js';
 import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
@@ -18,15 +17,10 @@ import { TriangleBudget } from './mesh/triangle-budget.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
 import { type NoWebGL2Error, type Region, stage, type StageClient } from './gpu/stage.js';
-import type { ConvergingPicture } from './samples/converging-picture.js';
+import { StillPicture } from './still-picture.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportSignals } from './viewport-signals.js';
 import type { ViewportStats } from './viewport-stats.js';
-
-const convergingPicture = /* @__PURE__ */ lazyCode(
-  () => import('./samples/converging-picture.js').then(({ ConvergingPicture }) => ConvergingPicture),
-  'antialias="full"',
-);
 
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
@@ -52,11 +46,9 @@ export class Viewport implements StageClient, Framed {
   #blank = false;
   /** Something moves by itself, as of the last animation frame. */
   #moving = false;
-  #samples = 0;
-  /** Null while {@link samples} is 0 or the code is being fetched. */
-  #still: ConvergingPicture | null = null;
   /** A changed picture was drawn and has not been reported as shown. */
   #unshown = false;
+  readonly #still: StillPicture;
   #fov = 45;
   #frames = 0;
   /**
@@ -76,6 +68,7 @@ export class Viewport implements StageClient, Framed {
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#signals = signals;
+    this.#still = new StillPicture(this, () => signals.frameEnded.emit());
   }
 
   /** Device pixels, at most what the GPU can draw. */
@@ -111,7 +104,7 @@ export class Viewport implements StageClient, Framed {
     this.#attached = false;
     this.#near = undefined;
     this.#loop?.cancel(this);
-    this.#still?.pause();
+    this.#still.pause();
     stage.remove(this);
     this.#releaseUnlessAttached();
   }
@@ -143,22 +136,15 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** Samples per pixel of a picture that stands still. 0, the default: it stays as it was drawn. */
-  get samples(): number {
-    return this.#samples;
-  }
-
   set samples(samples: number) {
-    if (samples === this.#samples) return;
-    this.#samples = samples;
-    this.#still?.dispose();
-    this.#still = null;
+    if (samples === this.#still.wanted) return;
+    this.#still.wanted = samples;
     this.invalidate();
-    if (samples > 0) void this.#converge();
   }
 
   /** The picture stands still and is not yet what it will be. */
   get converging(): boolean {
-    return this.#samples > 0 && !this.#moving && (this.#still?.pending ?? true);
+    return !this.#moving && this.#still.pending;
   }
 
   /** How target and radius are found; null leaves them where the user put them. */
@@ -237,7 +223,7 @@ export class Viewport implements StageClient, Framed {
 
   repaint(): void {
     // Out of sight, what the GPU keeps goes with the copy on the page.
-    if (!this.#keepsPicture || !this.drawable) this.#outdate();
+    if (this.#still.samples === 0 || !this.drawable) this.#outdate();
     this.#blank = true;
     this.animate();
   }
@@ -260,8 +246,8 @@ export class Viewport implements StageClient, Framed {
   draw(): void {
     if (!this.drawable) return;
     if (!this.upToDate) this.redraw();
-    else if (this.#moving || !this.#addSamples()) return;
-    if (this.#still !== null && this.converging) this.animate();
+    else if (this.#moving || !this.#still.step()) return;
+    if (!this.#moving && this.#still.startable) this.animate();
   }
 
   redraw(): void {
@@ -272,8 +258,9 @@ export class Viewport implements StageClient, Framed {
     const changed = this.#dirty;
     // Before drawing: if that throws, the next attempt follows the next change.
     this.#dirty = this.#blank = false;
-    if (!changed && this.#keepsPicture) {
+    if (!changed && this.#still.samples > 0) {
       this.show(false);
+      this.#signals.frameEnded.emit();
       return;
     }
     try {
@@ -316,13 +303,20 @@ export class Viewport implements StageClient, Framed {
     return this.fit.bounds;
   }
 
-  /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
-  capture(width: number, height: number): HTMLCanvasElement {
+  /**
+   * The picture now, at exactly this size in pixels: the plain one unless `shown`, for what is shown at this size.
+   * Throws RangeError if no canvas can hold it.
+   */
+  capture(width: number, height: number, shown = false): HTMLCanvasElement {
     this.#bringInStep();
     this.#releaseUnlessAttached();
+    const isShown = !this.#dirty && width === this.width && height === this.height;
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
-      this.#painter.paint(renderer, this.#view);
+      if (shown && isShown && this.#still.samples > 0) this.#still.copy(renderer, part);
+      else {
+        this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
+        this.#painter.paint(renderer, this.#view);
+      }
     });
   }
 
@@ -340,7 +334,7 @@ export class Viewport implements StageClient, Framed {
 
   get stats(): ViewportStats {
     const { programs, viewersDrawn } = stage;
-    const samples = this.#still?.samples ?? 0;
+    const { samples } = this.#still;
     return { ...this.#painter.stats, frames: this.#frames, samples, programs, viewersDrawn };
   }
 
@@ -375,7 +369,7 @@ export class Viewport implements StageClient, Framed {
   };
 
   readonly #renderKept = (renderer: WebGLRenderer): void => {
-    this.#still?.copy(renderer);
+    this.#still.copy(renderer);
   };
 
   contextMissing(error: NoWebGL2Error): void {
@@ -400,7 +394,7 @@ export class Viewport implements StageClient, Framed {
 
   /** Drawing sends everything to the GPU again. */
   #releaseGpu(): void {
-    this.#still?.dispose();
+    this.#still.dispose();
     this.materials.sweep();
     this.#painter.release();
   }
@@ -409,39 +403,12 @@ export class Viewport implements StageClient, Framed {
   #wake(): void {
     if (!this.drawable) {
       this.#loop?.cancel(this);
-      this.#still?.pause();
+      this.#still.pause();
     } else if (!this.upToDate || this.converging) this.#loop?.request(this);
   }
 
   #outdate(): void {
     this.#dirty = true;
-    this.#still?.reset();
-  }
-
-  get #keepsPicture(): boolean {
-    return this.#still !== null && this.#still.samples > 0;
-  }
-
-  /** Whether more are to come in the next animation frame. */
-  #addSamples(): boolean {
-    try {
-      if (this.#still?.step() === true) return true;
-    } finally {
-      if (!this.converging) this.#signals.frameEnded.emit();
-    }
-    return false;
-  }
-
-  async #converge(): Promise<void> {
-    try {
-      const Converging = await convergingPicture();
-      if (this.#samples === 0 || this.#still !== null) return;
-      this.#still = new Converging(this, this.#samples);
-      this.animate();
-    } catch (error) {
-      console.warn(`<phong-viewer>: ${(error as Error).message}`);
-      this.#samples = 0;
-      this.#signals.frameEnded.emit();
-    }
+    this.#still.reset();
   }
 }

@@ -78,7 +78,7 @@ function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasEleme
   const width = options.width ?? Math.max(viewport.width, 1);
   const height = options.height ?? Math.max(viewport.height, 1);
   const isSize = [width, height].every((side) => Number.isInteger(side) && side >= 1);
-  return isSize ? viewport.capture(width, height) : null;
+  return isSize ? viewport.capture(width, height, true) : null;
 }
 
 /** Code that the snapshots are for. */

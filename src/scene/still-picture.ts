@@ -1,0 +1,93 @@
+// The samples of a picture while it stands still. The code that draws them is fetched with its first use.
+import type { WebGLRenderer } from 'three';
+import { lazyCode } from '../model/lazy-code.js';
+import type { Region } from './gpu/stage.js';
+import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
+
+const converging = /* @__PURE__ */ lazyCode(
+  () => import('./samples/converging-picture.js').then(({ ConvergingPicture }) => ConvergingPicture),
+  'antialias="full"',
+);
+
+export class StillPicture {
+  readonly #subject: Sampled;
+  readonly #settled: () => void;
+  #wanted = 0;
+  /** Null while no samples are wanted or the code is being fetched. */
+  #converging: ConvergingPicture | null = null;
+
+  /** `settled`: no more samples are to come, because all are there or cannot be drawn. */
+  constructor(subject: Sampled, settled: () => void) {
+    this.#subject = subject;
+    this.#settled = settled;
+  }
+
+  /** Samples per pixel. 0, the default: the picture stays as it was drawn. */
+  get wanted(): number {
+    return this.#wanted;
+  }
+
+  set wanted(samples: number) {
+    this.#wanted = samples;
+    this.dispose();
+    this.#converging = null;
+    if (samples > 0) void this.#fetch();
+  }
+
+  /** Samples of the picture that is shown; 0: it is as it was drawn. */
+  get samples(): number {
+    return this.#converging?.samples ?? 0;
+  }
+
+  /** Samples are to come while nothing changes. */
+  get pending(): boolean {
+    return this.#wanted > 0 && (this.#converging?.pending ?? true);
+  }
+
+  /** The code is there, so that an animation frame brings samples. */
+  get startable(): boolean {
+    return this.#converging?.pending === true;
+  }
+
+  /** Call in an animation frame in which nothing moves. True: call again in the next one. */
+  step(): boolean {
+    try {
+      return this.#converging?.step() === true;
+    } finally {
+      if (!this.pending) this.#settled();
+    }
+  }
+
+  /** Draws the mean of {@link samples} in place of the scene, or the part of it that `part` is. */
+  copy(renderer: WebGLRenderer, part?: Region): void {
+    this.#converging?.copy(renderer, part);
+  }
+
+  /** Something has changed. */
+  reset(): void {
+    this.#converging?.reset();
+  }
+
+  /** Nobody can see the picture. */
+  pause(): void {
+    this.#converging?.pause();
+  }
+
+  /** Gives back what the GPU holds. */
+  dispose(): void {
+    this.#converging?.dispose();
+  }
+
+  async #fetch(): Promise<void> {
+    try {
+      const Converging = await converging();
+      if (this.#wanted === 0 || this.#converging !== null) return;
+      this.#converging = new Converging(this.#subject, this.#wanted);
+      this.#subject.animate();
+    } catch (error) {
+      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+      this.#wanted = 0;
+      this.#settled();
+    }
+  }
+}
