@@ -1,17 +1,26 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its first use.
 import type { WebGLRenderer } from 'three';
 import { lazyCode } from '../model/lazy-code.js';
+import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
+import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
 
 const converging = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js').then(({ ConvergingPicture }) => ConvergingPicture),
   'antialias="full"',
 );
 
+const sampledCapture = /* @__PURE__ */ lazyCode(
+  () => import('./samples/sampled-capture.js').then(({ SampledCapture }) => SampledCapture),
+  'toBlob({ samples })',
+);
+
 export class StillPicture {
   readonly #subject: Sampled;
   readonly #settled: () => void;
+  /** Those that are being drawn. */
+  readonly #captures = new Set<SampledCapture>();
   #wanted = 0;
   /** Null while no samples are wanted or the code is being fetched. */
   #converging: ConvergingPicture | null = null;
@@ -63,8 +72,26 @@ export class StillPicture {
     this.#converging?.copy(renderer, part);
   }
 
-  /** Something has changed. */
+  /**
+   * The mean of so many samples of the picture as it is when `begin` is called: once the code is there. `atOnce`: not in
+   * slices.
+   */
+  async capture(
+    size: Size,
+    samples: number,
+    atOnce: boolean,
+    begin: () => PaintPart,
+  ): Promise<HTMLCanvasElement> {
+    const Capture = await sampledCapture();
+    const capture = new Capture(size, samples, begin());
+    this.#captures.add(capture);
+    if (atOnce) capture.finish();
+    return capture.picture.finally(() => this.#captures.delete(capture));
+  }
+
+  /** Something has changed. What is being captured is finished as it was. */
   reset(): void {
+    for (const capture of this.#captures) capture.finish();
     this.#converging?.reset();
   }
 

@@ -320,6 +320,26 @@ export class Viewport implements StageClient, Framed {
     });
   }
 
+  /**
+   * The mean of so many samples of each pixel, of the scene as it is now. Rejects like {@link capture}. Where the GPU
+   * has no float targets it is the plain picture.
+   */
+  captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
+    // Nothing keeps the context open for a viewer that is on no page.
+    return this.#still.capture({ width, height }, samples, !this.#attached, () => {
+      this.#bringInStep();
+      this.#releaseUnlessAttached();
+      const view = new ViewCamera(new Orbit(this.orbit.pose));
+      const [fov, bounds] = [this.#fov, this.fit.depthBounds()];
+      let paint: 'paint' | 'paintAgain' = 'paint';
+      return (renderer, part) => {
+        view.aim(fov, this.scene, bounds, width, height, part);
+        this.#painter[paint](renderer, view);
+        paint = 'paintAgain'; // the lights are those of the call, and all samples count as one frame
+      };
+    });
+  }
+
   /** Everything that is drawn, as it is now. `ownerOf` names the owner of a mesh. */
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;

@@ -87,7 +87,8 @@ export function pixelMeans(scene: DrawnScene, width: number, height: number, sid
       if (triangles.length === 0) continue;
       const coarse = mean(triangles, x, y, side / 8);
       let found = mean(triangles, x, y, side / 4);
-      if (found.some((code, k) => Math.abs(code - coarse[k]!) > NEGLIGIBLE)) found = mean(triangles, x, y, side);
+      if (found.some((code, k) => Math.abs(code - coarse[k]!) > NEGLIGIBLE))
+        found = mean(triangles, x, y, side);
       means.set(found, 4 * (y * width + x));
     }
   });

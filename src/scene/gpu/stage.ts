@@ -127,6 +127,14 @@ class Stage {
     }
   }
 
+  /** The renderer of the open context, which `size` opens where there is none. Throws where it is lost. */
+  open(size: Size): WebGLRenderer {
+    if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
+    const renderer = this.#context.open(size);
+    if (renderer === null || this.#context.noticeLoss()) throw contextLost();
+    return renderer;
+  }
+
   /**
    * Calls `render` to draw into targets of its own; no picture changes. False: there is no context, or it was lost
    * meanwhile.
@@ -344,7 +352,7 @@ export interface Region {
   readonly height: number;
 }
 
-const contextLost = (): Error =>
+export const contextLost = (): Error =>
   new Error('the graphics context is lost: there is no picture until the browser restores it');
 
 /** The page's stage. */

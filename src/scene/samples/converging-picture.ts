@@ -1,12 +1,12 @@
 // The picture of one viewport while nothing changes: its samples are drawn batch by batch, and their mean replaces the
 // plain picture, until all are there. Fetched with the first use of `antialias="full"`.
-import { Vector4, type WebGLRenderer, type WebGLRenderTarget } from 'three';
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { type Region, stage } from '../gpu/stage.js';
 import { Batches } from './batches.js';
-import { pixelOffset } from './pixel-offsets.js';
+import { copyPart, fromBelow } from './picture-copy.js';
+import { shifted } from './pixel-offsets.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
-import { ScreenPass } from './screen-pass.js';
 import { tilesOf } from './tiles.js';
 import { release, sumOf, take } from './turns.js';
 
@@ -104,15 +104,10 @@ export class ConvergingPicture {
     this.#picture = null;
   }
 
-  /** Draws the kept picture over the renderer's present viewport, or the part of it that `part` is. */
-  copy(
-    renderer: WebGLRenderer,
-    part: Region = { x: 0, y: 0, width: this.#subject.width, height: this.#subject.height },
-  ): void {
-    const { x, y } = fromBelow(part, this.#subject.height);
-    const viewport = renderer.getCurrentViewport(scratch);
-    copyPass.uniforms.uOrigin.value.set(viewport.x - x, viewport.y - y);
-    copyPass.draw(renderer, this.#picture!.texture);
+  /** Fills the renderer's present viewport with the kept picture, or with the part of it that `part` is. */
+  copy(renderer: WebGLRenderer, part?: Region): void {
+    const { width, height } = this.#subject;
+    copyPart(renderer, this.#picture!.texture, part ?? { x: 0, y: 0, width, height }, height);
   }
 
   readonly #draw = (renderer: WebGLRenderer): void => {
@@ -141,9 +136,8 @@ export class ConvergingPicture {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
     batches.send(this.#wanted - sum.count, () => {
-      const { x, y } = pixelOffset(sum.count);
       sum.add(() => {
-        this.#subject.sample(renderer, { ...tile, x: tile.x + x, y: tile.y + y });
+        this.#subject.sample(renderer, shifted(tile, sum.count));
       });
     });
     const complete = sum.count === this.#wanted;
@@ -176,11 +170,3 @@ interface Run {
   /** The number of samples from which on the mean is shown again. */
   nextShown: number;
 }
-
-const fromBelow = ({ x, y, width, height }: Region, whole: number): Region => ({
-  ...{ x, y: whole - y - height },
-  ...{ width, height },
-});
-
-const copyPass = /* @__PURE__ */ new ScreenPass('texel');
-const scratch = /* @__PURE__ */ new Vector4();

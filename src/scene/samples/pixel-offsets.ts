@@ -11,6 +11,7 @@
 // | Halton's, bases 2 and 3      | 0.071 | 0.050 | 0.018 | 0.006 |
 // | R2, by the plastic number    | 0.100 | 0.066 | 0.017 | 0.006 |
 // | random numbers               | 0.139 | 0.098 | 0.041 | 0.016 |
+import type { Region } from '../gpu/stage.js';
 
 /** Offset of sample `index`, from 0. Both coordinates are in [-0.5, 0.5). */
 export function pixelOffset(index: number): { readonly x: number; readonly y: number } {
@@ -18,6 +19,12 @@ export function pixelOffset(index: number): { readonly x: number; readonly y: nu
     x: fraction(owen(reversed(index), SCRAMBLE_X)),
     y: fraction(owen(sobolSecond(index), SCRAMBLE_Y)),
   };
+}
+
+/** A part of a picture as sample `index` sees it. */
+export function shifted(part: Region, index: number): Region {
+  const { x, y } = pixelOffset(index);
+  return { ...part, x: part.x + x, y: part.y + y };
 }
 
 /** Of 400 pairs tried, the one with the least error with 8, 16 and 64 samples. */
