@@ -82,7 +82,7 @@ export class ConvergingPicture {
     this.#stillFrames = 0;
     this.#samples = 0;
     this.#failed = false;
-    if (this.#run !== null) this.pause();
+    this.pause();
   }
 
   /** Stops for as long as nobody can see the picture. What is shown stays. */
