@@ -170,6 +170,8 @@ export const VIEWER_TEXTS = [
   'specular term',
   'colour space',
   'antialias',
+  'samples',
+  'Per pixel, with antialias full',
   // Their options
   'directional',
   'point',
@@ -185,6 +187,7 @@ export const VIEWER_TEXTS = [
   'linear',
   'edges',
   'highlights',
+  'full',
   // What the panel shows beside the shaded picture
   'Show',
   'view',
