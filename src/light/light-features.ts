@@ -10,7 +10,6 @@ import {
   LIMIT_OPEN,
 } from './light-layout.js';
 import type { LightValues } from './light-state.js';
-import type { PackedLights } from './pack-lights.js';
 
 export type LightKind = 'directional' | 'point' | 'spot';
 
@@ -170,11 +169,17 @@ const isOnFarSide = (aperture: number): boolean => isBlunt(aperture) || (apertur
 /** sin² of half of 1e-6 rad. */
 const LEAST_LIMIT = 2.5e-13;
 
-/** For each kind, the features that any of its lights needs; 0 without a light of that kind. */
+/**
+ * For each kind, the features that any of its lights needs; 0 without a light of that kind.
+ * @param packed lights sorted by kind.
+ */
 export function kindFeatures({
   counts,
   features,
-}: Readonly<Pick<PackedLights, 'counts' | 'features'>>): Record<LightKind, number> {
+}: {
+  readonly counts: Readonly<Record<LightKind, number>>;
+  readonly features: ArrayLike<number>;
+}): Record<LightKind, number> {
   const all: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
   let light = 0;
   for (const kind of KINDS) {

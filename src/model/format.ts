@@ -4,7 +4,7 @@
 import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
 import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.js';
 import { lazyCode } from './lazy-code.js';
-import { gltfCode } from './gltf-code.js';
+import { gltfCode } from './request-file.js';
 import { type Content, ModelError } from './model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 

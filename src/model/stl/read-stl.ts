@@ -10,7 +10,7 @@ import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';
-import { Growing, Positions } from '../triangles/positions.js';
+import { Growing, Positions } from '../triangles/corner-lists.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 

@@ -4,7 +4,7 @@ import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import { PAUSE_MASK, type Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { Positions } from '../triangles/positions.js';
+import { Positions } from '../triangles/corner-lists.js';
 import type { StlSolid } from './read-stl.js';
 
 /** @throws Error that names the line, for broken text; ModelError `too-large`. */

@@ -1,7 +1,7 @@
 // Cuts a polygon into triangles: a fan for convex ones; ears are cut off others. Works on vertex numbers, calls back
 // for each triangle.
 import { ModelError } from '../model.js';
-import type { Positions } from './positions.js';
+import type { Positions } from './corner-lists.js';
 
 /** Most corners of a polygon. Real ones have hundreds; each takes memory before the triangles do. */
 const POLYGON_LIMIT = 2 ** 20;

@@ -16,8 +16,7 @@ import {
 import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../material/file-surface.js';
 import { lazyCode } from '../../model/lazy-code.js';
-import { gltfCode, isNamedGltf } from '../../model/gltf-code.js';
-import { type CrossOrigin, isDataUri, requestFile } from '../../model/request-file.js';
+import { gltfCode, isNamedGltf, type CrossOrigin, isDataUri, requestFile } from '../../model/request-file.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
