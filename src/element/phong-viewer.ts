@@ -5,7 +5,7 @@ import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import type { CameraState } from './camera-state.js';
 import { create } from './dom.js';
-import type { ElementClass, PhongLight, PhongMesh, PhongViewer as PublicViewer } from './elements.js';
+import type { PhongLight, PhongMesh, PhongViewer as PublicViewer, ViewerClass } from './elements.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation } from './explanation.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
@@ -13,6 +13,7 @@ import type { ViewerProperties } from './fields/properties.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
+import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { renderWhereShown } from './page/render-scope.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
@@ -66,6 +67,14 @@ class ViewerElement extends LitElement implements PublicViewer {
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
+  }
+
+  static get texts(): ViewerTexts | null {
+    return pageTexts();
+  }
+
+  static set texts(texts: ViewerTexts | null | undefined) {
+    assignTexts(texts);
   }
 
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
@@ -182,6 +191,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
+    useTexts(this);
     this.#binding.upgrade();
     upgradeProperty(this, 'texts');
     upgradeProperty(this, 'maxTriangles');
@@ -193,6 +203,7 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    leaveTexts(this);
     this.#context.viewport.detach();
     this.#readiness.check();
   }
@@ -261,4 +272,4 @@ class ViewerElement extends LitElement implements PublicViewer {
 defineProperties(ViewerElement.prototype, VIEWER_FIELDS);
 
 export type PhongViewer = PublicViewer;
-export const PhongViewer: ElementClass<PhongViewer> = ViewerElement;
+export const PhongViewer: ViewerClass = ViewerElement;
