@@ -2,7 +2,7 @@
 import fc from 'fast-check';
 import type { BufferGeometry } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { shapeContent } from '../../src/scene/mesh/content.js';
+import { shapeContent } from '../../src/scene/mesh/content-load.js';
 import {
   acquireGeometry,
   CLOSED,

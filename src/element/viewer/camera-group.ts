@@ -2,7 +2,7 @@
 // <phong-compare>. All have exactly the same angles, radius and target, and are framed as one. A chunk, fetched with
 // its first use.
 import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
-import type { CameraSource } from '../camera-state.js';
+import type { CameraSource } from '../elements.js';
 import type { CameraLink, ViewerCamera } from './camera.js';
 import type { Extra, ExtraHost } from './extras.js';
 

@@ -3,15 +3,15 @@ import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three'
 import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { BaseLook } from '../../material/base-look.js';
+import type { BaseLook } from '../../material/file-surface.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
-import { type Content, type ContentPart, NOTHING } from '../../model/content.js';
-import { flatNeedsOf } from './content.js';
+import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
+import { flatNeedsOf } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import type { Claim } from './triangle-budget.js';
@@ -25,7 +25,7 @@ export interface Part {
 }
 
 /** Content in the scene. */
-export interface Shown {
+export interface ShownContent {
   readonly content: Content;
   /** What the content holds of its viewer's triangles. */
   readonly claim: Claim | null;
@@ -38,7 +38,7 @@ export interface Shown {
   readonly animation: MeshAnimation | null;
 }
 
-export const EMPTY: Shown = {
+export const EMPTY: ShownContent = {
   content: NOTHING,
   claim: null,
   parts: [],
@@ -88,7 +88,7 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
 }
 
 /** Call after the next ones are acquired: equal looks keep their material, and so their program. */
-export function freeShown({ content, claim, parts }: Shown, materials: SharedMaterials): void {
+export function freeShown({ content, claim, parts }: ShownContent, materials: SharedMaterials): void {
   releaseParts(parts, materials);
   content.dispose();
   claim?.release();
