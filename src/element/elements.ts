@@ -52,8 +52,9 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /** Everything requested is there, and shapes have been drawn. False while nothing is requested. */
   readonly loaded: boolean;
   /**
-   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out
-   * stay English. Null, the default, restores all. Throws TypeError for anything but an object of strings.
+   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out are
+   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in use,
+   * the page's included; null if all are English. Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
@@ -102,6 +103,18 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   toHTML(): string;
   /** Back to the last declared camera. */
   resetCamera(): void;
+}
+
+/** The class of `<phong-viewer>`. */
+export interface ViewerClass extends ElementClass<PhongViewer> {
+  /**
+   * Texts for all viewers and comparisons of the page, those added later too, as {@link PhongViewer.texts}. A viewer's
+   * own texts go first; those of a `<script type="application/json" data-phong-viewer-texts>` come after these. Reading
+   * gives the texts in use on the page. Null, the default, leaves the script's. Throws TypeError for anything but an
+   * object of strings.
+   */
+  get texts(): ViewerTexts | null;
+  set texts(texts: ViewerTexts | null | undefined);
 }
 
 /** Shows the viewers that are its children over each other, with dividers between them, or side by side. */
