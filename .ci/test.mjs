@@ -203,7 +203,9 @@ function secondsLeft() {
 function guessedSeconds(name) {
   if (name === 'unit') return 0.5 * filesIn(nodeFolders, '.test.ts');
   if (name === 'browser') return 5 * filesIn(browserFolders, '.spec.ts');
-  return { lint: 80, types: 30, build: 25, 'demo build': 6, harness: 6, format: 25, mutation: 900 }[name] ?? 15;
+  return (
+    { lint: 80, types: 30, build: 25, 'demo build': 6, harness: 6, format: 25, mutation: 900 }[name] ?? 15
+  );
 }
 
 /** @param {readonly string[]} folders @param {string} end */
