@@ -4,6 +4,7 @@ import { create, set, write } from '../../element/dom.js';
 import type { ViewerText } from '../../element/fields/text-list.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
+import { localNumber } from '../../element/page/local-number.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
@@ -152,7 +153,7 @@ export class Handles {
     const label =
       part === 'place'
         ? lightText(texts, name, values)
-        : phrase(texts, PART_TEXTS[part], { name, degrees: String(values.aperture) });
+        : phrase(texts, PART_TEXTS[part], { name, degrees: localNumber(String(values.aperture)) });
     set(element, { 'aria-label': label, 'aria-description': phrase(texts, 'Enter starts moving.') });
   }
 
