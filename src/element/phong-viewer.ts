@@ -254,7 +254,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (!this.#visibility.connected) return true;
     if (this.#loading.pending || this.#extras.pending !== null) return false;
     const { viewport } = this.#context;
-    return viewport.upToDate || !viewport.drawable;
+    return viewport.settled || !viewport.drawable;
   }
 }
 

@@ -5,13 +5,16 @@ import { fileName } from '../../model/file-name.js';
 import { type Content, NOTHING } from '../../model/content.js';
 import { requestModel, shapeContent } from './content.js';
 import type { ShapeValues } from './mesh-fields.js';
-import { shapeNeeds } from './shapes/shapes.js';
-import type { Claim, Claimant, TriangleBudget } from './triangle-budget.js';
+import { shapeKey } from './shapes/shared-shapes.js';
+import type { GeometryName } from './shapes/shapes.js';
+import type { Claim, Claimant, Need, TriangleBudget } from './triangle-budget.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
 /** What shows the content. */
 export interface ContentOwner extends Claimant {
+  /** What a shape will hold before there is a geometry. */
+  needsOf(geometry: GeometryName, segments: ContentName['segments']): readonly Need[];
   /** `late` unless it was there at once. `url` is null for a shape. The owner releases the claim. */
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void;
 }
@@ -73,9 +76,9 @@ export class ContentLoad<Owner extends ContentOwner> {
       return;
     }
     try {
-      // Before the shape is built. Coarser levels of a shape would be chosen here.
-      if (geometry !== null) claim.add(shapeNeeds(geometry, segments ?? undefined, this.#owner.wantsFlat));
-      const content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+      // Before the shape is built.
+      if (geometry !== null) claim.add(this.#owner.needsOf(geometry, segments));
+      const content = geometry === null ? NOTHING : shapeContent(shapeKey(geometry, segments));
       if (content instanceof Promise) this.#await(null, claim, () => content);
       else this.#owner.arrived(content, claim, null, false);
     } catch (error) {

@@ -2,7 +2,8 @@
 import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../material/base-look.js';
 import type { Content } from '../../model/content.js';
-import { acquireGeometry, CLOSED, type GeometryName, releaseGeometry, shapeNeeds } from './shapes/shapes.js';
+import { acquireGeometry, releaseGeometry, type ShapeKey, shapeNeeds } from './shapes/shared-shapes.js';
+import { CLOSED } from './shapes/shapes.js';
 import { flatTriangles, type Need } from './triangle-budget.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import { gltfCode, isNamedGltf } from '../../model/gltf-code.js';
@@ -10,22 +11,22 @@ import type { LoadOptions } from '../../model/load-model.js';
 import { isDataUri, requestFile } from '../../model/request-file.js';
 
 /** A built-in shape: at once if its code is loaded, else a promise. */
-export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
-  const wanted = segments ?? undefined;
-  const geometry = acquireGeometry(name, wanted);
+export function shapeContent(key: ShapeKey): Content | Promise<Content> {
+  const geometry = acquireGeometry(key);
   const content = (ready: BufferGeometry): Content => {
     let known = shapeContents.get(ready);
     if (known === undefined) {
+      const { name } = key;
       const sides = CLOSED.has(name) ? 'closed' : 'double';
       known = {
         parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
         motion: null,
         dispose: () => {
-          releaseGeometry(name, wanted);
+          releaseGeometry(key);
         },
       };
       shapeContents.set(ready, known);
-      flatNeeds.set(known, shapeNeeds(name, wanted, true));
+      flatNeeds.set(known, shapeNeeds(key, true));
     }
     return known;
   };

@@ -51,10 +51,12 @@ export class Claim {
   };
 
   dropFlat(): void {
-    this.#budget.hold(
-      this,
-      [...this.needs.values()].filter(({ flat }) => !flat),
-    );
+    this.keep([...this.needs.values()].filter(({ flat }) => !flat));
+  }
+
+  /** Holds nothing but these, which it holds already. */
+  keep(needs: readonly Need[]): void {
+    this.#budget.hold(this, needs);
   }
 
   release(): void {
