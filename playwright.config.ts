@@ -22,9 +22,6 @@ export default defineConfig({
   expect: { timeout: 10_000 },
   ...(release ? {} : { grepInvert: /@release/ }),
   use: {
-    // One page for all tests of a worker, emptied between them, where they ask for no other kind: half of what a test took was a
-    // process of its own.
-    reuseContext: true,
     browserName: 'chromium',
     viewport: { width: 1000, height: 700 },
     locale: 'en-GB',

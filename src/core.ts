@@ -11,9 +11,9 @@ export { emptyPack, type PackedLights, packLights, type PackSpace } from './ligh
 export { coneLimit, declaredFeatures } from './light/light-features.js';
 export { SURFACE_FIELDS, type SurfaceValues } from './material/material-values.js';
 export { PhongLighting, type ShadingFrame } from './material/lighting.js';
-export { type BaseLook } from './material/base-look.js';
+export { type BaseLook } from './material/file-surface.js';
 export { PhongMaterial } from './material/phong-material.js';
-export { type ShadingStyle } from './material/shading-style.js';
+export { type ShadingStyle } from './material/material-values.js';
 export { type Sides } from './material/back-faces.js';
 export { LIGHT_LOOP_GLSL } from './material/program/source.js';
 export type { Vec3, Vec4 } from './math/vector.js';

@@ -2,10 +2,10 @@
  * `phong-viewer/playwright`: visual tests of pages with `<phong-viewer>`, for `@playwright/test`. Compares pictures
  * with the equation rather than with files. Runs in Node; knows the elements by their public API only.
  */
-import { expect as playwrightExpect, type Locator, test } from '@playwright/test';
+import { errors, expect as playwrightExpect, type Locator, test } from '@playwright/test';
 import { LIGHT_FIELDS } from './light/light-state.js';
 import type { PhongViewer } from './index.js';
-import { judgeInPage, settleInPage } from './playwright/in-page.js';
+import { changeByCss, judgeInPage, otherElement, settleInPage } from './playwright/in-page.js';
 import type { Judgement, Suspect } from './playwright/judge-in-page.js';
 import { codesOff } from './playwright/subpixel.js';
 
@@ -26,6 +26,13 @@ export interface EquationOptions extends SettledOptions {
    * face.
    */
   readonly share?: number;
+  /**
+   * Pixels that are judged at least, where the picture has them: whole, at least 1, default 10,000, in groups spread
+   * over the picture at random; or `'all'`. Each takes a call of `shadeAt` or two.
+   */
+  readonly pixels?: number | 'all';
+  /** Chooses the pixels: the same number, the same pixels. Whole, default 1. */
+  readonly seed?: number;
 }
 
 export interface SnapshotOptions extends SettledOptions {
@@ -45,6 +52,9 @@ const { Buffer } = globalThis as unknown as { Buffer: { from(text: string, encod
 /** Suspects that are looked at closely. A picture with more is wrong anyway. */
 const MOST_SUSPECTS = 2000;
 
+/** Pixels judged by default: of a picture of 300 × 200 a second's work on one core, half of what a viewer covers. */
+const PIXELS = 10_000;
+
 /** Failed pixels that a message lists. */
 const LISTED = 5;
 
@@ -54,9 +64,32 @@ const LISTED = 5;
  * `auto-rotate`: set it to 0, or emulate reduced motion.
  */
 export async function settled(viewer: Locator, { timeout = 20_000 }: SettledOptions = {}): Promise<void> {
+  await isViewer(viewer, timeout);
   await viewer.scrollIntoViewIfNeeded({ timeout });
   await viewer.evaluate(settleInPage, timeout);
 }
+
+/** Throws, and says what there is instead, unless it is a locator of a viewer. */
+async function isViewer(viewer: Locator, timeout: number): Promise<void> {
+  const expected = "expected a locator of a <phong-viewer>, such as page.locator('phong-viewer')";
+  const { waitFor } = (viewer as Partial<Locator> | null | undefined) ?? {};
+  if (waitFor === undefined) throw new TypeError(`${expected}, got ${kindOf(viewer)}`);
+  try {
+    await viewer.waitFor({ state: 'attached', timeout });
+  } catch (error) {
+    // Playwright's own message names several matches.
+    if (!(error instanceof errors.TimeoutError)) throw error;
+    throw new Error(`${expected}: no element matches ${String(viewer)} after ${String(timeout)} ms`);
+  }
+  const other = await viewer.evaluate(otherElement);
+  if (other !== null) throw new TypeError(`${expected}: ${String(viewer)} is ${other}`);
+}
+
+/** Playwright's build adds an underscore to some classes. */
+const kindOf = (value: unknown): string =>
+  typeof value === 'object' && value !== null
+    ? `a ${value.constructor.name.replace(/^_/, '')}`
+    : String(value);
 
 /**
  * The settled picture as a PNG of exactly this size, without page, panel or background: the same bytes wherever browser
@@ -91,12 +124,13 @@ export const expect = playwrightExpect.extend({
   /**
    * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face. A pixel also
    * passes if the equation takes its colour within one step of the device's subpixel grid, to which rasterisers move
-   * vertices. Not judged: edges of triangles, translucent surfaces, textures with several texels to a pixel, and own
-   * objects in `scene`. The message and an annotation of the test report how many pixels were judged.
+   * vertices. Judges a sample unless `pixels` is `'all'`. Never judged: edges of triangles, translucent surfaces, textures with several texels to a pixel, and own
+   * objects in `scene`. The message and an annotation of the test report how many pixels were judged. What CSS makes of
+   * the picture is not judged: a `filter` or an `opacity` gets a warning.
    */
   async toShowTheEquation(
     viewer: Locator,
-    { codes = 1, share = 0.25, timeout = 20_000 }: EquationOptions = {},
+    { codes = 1, share = 0.25, pixels = PIXELS, seed = 1, timeout = 20_000 }: EquationOptions = {},
   ) {
     if (!Number.isInteger(codes) || codes < 0 || codes > 255)
       throw new RangeError(
@@ -104,16 +138,26 @@ export const expect = playwrightExpect.extend({
       );
     if (!(share >= 0 && share <= 1))
       throw new RangeError(`toShowTheEquation: share must be from 0 to 1, got ${String(share)}`);
+    if (pixels !== 'all' && !(Number.isInteger(pixels) && pixels >= 1))
+      throw new RangeError(
+        `toShowTheEquation: pixels must be a whole number from 1 on, or 'all', got ${String(pixels)}`,
+      );
+    if (!Number.isInteger(seed))
+      throw new RangeError(`toShowTheEquation: seed must be a whole number, got ${String(seed)}`);
     await settled(viewer, { timeout });
+    const change = await viewer.evaluate(changeByCss);
+    if (change !== null) warn(`toShowTheEquation: ${change}`);
     const judgement: Judgement = await viewer.evaluate(judgeInPage, {
       codes,
+      pixels: pixels === 'all' ? null : pixels,
+      seed,
       most: MOST_SUSPECTS,
       lightKeys: Object.keys(LIGHT_FIELDS),
     });
     const wrong = judgement.suspects.filter((suspect) => codesOff(suspect, judgement) > codes);
     const failed = wrong.length + judgement.suspectCount - judgement.suspects.length;
     const { judged, surface } = judgement;
-    const summary = summaryOf(judgement);
+    const summary = summaryOf(judgement, seed);
     test.info().annotations.push({ type: 'equation', description: summary });
     const enough = judged > 0 && judged >= share * surface;
     const reason = enough
@@ -127,13 +171,24 @@ export const expect = playwrightExpect.extend({
   },
 });
 
-function summaryOf({ judged, surface, edges, translucent, minified }: Judgement): string {
+function summaryOf(
+  { judged, surface, edges, translucent, minified, sampled }: Judgement,
+  seed: number,
+): string {
   if (surface === 0) return 'The picture shows no surface.';
+  const part =
+    sampled === 1 ? '' : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
   const left = Object.entries({ 'at edges': edges, translucent, 'with minified textures': minified })
     .filter(([, count]) => count > 0)
     .map(([name, count]) => `${String(count)} ${name}`);
   const rest = left.length === 0 ? '' : `; not judged: ${left.join(', ')}`;
-  return `${String(judged)} of ${String(surface)} pixels of surfaces were judged (${percent(judged / surface)}${rest}).`;
+  return `${String(judged)} of ${String(surface)} pixels of surfaces${part} were judged (${percent(judged / surface)}${rest}).`;
+}
+
+/** In the console, and in the test's report. */
+function warn(description: string): void {
+  test.info().annotations.push({ type: 'warning', description });
+  console.warn(description);
 }
 
 const percent = (share: number): string => `${String(Math.round(100 * share))} %`;

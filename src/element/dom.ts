@@ -1,5 +1,6 @@
 // Builds and changes elements by the DOM's own calls: for what follows every frame (strokes, handles)
 // (decisions/lit.md), and for the boxes that templates are rendered into.
+import type { LitElement } from 'lit';
 
 type Attributes = Readonly<Record<string, string | null>>;
 
@@ -36,4 +37,14 @@ export function set<E extends Element>(element: E, attributes: Attributes): E {
 /** Writes only what changes, for the same reason as {@link set}. Screen readers may also read again what is written. */
 export function write(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
+}
+
+/**
+ * From now on templates of `element` are created in its own document, which may be that of an iframe or a popup, and
+ * not the script's.
+ */
+export function renderWhereShown(element: LitElement): void {
+  element.renderOptions.creationScope = {
+    importNode: (node, deep) => element.ownerDocument.importNode(node, deep),
+  };
 }

@@ -2,7 +2,6 @@
 // Types only.
 import type { LitElement } from 'lit';
 import type { Scene } from 'three';
-import type { CameraState } from './camera-state.js';
 import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation } from './explanation.js';
 import type {
@@ -13,7 +12,7 @@ import type {
 } from './fields/properties.js';
 import type { ViewerTexts } from './fields/texts.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
-import type { ViewerStats } from './viewer/stats.js';
+import type { Vec3 } from '../math/vector.js';
 
 /** The class of an element. */
 export interface ElementClass<E extends HTMLElement> {
@@ -114,4 +113,45 @@ export interface PhongCompare extends LitElement, CompareProperties {
   readonly viewers: readonly PhongViewer[];
   /** The comparison as markup, with the cameras and dividers as they are now. */
   toHTML(): string;
+}
+
+/** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
+export interface ViewerStats {
+  readonly frames: number;
+  readonly lightsDeclared: number;
+  readonly lightsActive: number;
+  /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */
+  readonly lightsSent: number;
+  /** The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were added. */
+  readonly lightsSentByMesh: readonly number[];
+  /** Programs of the page's WebGL context. */
+  readonly programs: number;
+  /** In the last frame. */
+  readonly drawCalls: number;
+  /** Uploads of light data. */
+  readonly uploads: number;
+  /** Viewers that the page's last frame has drawn: those in view that had changed. */
+  readonly viewersDrawn: number;
+}
+
+/** What moved the camera. */
+export type CameraSource = 'pointer' | 'wheel' | 'key' | 'panel' | 'script' | 'auto';
+
+/** The camera as it is now. Frozen. Angles in degrees, lengths in scene units, vectors in world space. */
+export interface CameraState {
+  readonly eye: Vec3;
+  readonly target: Vec3;
+  readonly up: Vec3;
+  /** In [-180, 180). */
+  readonly theta: number;
+  readonly phi: number;
+  readonly radius: number;
+}
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'phong-light': PhongLight;
+    'phong-mesh': PhongMesh;
+    'phong-viewer': PhongViewer;
+  }
 }

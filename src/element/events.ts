@@ -1,7 +1,6 @@
 // The elements' events: names, details and when they are dispatched. `addEventListener`, JSX and the editors' data take
 // their types and descriptions from this list. Types only.
-import type { CameraSource } from './camera-state.js';
-import type { PhongLight } from './elements.js';
+import type { CameraSource, PhongLight } from './elements.js';
 import type { FragmentExplanation } from './explanation.js';
 
 export type ViewerErrorCode =

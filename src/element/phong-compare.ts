@@ -9,7 +9,7 @@ import type { Listen, PhongCompareEventMap } from './events.js';
 import { COMPARE_FIELDS, type CompareValues } from './fields/compare-fields.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { CompareProperties } from './fields/properties.js';
-import { renderWhereShown } from './page/render-scope.js';
+import { renderWhereShown } from './dom.js';
 import { addStyles } from './page/style-sheets.js';
 import styles from './phong-compare.css?inline';
 import { compareMarkup } from './viewer/to-html.js';

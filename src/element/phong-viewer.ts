@@ -3,9 +3,15 @@
 import { LitElement, type PropertyValues, type TemplateResult } from 'lit';
 import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
-import type { CameraState } from './camera-state.js';
-import { create } from './dom.js';
-import type { ElementClass, PhongLight, PhongMesh, PhongViewer as PublicViewer } from './elements.js';
+import type {
+  CameraState,
+  ElementClass,
+  PhongLight,
+  PhongMesh,
+  PhongViewer as PublicViewer,
+  ViewerStats,
+} from './elements.js';
+import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
 import type { FragmentExplanation } from './explanation.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
@@ -13,26 +19,24 @@ import type { ViewerProperties } from './fields/properties.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
-import { renderWhereShown } from './page/render-scope.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import styles from './phong-viewer.css?inline';
 import { CAMERA_KEYS, ViewerCamera } from './viewer/camera.js';
 import { ViewerChildren } from './viewer/children.js';
-import { ViewerContext } from './viewer/context.js';
+import { ViewerContext } from './viewer/viewer-context.js';
 import { ViewerDisplay } from './viewer/display.js';
 import { EventQueue } from './viewer/event-queue.js';
 import { ViewerExtras } from './viewer/extras.js';
 import { ViewerFailure } from './viewer/failure.js';
 import { ViewerLoading } from './viewer/loading.js';
-import { ViewerPanel } from './viewer/panel.js';
+import { ViewerPanel } from './viewer/viewer-panel.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import { NAMING } from './viewer/naming.js';
-import { applyStyle } from './viewer/picture-style.js';
 import { Readiness } from './viewer/readiness.js';
-import type { ViewerStats } from './viewer/stats.js';
 import { sceneMarkup } from './viewer/to-html.js';
 import { blobOf, lazy } from './viewer/viewer-snapshot.js';
+import type { Viewport } from '../scene/viewport.js';
 
 /** The accessors come from the table of fields. */
 interface ViewerElement extends ViewerProperties {
@@ -58,6 +62,7 @@ interface ViewerElement extends ViewerProperties {
  * @csspart panel - the control panel's place
  * @csspart legend - what the colours of `view` mean
  * @csspart probe - the box of `probe`: a point's colour and the table of its sum
+ * @csspart light-name - the name of a light that `helpers` draws
  * @cssState loading - something requested has not arrived yet
  * @cssState error - something has failed and still does
  * @cssState empty - nothing to show is declared, and `scene` holds no object
@@ -262,3 +267,16 @@ defineProperties(ViewerElement.prototype, VIEWER_FIELDS);
 
 export type PhongViewer = PublicViewer;
 export const PhongViewer: ElementClass<PhongViewer> = ViewerElement;
+
+const STYLE_KEYS = ['shading', 'reflection', 'terms', 'antialias'] as const;
+
+/** Passes the values that change the picture as a whole to the viewport. `changed`: the values that were written. */
+function applyStyle(
+  viewport: Pick<Viewport, 'fov' | 'linear' | 'style'>,
+  { fov, colorInterpolation, shading, reflection, terms, antialias }: Readonly<ViewerValues>,
+  changed: { has(key: string): boolean },
+): void {
+  viewport.fov = fov;
+  viewport.linear = colorInterpolation === 'linear';
+  if (STYLE_KEYS.some((key) => changed.has(key))) viewport.style = { shading, reflection, terms, antialias };
+}

@@ -2,7 +2,7 @@
 // only and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import type { ViewerTexts } from '../element/fields/texts.js';
-import type { CreatePanel, Panel, PanelChange } from '../element/viewer/panel-api.js';
+import type { CreatePanel, Panel, PanelChange } from '../element/viewer/viewer-panel.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -24,8 +24,11 @@ import targets from './targets.css?inline';
 import { addUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-folders.js';
 
-/** In viewers narrower than this, in CSS pixels, the panel starts closed, because it would hide the picture. */
-const WIDE = 480;
+/**
+ * In viewers narrower than this, the panel starts closed, because it would hide the picture: in font sizes, and at most
+ * so many CSS pixels, from which on it stands beside the picture.
+ */
+const WIDE = { text: 40, column: 640 } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelStyles + controls + targets;
@@ -191,7 +194,8 @@ function newRoot(place: HTMLElement): GUI {
  */
 function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   const hasDecided = (): boolean => {
-    gui.open(viewer.clientWidth >= WIDE);
+    const fontSize = parseFloat(getComputedStyle(viewer).fontSize);
+    gui.open(viewer.clientWidth >= Math.min(WIDE.text * fontSize, WIDE.column));
     return viewer.clientWidth > 0 && viewer.clientHeight > 0;
   };
   const view = viewer.ownerDocument.defaultView;

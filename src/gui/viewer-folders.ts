@@ -4,7 +4,7 @@ import { HELPERS, type ViewerValues } from '../element/fields/viewer-fields.js';
 import { fieldsOf, viewerCameras } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { cameraOf, historyOf } from '../element/viewer/history.js';
-import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/shading-style.js';
+import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/material-values.js';
 import { VIEWS } from '../material/views.js';
 import type { Say } from './label.js';
 import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';

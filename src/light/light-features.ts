@@ -168,3 +168,25 @@ const isOnFarSide = (aperture: number): boolean => isBlunt(aperture) || (apertur
 
 /** sin² of half of 1e-6 rad. */
 const LEAST_LIMIT = 2.5e-13;
+
+/**
+ * For each kind, the features that any of its lights needs; 0 without a light of that kind.
+ * @param packed lights sorted by kind.
+ */
+export function kindFeatures({
+  counts,
+  features,
+}: {
+  readonly counts: Readonly<Record<LightKind, number>>;
+  readonly features: ArrayLike<number>;
+}): Record<LightKind, number> {
+  const all: Record<LightKind, number> = { directional: 0, point: 0, spot: 0 };
+  let light = 0;
+  for (const kind of KINDS) {
+    for (let i = 0; i < counts[kind]; i++, light++) {
+      const own = features[light]!;
+      all[kind] = i === 0 ? own : unionOf(all[kind], own);
+    }
+  }
+  return all;
+}

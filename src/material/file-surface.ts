@@ -1,12 +1,27 @@
-// What a model's file may say about a surface besides its base colour, and how that enters the equation. Roughness
-// becomes an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes the same
-// per fragment.
+// What a model's file may say about a surface besides Ka, Kd, Ks and the exponent, and how that enters the equation.
+// Roughness becomes an exponent, metalness moves the base colour from Kd to Ks. The shader's file_surface.glsl computes
+// the same per fragment.
 import type { Texture } from 'three';
 import { isBlack } from '../light/light-features.js';
 import type { Vec3 } from '../math/vector.js';
-import type { ShadingStyle } from './shading-style.js';
+import type { ShadingStyle } from './material-values.js';
 
-export interface FileSurface {
+/** What a file says about a surface. */
+export interface BaseLook {
+  /** Multiplies Ka and Kd. Encoded sRGB, 0 to 1. */
+  readonly baseColor: Vec3;
+  /** 0 to 1; always 1 if `alphaMode` is `opaque`. */
+  readonly opacity: number;
+  readonly alphaMode: 'opaque' | 'mask' | 'blend';
+  /** With `mask`, fragments with a lower alpha are discarded. */
+  readonly alphaCutoff: number;
+  /**
+   * Multiplies the base colour. Encoded sRGB, read without decoding (`NoColorSpace`). Sampled with `uv` transformed by
+   * `map.matrix` (up to date), with the file's filters and wrapping. The first row is the top of the image, as in glTF.
+   */
+  readonly map: Texture | null;
+  /** The geometry's attribute `color` multiplies the base colour. */
+  readonly vertexColors: boolean;
   /** The colour is the base colour: no light is summed, and nothing is emitted besides. */
   readonly unlit: boolean;
   /** E, added once to the sum over the lights. Encoded sRGB; 1 is full, more is brighter. Default black. */
@@ -25,7 +40,14 @@ export interface FileSurface {
   readonly normalScale: number;
 }
 
-export const NO_FILE_SURFACE: FileSurface = {
+/** The look of a built-in shape, and of a file that says nothing. */
+export const PLAIN_LOOK: BaseLook = {
+  baseColor: [1, 1, 1],
+  opacity: 1,
+  alphaMode: 'opaque',
+  alphaCutoff: 0.5,
+  map: null,
+  vertexColors: false,
   unlit: false,
   emissive: [0, 0, 0],
   emissiveMap: null,
@@ -71,12 +93,12 @@ export function exponentOfRoughness(roughness: number): number {
  */
 export const lobeScale = (n: number): number => Math.min((n + 2) / FULL_LOBE, 1);
 
-export const emits = ({ unlit, emissive }: FileSurface): boolean => !unlit && !isBlack(emissive);
+export const emits = ({ unlit, emissive }: BaseLook): boolean => !unlit && !isBlack(emissive);
 
-export const hasMetalness = ({ unlit, metalness }: FileSurface): boolean => !unlit && metalness > 0;
+export const hasMetalness = ({ unlit, metalness }: BaseLook): boolean => !unlit && metalness > 0;
 
 /** A vertex has no texture: Gouraud shading takes the roughness without its map. */
 export const usesRoughnessMap = (
-  { unlit, roughness, metalRoughMap }: FileSurface,
+  { unlit, roughness, metalRoughMap }: BaseLook,
   { shading }: ShadingStyle,
 ): boolean => !unlit && roughness !== null && metalRoughMap !== null && shading !== 'gouraud';

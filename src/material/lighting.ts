@@ -11,7 +11,7 @@ import type { LightBuffer } from './light-buffer.js';
 import { MeshLights } from './mesh-lights.js';
 import { ProgramCache } from './program/program-cache.js';
 import type { Form } from './program/variant.js';
-import type { PictureView } from './picture-view.js';
+import type { PictureView } from './views.js';
 
 /**
  * From where a picture is seen. Shading space has the world's axes and its origin at `origin`. Differences to it are

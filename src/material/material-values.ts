@@ -1,4 +1,5 @@
-// A surface's values in HTML's units (255 = 1), their domains and defaults.
+// What an author says about a surface: its values in HTML's units (255 = 1) with their domains and defaults, and how it
+// is shaded. Names that markup, panel, material and programs share.
 import { LIMITS } from '../light/light-state.js';
 import { colorField, type Field, numberField } from '../fields/field.js';
 import type { Vec3 } from '../math/vector.js';
@@ -21,4 +22,32 @@ export const SURFACE_FIELDS: { readonly [K in keyof SurfaceValues]: Field<Surfac
   kd: colorField([200, 200, 200], colors),
   ks: colorField([128, 128, 128], colors),
   shininess: numberField(32, { min: 0, max: LIMITS.exponent }),
+};
+
+export const SHADINGS = ['phong', 'gouraud', 'flat'] as const;
+export const REFLECTIONS = ['phong', 'blinn-phong'] as const;
+export const TERMS = ['ambient', 'diffuse', 'specular'] as const;
+export const ANTIALIASES = ['edges', 'highlights'] as const;
+
+export type Shading = (typeof SHADINGS)[number];
+export type Reflection = (typeof REFLECTIONS)[number];
+export type Term = (typeof TERMS)[number];
+export type Antialias = (typeof ANTIALIASES)[number];
+
+/** How a surface is shaded, besides its colours. `flat` needs a geometry that carries the triangles' own normals. */
+export interface ShadingStyle {
+  readonly shading: Shading;
+  readonly reflection: Reflection;
+  readonly terms: readonly Term[];
+  /**
+   * `edges` (default): one sample per pixel inside faces; the renderer smooths edges. `highlights`: the specular lobe
+   * is also averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under
+   * `gouraud`.
+   */
+  readonly antialias: Antialias;
+}
+
+export const DEFAULT_STYLE: ShadingStyle = {
+  ...{ shading: 'phong', reflection: 'phong', terms: TERMS },
+  antialias: 'edges',
 };

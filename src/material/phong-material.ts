@@ -13,22 +13,26 @@ import {
   Vector2,
   Vector3,
   Vector4,
+  Matrix3,
 } from 'three';
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
-import { type BaseLook, PLAIN_LOOK } from './base-look.js';
-import { lobeScale, usesRoughnessMap } from './file-surface.js';
-import { fileUniforms } from './file-uniforms.js';
+import { type BaseLook, PLAIN_LOOK, lobeScale, usesRoughnessMap } from './file-surface.js';
 import { facesOf, faceUniforms, isNear, writeFaces } from './flat-faces.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
-import { SURFACE_FIELDS, type SurfaceValues } from './material-values.js';
+import {
+  SURFACE_FIELDS,
+  type SurfaceValues,
+  DEFAULT_STYLE,
+  type ShadingStyle,
+  type Term,
+} from './material-values.js';
 import { normalMatrix } from './normal-matrix.js';
 import { variantParameters } from './program/program-cache.js';
 import { MaterialPrograms } from './program/material-programs.js';
 import type { Variant } from './program/variant.js';
-import { DEFAULT_STYLE, type ShadingStyle, type Term } from './shading-style.js';
 
 const DEFAULT_SURFACE: SurfaceValues = {
   ka: SURFACE_FIELDS.ka.fallback,
@@ -271,4 +275,30 @@ export class PhongMaterial extends RawShaderMaterial {
       uKs.value.multiplyScalar(uLobeScale.value);
     this.#programs.describe(style, this.#surface);
   }
+}
+
+/**
+ * The first values of the uniforms that hold what a file says; the material writes those that depend on its style.
+ * Those of a map that a program does not sample are never sent.
+ */
+function fileUniforms(look: BaseLook) {
+  const { map, emissiveMap, metalRoughMap, normalMap } = look;
+  const transform = (texture: Texture | null) => ({ value: texture?.matrix ?? new Matrix3() });
+  return {
+    uMap: { value: map },
+    uMapTransform: transform(map),
+    uEmissiveMap: { value: emissiveMap },
+    uEmissiveMapTransform: transform(emissiveMap),
+    uMetalRoughMap: { value: metalRoughMap },
+    uMetalRoughMapTransform: transform(metalRoughMap),
+    uNormalMap: { value: normalMap },
+    uNormalMapTransform: transform(normalMap),
+    uNormalScale: { value: look.normalScale },
+    uMirrored: { value: 1 },
+    uBaseColor: { value: new Vector3() },
+    uEmissive: { value: new Vector3() },
+    uMetalness: { value: look.metalness },
+    uRoughness: { value: look.roughness ?? 1 },
+    uLobeScale: { value: 1 },
+  };
 }

@@ -1,4 +1,10 @@
-// The names of the views. What they show is in view/view-table.ts, which is fetched with the first one.
+// The names of the views, and what lighting and materials know of one. What they show is in view/, which is fetched
+// with the first one.
+import type { IUniform } from 'three';
+import type { LightValues } from '../light/light-state.js';
+import type { PackedLights, PackSpace } from '../light/pack-lights.js';
+import type { Variant } from './program/variant.js';
+import type { Term } from './material-values.js';
 
 /**
  * `shaded`: the equation. `ambient`, `diffuse`, `specular`: one term's sum. `normals`: (N + 1)/2 per channel in world
@@ -22,3 +28,27 @@ export const VIEWS = [
 ] as const;
 
 export type View = (typeof VIEWS)[number];
+
+/** What a picture shows in place of all lights' shaded colours. */
+export interface PictureView {
+  /** The only term that is summed, without emissive and unlit colours. Null: the terms of each material's style. */
+  readonly term: Term | null;
+  /** Every triangle has its own vertices, so that a vertex's index identifies the triangle. */
+  readonly separate: boolean;
+  /** Packs the lights that the view reads. Called whenever lights, origin or the axes of camera space have changed. */
+  pack(lights: readonly Readonly<LightValues>[], space: PackSpace, into: PackedLights): void;
+  /** The programs in place of the materials' own. Null: programs as without a view. */
+  readonly program: ViewProgram | null;
+}
+
+export interface ViewProgram {
+  /** Uniforms of the view's own, added to each material's. */
+  readonly uniforms: Readonly<Record<string, IUniform>>;
+  /** Whether it can read its lights from a light grid. */
+  readonly usesGrid: boolean;
+  /**
+   * The program in place of a material's general one, which reads its lights from a texture. `grid`: from a grid's
+   * cells.
+   */
+  variant(general: Variant, grid: boolean): Variant;
+}

@@ -14,7 +14,7 @@ import type { Vec3 } from '../math/vector.js';
  * The size of a geometry. Its points are found when they are first needed: most meshes are not turned, and need none.
  */
 export class ExtremePoints {
-  /** Of all vertices. */
+  /** The box around all vertices. */
   readonly box: Readonly<Box>;
   /** Centre of the box. */
   readonly center: Vec3;

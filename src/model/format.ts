@@ -4,8 +4,8 @@
 import { foreignContent, foreignExtension, type ForeignFormat } from './foreign-formats.js';
 import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.js';
 import { lazyCode } from './lazy-code.js';
-import { gltfCode } from './gltf-code.js';
-import { ModelError, type Model } from './model.js';
+import { gltfCode } from './request-file.js';
+import { type Content, ModelError } from './model.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
 export interface ModelSource {
@@ -33,7 +33,7 @@ export type ReadOptional = <Bytes, Result>(
 ) => Promise<Result | null>;
 
 /** Reads a whole model, or throws and leaks nothing. An error other than ModelError means a broken file. */
-export type ModelReader = (source: ModelSource) => Promise<Model>;
+export type ModelReader = (source: ModelSource) => Promise<Content>;
 
 export interface Format extends FormatNames {
   /** Whether the bytes are those of this format and no other. */

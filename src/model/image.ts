@@ -1,8 +1,7 @@
 // Decodes an image file to pixels, without colour conversion and without premultiplication, first row on top. The
 // browser decodes them, but KTX2. No blob: address is fetched, as a strict CSP requires.
 import { imageSize, type ImageSize } from './image-size.js';
-import { decodeKtx2 } from './ktx2/decode-ktx2.js';
-import { isKtx2 } from './ktx2/ktx2-header.js';
+import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
 import type { ModelBudget } from './model-budget.js';
 

@@ -1,4 +1,5 @@
-// The limits of a model's size. Chosen so that the page's renderer and GPU process together grow by less than 1 GB.
+// The limits of a model's size, and how an exceeded memory is recognised. Chosen so that the page's renderer and GPU
+// process together grow by less than 1 GB.
 
 /**
  * Most bytes of one model, all its files together, as they arrive after decompression: 256 MiB. The reader holds the
@@ -64,3 +65,13 @@ export const VALUES_PER_TRIANGLE = 7;
  * the GPU together. Every model within the limits above fits in alone.
  */
 export const TRIANGLE_LIMIT = 2 ** 24;
+
+/**
+ * Whether memory could not be allocated. Browsers throw a RangeError for that, Firefox also an InternalError or a
+ * string. A RangeError can also mean an offset outside a buffer or a recursion that is too deep.
+ */
+export function isOutOfMemory(error: unknown): boolean {
+  const text = String(error);
+  if (error instanceof RangeError) return !/offset|bounds|multiple|call stack|recursion/i.test(text);
+  return /out of memory|allocation size/i.test(text);
+}

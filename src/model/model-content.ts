@@ -1,72 +1,210 @@
-// Turns a loaded model into content that a mesh can show, as a built-in shape is. Entry point of the code that reads
-// models, fetched with the first one.
-import { exponentOfRoughness, NO_FILE_SURFACE } from '../material/file-surface.js';
-import type { SurfaceValues } from '../material/material-values.js';
-import type { Content, Motion } from './content.js';
+// Loads a model from an address: downloads it, detects the format and reads it. Every failure is a ModelError with a
+// code and a sentence. Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval. Entry
+// point of the code that reads models, fetched with the first one.
+import { clip } from '../fields/clip.js';
+import { isOutOfMemory } from './limits.js';
+import { byteFetcher } from './fetch-bytes.js';
+import { DROP_TOGETHER, listed, MissingFileError, openFile, type OpenedModel } from './file-group.js';
 import { nameOf } from './file-name.js';
-import { loadModel, type LoadOptions, type ModelLook, type ModelMotion } from './load-model.js';
-import type { FileRequest } from './request-file.js';
+import { formatOf, type ReadOptional } from './format.js';
+import { asUtf8 } from './text/utf-16.js';
+import { type Content, ModelError } from './model.js';
+import type { CrossOrigin, FileRequest } from './request-file.js';
+import { Box3, type BufferGeometry, Sphere, Vector3 } from 'three';
+import { findExtremePoints } from './extreme-points.js';
+import { Slices } from './slices.js';
 
 export { droppedModel } from './dropped-files.js';
 
-/** The model at `url`; see {@link loadModel}. */
+export interface LoadOptions {
+  /** Aborts the load; the promise then rejects with the signal's reason. */
+  readonly signal: AbortSignal;
+  /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
+  readonly onProgress?: (loaded: number, total: number) => void;
+  /**
+   * Called before values of 4 bytes are allocated for vertices and indices, with their number; what it throws ends the
+   * load.
+   */
+  readonly onValues?: (values: number) => void;
+  /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
+  readonly crossOrigin: CrossOrigin;
+  /** The format, as a word such as `obj` or a media type. Empty, the default: as content, extension and server tell. */
+  readonly type?: string;
+}
+
+/**
+ * Loads a model and the files it refers to. `data:` addresses are decoded, not fetched.
+ * @param from the request of the file at `url`, if it was requested already; or a file, whose `url` is for messages
+ *   only.
+ * @throws ModelError, or the signal's reason after an abort. Nothing leaks then.
+ */
 export async function modelContent(
   url: URL,
   options: LoadOptions,
-  from: FileRequest | Blob | null,
+  from: FileRequest | Blob | null = null,
 ): Promise<Content> {
-  const model = await loadModel(url, options, from);
-  if (model.dropped !== undefined && model.dropped.size > 0)
-    console.warn(`${nameOf(url)} is shown without ${[...model.dropped].join(', ')}.`);
-  return {
-    parts: model.parts.map(({ name, geometry, matrix, look }) => ({
-      name,
-      geometry,
-      matrix,
-      look: { ...NO_FILE_SURFACE, ...look, vertexColors: 'color' in geometry.attributes },
-      sides: look.doubleSided ? 'double' : 'single',
-      surface: surfaceOf(look),
-    })),
-    motion: model.motion ? motionOf(model.motion, nameOf(url)) : null,
-    missing: model.missing ?? [],
-    dispose: () => {
+  const { signal, type = '' } = options;
+  const isRequest = from === null || 'response' in from;
+  const { name, read, linked, mediaType } = isRequest ? openAddress(url, options, from) : openFile(from);
+  const missing = new Map<string, string>();
+  const optional = optionalReader(signal, missing);
+  try {
+    const bytes = asUtf8(await read());
+    const format = formatOf(name, bytes, { type, mediaType: mediaType(), address: url.href });
+    const readModel = await format.reader().catch((cause: unknown) => {
+      const message = `The code that reads ${format.name} files could not be fetched.`;
+      throw new ModelError('load-failed', message, { cause });
+    });
+    signal.throwIfAborted();
+    const model = await readModel({ url, bytes, signal, linked, optional, onValues: options.onValues });
+    try {
+      await measureModel(model, signal);
+    } catch (error) {
       model.dispose();
-    },
-  };
-}
-
-/** @param file its name, for warnings. */
-function motionOf(motion: ModelMotion, file: string): Motion {
-  const { clips } = motion;
-  const unknown = new Set<string>();
-  const indexOf = (wanted: string): number => {
-    const index = wanted === '' ? 0 : clips.findIndex(({ name }) => name === wanted);
-    if (index < 0 && !unknown.has(wanted)) {
-      const names = clips.map(({ name }) => JSON.stringify(name)).join(', ');
-      console.warn(
-        `${file} has no animation ${JSON.stringify(wanted)}, so its first one is shown. It has: ${names}`,
-      );
-      unknown.add(wanted);
+      throw error;
     }
-    return Math.max(index, 0);
-  };
-  const durationOf = (name: string): number => clips[indexOf(name)]?.duration ?? 0;
+    if (missing.size > 0) warnOfMissing(name, missing);
+    const dropped = [...(model.dropped ?? [])];
+    if (dropped.length > 0) console.warn(`${nameOf(url)} is shown without ${dropped.join(', ')}.`);
+    return { ...model, missing: [...missing.keys()] };
+  } catch (cause) {
+    signal.throwIfAborted();
+    if (cause instanceof ModelError) throw cause;
+    if (isOutOfMemory(cause)) {
+      const message = `There is not enough memory to read ${name}.`;
+      throw new ModelError('too-large', message, { cause });
+    }
+    const reason = cause instanceof Error ? cause.message : String(cause);
+    throw new ModelError('bad-model', `The model cannot be read: ${reason} (${name}).`, { cause });
+  }
+}
+
+function openAddress(url: URL, options: LoadOptions, request: FileRequest | null): OpenedModel {
+  let mediaType = '';
+  const fetchBytes = byteFetcher(options, (type) => {
+    mediaType ||= type; // the first file is the model
+  });
+  const anywhere = options.crossOrigin !== null;
   return {
-    names: clips.map(({ name }) => name),
-    durationOf,
-    pose: (name, seconds) => {
-      if (name === null) motion.pose(null, 0);
-      else motion.pose(indexOf(name), durationOf(name) > 0 ? seconds % durationOf(name) : 0);
-    },
+    name: nameOf(url),
+    read: () => fetchBytes(url, 'follow', request),
+    // A redirect could lead out of the folder. If any address is allowed, it does no harm.
+    linked: async (uri) => fetchBytes(linkedUrl(uri, url, anywhere), anywhere ? 'follow' : 'error'),
+    mediaType: () => mediaType,
   };
 }
 
-function surfaceOf({ ka, kd, ks, shininess, roughness = null }: ModelLook): Partial<SurfaceValues> {
-  const surface: Partial<SurfaceValues> = {};
-  if (ka !== undefined) surface.ka = [ka[0] * 255, ka[1] * 255, ka[2] * 255];
-  if (kd !== undefined) surface.kd = [kd[0] * 255, kd[1] * 255, kd[2] * 255];
-  if (ks !== undefined) surface.ks = [ks[0] * 255, ks[1] * 255, ks[2] * 255];
-  if (shininess !== undefined) surface.shininess = shininess;
-  else if (roughness !== null) surface.shininess = exponentOfRoughness(roughness);
-  return surface;
+/** @param missing gets the reason for everything that is left out, by its name. */
+function optionalReader(signal: AbortSignal, missing: Map<string, string>): ReadOptional {
+  return async (name, read, use) => {
+    const leaveOut = (error: unknown): null => {
+      signal.throwIfAborted();
+      if (isOutOfMemory(error)) throw error;
+      missing.set(clip(name), reasonOf(name, error));
+      return null;
+    };
+    let bytes: Awaited<ReturnType<typeof read>>;
+    try {
+      bytes = await read();
+    } catch (error) {
+      if (error instanceof ModelError && /^(too-large|csp)$/.test(error.code)) throw error;
+      return leaveOut(error);
+    }
+    try {
+      return await use(bytes);
+    } catch (error) {
+      if (error instanceof ModelError) throw error;
+      return leaveOut(error);
+    }
+  };
+}
+
+/** A sentence. Messages of decoders go on from the file's name. */
+function reasonOf(name: string, error: unknown): string {
+  if (error instanceof MissingFileError) return DROP_TOGETHER;
+  if (error instanceof ModelError) return error.message;
+  return `${clip(name)} ${error instanceof Error ? error.message : String(error)}.`;
+}
+
+/** Most reasons in the warning. A material library can name thousands of images. */
+const MOST_REASONS = 10;
+
+function warnOfMissing(model: string, missing: ReadonlyMap<string, string>): void {
+  const names = [...missing.keys()];
+  const reasons = [...new Set(missing.values())].slice(0, MOST_REASONS);
+  console.warn(
+    `${model} is shown without ${String(names.length)} of the files that it names: ${listed(names)}. ${reasons.join(' ')}`,
+  );
+}
+
+// Some servers treat an escaped slash as a slash, after the URL parser has resolved `..`.
+const ESCAPED_SLASH = /%(2f|5c)/i;
+
+/**
+ * The address of the file that the model at `model` refers to as `uri`.
+ * @param anywhere whether any http(s) origin and folder is allowed (`crossorigin` is set).
+ * @throws ModelError `load-failed` if it is not allowed, or no address.
+ */
+export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
+  const url = parsed(uri, model);
+  if (!url)
+    throw new ModelError(
+      'load-failed',
+      `The file "${uri}", which ${nameOf(model)} names, has no valid address.`,
+    );
+  if (anywhere && /^https?:$/.test(url.protocol)) return url;
+  const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
+  const below =
+    url.origin === model.origin &&
+    url.protocol === model.protocol &&
+    url.username === model.username &&
+    url.password === model.password &&
+    /^(https?|file):$/.test(url.protocol) &&
+    url.pathname.startsWith(folder) &&
+    !ESCAPED_SLASH.test(url.pathname.slice(folder.length));
+  if (below) return url;
+  throw new ModelError(
+    'load-failed',
+    `The file "${uri}" is not in the folder of ${nameOf(model)}, which names it. ` +
+      'Put it beside the model, or set crossorigin to allow it.',
+  );
+}
+
+function parsed(uri: string, base: URL): URL | null {
+  try {
+    return new URL(uri, base);
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * Computes all bounds that framing and culling will need, in slices: the first frame would do it in one task.
+ * @throws the signal's reason after an abort.
+ */
+async function measureModel({ parts }: Content, signal: AbortSignal): Promise<void> {
+  const slices = new Slices(signal);
+  for (const geometry of new Set(parts.map((part) => part.geometry))) {
+    if (geometry.boundingSphere === null) await setBounds(geometry, slices);
+    await findExtremePoints(geometry, () => (slices.due ? slices.pause() : null));
+  }
+}
+
+/** Sets the box and the sphere of a geometry with plain, finite positions. */
+async function setBounds(geometry: BufferGeometry, slices: Slices): Promise<void> {
+  const { array, count } = geometry.getAttribute('position');
+  const box = new Box3();
+  const point = new Vector3();
+  await slices.over(count, (from, to) => {
+    for (let i = from; i < to; i += 1) box.expandByPoint(point.fromArray(array, i * 3));
+  });
+  const center = box.getCenter(new Vector3());
+  let farthest = 0;
+  await slices.over(count, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      farthest = Math.max(farthest, center.distanceToSquared(point.fromArray(array, i * 3)));
+    }
+  });
+  geometry.boundingBox = box;
+  geometry.boundingSphere = new Sphere(center, Math.sqrt(farthest));
 }

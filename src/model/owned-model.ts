@@ -1,12 +1,15 @@
 // A model that owns its geometries, textures and images.
-import { mapsOfLook, type Model, type ModelPart } from './model.js';
+import type { Texture } from 'three';
+import type { BaseLook } from '../material/file-surface.js';
+import type { Content } from './model.js';
 
-/** @param closeImages frees what the textures' images hold. */
-export function ownedModel(parts: readonly ModelPart[], closeImages: () => void = () => undefined): Model {
+/** Without motion. @param closeImages frees what the textures' images hold. */
+export function ownedModel(parts: Content['parts'], closeImages: () => void = () => undefined): Content {
   const owned = new Set(parts.flatMap(({ geometry, look }) => [geometry, ...mapsOfLook(look)]));
   let disposed = false;
   return {
     parts,
+    motion: null,
     dispose() {
       if (disposed) return;
       disposed = true;
@@ -15,3 +18,7 @@ export function ownedModel(parts: readonly ModelPart[], closeImages: () => void 
     },
   };
 }
+
+/** All textures of a look. */
+export const mapsOfLook = ({ map, emissiveMap, metalRoughMap, normalMap }: BaseLook): Texture[] =>
+  [map, emissiveMap, metalRoughMap, normalMap].flatMap((texture) => texture ?? []);

@@ -4,6 +4,7 @@ import type { LightValues } from '../light/light-state.js';
 import { scale, subtract, type Vec3 } from '../math/vector.js';
 import type { PhongViewer } from '../index.js';
 import { textureFault, type Explained } from './texture-fault.js';
+import { type Tile, tilesOf } from './tiles.js';
 
 /** What the equation takes at one pixel, as `shadeAt` gives it. */
 export interface Point {
@@ -39,6 +40,8 @@ export interface Judgement {
   readonly height: number;
   /** Bits of the grid that the device moves vertices to. */
   readonly subpixelBits: number;
+  /** Share of the picture that was looked at, 0–1. The counts below are of this part. */
+  readonly sampled: number;
   /** Pixels that show a Phong-lit surface, without the picture's border. */
   readonly surface: number;
   readonly judged: number;
@@ -60,6 +63,10 @@ export interface Judgement {
 
 export interface JudgeOptions {
   readonly codes: number;
+  /** Pixels to judge at least, where the picture has them; null: all. */
+  readonly pixels: number | null;
+  /** Chooses the pixels. */
+  readonly seed: number;
   /** Suspects returned at most. */
   readonly most: number;
   /** Names of a light's values. */
@@ -70,7 +77,7 @@ type Counts = {
   -readonly [K in 'surface' | 'judged' | 'edges' | 'translucent' | 'minified' | 'suspectCount']: Judgement[K];
 };
 
-/** What shadeAt explains of a row of pixels; null where no Phong-lit surface is drawn. */
+/** What shadeAt explains of pixels in a row; null where no Phong-lit surface is drawn. */
 type Row = readonly (Explained | null)[];
 
 /** A pixel inside one face, with those to the right and below. */
@@ -88,7 +95,7 @@ interface Inside {
  */
 export async function judgeInPage(
   viewer: PhongViewer,
-  { codes, most, lightKeys }: JudgeOptions,
+  { codes, pixels, seed, most, lightKeys }: JudgeOptions,
 ): Promise<Judgement> {
   if (viewer.antialias === 'highlights')
     throw new Error(
@@ -100,13 +107,17 @@ export async function judgeInPage(
   const row = rowsOf(viewer, width, height);
   const counts: Counts = { surface: 0, judged: 0, edges: 0, translucent: 0, minified: 0, suspectCount: 0 };
   const suspects: Suspect[] = [];
-  let rows: readonly [Row, Row] = [await row(0), await row(Math.min(1, height - 1))];
-  for (let y = 1; y < height - 1; y++) {
-    const [above, line, under] = [...rows, await row(y + 1)] as const;
-    rows = [line, under];
-    for (let x = 1; x < width - 1; x++) {
-      const inside = judged(above, line, under, x, subpixelBits, counts);
-      if (inside === null) continue;
+  const tiles = tilesOf(width, height, seed);
+  let done = 0;
+  for (const tile of tiles) {
+    if (pixels !== null && counts.judged >= pixels) break;
+    done += 1;
+    const rows = await Promise.all(
+      Array.from({ length: tile.bottom - tile.top + 2 }, (_, i) =>
+        row(tile.top - 1 + i, tile.left - 1, tile.right + 1),
+      ),
+    );
+    for (const { x, y, inside } of insides(tile, rows, subpixelBits, counts)) {
       const drawn = [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 4)];
       const expected = scale(inside.here.color, 255);
       if (drawn[3] === 255 && !isOff(drawn, expected, codes)) continue;
@@ -116,7 +127,8 @@ export async function judgeInPage(
   }
   if (JSON.stringify(viewer.camera) !== before)
     throw new Error('the camera moved while the picture was judged');
-  return { width, height, subpixelBits, ...counts, suspects, ...settingOf(viewer, lightKeys) };
+  const sampled = tiles.length === 0 ? 1 : done / tiles.length;
+  return { width, height, subpixelBits, sampled, ...counts, suspects, ...settingOf(viewer, lightKeys) };
 }
 
 /** The picture's pixels, without premultiplication or a colour conversion. */
@@ -141,8 +153,12 @@ function deviceSubpixelBits(): number {
   return bits;
 }
 
-/** Explains one row of a picture of that size. */
-function rowsOf(viewer: PhongViewer, width: number, height: number): (y: number) => Promise<Row> {
+/** Explains the pixels `from` to `to` (excluded) of one row of a picture of that size. */
+function rowsOf(
+  viewer: PhongViewer,
+  width: number,
+  height: number,
+): (y: number, from: number, to: number) => Promise<Row> {
   const surface = viewer.shadowRoot?.querySelector('[part=surface]');
   if (!surface) throw new Error('the viewer cannot be drawn here');
   // shadeAt takes CSS pixels of the picture before any transform; inside CSS zoom, those of pointer events.
@@ -150,8 +166,26 @@ function rowsOf(viewer: PhongViewer, width: number, height: number): (y: number)
   const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   const cssX = (parseFloat(style.width) * zoom) / width;
   const cssY = (parseFloat(style.height) * zoom) / height;
-  return (y) =>
-    Promise.all(Array.from({ length: width }, (_, x) => viewer.shadeAt((x + 0.5) * cssX, (y + 0.5) * cssY)));
+  return (y, from, to) =>
+    Promise.all(
+      Array.from({ length: to - from }, (_, i) => viewer.shadeAt((from + i + 0.5) * cssX, (y + 0.5) * cssY)),
+    );
+}
+
+/** The pixels of a tile that can be judged. `rows` are those of the tile and of one pixel around it. */
+function* insides(
+  { left, top, right, bottom }: Tile,
+  rows: readonly Row[],
+  subpixelBits: number,
+  counts: Counts,
+): Generator<{ x: number; y: number; inside: Inside }> {
+  for (let y = top; y < bottom; y++) {
+    const [above, line, under] = [rows[y - top]!, rows[y - top + 1]!, rows[y - top + 2]!];
+    for (let x = left; x < right; x++) {
+      const inside = judged(above, line, under, x - left + 1, subpixelBits, counts);
+      if (inside !== null) yield { x, y, inside };
+    }
+  }
 }
 
 /** The pixel at `x` of `line` with its neighbours, if it can be judged; counts it either way. */

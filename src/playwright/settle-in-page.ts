@@ -19,7 +19,8 @@ type Within = <T>(what: string, promise: Promise<T>) => Promise<T>;
  */
 export async function settleInPage(viewer: PhongViewer, timeout: number): Promise<void> {
   const within = deadline(timeout);
-  await customElements.whenDefined('phong-viewer');
+  const defined = customElements.whenDefined('phong-viewer');
+  await within('<phong-viewer> is not defined, is the script of the package loaded?', defined);
   await within(viewer.loaded ? 'it is not drawn' : 'it is still loading', viewer.ready);
   let last = appearanceOf(viewer);
   let compiling = false;

@@ -12,7 +12,7 @@ import {
   Sphere,
   Vector3,
 } from 'three';
-import { PLAIN_LOOK } from '../material/base-look.js';
+import { PLAIN_LOOK } from '../material/file-surface.js';
 import { declareFaces, facesOf } from '../material/flat-faces.js';
 import { boundsOf, hasMovingVertices, newBall, stretch } from './bounds.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';

@@ -1,12 +1,10 @@
 // Draws one picture's meshes with its lights, and counts what that costs.
-import { Scene, type WebGLRenderer } from 'three';
+import { Scene, type WebGLRenderer, type Mesh, type Object3D, type ShaderMaterial, Texture } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/lighting.js';
-import { releaseGpu } from './gpu/release-gpu.js';
 import { HugeShapes } from './huge-shapes.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import type { ViewCamera } from './view-camera.js';
-import type { ViewportStats } from './viewport-stats.js';
 
 export class Painter {
   readonly scene = new Scene();
@@ -57,4 +55,30 @@ export class Painter {
       drawCalls: this.#drawCalls,
     };
   }
+}
+
+export interface ViewportStats {
+  readonly frames: number;
+  readonly lightsActive: number;
+  readonly lightsSent: number;
+  readonly lightsSentByMesh: readonly number[];
+  readonly programs: number;
+  readonly drawCalls: number;
+  readonly uploads: number;
+  readonly viewersDrawn: number;
+}
+
+/**
+ * Releases a scene's buffers, programs and textures on the GPU. Nothing is lost: the next drawing uploads them again.
+ */
+function releaseGpu(root: Object3D): void {
+  root.traverse((object) => {
+    const { geometry, material } = object as Partial<Mesh>;
+    geometry?.dispose();
+    for (const one of [material ?? []].flat()) {
+      one.dispose();
+      const { uniforms = {} } = one as Partial<ShaderMaterial>;
+      for (const { value } of Object.values(uniforms)) if (value instanceof Texture) value.dispose();
+    }
+  });
 }

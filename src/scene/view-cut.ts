@@ -16,9 +16,9 @@ export interface View {
 }
 
 /**
- * Of the orbit's radius: about 4 roundings of a float32 of its size. The GPU places vertices relative to the target,
- * so a face whose plane passes nearer to the eye than this cannot be told from one seen edge-on, which covers no
- * pixel.
+ * A share of the orbit's radius: about 4 roundings of a float32 of its size. The GPU places vertices relative to the
+ * target, so a face whose plane passes nearer to the eye than this cannot be told from one seen edge-on, which covers
+ * no pixel.
  */
 const EDGE_ON = 2 ** -22;
 

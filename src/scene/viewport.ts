@@ -4,13 +4,13 @@ import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
-import type { ShadingStyle } from '../material/shading-style.js';
-import { Animations } from './animations.js';
+import type { ShadingStyle } from '../material/material-values.js';
+import { Animations } from './mesh/animation.js';
 import { AutoFit, type Framing } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
-import { Painter } from './painter.js';
+import { Painter, type ViewportStats } from './painter.js';
 import { Levels } from './mesh/levels.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
@@ -20,7 +20,6 @@ import type { Size } from './gpu/atlas.js';
 import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportSignals } from './viewport-signals.js';
-import type { ViewportStats } from './viewport-stats.js';
 
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;

@@ -1,6 +1,6 @@
 // What does a screen reader find in a comparison and in linked viewers? Read from Chromium's accessibility tree.
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';
 import { drag, nextFrame } from '../element/support/viewer.js';
 import { accessibleNodes } from './tree.js';
@@ -90,6 +90,6 @@ test('a page of comparisons breaks no rule of axe', async ({ page, mount }) => {
     { css, csp: '' },
   );
   await expect(page.getByRole('separator')).toHaveCount(4);
-  const { violations } = await new AxeBuilder({ page }).analyze();
+  const { violations } = await axeOn(page).analyze();
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
 });

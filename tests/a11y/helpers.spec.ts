@@ -1,6 +1,6 @@
 // Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from Chromium's accessibility tree; rules by axe.
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';
 import { contrast, screenshot } from './contrast.js';
 import { accessibleNode, accessibleNodes } from './tree.js';
@@ -45,7 +45,7 @@ test('the start of a move announces the keys, and its end the light’s position
 test('helpers break no rule of axe', async ({ page, mount }) => {
   const viewer = await mount(scene);
   await expect(viewer.getByRole('option')).toHaveCount(4);
-  const { violations } = await new AxeBuilder({ page }).analyze();
+  const { violations } = await axeOn(page).analyze();
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
 });
 

@@ -1,6 +1,6 @@
 // Is the probe accessible by keyboard and screen reader, in forced colours, and in languages written from right to left?
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
 import { assign, nextFrame, type PhongViewer } from '../element/support/viewer.js';
@@ -95,7 +95,7 @@ test('axe finds no problem, hovering, pinned and at 120 × 90', async ({ page, m
   for (const size of [{}, { width: 120, height: 90 }]) {
     await mount(scene('probe probe-at="0 0 0.5"'), size);
     await expect(page.locator('[part=probe]')).toBeVisible();
-    const { violations } = await new AxeBuilder({ page }).disableRules(['page-has-heading-one']).analyze();
+    const { violations } = await axeOn(page).disableRules(['page-has-heading-one']).analyze();
     expect(violations).toEqual([]);
   }
 });
@@ -141,7 +141,7 @@ test.describe('in forced colours', () => {
     const viewer = await mount(scene('probe probe-at="0 0 0.5"'));
     await expect(box(viewer)).toBeVisible();
     const [shown, color] = await viewer.evaluate(async (element: PhongViewer) => {
-      const swatch = element.shadowRoot!.querySelector('.probe .swatch')!;
+      const swatch = element.shadowRoot!.querySelector('[part=probe] .swatch')!;
       return [getComputedStyle(swatch).backgroundColor, (await element.shadeAt(300, 200))!.color] as const;
     });
     const numbers = (shown.match(/[\d.]+/g) ?? []).map(Number);

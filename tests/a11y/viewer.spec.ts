@@ -1,6 +1,6 @@
 // Can the element be used, and understood, without a mouse and without seeing it? Rules by axe; keys by a real keyboard.
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';
 import { cameraOf, type PhongViewer } from '../element/support/viewer.js';
 
@@ -16,7 +16,7 @@ test('a page of viewers breaks no rule of axe', async ({ page, mount, consoleGua
     ${viewer('alt="A still" orbit="false" zoom="false"')}${viewer('alt="" orbit="false" zoom="false"')}</main>`,
     { width: 300, height: 200 },
   );
-  const { violations } = await new AxeBuilder({ page }).analyze();
+  const { violations } = await axeOn(page).analyze();
   expect(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html)])).toEqual([]);
 });
 

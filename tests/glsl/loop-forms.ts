@@ -3,9 +3,9 @@
 // written into the text, so that cases with other lights share a program.
 import { declaredFeatures, isIntegerPower, isMildPower } from '../../src/light/light-features.js';
 import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
-import { PLAIN_LOOK } from '../../src/material/base-look.js';
+import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import { type Form, FORMS, generalVariant, specialisedVariant } from '../../src/material/program/variant.js';
-import { DEFAULT_STYLE, type Reflection, TERMS } from '../../src/material/shading-style.js';
+import { DEFAULT_STYLE, type Reflection, TERMS } from '../../src/material/material-values.js';
 import { lightWith, pack, type StressCase, type Variant } from '../stress/case.js';
 
 export type LoopForm = 'general' | Form;

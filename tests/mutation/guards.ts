@@ -11,7 +11,7 @@ import type * as angle from '../../src/math/angle.js';
 import type * as color from '../../src/math/color.js';
 import type * as vector from '../../src/math/vector.js';
 import type * as equation from '../../src/reference/equation.js';
-import type * as linkedUrls from '../../src/model/linked-url.js';
+import type * as linkedUrls from '../../src/model/model-content.js';
 import type * as nearDepth from '../../src/scene/near-depth.js';
 import type * as sampling from '../../src/scene/snapshot/sample.js';
 
@@ -159,7 +159,7 @@ export const GUARDS: readonly Guard[] = [
   ),
   guard<typeof linkedUrls>(
     'a model’s files come from its own folder',
-    'model/linked-url',
+    'model/model-content',
     'model-sources',
     () => ({
       linkedUrl: (uri, model) => new URL(uri, model),

@@ -7,13 +7,13 @@ const repository = fileURLToPath(new URL('../..', import.meta.url));
 const entry = 'script-of-a-user';
 
 interface BundleOptions {
-  /** Puts what a page would fetch later into the same file. Default false. */
+  /** Puts what a page would fetch later into the same file, not minified. Default false. */
   readonly whole?: boolean;
   /** Expressions and what replaces them. */
   readonly define?: Record<string, string>;
 }
 
-/** The minified code that a page fetches at start. Imports are resolved from the repository's root. */
+/** The code that a page fetches at start, minified. Imports are resolved from the repository's root. */
 export async function bundleOf(
   script: string,
   { whole = false, define = {} }: BundleOptions = {},
@@ -25,6 +25,7 @@ export async function bundleOf(
     define,
     build: {
       write: false,
+      minify: !whole,
       rolldownOptions: { input: entry, output: { codeSplitting: !whole } },
     },
     plugins: [

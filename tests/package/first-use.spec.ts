@@ -58,8 +58,8 @@ const uses: readonly Use[] = [
     chunks: ['picture-blob'],
   },
   { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['pick', 'shade-at'] },
-  { what: 'shadeAt on the shape', use: explain(300, 200), chunks: ['reference'] },
-  { what: 'shadeAt once more', use: explain(301, 200), chunks: [] },
+  { what: 'shadeAt on the shape', use: explain(75, 50), chunks: ['reference'] },
+  { what: 'shadeAt once more', use: explain(76, 50), chunks: [] },
   { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend', 'view-shared'] },
   { what: 'a view of the lights that add something', use: set({ view: 'light-count' }), chunks: [] },
   { what: 'one light alone', use: set({ view: 'shaded', viewLight: 'light 1' }), chunks: [] },
@@ -102,9 +102,9 @@ const drawOften = (viewer: Locator) =>
   });
 
 async function drag(page: Page): Promise<void> {
-  await page.mouse.move(300, 200);
+  await page.mouse.move(75, 50);
   await page.mouse.down();
-  await page.mouse.move(340, 220);
+  await page.mouse.move(85, 55);
   await page.mouse.up();
 }
 
@@ -112,7 +112,8 @@ for (const usage of ['standalone', 'modules'] as const) {
   test(`each part is fetched with its first use (${usage})`, async ({ page, site }) => {
     const requests = new Requests(page);
     const scene = '<phong-viewer geometry="box"><phong-light></phong-light></phong-viewer>';
-    await page.goto(site.page(scene, usages[usage]));
+    const css = 'body { margin: 0 } phong-viewer { display: block; width: 150px; height: 100px }';
+    await page.goto(site.page(scene, { ...usages[usage], css }));
     await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
     await allReady(page);
     const viewer = page.locator('phong-viewer');
@@ -125,7 +126,7 @@ for (const usage of ['standalone', 'modules'] as const) {
         for (const path of requests.take()) late.add(chunkName(path));
         return [...late].sort();
       };
-      await expect.poll(came, what).toEqual([...chunks].sort());
+      await expect.poll(came, { message: what, intervals: [10, 20, 50, 100] }).toEqual([...chunks].sort());
       await nextFrame(page);
       expect(came(), what).toEqual([...chunks].sort());
     }

@@ -73,10 +73,61 @@ test.describe('toShowTheEquation', () => {
   test('reports how many pixels it has judged', async ({ mount }, info) => {
     const viewer = await mount(`<phong-viewer geometry="box">${LIGHTS}</phong-viewer>`, SIZE);
     await expect(viewer).toShowTheEquation();
+    expect(info.annotations).toHaveLength(1);
     const [, judged = 0, surface = 0] = /^(\d+) of (\d+) pixels/.exec(info.annotations.at(-1)?.description ?? '')!.map(Number); // prettier-ignore
     expect(judged).toBeGreaterThan(0.8 * surface);
     expect(judged).toBeLessThan(surface);
     expect(surface).toBeGreaterThan(2000);
+  });
+
+  test('judges a sample of 10,000 pixels by default, and every pixel on request', async ({ mount }, info) => {
+    const viewer = await mount(`<phong-viewer geometry="box" radius="1.3">${LIGHTS}</phong-viewer>`, {
+      width: 200,
+      height: 130,
+    });
+    const report = (): string => info.annotations.at(-1)?.description ?? '';
+    await expect(viewer).toShowTheEquation();
+    expect(parseInt(report(), 10)).toBeGreaterThanOrEqual(10_000);
+    expect(parseInt(report(), 10)).toBeLessThan(10_100);
+    expect(report()).toMatch(/pixels of surfaces in a sample of \d+ % of the picture \(seed 1\) were judged/);
+    await spoil(viewer, 100, 65, 1, -2);
+    await expect(viewer).toShowTheEquation({ pixels: 100, seed: 2 });
+    expect(parseInt(report(), 10)).toBeLessThan(200);
+    expect(report()).toContain('(seed 2)');
+    expect(await refusal(viewer, { pixels: 'all' })).toMatch(/^\d+ of \d+ pixels of surfaces were judged/);
+  });
+
+  test('names what it gets instead of a viewer', async ({ mount, page, site }) => {
+    const viewer = await mount('<main><phong-viewer></phong-viewer></main><p></p>', SIZE);
+    const advice = "expected a locator of a <phong-viewer>, such as page.locator('phong-viewer')";
+    expect(await refusal(page as unknown as Locator)).toContain(`${advice}, got a Page`);
+    expect(await refusal(undefined as unknown as Locator)).toContain(`${advice}, got undefined`);
+    expect(await refusal(page.locator('main'))).toContain(
+      `${advice}: locator('main') is a <main> with 1 inside`,
+    );
+    expect(await refusal(page.locator('p'))).toContain('is a <p> with no viewer inside');
+    expect(await refusal(page.locator('#no'), { timeout: 100 })).toContain(
+      `no element matches locator('#no') after 100 ms`,
+    );
+    await viewer.evaluate((element) => element.after(element.cloneNode()));
+    expect(await refusal(page.locator('phong-viewer'))).toContain('resolved to 2 elements');
+    await page.goto(site.page('<phong-viewer></phong-viewer>'));
+    expect(await refusal(page.locator('phong-viewer'), { timeout: 200 })).toContain('is not defined');
+  });
+
+  test('warns of a filter or opacity, on the viewer or around it', async ({ mount }, info) => {
+    const viewer = await mount(`<main><phong-viewer geometry="box">${LIGHTS}</phong-viewer></main>`, SIZE);
+    await viewer.evaluate((element) => (element.style.filter = 'brightness(0.5)'));
+    await expect(viewer).toShowTheEquation({ pixels: 500 });
+    await viewer.evaluate((element) => {
+      element.style.filter = '';
+      element.parentElement!.style.opacity = '0.5';
+    });
+    await expect(viewer).toShowTheEquation({ pixels: 500 });
+    expect(info.annotations.filter(({ type }) => type === 'warning').map((one) => one.description)).toEqual([
+      expect.stringContaining('<phong-viewer> has the style "filter: brightness(0.5)"'),
+      expect.stringContaining('<main> has the style "opacity: 0.5"'),
+    ]);
   });
 
   test('refuses a single channel that is two codes off, and names the pixel', async ({ mount }) => {
@@ -104,6 +155,10 @@ test.describe('toShowTheEquation', () => {
     expect(await refusal(averaged)).toContain('antialias="highlights" averages');
     expect(await refusal(averaged, { codes: 0.5 })).toContain('codes must be a whole number');
     expect(await refusal(averaged, { share: 2 })).toContain('share must be from 0 to 1');
+    expect(await refusal(averaged, { pixels: 0 })).toContain(
+      "pixels must be a whole number from 1 on, or 'all'",
+    );
+    expect(await refusal(averaged, { seed: 0.5 })).toContain('seed must be a whole number');
   });
 
   test('leaves out textures that are drawn smaller than they are, and translucent surfaces', async ({

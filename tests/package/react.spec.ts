@@ -61,6 +61,9 @@ const renderedByServer = (): string =>
     { cwd: repository, encoding: 'utf8' },
   );
 
+// One worker for all, so that the script is bundled once.
+test.describe.configure({ mode: 'default' });
+
 let script: Promise<string> | undefined;
 
 /** Hydrates what is in the root, or renders into an empty one. */

@@ -58,6 +58,8 @@ export const allReady = (tab: Tab): Promise<null> =>
 async function showsTheEquation(tab: Tab, what: string, share: number): Promise<void> {
   const judgement = await tab.onViewer(judgeInPage, {
     codes: 1,
+    pixels: null,
+    seed: 1,
     most: 500,
     lightKeys: Object.keys(LIGHT_FIELDS),
   });

@@ -4,7 +4,7 @@ import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights, type PackedLights } from '../../src/light/pack-lights.js';
 import { add, type Mat4, type Vec3 } from '../../src/math/vector.js';
 import { type CameraAxes, shade, type Shaded, type Surface } from '../../src/reference/equation.js';
-import type { Reflection } from '../../src/material/shading-style.js';
+import type { Reflection } from '../../src/material/material-values.js';
 
 export interface Variant {
   readonly reflection: Reflection;

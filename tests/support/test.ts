@@ -14,6 +14,7 @@ import {
 } from '@playwright/test';
 import { ConsoleGuard } from './console-guard.js';
 import type { ViewerLike } from './picture.js';
+import { SharedPage } from './shared-page.js';
 import { startSite, testMounts, type PageOptions, type Site } from './site.js';
 
 export { expect };
@@ -42,6 +43,7 @@ interface WorkerFixtures {
   /** Serves /dist/, /demo/ (built), /fixtures/, /assets/, /node_modules/ and pages from memory. */
   readonly site: Site;
   readonly webgl2: undefined;
+  readonly sharedPage: SharedPage;
 }
 
 // Playwright's own `mount` is for component galleries; ours takes its name.
@@ -72,23 +74,48 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     { scope: 'worker' },
   ],
 
+  sharedPage: [
+    async ({}, use) => {
+      const shared = new SharedPage();
+      await use(shared);
+      await shared.close();
+    },
+    { scope: 'worker' },
+  ],
+
+  // The other options of the configuration are added by Playwright, and no test changes them.
+  context: async (
+    { browser, sharedPage, baseURL, viewport, deviceScaleFactor, hasTouch, forcedColors },
+    use,
+    info,
+  ) => {
+    const context = await sharedPage.take(browser, {
+      viewport,
+      hasTouch,
+      forcedColors,
+      ...(baseURL === undefined ? {} : { baseURL }),
+      ...(deviceScaleFactor === undefined ? {} : { deviceScaleFactor }),
+    });
+    await use(context);
+    await sharedPage.giveBack(info.status !== info.expectedStatus);
+  },
+
   baseURL: async ({ site }, use) => use(site.origin),
 
-  consoleGuard: async ({ context }, use) => {
+  consoleGuard: async ({ context, sharedPage }, use) => {
     const guard = new ConsoleGuard();
     await guard.watch(context);
     await use(guard);
     for (const page of context.pages()) {
       // One round trip to each page, so that pending messages arrive.
       await page.evaluate(() => 0).catch(() => 0);
-      // Playwright reuses the page for the next test, and resets only what it knows about.
-      if (scaled.has(page)) await page.close();
+      if (scaled.has(page)) sharedPage.spend();
     }
     guard.check();
   },
 
   // Named here so that they are at work wherever a page is.
-  page: async ({ page, consoleGuard: _guard, webgl2: _works }, use) => use(page),
+  page: async ({ context, consoleGuard: _guard, webgl2: _works }, use) => use(context.pages()[0]!),
 
   mount: async ({ page, site }, use) => use((markup, options) => mount(page, site, markup, options)),
 });

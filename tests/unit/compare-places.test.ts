@@ -1,7 +1,7 @@
 // Where are the dividers of a comparison, and how far does a key move one?
 
 import { describe, expect, it } from 'vitest';
-import { keyStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/places.js';
+import { keyStep, placesOf, rangeOf, withMoved } from '../../src/element/compare/divider-positions.js';
 
 describe('the dividers of a comparison', () => {
   it('make equal parts unless they are declared', () => {

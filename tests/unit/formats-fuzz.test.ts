@@ -2,7 +2,7 @@
 // and random sequences of the formats' words. The time of each is bounded by its size.
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { ModelError, type Model } from '../../src/model/model.js';
+import { ModelError, type Content } from '../../src/model/model.js';
 import { repeats } from '../support/repeats.js';
 import { loadFiles, png, standInImages } from './model-files.js';
 
@@ -80,9 +80,9 @@ async function requireOutcome(files: Readonly<Record<string, Uint8Array<ArrayBuf
     return;
   }
   if (result instanceof Error) throw result;
-  const model = result as Model;
+  const model = result as Content;
   expect(model.parts.length).toBeGreaterThan(0);
-  for (const { geometry, matrix, look } of model.parts) {
+  for (const { geometry, matrix, look, surface } of model.parts) {
     const { count } = geometry.getAttribute('position');
     for (const attribute of Object.values(geometry.attributes)) {
       expect(attribute.count).toBe(count);
@@ -91,7 +91,7 @@ async function requireOutcome(files: Readonly<Record<string, Uint8Array<ArrayBuf
     expect(geometry.index?.array.every((vertex) => vertex < count) ?? true).toBe(true);
     expect(matrix.elements.every(Number.isFinite)).toBe(true);
     expect(
-      [look.opacity, ...(look.kd ?? []), ...(look.map?.matrix.elements ?? [])].every(Number.isFinite),
+      [look.opacity, ...(surface.kd ?? []), ...(look.map?.matrix.elements ?? [])].every(Number.isFinite),
     ).toBe(true);
   }
   model.dispose();

@@ -1,7 +1,7 @@
 // Does every named shape have its documented size, place, normals and winding at every number of segments?
 import type { BufferGeometry } from 'three';
 import { describe, expect, it, vi } from 'vitest';
-import { shapeContent } from '../../src/scene/mesh/content.js';
+import { shapeContent } from '../../src/scene/mesh/content-load.js';
 import { CLOSED, createGeometry, GEOMETRIES, type GeometryName } from '../../src/scene/mesh/shapes/shapes.js';
 import {
   acquireGeometry as acquire,

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { imageSize } from '../../src/model/image-size.js';
-import { checkKtx2, isKtx2 } from '../../src/model/ktx2/ktx2-header.js';
+import { checkKtx2, isKtx2 } from '../../src/model/ktx2/decode-ktx2.js';
 
 /** The texture in a fixture: its last buffer view. */
 function textureOf(name: string): Uint8Array {

@@ -5,7 +5,7 @@ import { fitRadius } from '../../src/camera/fit.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import { dot, type Vec3 } from '../../src/math/vector.js';
 import { levelFor, segmentsIn } from '../../src/scene/mesh/levels.js';
-import { finish, type Steps } from '../../src/scene/mesh/shapes/grid-geometry.js';
+import { finish } from '../../src/scene/mesh/shapes/grid-geometry.js';
 import { beginGeometry, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
 
 const DIRECTIONS = 180;

@@ -8,7 +8,17 @@ import { describe, expect, it } from 'vitest';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
-import type { SingleNumber } from '../../src/element/fields/properties.js';
+import type { CompareValues } from '../../src/element/fields/compare-fields.js';
+import type {
+  CompareProperties,
+  LightProperties,
+  MeshProperties,
+  SingleNumber,
+  ViewerProperties,
+} from '../../src/element/fields/properties.js';
+import type { ViewerValues } from '../../src/element/fields/viewer-fields.js';
+import type { LightValues } from '../../src/light/light-state.js';
+import type { MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { PhongLight } from '../../src/element/phong-light.js';
 import { PhongMesh } from '../../src/element/phong-mesh.js';
 
@@ -128,6 +138,21 @@ describe("JetBrains' web-types and VS Code's data", () => {
 });
 
 describe('the types of properties and JSX', () => {
+  it('have for every value a setter that accepts undefined, as the compiler checks', () => {
+    // A value without a setter of its own makes the type of what can be assigned to any key `never`.
+    const resets = {
+      light: (light: LightProperties, key: keyof LightValues) => (light[key] = undefined),
+      mesh: (mesh: MeshProperties, key: keyof MeshValues) => (mesh[key] = undefined),
+      viewer: (viewer: ViewerProperties, key: keyof ViewerValues) => (viewer[key] = undefined),
+      compare: (compare: CompareProperties, key: keyof CompareValues) => (compare[key] = undefined),
+    };
+    expect(
+      Object.keys(resets)
+        .map((name) => `phong-${name}`)
+        .sort(),
+    ).toEqual(Object.keys(tables.fields).sort());
+  });
+
   it('accept one number where the property accepts it for a list', () => {
     const typed: Record<SingleNumber, true> = {
       ambient: true,

@@ -3,7 +3,7 @@ import { type BufferGeometry, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
 import { PhongLighting } from '../../src/material/lighting.js';
-import { Animations } from '../../src/scene/animations.js';
+import { Animations } from '../../src/scene/mesh/animation.js';
 import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';

@@ -1,6 +1,7 @@
 // What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its numbers.
 import { vi } from 'vitest';
-import { loadModel, ModelError, type LoadOptions, type Model } from '../../src/model/load-model.js';
+import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
+import { type Content, ModelError } from '../../src/model/model.js';
 
 /** In the place of a file: the connection breaks after its first byte. */
 export const BREAKS_OFF = null;
@@ -24,7 +25,7 @@ function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream
 export function loadFiles(
   files: Readonly<Record<string, FileContent>>,
   options: Partial<LoadOptions> = {},
-): Promise<Model> {
+): Promise<Content> {
   const base = 'https://shop.example/models/';
   const [first = ''] = Object.keys(files);
   vi.spyOn(globalThis, 'fetch').mockImplementation((input) => {
@@ -34,7 +35,7 @@ export function loadFiles(
     );
   });
   const url = new URL(first, base);
-  return loadModel(url, { signal: new AbortController().signal, crossOrigin: null, ...options });
+  return modelContent(url, { signal: new AbortController().signal, crossOrigin: null, ...options });
 }
 
 /** The error that loading these files ends with. */
@@ -48,17 +49,17 @@ export async function failureOf(
 }
 
 /** An attribute of a part as plain numbers, rounded to what float32 holds. */
-export const numbersOf = (model: Model, name: string, part = 0): number[] =>
+export const numbersOf = (model: Content, name: string, part = 0): number[] =>
   Array.from(
     model.parts[part]?.geometry.getAttribute(name).array ?? [],
     (value) => Math.round(value * 1e6) / 1e6 + 0,
   );
 
-export const indexOf = (model: Model, part = 0): number[] =>
+export const indexOf = (model: Content, part = 0): number[] =>
   Array.from(model.parts[part]?.geometry.index?.array ?? []);
 
 /** An attribute in the order of the corners, an item each. */
-export function cornersOf(model: Model, name: string, part = 0): number[][] {
+export function cornersOf(model: Content, name: string, part = 0): number[][] {
   const size = model.parts[part]?.geometry.getAttribute(name).itemSize ?? 0;
   const values = numbersOf(model, name, part);
   return indexOf(model, part).map((vertex) => values.slice(vertex * size, (vertex + 1) * size));

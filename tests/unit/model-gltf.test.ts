@@ -1,7 +1,8 @@
 // Do the less common shapes of a glTF document come out right: quantised, interleaved, shared, skinned, in strips,
 // with moved textures? Documents are written here and loaded as data: addresses.
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { loadModel, type Model } from '../../src/model/load-model.js';
+import { modelContent } from '../../src/model/model-content.js';
+import type { Content } from '../../src/model/model.js';
 
 type Json = Record<string, unknown>;
 
@@ -11,7 +12,7 @@ const UBYTE = 5121;
 const TRIANGLE = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
 /** A document whose buffer views are the given arrays, one each, end to end. */
-function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], more: Json): Promise<Model> {
+function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], more: Json): Promise<Content> {
   const buffers = blobs.map(({ buffer, byteOffset, byteLength }) =>
     Buffer.from(buffer, byteOffset, byteLength),
   );
@@ -33,14 +34,14 @@ function gltf(blobs: readonly ArrayBufferView[], accessors: readonly Json[], mor
     ...more,
   };
   const url = new URL(`data:model/gltf+json,${encodeURIComponent(JSON.stringify(document))}`);
-  return loadModel(url, { signal: new AbortController().signal, crossOrigin: null });
+  return modelContent(url, { signal: new AbortController().signal, crossOrigin: null });
 }
 
 const mesh = (attributes: Json, more: Json = {}): Json => ({
   meshes: [{ primitives: [{ attributes, ...more }] }],
 });
 
-function numbers(model: Model, name: string, part = 0): number[] {
+function numbers(model: Content, name: string, part = 0): number[] {
   return Array.from(model.parts[part]?.geometry.getAttribute(name).array ?? []);
 }
 
@@ -190,7 +191,7 @@ describe('nodes', () => {
 describe('textures', () => {
   // The head of a PNG of 1 × 1 pixels; the rest is up to the decoder, which is a stand-in here.
   const image = 'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAA=';
-  const uvs = (texCoord: Json): Promise<Model> =>
+  const uvs = (texCoord: Json): Promise<Content> =>
     gltf(
       [
         new Float32Array(TRIANGLE),
@@ -286,6 +287,6 @@ describe('sides', () => {
       materials: [{ doubleSided: true }, { doubleSided: false }, {}],
       meshes: [{ primitives: [part(0), part(1), part(2), part()] }],
     });
-    expect(model.parts.map(({ look }) => look.doubleSided)).toEqual([true, false, false, false]);
+    expect(model.parts.map(({ sides }) => sides)).toEqual(['double', 'single', 'single', 'single']);
   });
 });

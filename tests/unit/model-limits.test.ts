@@ -6,7 +6,8 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { CORNER_LIMIT, MEMORY_LIMIT, PART_LIMIT, PIXEL_LIMIT, VALUE_LIMIT } from '../../src/model/limits.js';
 import { ModelBudget } from '../../src/model/model-budget.js';
 import { readDocument } from '../../src/model/gltf/document.js';
-import { loadModel, ModelError, type Model } from '../../src/model/load-model.js';
+import { modelContent } from '../../src/model/model-content.js';
+import { type Content, ModelError } from '../../src/model/model.js';
 import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {
@@ -19,8 +20,8 @@ import {
   zerosGlb,
 } from '../fuzz/models.js';
 
-const load = (file: Buffer): Promise<Model> =>
-  loadModel(new URL(`data:model/gltf-binary;base64,${file.toString('base64')}`), {
+const load = (file: Buffer): Promise<Content> =>
+  modelContent(new URL(`data:model/gltf-binary;base64,${file.toString('base64')}`), {
     signal: new AbortController().signal,
     crossOrigin: null,
   });
@@ -34,7 +35,7 @@ async function outcome(file: Buffer): Promise<string> {
   vi.stubGlobal('Float32Array', new Proxy(Float32Array, { construct }));
   const result: unknown = await load(file).catch((error: unknown) => error);
   if (result instanceof ModelError) return `${result.code}: ${result.message}`;
-  const { parts } = result as Model;
+  const { parts } = result as Content;
   return `${String(parts.length)} parts`;
 }
 

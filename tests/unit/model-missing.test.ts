@@ -2,7 +2,9 @@
 // format, and for files from a server, from the user's disk and inside the model.
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { setFileGroup } from '../../src/model/file-group.js';
-import { loadModel, type Model, type ModelLook } from '../../src/model/load-model.js';
+import { modelContent } from '../../src/model/model-content.js';
+import type { Content } from '../../src/model/model.js';
+import type { BaseLook } from '../../src/material/file-surface.js';
 import {
   BREAKS_OFF,
   failureOf,
@@ -59,7 +61,7 @@ const obj = (images: readonly string[]): Readonly<Record<string, string>> => ({
   'lib/a.mtl': images.map((image, i) => `newmtl m${i}\nKd 0.5 0 0\nmap_Kd ${image}\n`).join(''),
 });
 
-const mapsOf = ({ parts }: Model): boolean[] => parts.map(({ look }) => look.map !== null);
+const mapsOf = ({ parts }: Content): boolean[] => parts.map(({ look }) => look.map !== null);
 
 /** Loads a model whose one image does not come, and gives the warning. */
 async function warningFor(files: Parameters<typeof loadFiles>[0], missing: string): Promise<string> {
@@ -157,13 +159,13 @@ describe('an image', () => {
 });
 
 describe('the factors of a map whose image is missing', () => {
-  const lookOf = async (material: Json): Promise<ModelLook | undefined> =>
+  const lookOf = async (material: Json): Promise<BaseLook | undefined> =>
     (await loadFiles({ 'a.gltf': gltf({ materials: [material] }) })).parts[0]?.look;
 
   it('do not make all of the surface glow', async () => {
     const emissiveFactor = [1, 1, 1];
     expect((await lookOf({ emissiveFactor, emissiveTexture: { index: 0 } }))?.emissive).toEqual([0, 0, 0]);
-    expect((await lookOf({ emissiveFactor }))?.emissive?.[0]).toBeCloseTo(1, 12);
+    expect((await lookOf({ emissiveFactor }))?.emissive[0]).toBeCloseTo(1, 12);
   });
 
   it('do not make all of the surface metal', async () => {
@@ -177,12 +179,12 @@ describe('the factors of a map whose image is missing', () => {
 
 describe('files from the user’s disk', () => {
   /** The first file, with the others beside it. */
-  function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>): Promise<Model> {
+  function dropped(files: Readonly<Record<string, string | Uint8Array<ArrayBuffer>>>): Promise<Content> {
     const group = new Map(Object.entries(files).map(([path, content]) => [path, new File([content], path)]));
     const [[path, model] = ['', new File([], '')]] = group;
     setFileGroup(model, { files: group, path, problem: null });
     const options = { signal: new AbortController().signal, crossOrigin: null };
-    return loadModel(new URL(path, 'file:///'), options, model);
+    return modelContent(new URL(path, 'file:///'), options, model);
   }
 
   it('show an OBJ with three of its four images, and name the fourth', async () => {

@@ -4,11 +4,12 @@ import { AnimationMixer, type Mesh, type SkinnedMesh, Vector3 } from 'three';
 import fc from 'fast-check';
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
-import { loadModel, type Model } from '../../src/model/load-model.js';
+import { modelContent } from '../../src/model/model-content.js';
+import type { Content } from '../../src/model/model.js';
 import { addressOf, bar, type BarOptions } from '../support/animated-gltf.js';
 
-const load = (document: object): Promise<Model> =>
-  loadModel(new URL(addressOf(document)), { signal: new AbortController().signal, crossOrigin: null });
+const load = (document: object): Promise<Content> =>
+  modelContent(new URL(addressOf(document)), { signal: new AbortController().signal, crossOrigin: null });
 
 // three.js's loader reads data: addresses by fetch, and reports progress with this class, which Node does not have.
 beforeAll(() => {
@@ -37,7 +38,7 @@ async function expected(document: object, clip: number, seconds: number): Promis
   return found;
 }
 
-function places({ parts }: Model): number[] {
+function places({ parts }: Content): number[] {
   return parts.flatMap(({ geometry, matrix }) => {
     const position = geometry.getAttribute('position');
     return Array.from({ length: position.count }, (_, i) =>
@@ -68,8 +69,8 @@ describe.each(cases)('the pose of %s', (_, options) => {
       const document = bar(options);
       const model = await load(document);
       expectClose(places(model), await expected(document, -1, 0));
-      for (const clip of model.motion?.clips.keys() ?? []) {
-        model.motion?.pose(clip, seconds);
+      for (const [clip, name] of model.motion?.names.entries() ?? []) {
+        model.motion?.pose(name, seconds);
         expectClose(places(model), await expected(document, clip, seconds));
       }
       model.motion?.pose(null, 0);
@@ -81,12 +82,12 @@ describe.each(cases)('the pose of %s', (_, options) => {
 describe('a pose', () => {
   it('has the bounds of its vertices, in a new object each time', async () => {
     const model = await load(bar());
-    const [{ geometry }] = model.parts as [Model['parts'][0]];
+    const [{ geometry }] = model.parts as [Content['parts'][0]];
     const before = geometry.boundingBox;
-    model.motion?.pose(0, 0.5);
+    model.motion?.pose('bend', 0.5);
     const posed = geometry.boundingBox;
     expect(posed).not.toBe(before);
-    model.motion?.pose(0, 1);
+    model.motion?.pose('bend', 1);
     expect(geometry.boundingBox).not.toBe(posed);
     const { min, max } = geometry.boundingBox!.clone();
     geometry.computeBoundingBox();
@@ -96,19 +97,19 @@ describe('a pose', () => {
   it('that does not change sends nothing to the GPU', async () => {
     const model = await load(bar());
     const position = model.parts[0]!.geometry.getAttribute('position') as { version?: number };
-    model.motion?.pose(0, 0.5);
+    model.motion?.pose('bend', 0.5);
     const { version } = position;
-    model.motion?.pose(0, 0.5);
+    model.motion?.pose('bend', 0.5);
     expect(position.version).toBe(version);
-    model.motion?.pose(0, 0.6);
+    model.motion?.pose('bend', 0.6);
     expect(position.version).toBe((version ?? 0) + 1);
   });
 
   it('has normals of unit length, perpendicular to the faces where the file has none', async () => {
     for (const normals of [true, false]) {
       const model = await load(bar({ normals }));
-      model.motion?.pose(2, 0.7);
-      model.motion?.pose(0, 0.7);
+      model.motion?.pose('swell', 0.7);
+      model.motion?.pose('bend', 0.7);
       const { geometry } = model.parts[0]!;
       const [normal, position] = [geometry.getAttribute('normal'), geometry.getAttribute('position')];
       for (let i = 0; i < normal.count; i += 1)
@@ -131,7 +132,7 @@ describe('a pose', () => {
     });
     const [one, two] = model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
     expect([one, two]).toEqual([0.25, 0.75]);
-    model.motion?.pose(2, 1);
+    model.motion?.pose('swell', 1);
     const [moved, still] = model.parts.map(({ geometry }) => geometry.getAttribute('position').getX(0));
     expect([moved, still]).toEqual([0.75, 0.75]);
   });
@@ -248,8 +249,8 @@ describe('nodes, skins and scenes in any arrangement', () => {
         expect(result.message).toMatch(/it has no triangles/);
         return;
       }
-      const model = result as Model;
-      for (const pose of [0, 1, 2, null]) model.motion?.pose(pose, 0.7);
+      const model = result as Content;
+      for (const pose of ['bend', 'slide', 'swell', null]) model.motion?.pose(pose, 0.7);
       expect(places(model).every(Number.isFinite)).toBe(true);
     };
     await fc.assert(fc.asyncProperty(arrangements, shown), { numRuns: 100 });

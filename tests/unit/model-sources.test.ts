@@ -3,7 +3,7 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { decodeDataUri } from '../../src/model/data-uri.js';
 import { formatOf } from '../../src/model/format.js';
-import { linkedUrl } from '../../src/model/linked-url.js';
+import { linkedUrl } from '../../src/model/model-content.js';
 
 const MODEL = new URL('https://shop.example/models/chairs/one.gltf?v=2');
 

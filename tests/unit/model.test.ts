@@ -6,7 +6,8 @@ import type { AddressInfo } from 'node:net';
 import { fileURLToPath } from 'node:url';
 import { ClampToEdgeWrapping, NearestFilter, NoColorSpace, type BufferGeometry, type Texture } from 'three';
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
-import { loadModel, ModelError, type LoadOptions, type Model } from '../../src/model/load-model.js';
+import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
+import { type Content, ModelError } from '../../src/model/model.js';
 import { srgbEncode } from '../../src/math/color.js';
 
 const roots: Readonly<Record<string, string>> = {
@@ -79,8 +80,8 @@ afterEach(() => {
 });
 
 const at = (path: string): URL => new URL(path, origin);
-const load = (path: string, options: Partial<LoadOptions> = {}): Promise<Model> =>
-  loadModel(at(path), { signal: new AbortController().signal, crossOrigin: null, ...options });
+const load = (path: string, options: Partial<LoadOptions> = {}): Promise<Content> =>
+  modelContent(at(path), { signal: new AbortController().signal, crossOrigin: null, ...options });
 
 async function failure(path: string, options: Partial<LoadOptions> = {}): Promise<ModelError> {
   const error: unknown = await load(path, options).then(
@@ -94,7 +95,7 @@ async function failure(path: string, options: Partial<LoadOptions> = {}): Promis
 const values = (geometry: BufferGeometry, name: string): number[] =>
   Array.from(geometry.getAttribute(name).array);
 
-function onlyPart(model: Model): Model['parts'][number] {
+function onlyPart(model: Content): Content['parts'][number] {
   expect(model.parts).toHaveLength(1);
   const [part] = model.parts;
   if (!part) throw new Error('no part');
@@ -108,7 +109,7 @@ describe('a model compressed by meshopt', () => {
       load('/fixtures/no-normals.glb'),
     ]);
     // The encoder may rotate a triangle's corners, but must not change it.
-    const corners = (model: Model): string[] => {
+    const corners = (model: Content): string[] => {
       const list = values(onlyPart(model).geometry, 'position');
       const points = Array.from({ length: list.length / 3 }, (_, i) =>
         list.slice(3 * i, 3 * i + 3).join(' '),
@@ -116,7 +117,6 @@ describe('a model compressed by meshopt', () => {
       return points.sort();
     };
     expect(corners(packed)).toEqual(corners(plain));
-    expect(onlyPart(packed).look.flat).toBe(true);
   });
 });
 
@@ -140,7 +140,7 @@ describe('the bunny', () => {
     }
     expect(worst).toBeLessThan(2e-7);
     expect(agreeing / normal.count).toBeGreaterThan(0.6);
-    expect(look).toMatchObject({ alphaMode: 'opaque', opacity: 1, flat: false, map: null });
+    expect(look).toMatchObject({ alphaMode: 'opaque', opacity: 1, map: null });
     expect(matrix.elements.every(Number.isFinite)).toBe(true);
     expect(requests).toEqual(['/assets/bunny.glb']);
     model.dispose();
@@ -195,8 +195,7 @@ describe('textures', () => {
 
 describe('looks', () => {
   it('has one normal a triangle where the file has none', async () => {
-    const { geometry, look } = onlyPart(await load('/fixtures/no-normals.glb'));
-    expect(look.flat).toBe(true);
+    const { geometry } = onlyPart(await load('/fixtures/no-normals.glb'));
     expect(geometry.index).toBeNull();
     expect(values(geometry, 'normal')).toEqual(Array.from({ length: 18 }, (_, i) => (i % 3 === 2 ? 1 : 0)));
   });
@@ -253,7 +252,7 @@ describe('failures', () => {
   });
 
   it('to reach a server are load-failed', async () => {
-    const error: unknown = await loadModel(new URL('http://127.0.0.1:9/x.glb'), {
+    const error: unknown = await modelContent(new URL('http://127.0.0.1:9/x.glb'), {
       signal: new AbortController().signal,
       crossOrigin: null,
     }).catch((reason: unknown) => reason);
@@ -282,12 +281,12 @@ describe('failures', () => {
           const bytes = Buffer.from(whole);
           for (const [index, value] of changes) bytes[index] = value;
           const url = new URL(`data:model/gltf-binary;base64,${bytes.toString('base64')}`);
-          const result: unknown = await loadModel(url, {
+          const result: unknown = await modelContent(url, {
             signal: new AbortController().signal,
             crossOrigin: null,
           }).catch((reason: unknown) => reason);
           if (result instanceof Error) expect(result).toBeInstanceOf(ModelError);
-          else (result as Model).dispose();
+          else (result as Content).dispose();
         },
       ),
       { numRuns: 300 },

@@ -1,12 +1,15 @@
 // Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the materials' coefficients?
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { loadModel } from '../../src/model/load-model.js';
-import type { Model, ModelLook } from '../../src/model/model.js';
+import { modelContent } from '../../src/model/model-content.js';
+import type { Content } from '../../src/model/model.js';
+import type { BaseLook } from '../../src/material/file-surface.js';
+import type { SurfaceValues } from '../../src/material/material-values.js';
+import { scale, type Vec3 } from '../../src/math/vector.js';
 import { cornersOf, failureOf, indexOf, loadFiles, numbersOf, png, standInImages } from './model-files.js';
 
 const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
-const obj = (text: string): Promise<Model> => loadFiles({ 'a.obj': text });
+const obj = (text: string): Promise<Content> => loadFiles({ 'a.obj': text });
 
 let warnings: string[] = [];
 
@@ -49,9 +52,9 @@ describe('the geometry of an OBJ file', () => {
   it('is recognised by its media type if nothing else names the format', async () => {
     const text = encodeURIComponent(`unknown words\n${QUAD}f 1 2 3`);
     const options = { signal: new AbortController().signal, crossOrigin: null };
-    expect((await loadModel(new URL(`data:model/obj,${text}`), options)).parts).toHaveLength(1);
-    await expect(loadModel(new URL(`data:,${text}`), options)).rejects.toThrow(/format is not supported/);
-    expect((await loadModel(new URL(`data:,${text}`), { ...options, type: 'obj' })).parts).toHaveLength(1);
+    expect((await modelContent(new URL(`data:model/obj,${text}`), options)).parts).toHaveLength(1);
+    await expect(modelContent(new URL(`data:,${text}`), options)).rejects.toThrow(/format is not supported/);
+    expect((await modelContent(new URL(`data:,${text}`), { ...options, type: 'obj' })).parts).toHaveLength(1);
   });
 
   it('may begin with a byte order mark', async () => {
@@ -152,9 +155,12 @@ describe('the geometry of an OBJ file', () => {
 });
 
 describe('the materials of an OBJ file', () => {
-  const withMtl = async (mtl: string, faces = 'f 1 2 3', more = {}): Promise<ModelLook | undefined> => {
-    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\n${faces}`;
-    return (await loadFiles({ 'a.obj': text, 'a.mtl': mtl, ...more })).parts[0]?.look;
+  /** As written in the file, in HTML's units. */
+  const inHtml = (...color: Vec3): Vec3 => scale(color, 255);
+  const withMtl = async (mtl: string): Promise<Partial<SurfaceValues & BaseLook>> => {
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1 2 3`;
+    const [part] = (await loadFiles({ 'a.obj': text, 'a.mtl': mtl })).parts;
+    return { ...part?.look, ...part?.surface };
   };
 
   it('are the coefficients of the equation, exactly as written', async () => {
@@ -162,27 +168,30 @@ describe('the materials of an OBJ file', () => {
       'newmtl m\nKa 0.1 0.2 0.3\nKd .4 5e-1 0.600\nKs 0.7 0.8 0.9\nNs 96.078431\nd 0.25\nNi 1.45\nillum 2\n',
     );
     expect(look).toMatchObject({
-      ka: [0.1, 0.2, 0.3],
-      kd: [0.4, 0.5, 0.6],
-      ks: [0.7, 0.8, 0.9],
+      ka: inHtml(0.1, 0.2, 0.3),
+      kd: inHtml(0.4, 0.5, 0.6),
+      ks: inHtml(0.7, 0.8, 0.9),
       shininess: 96.078431,
       opacity: 0.25,
       alphaMode: 'blend',
       baseColor: [1, 1, 1],
-      doubleSided: true,
     });
     expect(warnings).toEqual([]);
   });
 
   it('have no highlight where Ns is 0, as MeshLab, Blender and 3ds Max write it beside a bright Ks', async () => {
     const look = await withMtl('newmtl m\nKd 0.5 0.5 0.5\nKs 1 1 1\nillum 2\nNs 0.000000\n');
-    expect(look).toMatchObject({ kd: [0.5, 0.5, 0.5], ks: [0, 0, 0] });
-    expect(await withMtl('newmtl m\nKs 1 1 1\nNs 0.1\n')).toMatchObject({ ks: [1, 1, 1], shininess: 0.1 });
+    expect(look).toMatchObject({ kd: inHtml(0.5, 0.5, 0.5), ks: inHtml(0, 0, 0) });
+    expect(await withMtl('newmtl m\nKs 1 1 1\nNs 0.1\n')).toMatchObject({
+      ks: inHtml(1, 1, 1),
+      shininess: 0.1,
+    });
   });
 
   it('use Kd as Ka if the file has none, and leave the rest to the element', async () => {
     const look = await withMtl('newmtl m\nKd 0.5\n');
-    expect(look).toMatchObject({ ka: [0.5, 0.5, 0.5], kd: [0.5, 0.5, 0.5], opacity: 1, alphaMode: 'opaque' });
+    const grey = inHtml(0.5, 0.5, 0.5);
+    expect(look).toMatchObject({ ka: grey, kd: grey, opacity: 1, alphaMode: 'opaque' });
     expect(look).not.toHaveProperty('ks');
     expect(look).not.toHaveProperty('shininess');
     expect(await withMtl('newmtl other\nKd 1 0 0')).not.toHaveProperty('kd');
@@ -199,16 +208,16 @@ describe('the materials of an OBJ file', () => {
     ['d', 1],
     ['d x\nTr y', 1],
   ])('have an opacity: %j', async (lines, opacity) => {
-    expect((await withMtl(`newmtl m\nKd 1 1 1\n${lines}`))?.opacity).toBe(opacity);
+    expect((await withMtl(`newmtl m\nKd 1 1 1\n${lines}`)).opacity).toBe(opacity);
   });
 
   it.each([
     ['Kd spectral red.rfl', undefined],
     ['Kd xyz 1 1 1', undefined],
-    ['Kd -1 2 1e9', [0, 2, 1e6 / 255]],
+    ['Kd -1 2 1e9', [0, 510, 1e6]],
     ['Kd nan 0 0', undefined],
   ])('skip or limit what the equation cannot take: %s', async (line, kd) => {
-    expect((await withMtl(`newmtl m\n${line}`))?.kd).toEqual(kd);
+    expect((await withMtl(`newmtl m\n${line}`)).kd).toEqual(kd);
   });
 
   it('have a texture with straight texels, its rows from the top, its scale, offset and borders as written', async () => {
@@ -219,7 +228,7 @@ describe('the materials of an OBJ file', () => {
     const model = await loadFiles(files);
     const map = model.parts[0]?.look.map as Texture;
     expect(map).toMatchObject({ flipY: false, colorSpace: NoColorSpace, wrapS: ClampToEdgeWrapping });
-    expect(model.parts[0]?.look).toMatchObject({ ka: [1, 1, 1], kd: [1, 1, 1] });
+    expect(model.parts[0]?.surface).toMatchObject({ ka: [255, 255, 255], kd: [255, 255, 255] });
     expect(cornersOf(model, 'uv')[2]).toEqual([1, 0.25]);
     // The file's coordinates (1, 0.75), scaled and moved, are (2.25, 2.75): from the top, that is 1 − 2.75.
     expect(new Vector2(1, 0.25).applyMatrix3(map.matrix).toArray()).toEqual([2.25, -1.75]);
@@ -233,7 +242,7 @@ describe('the materials of an OBJ file', () => {
   it('are left out with one warning that lists the files that are missing', async () => {
     const text = `mtllib a.mtl\nmtllib b.mtl\n${QUAD}vt 0 0\nusemtl m\nf 1/1 2/1 3/1`;
     const model = await loadFiles({ 'a.obj': text, 'b.mtl': 'newmtl m\nKd 1 0 0\nmap_Kd ../x.png\n' });
-    expect(model.parts[0]?.look).toMatchObject({ kd: [1, 0, 0], map: null });
+    expect(model.parts[0]).toMatchObject({ surface: { kd: [255, 0, 0] }, look: { map: null } });
     expect(warnings).toHaveLength(1);
     expect(warnings[0]).toMatch(
       /a\.obj is shown without 2 of the files.*The server answered 404 for a\.mtl.*x\.png/,
@@ -257,7 +266,7 @@ describe('the materials of an OBJ file', () => {
     };
     const text = `mtllib größe.mtl\n${QUAD}usemtl rötlich\nf 1 2 3`;
     const model = await loadFiles({ a: encoded(text), 'größe.mtl': encoded('newmtl rötlich\nKd 1 0 0\n') });
-    expect(model.parts[0]?.look).toMatchObject({ kd: [1, 0, 0] });
+    expect(model.parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
   });
 
   it('are too-large past the limit of pixels, and all images are closed', async () => {

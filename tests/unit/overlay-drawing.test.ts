@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vector.js';
 import { coreColor, luminance } from '../../src/overlay/drawing/contrast.js';
 import { arrow } from '../../src/overlay/drawing/display-list.js';
-import { boxAround, LINE, placeLabels } from '../../src/overlay/drawing/label-layout.js';
+import { boxAround, boxesAlong, LINE, placeLabels } from '../../src/overlay/drawing/label-layout.js';
 import { inside, Projection } from '../../src/overlay/drawing/projection.js';
 
 const sight = {
@@ -105,7 +105,8 @@ describe('a projection', () => {
 });
 
 describe('labels', () => {
-  const size = { width: 300, height: 150 };
+  const room = { left: 0, top: 0, right: 300, bottom: 150 };
+  const line = { height: 12 * LINE.height, descent: 12 * LINE.descent };
 
   it('stay inside and never overlap, however many points there are', () => {
     const wish = fc.record({
@@ -115,10 +116,10 @@ describe('labels', () => {
     });
     fc.assert(
       fc.property(fc.array(wish, { maxLength: 64 }), (wishes) => {
-        const boxes = placeLabels(wishes, size, []).flatMap((at, i) => {
+        const boxes = placeLabels(wishes, room, [], 12).flatMap((at, i) => {
           if (at === null) return [];
-          const top = at.y + LINE.descent - LINE.height;
-          return [{ left: at.x, top, right: at.x + wishes[i]!.width, bottom: top + LINE.height }];
+          const top = at.y + line.descent - line.height;
+          return [{ left: at.x, top, right: at.x + wishes[i]!.width, bottom: top + line.height }];
         });
         boxes.forEach((a, i) => {
           expect(a.left >= 0 && a.top >= 0 && a.right <= 300 && a.bottom <= 150).toBe(true);
@@ -133,13 +134,34 @@ describe('labels', () => {
 
   it('are placed to the right, or elsewhere if that place is taken', () => {
     const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
-    expect(placeLabels(wishes, size, [])[0]!.x).toBe(110);
-    expect(placeLabels(wishes, size, [boxAround({ x: 120, y: 75 }, 8)])[0]!.x).toBe(50);
+    expect(placeLabels(wishes, room, [], 12)[0]!.x).toBe(110);
+    expect(placeLabels(wishes, room, [boxAround({ x: 120, y: 75 }, 8)], 12)[0]!.x).toBe(50);
+  });
+
+  it('cover least where everything is taken, and keep clear of lines where they can', () => {
+    const wishes = [{ center: { x: 100, y: 75 }, gap: 6, width: 30 }];
+    const along = boxesAlong(
+      [
+        { x: 100, y: 75 },
+        { x: 200, y: 75 },
+      ],
+      2,
+    );
+    const [at] = placeLabels(wishes, room, along, 12);
+    expect(at!.x + 30).toBeLessThan(100);
+    const all = [room, boxAround({ x: 120, y: 75 }, 20)];
+    expect(placeLabels(wishes, room, all, 12)[0]!.x).toBeLessThan(100);
+  });
+
+  it('stay in a part of the picture, and are as high as their text', () => {
+    const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
+    expect(placeLabels(wishes, { ...room, right: 140 }, [], 12)[0]!.x).toBe(50);
+    expect(placeLabels(wishes, { ...room, top: 68, bottom: 90 }, [], 24)).toEqual([null]);
   });
 
   it('are placed in the order of their priority', () => {
     const wish = { center: { x: 20, y: 8 }, gap: 0, width: 40 };
-    const placed = placeLabels([wish, wish, wish], { width: 62, height: 16 }, []);
+    const placed = placeLabels([wish, wish, wish], { ...room, right: 62, bottom: 16 }, [], 12);
     expect(placed.map((at) => at !== null)).toEqual([true, false, false]);
   });
 });

@@ -13,7 +13,7 @@ import {
 import { describe, expect, it } from 'vitest';
 import { LightSet, LightState, PhongLighting, PhongMaterial } from '../../src/core.js';
 import { type LightValues } from '../../src/light/light-state.js';
-import { PLAIN_LOOK } from '../../src/material/base-look.js';
+import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import { FakeRenderer } from './fake-renderer.js';
 
 /** A material on a mesh before a camera, under lights that bring every term. */

@@ -69,7 +69,7 @@ describe('a PLY file', () => {
     expect(numbersOf(model, 'normal').slice(0, 3)).toEqual([0, 0.6, 0.8]);
     expect(numbersOf(model, 'color').slice(9)).toEqual([0.2, 1, 0.2]);
     expect(indexOf(model)).toEqual([0, 1, 2, 0, 2, 3]);
-    expect(model.parts[0]?.look).toMatchObject({ doubleSided: true, alphaMode: 'opaque', map: null });
+    expect(model.parts[0]).toMatchObject({ sides: 'double', look: { alphaMode: 'opaque', map: null } });
   });
 
   it('is read as text, with polygons, float colours and lists that are skipped', async () => {

@@ -211,7 +211,9 @@ describe('the figure', () => {
             const covered = { left: 0, top: 0, right: 0, bottom: 0 };
             const list = drawingOf(projection, [0, 0, 0], { x: width / 2, y: height / 2 }, drawn, {
               outline: [],
+              room: { left: 0, top: 0, right: width, bottom: height },
               covered,
+              fontSize: 12,
             });
             // JSON writes null for what is not finite.
             const text = JSON.stringify([list, planeOf(fragment, row, halfway)]);

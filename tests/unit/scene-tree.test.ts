@@ -8,7 +8,7 @@ import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.j
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
 import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
-import { Animations } from '../../src/scene/animations.js';
+import { Animations } from '../../src/scene/mesh/animation.js';
 import { SceneTree } from '../../src/scene/scene-tree.js';
 
 const quiet = (): void => undefined;

@@ -3,8 +3,8 @@
 import { Texture } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { PhongLighting } from '../../src/material/lighting.js';
-import { PLAIN_LOOK } from '../../src/material/base-look.js';
-import { DEFAULT_STYLE } from '../../src/material/shading-style.js';
+import { PLAIN_LOOK } from '../../src/material/file-surface.js';
+import { DEFAULT_STYLE } from '../../src/material/material-values.js';
 import { type Appearance, SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
 
 const surface: Appearance['surface'] = { ka: [255, 0, 0], kd: [9, 9, 9], ks: [0, 0, 0], shininess: 4 };

@@ -30,7 +30,7 @@ describe('a binary STL file', () => {
     const model = await loadFiles({ 'a.stl': binary([{}, { corners: [0, 0, 0, 0, 2, 0, 0, 0, 2] }]) });
     expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, 0, 0, 0, 0, 2, 0, 0, 0, 2]);
     expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 1, 0, 0]);
-    expect(model.parts[0]?.look).toMatchObject({ flat: true, doubleSided: true, baseColor: [1, 1, 1] });
+    expect(model.parts[0]).toMatchObject({ sides: 'double', look: { baseColor: [1, 1, 1] } });
     expect(model.parts[0]?.geometry.hasAttribute('color')).toBe(false);
   });
 

@@ -6,7 +6,7 @@ import { Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { declaredFeatures } from '../../src/light/light-features.js';
 import type { LightValues } from '../../src/light/light-state.js';
-import { type BaseLook, PLAIN_LOOK } from '../../src/material/base-look.js';
+import { type BaseLook, PLAIN_LOOK } from '../../src/material/file-surface.js';
 import {
   type Form,
   generalVariant,
@@ -21,7 +21,7 @@ import {
   SHADINGS,
   type ShadingStyle,
   TERMS,
-} from '../../src/material/shading-style.js';
+} from '../../src/material/material-values.js';
 import { anyLight, light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
 

@@ -52,8 +52,7 @@ for (const shape of ['sphere', 'box'] as const) {
     expect(drawn.map(({ programs }) => programs)).toEqual(drawn.map(() => drawn[0]!.programs));
     cases.forEach(([scale, view], i) => {
       const [whole, culled] = [drawn[1 + 2 * i]!, drawn[2 + 2 * i]!];
-      if (scale !== 'flattened')
-        expect.soft(tellingChannels(whole), `${scale}, ${view}`).toBeGreaterThan(130);
+      if (scale !== 'flattened') expect.soft(tellingChannels(whole), `${scale}, ${view}`).toBeGreaterThan(64);
       for (const pixel of insideOutline(whole, SIZE.width))
         for (let c = 0; c < 4; c++)
           if (whole.codes[4 * pixel + c] !== culled.codes[4 * pixel + c])
@@ -73,7 +72,7 @@ test('a single-sided surface is invisible from behind, a double-sided one is not
     { scale: [1, 1, 1], sides: 'double' },
   );
   const covered = ({ codes }: Drawn): number => codes.filter((code, i) => i % 4 === 3 && code > 0).length;
-  expect(covered(above!)).toBeGreaterThan(450);
+  expect(covered(above!)).toBeGreaterThan(220);
   expect(covered(below!)).toBe(0);
   expect(covered(mirrored!)).toBe(covered(both!));
   expectSame(mirrored!, both!, 'from behind');

@@ -6,7 +6,7 @@ import type { LightValues } from '../../src/light/light-state.js';
 import { expect } from '../support/test.js';
 import { Dice, randomLight } from './random-scene.js';
 
-export const SIZE = { width: 80, height: 60 };
+export const SIZE = { width: 56, height: 42 };
 
 /** Frames after which all specialised programs have taken over. */
 export const SETTLED = 40;

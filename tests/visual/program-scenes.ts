@@ -9,7 +9,7 @@ import { A_PAGE, betweenPrograms, bothPictures, DifferenceSum } from './between-
 import { Dice, randomScene, sceneMarkup } from './random-scene.js';
 import type { CastMesh, CastScene } from './ray-cast.js';
 
-export const SIZE = { width: 120, height: 84 };
+export const SIZE = { width: 84, height: 60 };
 
 const LIGHTS: readonly LightValues[] = [
   {
@@ -62,7 +62,7 @@ const SPHERE: CastMesh = {
   kd: [220, 200, 180],
   ks: [150, 150, 150],
   shininess: 32,
-  segments: 24,
+  segments: 16,
 };
 
 interface Look {

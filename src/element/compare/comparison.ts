@@ -8,11 +8,10 @@ import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
-import type { PhongCompare } from '../elements.js';
-import type { PhongViewer } from '../elements.js';
+import type { PhongCompare, PhongViewer } from '../elements.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
-import { placesOf, rangeOf, withMoved } from './places.js';
+import { placesOf, rangeOf, withMoved } from './divider-positions.js';
 import { SharedTouch } from './shared-touch.js';
 
 /** The text over a viewer; `isName`: the viewer itself has it as its name. */
@@ -22,6 +21,9 @@ interface Label {
 }
 
 const NO_LABEL: Label = { text: '', isName: false };
+
+/** Height of a label with the space above it; see comparison.css. */
+const LABEL = 'calc(1.6em + 8px)';
 
 export class Comparison implements DividerHost, ReactiveController {
   readonly #element: PhongCompare;
@@ -162,7 +164,7 @@ export class Comparison implements DividerHost, ReactiveController {
   /** What a viewer shows over its picture, such as its panel, keeps to the visible part. */
   #room(from: number, to: number, label: string): string {
     const [start, end] = this.vertical ? ['top', 'bottom'] : ['start', 'end'];
-    const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : '26px' };
+    const room = { start: '0%', end: '0%', top: '0%', bottom: '0%', label: label === '' ? '0px' : LABEL };
     const kept = { ...room, [start]: `${String(from)}%`, [end]: `${String(100 - to)}%` };
     return Object.entries(kept)
       .map(([side, length]) => `--phong-${side}: ${length}`)

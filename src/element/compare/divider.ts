@@ -2,7 +2,7 @@
 // of the box, along its own axes.
 import { html, type TemplateResult } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
-import { keyStep } from './places.js';
+import { keyStep } from './divider-positions.js';
 
 export interface DividerHost {
   readonly vertical: boolean;

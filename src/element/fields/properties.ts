@@ -1,6 +1,7 @@
 // What the elements' properties return and accept. A getter returns the typed value. A setter also accepts the
 // attribute's text, other lists of numbers, and null or undefined for the default. Types only; words and domains are
-// inherited from the values' own interfaces.
+// inherited from the values' own interfaces. Accessors are written out because a mapped type cannot give a setter
+// another type than its getter; manifest.test.ts lets the compiler check that none is missing.
 import type { LightValues } from '../../light/light-state.js';
 import type { MeshValues, ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import type { CompareValues } from './compare-fields.js';

@@ -10,7 +10,7 @@ import {
   SHADINGS,
   type Term,
   TERMS,
-} from '../../material/shading-style.js';
+} from '../../material/material-values.js';
 import { type View, VIEWS } from '../../material/views.js';
 import type { Fields } from '../../fields/field-store.js';
 import {

@@ -3,7 +3,7 @@
 // the same rule. A chunk, fetched with its first use.
 import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
 import type { SharedLevels } from '../../scene/mesh/levels.js';
-import type { CameraSource } from '../camera-state.js';
+import type { CameraSource } from '../elements.js';
 import type { CameraLink, ViewerCamera } from './camera.js';
 import type { Extra, ExtraHost } from './extras.js';
 

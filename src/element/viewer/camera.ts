@@ -7,10 +7,10 @@ import { newBasis, type Pose } from '../../camera/orbit.js';
 import { Turntable } from '../../camera/turntable.js';
 import { wrapDegrees } from '../../math/angle.js';
 import type { Framing } from '../../scene/auto-fit.js';
-import type { CameraSource, CameraState } from '../camera-state.js';
+import type { CameraSource, CameraState } from '../elements.js';
 import { PictureCorners } from '../page/picture-box.js';
 import type { CameraValues } from '../fields/viewer-fields.js';
-import type { ViewerContext } from './context.js';
+import type { ViewerContext } from './viewer-context.js';
 
 /** Where the camera is and whether it fits the scene, apart from what is declared. */
 export interface Placement {

@@ -7,7 +7,7 @@ import { type ChildListener, type ChildRegistry, registryOf } from '../child-reg
 import { inspect, inspectAgain } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import type { PhongLight, PhongMesh } from '../elements.js';
-import type { ViewerContext } from './context.js';
+import type { ViewerContext } from './viewer-context.js';
 import { ElementMesh } from './element-mesh.js';
 
 /** Lights a viewer that declares no light. */

@@ -6,7 +6,7 @@ import { fileName } from '../../model/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
-import type { CameraState } from '../camera-state.js';
+import type { CameraState } from '../elements.js';
 
 /** Lights that the description names. It is read in one go, so it must be short; the list names more. */
 const NAMED = 8;

@@ -4,11 +4,10 @@ import type { TemplateResult } from 'lit';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../elements.js';
 import { ViewerAnnouncements } from './announcements.js';
-import type { ViewerContext } from './context.js';
+import type { ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
 import type { ViewerFailure } from './failure.js';
 import type { ViewerLoading } from './loading.js';
-import { ViewerStates } from './states.js';
 import { surfaceName } from './naming.js';
 import { treeIn, type ViewerTree, viewerTemplate } from './template.js';
 
@@ -54,6 +53,7 @@ export class ViewerDisplay {
     const failure = this.#failure;
     const { poster } = viewer;
     if (poster !== this.#badPoster) this.#badPoster = '';
+    const isSlotting = loading.bar !== undefined || failure.newest !== null;
     return viewerTemplate({
       holder: this.#context.viewport.holder,
       name: surfaceName(viewer, this.#texts),
@@ -64,6 +64,7 @@ export class ViewerDisplay {
       poster: this.#revealed || poster === this.#badPoster ? '' : poster,
       onPosterError: this.#dropPoster,
       bar: loading.bar,
+      pageText: isSlotting ? pageText(viewer) : '',
       failure: failure.newest,
       retryable: failure.retryable,
       dismissible: failure.dismissible,
@@ -143,5 +144,39 @@ export class ViewerDisplay {
 
   get #isEmpty(): boolean {
     return !this.#loading.wanted && this.#context.viewport.scene.children.length === 0;
+  }
+}
+
+/** Text size around a viewer and the comparison that it is in, which have sizes of their own. CSS pixels with a unit. */
+function pageText(viewer: HTMLElement): string {
+  const outermost = viewer.closest('phong-compare') ?? viewer;
+  const around = outermost.parentElement ?? (outermost.getRootNode() as Partial<ShadowRoot>).host;
+  return around === undefined ? '' : getComputedStyle(around).fontSize;
+}
+
+/**
+ * Custom states, by which CSS learns what a viewer is doing: `phong-viewer:state(loading)`. Browsers without them go
+ * without.
+ */
+class ViewerStates {
+  #states: Set<string> | undefined;
+
+  constructor(element: HTMLElement) {
+    // Missing in older browsers, whatever the types say.
+    const { attachInternals } = element as Partial<HTMLElement>;
+    try {
+      this.#states = (attachInternals?.call(element) as Partial<ElementInternals> | undefined)?.states;
+    } catch {
+      // refused where the tag has an attribute `is`
+    }
+  }
+
+  set(state: 'loading' | 'error' | 'empty', on: boolean): void {
+    try {
+      if (on) this.#states?.add(state);
+      else this.#states?.delete(state);
+    } catch {
+      this.#states = undefined; // Chrome before 125 accepts only names that begin with two dashes
+    }
   }
 }

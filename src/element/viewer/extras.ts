@@ -4,12 +4,11 @@ import type { ReactiveController } from 'lit';
 import { lazyCode } from '../../model/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
-import type { PhongViewer } from '../elements.js';
-import type { CameraSource } from '../camera-state.js';
+import type { PhongViewer, CameraSource } from '../elements.js';
 import type { Visibility } from '../page/visibility.js';
 import type { ViewerCamera } from './camera.js';
 import type { ViewerChildren } from './children.js';
-import type { ViewerContext } from './context.js';
+import type { ViewerContext } from './viewer-context.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerTree } from './template.js';
 import { type ViewerSnapshot, viewerSnapshot } from './viewer-snapshot.js';
@@ -23,7 +22,7 @@ export interface ExtraHost {
   readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
-  /** Of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
+  /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
   size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
 }

@@ -1,6 +1,6 @@
 // What has failed and still does: reported once by an event, shown as a message until it works again.
 import type { ViewerErrorDetail } from '../events.js';
-import type { FailureSubject, ViewerContext } from './context.js';
+import type { FailureSubject, ViewerContext } from './viewer-context.js';
 import type { EventQueue } from './event-queue.js';
 import { errorDetail } from './loading.js';
 

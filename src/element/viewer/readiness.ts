@@ -1,6 +1,6 @@
 // The promise that a viewer is ready: it resolves once everything requested is drawn, or cannot be seen. It never
 // rejects and never stays pending forever.
-import type { ViewerSignals } from './context.js';
+import type { ViewerSignals } from './viewer-context.js';
 
 export class Readiness {
   readonly #settled: () => boolean;

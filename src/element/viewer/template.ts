@@ -26,6 +26,8 @@ export interface ViewerView {
   readonly onPosterError: () => void;
   /** The share that has arrived, 0 to 1, or null if that is not known. Undefined for no bar. */
   readonly bar: number | null | undefined;
+  /** Text size of the page around the viewer, for slotted content. Empty while nothing can be slotted. */
+  readonly pageText: string;
   readonly failure: ViewerErrorDetail | null;
   /** Trying again may help. */
   readonly retryable: boolean;
@@ -41,8 +43,12 @@ export interface ViewerView {
 export interface ViewerTree {
   /** The picture, without the panel. */
   readonly surface: HTMLElement;
-  /** Over the picture; the pointer goes through it. */
+  /** Over the picture; the pointer goes through it. Its room is its last child. */
   readonly layer: HTMLElement;
+  /** In the layer: what dividers, labels and panel leave of the picture. */
+  readonly room: HTMLElement;
+  /** In the room: what a notice leaves of it. The place of legends and boxes. */
+  readonly free: HTMLElement;
   /** The control panel's place. */
   readonly panel: HTMLElement;
 }
@@ -70,9 +76,13 @@ export const viewerTemplate = (view: ViewerView): TemplateResult => {
         : html`<img class="poster" part="poster" alt="" src=${poster} @error=${view.onPosterError} />`
     }
     <div class="reader" ?hidden=${name.hidden}>${view.reader}</div>
-    <div class="layer"></div>
-    ${bar === undefined ? nothing : progressTemplate(bar, phrase(texts, 'Loading'))}
-    ${failure === null ? nothing : messageTemplate(failure, view)}
+    <div class="layer">
+      <div class="room">
+        ${failure === null ? nothing : messageTemplate(failure, view)}
+        <div class="free"></div>
+      </div>
+    </div>
+    ${bar === undefined ? nothing : progressTemplate(bar, phrase(texts, 'Loading'), view.pageText)}
     <div class="panel" part="panel"></div>
     <slot></slot>
   `;
@@ -82,13 +92,17 @@ export const viewerTemplate = (view: ViewerView): TemplateResult => {
 export const treeIn = (root: ParentNode): ViewerTree => ({
   surface: root.querySelector('.surface')!,
   layer: root.querySelector('.layer')!,
+  room: root.querySelector('.room')!,
+  free: root.querySelector('.free')!,
   panel: root.querySelector('.panel')!,
 });
 
-function progressTemplate(share: number | null, label: string): TemplateResult {
+const pageText = (size: string): string => `--phong-page: ${size}`;
+
+function progressTemplate(share: number | null, label: string, size: string): TemplateResult {
   const percent = share === null ? null : String(Math.round(share * 100));
   // The style as a property: a strict CSP refuses style attributes.
-  return html`<slot name="progress">
+  return html`<slot name="progress" .style=${pageText(size)}>
     <div
       class="progress"
       part="progress"
@@ -106,10 +120,10 @@ function progressTemplate(share: number | null, label: string): TemplateResult {
 
 const messageTemplate = (
   { code, message, url }: ViewerErrorDetail,
-  { texts, onButton, retryable, dismissible }: ViewerView,
+  { texts, onButton, retryable, dismissible, pageText: size }: ViewerView,
 ): TemplateResult =>
   html`<div class=${dismissible ? 'message own' : 'message'} role="alert">
-    <slot name="error">
+    <slot name="error" .style=${pageText(size)}>
       <p
         class="notice"
         part="notice"

@@ -2,7 +2,6 @@
 // for a while, compiled in the background like a just-in-time compiler's code. One cache for each PhongLighting; it
 // counts programs, not meshes.
 import { type Camera, GLSL3, Mesh, RawShaderMaterial, type WebGLRenderer } from 'three';
-import { reportLinkFailure } from '../link-failure.js';
 import type { Variant } from './variant.js';
 
 /** Drawn frames with the same key before a specialised program is requested: a third of a second of motion. */
@@ -180,3 +179,14 @@ interface Program {
 
 const programOf = ({ renderer, material }: Probe): Program | undefined =>
   (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
+
+/** Reports a program that does not link to the page's error handlers, with the driver's logs. */
+export function reportLinkFailure(
+  gl: WebGLRenderingContext | WebGL2RenderingContext,
+  program: WebGLProgram,
+): void {
+  const shaders = gl.getAttachedShaders(program) ?? [];
+  const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
+  const text = logs.filter((log) => log !== null && log !== '').join('\n');
+  reportError(new Error(`PhongMaterial: a program does not link: ${text}`));
+}

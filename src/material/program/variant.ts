@@ -1,13 +1,11 @@
 // The code that a program holds. A variant is the defines of one program and its text. The general variant of a
 // material works for any number of its lights; specialised variants are derived from it for the current lights.
 import type { Texture } from 'three';
-import { kindFeatures } from '../../light/kind-features.js';
-import { KINDS, type LightKind } from '../../light/light-features.js';
+import { kindFeatures, KINDS, type LightKind } from '../../light/light-features.js';
 import { HEADER, LIGHT_FEATURES, ROWS } from '../../light/light-layout.js';
 import { forEachLight, type PackedLights } from '../../light/pack-lights.js';
-import { emits, hasMetalness, usesRoughnessMap } from '../file-surface.js';
-import type { BaseLook } from '../base-look.js';
-import { type ShadingStyle, type Term, TERMS } from '../shading-style.js';
+import { emits, hasMetalness, usesRoughnessMap, type BaseLook } from '../file-surface.js';
+import { type ShadingStyle, type Term, TERMS } from '../material-values.js';
 import { type Shaders, shadersOf } from './source.js';
 
 /** What a general variant depends on besides its lights. */

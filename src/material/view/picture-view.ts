@@ -1,13 +1,15 @@
 // What a picture shows in place of all lights' shaded colours: one light's, one term's, or a quantity. Fetched with the
 // first use of `view` or `view-light`.
 import type { LightValues } from '../../light/light-state.js';
-import { packLights, packNothing } from '../../light/pack-lights.js';
-import type { View } from '../views.js';
-import type { PictureView } from '../picture-view.js';
+import { packLights, packNothing, type PackSpace } from '../../light/pack-lights.js';
+import type { View, PictureView } from '../views.js';
 import { packCounted } from './count-lights.js';
-import { quantityUniforms, writeQuantityLight } from './quantity-light.js';
-import { viewEntry } from './view-table.js';
-import { type OwnProgram, viewVariant } from './view-variant.js';
+import { viewEntry, type Shows } from './view-table.js';
+import { Vector4 } from 'three';
+import { type Mat4, normalize, type Vec3 } from '../../math/vector.js';
+import trianglesVertex from '../../../shaders/view_triangles.vert.glsl?raw';
+import { type Variant, variantOf } from '../program/variant.js';
+import { SCALE_GLSL } from './scale.js';
 
 type Lights = readonly Readonly<LightValues>[];
 /** The lights that a view is limited to, of the viewer's, active or not. A quantity takes the first of them. */
@@ -54,3 +56,93 @@ function ownView(shows: OwnProgram, chosen: Chosen): PictureView {
 
 /** The count at the end of the scale: all active lights. */
 export const scaleEnd = (lights: Lights): number => Math.max(lights.filter(({ active }) => active).length, 1);
+
+/**
+ * The one light of a view of a single quantity, in shading space. From float64, as packed lights are. Declared in
+ * shaders/view_quantity.glsl.
+ */
+const quantityUniforms = () => ({
+  uViewPosition: { value: new Vector4() },
+  uViewAxis: { value: new Vector4() },
+  uViewAttenuation: { value: new Vector4() },
+});
+
+/** Writes the light; without one, or with an inactive one, every quantity is 0. */
+function writeQuantityLight(
+  into: ReturnType<typeof quantityUniforms>,
+  light: Readonly<LightValues> | undefined,
+  space: PackSpace,
+): void {
+  const { uViewPosition, uViewAxis, uViewAttenuation } = into;
+  if (light?.active !== true) {
+    uViewAttenuation.value.set(1, 0, 0, 0);
+    return;
+  }
+  const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
+  const [x, y, z, w] = light.position;
+  const place: Vec3 = w === 0 ? normalize([x, y, z]) : [x, y, z];
+  uViewPosition.value.set(...through(matrix, place, w), w);
+  uViewAxis.value.set(...through(matrix, normalize(light.axis), 0), light.cutoff);
+  uViewAttenuation.value.set(...light.attenuation, 1);
+}
+
+const through = (m: Mat4, [x, y, z]: Vec3, w: number): Vec3 => [
+  m[0]! * x + m[4]! * y + m[8]! * z + m[12]! * w,
+  m[1]! * x + m[5]! * y + m[9]! * z + m[13]! * w,
+  m[2]! * x + m[6]! * y + m[10]! * z + m[14]! * w,
+];
+
+/** What a view shows by programs of its own. */
+type OwnProgram = Exclude<Shows, { by: 'equation' }>;
+
+/**
+ * Quantities are of the fragment itself, not averaged, not encoded, and the same whether a surface is lit or emits
+ * light.
+ */
+const DROPPED = [
+  'SHADING_GOURAUD',
+  'FILTER_HIGHLIGHTS',
+  'IS_LINEAR',
+  'IS_UNLIT',
+  'HAS_EMISSIVE',
+  'HAS_EMISSIVE_MAP',
+];
+
+const made = new WeakMap<OwnProgram, Map<string, Variant>>();
+
+/**
+ * The program of a view that is not the equation's: a material's general program with another text for the colour, and
+ * without what only colours need. One for each view and general program. `general` reads its lights from a texture.
+ * `grid`: so do the spots of a light grid's cells.
+ */
+function viewVariant(shows: OwnProgram, general: Variant, grid: boolean): Variant {
+  let variants = made.get(shows);
+  if (variants === undefined) made.set(shows, (variants = new Map<string, Variant>()));
+  const key = `${String(grid)} ${general.key}`;
+  let variant = variants.get(key);
+  if (variant === undefined) variants.set(key, (variant = make(shows, general, grid)));
+  return variant;
+}
+
+function make(shows: OwnProgram, general: Variant, grid: boolean): Variant {
+  const defines: Record<string, string> = { ...general.defines };
+  for (const name of DROPPED) Reflect.deleteProperty(defines, name);
+  // Programs are told apart by their defines.
+  defines['VIEW'] = shows.by;
+  switch (shows.by) {
+    case 'quantity':
+      defines['VIEW_VALUE'] = shows.value;
+      break;
+    case 'count':
+      defines['SCALE_COLOR'] = SCALE_GLSL;
+      if ('IS_UNLIT' in general.defines) defines['VIEW_UNLIT'] = '';
+      if (grid) defines['HAS_LIGHT_GRID'] = '';
+      break;
+    case 'triangles': {
+      const variant = variantOf(defines, shows.text);
+      const vertex = ['#define main shadedMain', variant.vertexShader, '#undef main', trianglesVertex];
+      return { ...variant, vertexShader: vertex.join('\n') };
+    }
+  }
+  return variantOf(defines, shows.text);
+}

@@ -3,7 +3,7 @@
 import countText from '../../../shaders/view_count.glsl?raw';
 import quantityText from '../../../shaders/view_quantity.glsl?raw';
 import trianglesText from '../../../shaders/view_triangles.glsl?raw';
-import type { Term } from '../shading-style.js';
+import type { Term } from '../material-values.js';
 import type { View } from '../views.js';
 
 /** The equation: all its terms, or one without emissive and unlit colours. Materials keep their programs. */

@@ -1,5 +1,5 @@
 // Answers the messages of DecoderThread in the worker.
-import type { CreateDecoder, Decode, WorkerAnswer } from './decoder.js';
+import type { CreateDecoder, Decode, WorkerAnswer } from './decoder-thread.js';
 
 /** Answers each message, in order. */
 export function answerJobs<Job, Result>(create: CreateDecoder<Job, Result>): void {

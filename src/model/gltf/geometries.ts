@@ -54,18 +54,13 @@ export interface GeometrySource {
 export const isSkinned = (mesh: Mesh): mesh is SkinnedMesh =>
   mesh instanceof SkinnedMesh && (mesh.skeleton as Skeleton | undefined) !== undefined;
 
-export interface BuiltGeometry {
-  readonly geometry: BufferGeometry;
-  readonly flat: boolean;
-}
-
 export class Geometries {
   readonly deformations: Deformation[] = [];
   readonly joints = new Map<Skeleton, JointPose>();
   readonly weights = new Map<number, Float64Array>();
   readonly #source: GeometrySource;
   readonly #slices: Slices;
-  readonly #cache = new Map<string, BuiltGeometry>();
+  readonly #cache = new Map<string, BufferGeometry>();
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
 
   constructor(source: GeometrySource, slices: Slices) {
@@ -73,7 +68,7 @@ export class Geometries {
     this.#slices = slices;
   }
 
-  async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BuiltGeometry> {
+  async of(mesh: Mesh<BufferGeometry, MeshStandardMaterial>): Promise<BufferGeometry> {
     const { normalMap, ...maps } = mapsOf(mesh.material, mesh.geometry);
     const uvs = [
       ...new Set([...Object.values(maps), normalMap].flatMap((map) => (map ? uvNameOf(map) : []))),
@@ -97,7 +92,7 @@ export class Geometries {
     uvs: readonly string[],
     tangents: string | null,
     targets: readonly MorphAccessors[],
-  ): Promise<BuiltGeometry> {
+  ): Promise<BufferGeometry> {
     const source = mesh.geometry;
     const flat = !source.hasAttribute('normal');
     const attributes = await this.#attributesOf(source, uvs, tangents !== null);
@@ -126,7 +121,7 @@ export class Geometries {
     if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
     if (isSkinned(mesh) || targets.length > 0)
       await this.#deform(mesh, geometry, flat, attributes, targets.length);
-    return { geometry, flat };
+    return geometry;
   }
 
   async #attributesOf(

@@ -1,7 +1,7 @@
 // The motion of a glTF model. Keyframes set its nodes, its nodes move parts and joints, and joints and weights deform
 // geometries.
 import { BufferGeometry, Mesh, type Object3D } from 'three';
-import type { ModelMotion, ModelPart } from '../model.js';
+import type { ContentPart, Motion } from '../model.js';
 import type { Accessor } from './accessors.js';
 import type { Channel, ChannelPath, GltfAnimation } from './animations.js';
 import type { Attribute } from './attributes.js';
@@ -13,10 +13,10 @@ import { type Keyframes, sample } from './tracks.js';
 export interface Movable {
   readonly scene: Object3D;
   /** Parts that follow a node, in the model's order. */
-  readonly rigid: readonly { readonly part: ModelPart; readonly mesh: Mesh }[];
+  readonly rigid: readonly { readonly part: ContentPart; readonly mesh: Mesh }[];
   readonly joints: readonly JointPose[];
   readonly deformations: readonly Deformation[];
-  /** Of each node with morph targets, by the node's index; overwritten when it moves. */
+  /** The weights of each node with morph targets, by the node's index; overwritten when it moves. */
   readonly weights: ReadonlyMap<number, Float64Array>;
 }
 
@@ -27,14 +27,16 @@ export interface MotionSource {
 
 /**
  * Null if nothing can be animated.
+ * @param file its name, for warnings.
  * @param dropped gets the animations whose times or values are no numbers.
  */
 export async function readMotion(
+  file: string,
   animations: readonly GltfAnimation[],
   source: MotionSource,
   movable: Movable,
   dropped: Set<string>,
-): Promise<ModelMotion | null> {
+): Promise<Motion | null> {
   const clips: Clip[] = [];
   for (const [i, { name, channels }] of animations.entries()) {
     const tracks = await Promise.all(channels.map((channel) => readTrack(channel, source, movable)));
@@ -42,10 +44,36 @@ export async function readMotion(
     if (tracks.length === usable.length) clips.push(new Clip(name, usable));
     else dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
   }
-  return clips.length === 0 ? null : motionOf(clips, movable);
+  return clips.length === 0 ? null : motionOf(file, clips, poser(clips, movable));
 }
 
-function motionOf(clips: readonly Clip[], movable: Movable): ModelMotion {
+function motionOf(file: string, clips: readonly Clip[], pose: Pose): Motion {
+  const unknown = new Set<string>();
+  const clipOf = (wanted: string): Clip | undefined => {
+    const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
+    if (found === undefined && !unknown.has(wanted)) {
+      const names = clips.map(({ name }) => JSON.stringify(name)).join(', ');
+      console.warn(
+        `${file} has no animation ${JSON.stringify(wanted)}, so its first one is shown. It has: ${names}`,
+      );
+      unknown.add(wanted);
+    }
+    return found ?? clips[0];
+  };
+  return {
+    names: clips.map(({ name }) => name),
+    durationOf: (name) => clipOf(name)?.duration ?? 0,
+    pose: (name, seconds) => {
+      const clip = name === null ? null : (clipOf(name) ?? null);
+      pose(clip, clip !== null && clip.duration > 0 ? seconds % clip.duration : 0);
+    },
+  };
+}
+
+/** Times outside a clip give its first or last pose. Null: without animation. */
+type Pose = (clip: Clip | null, seconds: number) => void;
+
+function poser(clips: readonly Clip[], movable: Movable): Pose {
   const { scene, rigid, joints, deformations } = movable;
   // Their vertices are in the parts' geometries by now.
   scene.traverse((object) => {
@@ -54,21 +82,17 @@ function motionOf(clips: readonly Clip[], movable: Movable): ModelMotion {
   for (const deformation of deformations) deformation.keep();
   const tracks = clips.flatMap((clip) => clip.tracks);
   let posed: Clip | null = null;
-  return {
-    clips,
-    pose(index, seconds) {
-      const clip = (index === null ? null : clips[index]) ?? null;
-      if (clip !== posed) for (const { rest, set } of tracks) set(rest);
-      posed = clip;
-      clip?.set(seconds);
-      scene.updateMatrixWorld();
-      for (const { part, mesh } of rigid) {
-        // Scales inside scales can leave the range of numbers. The part then stays where it was.
-        if (mesh.matrixWorld.elements.every(Number.isFinite)) part.matrix.copy(mesh.matrixWorld);
-      }
-      for (const pose of joints) pose.update();
-      for (const deformation of deformations) deformation.update();
-    },
+  return (clip, seconds) => {
+    if (clip !== posed) for (const { rest, set } of tracks) set(rest);
+    posed = clip;
+    clip?.set(seconds);
+    scene.updateMatrixWorld();
+    for (const { part, mesh } of rigid) {
+      // Scales inside scales can leave the range of numbers. The part then stays where it was.
+      if (mesh.matrixWorld.elements.every(Number.isFinite)) part.matrix.copy(mesh.matrixWorld);
+    }
+    for (const pose of joints) pose.update();
+    for (const deformation of deformations) deformation.update();
   };
 }
 

@@ -3,6 +3,7 @@
 import type { Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
+import { nameOf } from '../file-name.js';
 import { ModelBudget } from '../model-budget.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
@@ -15,7 +16,7 @@ import { checkDracoHeader } from './draco-header.js';
 import { dracoLoader } from './draco-loader.js';
 import type { FileIndices } from './geometries.js';
 import { readMotion } from './motion.js';
-import { collectParts } from './parts.js';
+import { collectParts } from './collect-parts.js';
 import { gltfTextures } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {
@@ -56,7 +57,7 @@ export const readGltf: ModelReader = async (source) => {
     const indicesOf = (object: Object3D): FileIndices | undefined => parser.associations.get(object);
     const { parts, movable } = await collectParts(scene, { indicesOf, accessor, targets, weights }, slices);
     const dropped = new Set(document.dropped);
-    const motion = await readMotion(animations, { node, accessor }, movable, dropped);
+    const motion = await readMotion(nameOf(source.url), animations, { node, accessor }, movable, dropped);
     source.signal.throwIfAborted();
     return { ...ownedModel(parts, () => void textures.close()), motion, dropped };
   } catch (error) {

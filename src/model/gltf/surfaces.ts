@@ -1,12 +1,11 @@
-// Turns a glTF material's values into the equation's terms. See FileSurface for their meaning. Knows three's parsed
+// Turns a glTF material's values into the equation's terms. See BaseLook for their meaning. Knows three's parsed
 // material, not how it was read.
 import type { BufferGeometry, MeshStandardMaterial, Texture } from 'three';
 import { LIMITS } from '../../light/light-state.js';
-import type { FileSurface } from '../../material/file-surface.js';
-import { SURFACE_FIELDS } from '../../material/material-values.js';
+import { type BaseLook, exponentOfRoughness } from '../../material/file-surface.js';
+import { SURFACE_FIELDS, type SurfaceValues } from '../../material/material-values.js';
 import { srgbEncode } from '../../math/color.js';
-import { map, type Vec3 } from '../../math/vector.js';
-import type { ModelLook } from '../model.js';
+import { map, multiply, type Vec3 } from '../../math/vector.js';
 import type { MaterialValues } from './materials.js';
 
 /** The maps of a material that are drawn, with those that the geometry has no coordinates for left out. */
@@ -25,24 +24,34 @@ export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry)
 /** The attribute of a map's texture coordinates. */
 export const uvNameOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${String(channel)}`);
 
-/** Emissive colour, metalness, roughness, unlit; the specular factor multiplies the default Ks. */
+/** What is no map. */
 export function surfaceOf(
   material: MeshStandardMaterial,
-): Omit<FileSurface, 'emissiveMap' | 'metalRoughMap' | 'normalMap'> & Pick<ModelLook, 'ks'> {
+): Pick<BaseLook, 'unlit' | 'emissive' | 'metalness' | 'roughness' | 'normalScale'> {
   const values = valuesOf(material);
   const { emissive: glows, metalRough: rough } = values?.mapped ?? {};
   // The usual factors are 1: without the images, all of it would glow, or be metal.
   const emissive = glows === true && material.emissiveMap === null ? [] : values?.emissive;
   const metalRough = rough === true && material.metalnessMap === null ? null : values?.metalRough;
   const { metalness = 0, roughness = null } = metalRough ?? {};
-  const specular = values?.specular ?? null;
   return {
     unlit: values?.unlit ?? false,
     emissive: encoded(emissive ?? []),
     metalness,
     roughness,
     normalScale: Math.min(Math.max(values?.normalScale ?? 1, -LIMITS.color), LIMITS.color),
-    ...(specular === null ? {} : { ks: scaledDefault(encoded(specular)) }),
+  };
+}
+
+/** Ks and the exponent, where the file says something: the specular factor multiplies the default Ks. */
+export function coefficientsOf(
+  material: MeshStandardMaterial,
+  { roughness }: Pick<BaseLook, 'roughness'>,
+): Partial<SurfaceValues> {
+  const specular = valuesOf(material)?.specular ?? null;
+  return {
+    ...(specular === null ? {} : { ks: multiply(encoded(specular), SURFACE_FIELDS.ks.fallback) }),
+    ...(roughness === null ? {} : { shininess: exponentOfRoughness(roughness) }),
   };
 }
 
@@ -53,8 +62,3 @@ const valuesOf = ({ userData }: MeshStandardMaterial): MaterialValues | null =>
 /** Within a colour's domain: products with texels stay finite. */
 const encoded = ([r = 0, g = 0, b = 0]: readonly number[]): Vec3 =>
   map([r, g, b], (c) => Math.min(srgbEncode(c), LIMITS.color / 255));
-
-function scaledDefault([r, g, b]: Vec3): Vec3 {
-  const [x, y, z] = SURFACE_FIELDS.ks.fallback;
-  return [(r * x) / 255, (g * y) / 255, (b * z) / 255];
-}

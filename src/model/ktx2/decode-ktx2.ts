@@ -4,7 +4,6 @@ import { lazyCode } from '../lazy-code.js';
 import { DecoderThread } from '../decoders/decoder-thread.js';
 import { ModelError } from '../model.js';
 import type { Ktx2Job } from './ktx2.js';
-import { checkKtx2 } from './ktx2-header.js';
 
 const decoderCode = /* @__PURE__ */ lazyCode(() => import('./ktx2.js'), 'KTX2 textures');
 
@@ -44,4 +43,41 @@ function notStarted(cause: unknown): never {
       "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures.",
     { cause },
   );
+}
+
+const MAGIC = '\xabKTX 20\xbb\r\n\x1a\n';
+
+export const isKtx2 = (bytes: Uint8Array): boolean =>
+  Array.from(MAGIC).every((character, i) => bytes[i] === character.charCodeAt(0));
+
+const HEADER = 80;
+/** The largest image has 8192 × 8192 pixels, and 14 levels down to one. */
+const MOST_LEVELS = 16;
+/** UASTC has 16 bytes for 4 × 4 pixels, ETC1S up to 16 with alpha, and less. */
+const BLOCK_BYTES = 16;
+
+/**
+ * Checks the header before the transcoder allocates for it (KTX File Format Specification 2.0, sections 3 and 4).
+ * @throws Error for a file that is no single picture in a format of Basis Universal, or that claims too much.
+ */
+export function checkKtx2(bytes: Uint8Array): void {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (view.byteLength < HEADER) throw new Error('is a KTX2 file that ends inside its header');
+  const uint = (at: number): number => view.getUint32(at, true);
+  const [format, width, height, depth, layers, faces] = [12, 20, 24, 28, 32, 36].map(uint);
+  if (format !== 0)
+    throw new Error('is a KTX2 file in a format of its own; only those of Basis Universal can be shown');
+  if (depth !== 0 || (layers ?? 0) > 1 || faces !== 1)
+    throw new Error('is a KTX2 file that holds no single picture');
+  const levels = Math.max(uint(40), 1);
+  if (levels > MOST_LEVELS || HEADER + 24 * levels > view.byteLength)
+    throw new Error('is a KTX2 file that is cut short');
+  const most = Math.ceil((width ?? 0) / 4) * Math.ceil((height ?? 0) / 4) * BLOCK_BYTES;
+  for (let level = 0; level < levels; level += 1) {
+    const [offset, length, unpacked] = [0, 8, 16].map((at) =>
+      Number(view.getBigUint64(HEADER + 24 * level + at, true)),
+    );
+    if ((offset ?? 0) + (length ?? 0) > view.byteLength) throw new Error('is a KTX2 file that is cut short');
+    if ((unpacked ?? 0) > most) throw new Error('is a KTX2 file that unpacks to more than its size says');
+  }
 }

@@ -2,7 +2,10 @@
 // the equation. Corners without a normal get one by smoothing group. A separate chunk.
 import type { ModelReader, ModelSource } from '../format.js';
 import { ModelBudget } from '../model-budget.js';
-import type { ModelLook, ModelPart } from '../model.js';
+import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
+import type { SurfaceValues } from '../../material/material-values.js';
+import { scale } from '../../math/vector.js';
+import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
 import { asUtf8 } from '../text/utf-16.js';
@@ -21,13 +24,15 @@ export const readObj: ModelReader = async (source) => {
   const budget = new ModelBudget(source.onValues);
   const textures = new MapTextures(source, budget);
   try {
-    const parts: ModelPart[] = [];
+    const parts: ContentPart[] = [];
     for (const { name, material, ranges } of groupsOf(text.runs)) {
       const definition = materials.get(material) ?? NO_MATERIAL;
       const withUvs = definition.map !== null && text.lists.uvs.length > 0;
       const geometry = await indexedGeometry(text.lists, ranges, withUvs, budget, slices);
       const map = withUvs ? await textures.of(definition.map) : null;
-      parts.push({ name, geometry, matrix: text.lists.places.matrix, look: lookOf(definition, map) });
+      const look = lookOf(definition, map, geometry.hasAttribute('color'));
+      const { matrix } = text.lists.places;
+      parts.push({ name, geometry, matrix, look, sides: 'double', surface: surfaceOf(definition) });
     }
     return ownedModel(parts, () => {
       textures.close();
@@ -94,15 +99,17 @@ function groupedBy(runs: readonly ObjRun[], keyOf: (run: ObjRun) => string): rea
   return [...groups.values()];
 }
 
-function lookOf({ opacity, map: _, ...surface }: MtlMaterial, map: ModelLook['map']): ModelLook {
-  return {
-    baseColor: [1, 1, 1],
-    opacity,
-    alphaMode: opacity < 1 ? 'blend' : 'opaque',
-    alphaCutoff: 0,
-    map,
-    doubleSided: true,
-    flat: false,
-    ...surface,
-  };
+function lookOf({ opacity }: MtlMaterial, map: BaseLook['map'], vertexColors: boolean): BaseLook {
+  return { ...PLAIN_LOOK, opacity, alphaMode: opacity < 1 ? 'blend' : 'opaque', map, vertexColors };
+}
+
+/** Colours from 0 to 255, as in HTML. What the file leaves out is left out. */
+function surfaceOf(material: MtlMaterial): Partial<SurfaceValues> {
+  const surface: Partial<SurfaceValues> = {};
+  for (const key of ['ka', 'kd', 'ks'] as const) {
+    const color = material[key];
+    if (color !== undefined) surface[key] = scale(color, 255);
+  }
+  if (material.shininess !== undefined) surface.shininess = material.shininess;
+  return surface;
 }

@@ -3,6 +3,7 @@
 import type { ModelReader } from '../format.js';
 import { CORNER_LIMIT } from '../limits.js';
 import { ModelBudget } from '../model-budget.js';
+import { PLAIN_LOOK } from '../../material/file-surface.js';
 import { ModelError } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';
@@ -38,16 +39,9 @@ export const readPly: ModelReader = async ({ bytes, signal, onValues }) => {
   }
   const ranges = [{ start: 0, end: lists.corners.length }];
   const geometry = await indexedGeometry(lists, ranges, false, new ModelBudget(onValues), slices);
-  const look = {
-    baseColor: [1, 1, 1],
-    opacity: 1,
-    alphaMode: 'opaque',
-    alphaCutoff: 0,
-    map: null,
-    doubleSided: true,
-    flat: false,
-  } as const;
-  return ownedModel([{ name: '', geometry, matrix: lists.places.matrix, look }]);
+  const look = { ...PLAIN_LOOK, vertexColors: geometry.hasAttribute('color') };
+  const { matrix } = lists.places;
+  return ownedModel([{ name: '', geometry, matrix, look, sides: 'double', surface: {} }]);
 };
 
 function requireFaces(elements: readonly PlyElement[]): void {

@@ -6,11 +6,11 @@ import type { Vec3 } from '../../math/vector.js';
 import { faceNormals } from '../face-normals.js';
 import type { ModelReader } from '../format.js';
 import { ModelBudget } from '../model-budget.js';
-import type { ModelLook, ModelPart } from '../model.js';
+import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
+import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { PAUSE_MASK, Slices } from '../slices.js';
-import { Growing } from '../triangles/growing.js';
-import { Places } from '../triangles/places.js';
+import { Growing, Positions } from '../triangles/corner-lists.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
@@ -19,7 +19,7 @@ export const readStl: ModelReader = async ({ bytes, signal, onValues }) => {
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
   const solids = asText ? await readStlText(bytes, slices) : [await readBinary(bytes, slices)];
   const budget = new ModelBudget(onValues);
-  const parts: ModelPart[] = [];
+  const parts: ContentPart[] = [];
   for (const solid of solids) parts.push(await partOf(solid, budget, slices));
   if (parts.length === 0) throw new Error('it has no triangles');
   return ownedModel(parts);
@@ -29,7 +29,7 @@ export const readStl: ModelReader = async ({ bytes, signal, onValues }) => {
 export interface StlSolid {
   readonly name: string;
   /** Three per triangle. */
-  readonly places: Places;
+  readonly places: Positions;
   /** r g b of each triangle, or null. Encoded sRGB, 0 to 1. */
   readonly colors: Growing<Float32Array> | null;
   /** Colour of the whole body. Encoded sRGB, 0 to 1. */
@@ -52,7 +52,7 @@ async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promi
   // Before anything is allocated.
   new ModelBudget().add({ corners: 3 * count });
   const header = headerColor(view);
-  const places = new Places(3 * count);
+  const places = new Positions(3 * count);
   const colors = new Growing(Float32Array);
   let colored = false;
   let anyBits = 0;
@@ -119,7 +119,7 @@ function triangleColor(bits: number, magics: boolean): Vec3 | null {
   return magics ? channels : [channels[2], channels[1], channels[0]];
 }
 
-async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Promise<ModelPart> {
+async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Promise<ContentPart> {
   const { name, places, colors, color, opacity } = solid;
   const corners = places.count;
   budget.add({ parts: 1, corners, values: corners * (colors === null ? 6 : 9) });
@@ -135,14 +135,12 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
     });
     geometry.setAttribute('color', new BufferAttribute(perCorner, 3));
   }
-  const look: ModelLook = {
+  const look: BaseLook = {
+    ...PLAIN_LOOK,
     baseColor: color,
     opacity,
     alphaMode: opacity < 1 ? 'blend' : 'opaque',
-    alphaCutoff: 0,
-    map: null,
-    doubleSided: true,
-    flat: true,
+    vertexColors: colors !== null,
   };
-  return { name, geometry, matrix: places.matrix, look };
+  return { name, geometry, matrix: places.matrix, look, sides: 'double', surface: {} };
 }

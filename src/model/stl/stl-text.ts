@@ -4,7 +4,7 @@ import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import { PAUSE_MASK, type Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { Places } from '../triangles/places.js';
+import { Positions } from '../triangles/corner-lists.js';
 import type { StlSolid } from './read-stl.js';
 
 /** @throws Error that names the line, for broken text; ModelError `too-large`. */
@@ -12,7 +12,7 @@ export async function readStlText(bytes: Uint8Array, slices: Slices): Promise<re
   const scanner = new TextScanner(bytes);
   const solids: StlSolid[] = [];
   let name = '';
-  let places = new Places();
+  let places = new Positions();
   let corners = 0;
   let total = 0;
   const endSolid = (): void => {
@@ -21,7 +21,7 @@ export async function readStlText(bytes: Uint8Array, slices: Slices): Promise<re
     if (solids.length > PART_LIMIT) {
       throw new ModelError('too-large', `The model has more than ${PART_LIMIT.toLocaleString('en')} solids.`);
     }
-    places = new Places();
+    places = new Positions();
   };
   for (let words = 0; scanner.nextWord(); words += 1) {
     if ((words & PAUSE_MASK) === 0 && slices.due) await slices.pause();
@@ -69,7 +69,7 @@ function solidName(scanner: TextScanner): string {
   return scanner.textFrom(start, NAME_LENGTH);
 }
 
-function pushVertex(places: Places, scanner: TextScanner, at: number): void {
+function pushVertex(places: Positions, scanner: TextScanner, at: number): void {
   try {
     places.push(scanner.requiredNumber(), scanner.requiredNumber(), scanner.requiredNumber());
   } catch (cause) {

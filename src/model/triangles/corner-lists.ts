@@ -1,7 +1,9 @@
 // A file's triangles while they are read: each corner refers to lists of positions, texture coordinates and normals of
 // their own, as OBJ writes them.
-import { Growing } from './growing.js';
-import { Places } from './places.js';
+import { Matrix4 } from 'three';
+import { LIMITS } from '../../light/light-state.js';
+import { CORNER_LIMIT } from '../limits.js';
+import { ModelError } from '../model.js';
 
 /** Smoothing group of a triangle about which the file says nothing. */
 export const UNSTATED = -1;
@@ -12,7 +14,7 @@ export const FACETED = 0;
 export const NONE = -1;
 
 export class CornerLists {
-  readonly places = new Places();
+  readonly places = new Positions();
   /** r g b of each position, or empty. Encoded sRGB, 0 to 1. */
   readonly colors = new Growing(Float32Array);
   /** u v; the first row of an image is at v = 0, as in glTF. */
@@ -53,3 +55,93 @@ export function setItem(list: Growing<Int32Array>, index: number, value: number)
 /** The item at `index`, or {@link NONE} beyond the end. */
 export const itemAt = (list: Growing<Int32Array>, index: number): number =>
   index < list.length ? (list.array[index] ?? NONE) : NONE;
+
+/**
+ * A first vertex farther out than this becomes the origin. Maps and plants have coordinates of 1e5 to 1e7 metres and
+ * details of centimetres; float32 keeps steps of 3 cm at 5e5.
+ */
+const FAR_OUT = 1024;
+
+/** A file's vertex positions, as float32 relative to an origin that keeps their precision. */
+export class Positions {
+  readonly #values: Growing<Float32Array>;
+  #origin: readonly [number, number, number] | null = null;
+
+  /** @param capacity the number of vertices, if it is known; at most what a model can have. */
+  constructor(capacity?: number) {
+    this.#values = new Growing(Float32Array, capacity === undefined ? undefined : 3 * capacity);
+  }
+
+  get count(): number {
+    return this.#values.length / 3;
+  }
+
+  /** x y z of each vertex, relative to the origin. Longer than the list. Replaced when it grows. */
+  get array(): Float32Array {
+    return this.#values.array;
+  }
+
+  /** From the origin to the file's coordinates. */
+  get matrix(): Matrix4 {
+    return new Matrix4().makeTranslation(...(this.#origin ?? [0, 0, 0]));
+  }
+
+  /** @throws Error for a coordinate that is no number or beyond ±1e15; ModelError `too-large` for too many vertices. */
+  push(x: number, y: number, z: number): void {
+    const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
+    if (!(largest <= LIMITS.coordinate)) throw wrongCoordinate(x, y, z);
+    this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
+    const values = this.#values;
+    // A vertex that no triangle uses still takes memory.
+    if (values.length >= 3 * CORNER_LIMIT) {
+      throw new ModelError(
+        'too-large',
+        `The model has more than ${CORNER_LIMIT.toLocaleString('en')} vertices.`,
+      );
+    }
+    const [x0, y0, z0] = this.#origin;
+    values.push(x - x0);
+    values.push(y - y0);
+    values.push(z - z0);
+  }
+}
+
+function wrongCoordinate(x: number, y: number, z: number): Error {
+  const value = [x, y, z].find((coordinate) => !(Math.abs(coordinate) <= LIMITS.coordinate));
+  return new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
+}
+
+interface NumberArray {
+  readonly length: number;
+  [index: number]: number;
+  set(values: ArrayLike<number>, offset?: number): void;
+  subarray(begin: number, end: number): NumberArray;
+}
+
+const FIRST_LENGTH = 1024;
+
+/** A list of numbers whose length is not known before the end of the file: a typed array, doubled when it is full. */
+export class Growing<A extends NumberArray> {
+  readonly #make: new (length: number) => A;
+  /** Valid up to {@link length}. Replaced when it grows: do not keep it. */
+  array: A;
+  length = 0;
+
+  /** @param capacity the length it will probably have. */
+  constructor(make: new (length: number) => A, capacity = FIRST_LENGTH) {
+    this.#make = make;
+    this.array = new make(capacity);
+  }
+
+  push(value: number): void {
+    if (this.length === this.array.length) this.#grow();
+    this.array[this.length] = value;
+    this.length += 1;
+  }
+
+  #grow(): void {
+    const larger = new this.#make(Math.max(this.array.length * 2, FIRST_LENGTH));
+    larger.set(this.array);
+    this.array = larger;
+  }
+}

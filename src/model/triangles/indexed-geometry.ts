@@ -2,8 +2,7 @@
 import { BufferAttribute, BufferGeometry } from 'three';
 import type { ModelBudget } from '../model-budget.js';
 import { PAUSE_MASK, type Slices } from '../slices.js';
-import { itemAt, NONE, type CornerLists } from './corner-lists.js';
-import { Growing } from './growing.js';
+import { itemAt, NONE, type CornerLists, Growing } from './corner-lists.js';
 
 /** Corners from `start` on, up to before `end`. */
 export interface CornerRange {

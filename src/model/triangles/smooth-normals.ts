@@ -3,7 +3,7 @@
 // float64.
 import { PAUSE_MASK, type Slices } from '../slices.js';
 import { FACETED, itemAt, NONE, setItem, UNSTATED, type CornerLists } from './corner-lists.js';
-import { faceVector, type FaceVector } from './face-normal.js';
+import { faceVector, type FaceVector } from './triangulate.js';
 
 /**
  * Faces without a stated smoothing group are smoothed together if they meet at less than 40°. The five regular solids

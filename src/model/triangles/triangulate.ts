@@ -1,8 +1,7 @@
 // Cuts a polygon into triangles: a fan for convex ones; ears are cut off others. Works on vertex numbers, calls back
 // for each triangle.
 import { ModelError } from '../model.js';
-import { faceVector, type FaceVector } from './face-normal.js';
-import type { Places } from './places.js';
+import type { Positions } from './corner-lists.js';
 
 /** Most corners of a polygon. Real ones have hundreds; each takes memory before the triangles do. */
 const POLYGON_LIMIT = 2 ** 20;
@@ -24,10 +23,10 @@ type Emit = (a: number, b: number, c: number) => void;
 
 /** Cuts the polygons of one model. */
 export class Triangulator {
-  readonly #places: Places;
+  readonly #places: Positions;
   #steps = 0;
 
-  constructor(places: Places) {
+  constructor(places: Positions) {
     this.#places = places;
   }
 
@@ -133,4 +132,36 @@ function isEar(flat: Float64Array, rest: readonly number[], a: number, b: number
       turn(flat, b, c, p) <= 0 ||
       turn(flat, c, a, p) <= 0,
   );
+}
+
+export interface FaceVector {
+  x: number;
+  y: number;
+  z: number;
+}
+
+/**
+ * Writes the cross product of two edges to `out`, in float64, and returns its length: twice the area of the triangle.
+ * The side from which its corners turn left is outside. `a`, `b` and `c` are the corners' indices in `positions`.
+ */
+export function faceVector(
+  positions: Float32Array,
+  a: number,
+  b: number,
+  c: number,
+  out: FaceVector,
+): number {
+  const ax = positions[a] ?? 0;
+  const ay = positions[a + 1] ?? 0;
+  const az = positions[a + 2] ?? 0;
+  const ux = (positions[b] ?? 0) - ax;
+  const uy = (positions[b + 1] ?? 0) - ay;
+  const uz = (positions[b + 2] ?? 0) - az;
+  const vx = (positions[c] ?? 0) - ax;
+  const vy = (positions[c + 1] ?? 0) - ay;
+  const vz = (positions[c + 2] ?? 0) - az;
+  out.x = uy * vz - uz * vy;
+  out.y = uz * vx - ux * vz;
+  out.z = ux * vy - uy * vx;
+  return Math.hypot(out.x, out.y, out.z);
 }

@@ -1,7 +1,7 @@
 // Draws a display list into a picture file by Canvas 2D: an SVG image would need a `blob:` or `data:` address, which a
 // strict CSP refuses. The same looks as svg-layer.ts.
 import { HALO } from './contrast.js';
-import { DASHES, type Disc, FONT, outlineOf, type Primitive, type Stroke } from './display-list.js';
+import { DASHES, type Disc, labelFont, outlineOf, type Primitive, type Stroke } from './display-list.js';
 
 /**
  * How a picture file shows a layer of this height: as large in proportion as on the page. `width` and `height` are the
@@ -15,11 +15,20 @@ export function fileSize(
   return { width: picture.width / scale, height: picture.height / scale, scale };
 }
 
-/** Draws the list; `scale` is how many of the canvas's pixels are one of the list's. */
-export function drawList(context: CanvasRenderingContext2D, list: readonly Primitive[], scale: number): void {
+/**
+ * Draws the list; `scale` is how many of the canvas's pixels are one of the list's, `fontSize` that of labels in pixels
+ * of the list.
+ */
+export function drawList(
+  context: CanvasRenderingContext2D,
+  list: readonly Primitive[],
+  scale: number,
+  fontSize: number,
+): void {
   context.save();
   context.scale(scale, scale);
   context.lineJoin = 'round';
+  context.font = labelFont(`${String(fontSize)}px`);
   for (const primitive of list) {
     context.globalAlpha = primitive.opacity ?? 1;
     if (primitive.kind === 'label') drawLabel(context, primitive);
@@ -32,7 +41,6 @@ function drawLabel(
   context: CanvasRenderingContext2D,
   { at, text, color }: Extract<Primitive, { kind: 'label' }>,
 ): void {
-  context.font = FONT;
   context.direction = 'ltr';
   context.setLineDash([]);
   context.strokeStyle = HALO;

@@ -7,7 +7,7 @@ export interface Stroke {
   /** Lines in one colour; they share their dashes and outline. */
   readonly lines: readonly (readonly Point[])[];
   readonly color: string;
-  /** Of the core, CSS pixels. */
+  /** Width of the core, CSS pixels. */
   readonly width: number;
   readonly dashed?: boolean;
   /** Fills the lines as polygons instead of drawing them. */
@@ -37,6 +37,8 @@ export interface Label {
   readonly at: Point;
   readonly text: string;
   readonly color: string;
+  /** Its part on the page. */
+  readonly part?: string;
   readonly opacity?: number;
 }
 
@@ -51,8 +53,8 @@ export const outlineOf = (shape: Stroke | Disc): number =>
 /** On and off, CSS pixels. */
 export const DASHES = [5, 4] as const;
 
-/** The font of labels. The line's height is what {@link placeLabels} keeps free. */
-export const FONT = '600 12px system-ui, sans-serif';
+/** The font of labels. The line's height is what {@link placeLabels} keeps free. `size`: a length in CSS. */
+export const labelFont = (size: string): string => `600 ${size} system-ui, sans-serif`;
 
 /** Length and half the width of an arrow's head, CSS pixels. */
 const HEAD = { length: 9, half: 4 };

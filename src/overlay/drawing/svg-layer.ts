@@ -1,13 +1,13 @@
 // Shows a display list on the page as SVG, which is crisp at any resolution and zoom. Elements are kept from list to
 // list, and only what differs is written.
 import { createSvg, set, write } from '../../element/dom.js';
-import { DASHES, FONT, outlineOf, type Primitive } from './display-list.js';
+import { DASHES, labelFont, outlineOf, type Primitive } from './display-list.js';
 import { HALO } from './contrast.js';
 import type { Point } from './projection.js';
 
 const TAGS = { stroke: ['path', 'path'], disc: ['circle', 'circle'], label: ['text'] } as const;
 
-interface Shown {
+interface DrawnPrimitive {
   readonly primitive: Primitive;
   /** The outline first. */
   readonly elements: readonly SVGElement[];
@@ -20,12 +20,19 @@ export class SvgLayer {
     'aria-hidden': 'true',
     focusable: 'false',
   });
-  #shown: Shown[] = [];
+  #shown: DrawnPrimitive[] = [];
 
-  /** `className`: of the element; none by default. */
-  constructor(className: string | null = null) {
-    set(this.element, { class: className });
-    this.element.style.font = FONT;
+  /**
+   * `figure`: what it shows is of this size for a text of 12 pixels, and scaled by the style sheet. By default it shows
+   * pixels of the page, with labels as large as the text around it.
+   */
+  constructor(
+    className: string | null = null,
+    figure: { readonly width: number; readonly height: number } | null = null,
+  ) {
+    const viewBox = figure === null ? null : `0 0 ${String(figure.width)} ${String(figure.height)}`;
+    set(this.element, { class: className, viewBox });
+    this.element.style.font = labelFont(figure === null ? '1em' : '12px');
   }
 
   /**
@@ -44,7 +51,7 @@ export class SvgLayer {
     for (const { elements } of this.#shown.splice(list.length)) for (const each of elements) each.remove();
   }
 
-  #replace(shown: Shown | undefined, kind: Primitive['kind']): readonly SVGElement[] {
+  #replace(shown: DrawnPrimitive | undefined, kind: Primitive['kind']): readonly SVGElement[] {
     const tags = TAGS[kind];
     const elements = tags.map((tag) => createSvg(tag));
     const [first] = shown?.elements ?? [];
@@ -66,6 +73,7 @@ const isSame = (a: Primitive, b: Primitive): boolean =>
     a.at.x === b.at.x &&
     a.at.y === b.at.y &&
     a.color === b.color &&
+    a.part === b.part &&
     a.opacity === b.opacity);
 
 function draw(elements: readonly SVGElement[], primitive: Primitive): void {
@@ -73,8 +81,16 @@ function draw(elements: readonly SVGElement[], primitive: Primitive): void {
   const [halo, core] = elements;
   if (halo === undefined) return;
   if (primitive.kind === 'label') {
-    const { at, text, color } = primitive;
-    set(halo, { x: round(at.x), y: round(at.y), fill: color, stroke: HALO, 'stroke-width': '3', opacity });
+    const { at, text, color, part = null } = primitive;
+    set(halo, {
+      part,
+      x: round(at.x),
+      y: round(at.y),
+      fill: color,
+      stroke: HALO,
+      'stroke-width': '3',
+      opacity,
+    });
     // As attributes: a style attribute is text that a strict CSP refuses.
     set(halo, { 'paint-order': 'stroke', 'stroke-linejoin': 'round' });
     write(halo, text);

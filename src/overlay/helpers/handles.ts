@@ -16,7 +16,7 @@ import { LightMove } from './light-move.js';
 import type { SceneBall } from './placed-light.js';
 import { listenToPointers } from './pointer-drag.js';
 
-interface Shown {
+interface HandleEntry {
   readonly element: HTMLElement;
   readonly light: PhongLight;
   readonly part: Part;
@@ -33,13 +33,13 @@ export class Handles {
   readonly #host: ExtraHost;
   readonly #list = create('div', { role: 'listbox' });
   readonly #region = create('p', { class: 'reader', 'aria-live': 'polite' });
-  readonly #shown = new Map<string, Shown>();
-  readonly #byElement = new Map<Element, Shown>();
+  readonly #shown = new Map<string, HandleEntry>();
+  readonly #byElement = new Map<Element, HandleEntry>();
   readonly #ids = new Map<PhongLight, number>();
   readonly #move: LightMove;
   #lastId = 0;
   /** The handle that Tab reaches. */
-  #current: Shown | null = null;
+  #current: HandleEntry | null = null;
 
   constructor(host: ExtraHost, place: HTMLElement) {
     this.#host = host;
@@ -106,20 +106,20 @@ export class Handles {
     return `${id} ${part}`;
   }
 
-  #add(key: string, light: PhongLight, part: Part): Shown {
+  #add(key: string, light: PhongLight, part: Part): HandleEntry {
     const element = create('div', {
       class: `handle ${part}`,
       role: 'option',
       tabindex: '-1',
       'aria-selected': 'false',
     });
-    const shown: Shown = { element, light, part, handle: null, index: 0, texts: null };
+    const shown: HandleEntry = { element, light, part, handle: null, index: 0, texts: null };
     this.#shown.set(key, shown);
     this.#byElement.set(element, shown);
     return shown;
   }
 
-  #remove(key: string, shown: Shown): void {
+  #remove(key: string, shown: HandleEntry): void {
     const { element, light } = shown;
     const hadFocus = element.matches(':focus');
     this.#shown.delete(key);
@@ -136,7 +136,7 @@ export class Handles {
     if (hadFocus) (this.#current?.element ?? this.#host.tree.surface).focus({ preventScroll: true });
   }
 
-  #place(shown: Shown, handle: Handle, index: number, view: Projection): void {
+  #place(shown: HandleEntry, handle: Handle, index: number, view: Projection): void {
     const { element, light, part } = shown;
     const { texts } = this.#host.viewer;
     if (shown.handle === handle && shown.index === index && shown.texts === texts) return;
@@ -155,7 +155,7 @@ export class Handles {
     set(element, { 'aria-label': label, 'aria-description': phrase(texts, 'Enter starts moving.') });
   }
 
-  #choose(shown: Shown | undefined): void {
+  #choose(shown: HandleEntry | undefined): void {
     if (shown === undefined || shown === this.#current) return;
     if (this.#current !== null) mark(this.#current.element, false);
     mark(shown.element, true);
@@ -179,7 +179,7 @@ export class Handles {
     }
   }
 
-  #act({ key, shiftKey }: KeyboardEvent, current: Shown): boolean {
+  #act({ key, shiftKey }: KeyboardEvent, current: HandleEntry): boolean {
     const arrow = ARROWS[key];
     if (key === 'Escape') return this.#restore();
     if (key === 'Enter' || key === ' ') {
@@ -206,7 +206,7 @@ export class Handles {
     return true;
   }
 
-  #start({ element, light, part }: Shown, byKeys: boolean): boolean {
+  #start({ element, light, part }: HandleEntry, byKeys: boolean): boolean {
     if (!this.#move.start(light, part, byKeys)) return false;
     element.classList.add('moving');
     return true;

@@ -5,11 +5,13 @@ import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
+import { whole } from '../drawing/label-layout.js';
 import { Projection } from '../drawing/projection.js';
+import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
 import styles from './helpers.css?inline';
 import { listOf, NO_DRAWING } from './labels.js';
-import { LightHelpers } from './light-helpers.js';
+import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './placed-light.js';
 import { SceneHelpers } from './scene-helpers.js';
 
@@ -25,6 +27,7 @@ class Helpers implements Extra {
   readonly #svg = new SvgLayer();
   readonly #lights: LightHelpers;
   readonly #objects: SceneHelpers;
+  readonly #room: Room;
   #view: Projection | null = null;
   /** What {@link #view} and the scene's ball depend on. */
   #seen: readonly unknown[] = [];
@@ -38,7 +41,8 @@ class Helpers implements Extra {
     const changed = (): void => this.#show(false);
     this.#lights = new LightHelpers(host, this.#element, changed);
     this.#objects = new SceneHelpers(host, changed);
-    host.tree.layer.append(this.#element);
+    host.tree.room.before(this.#element);
+    this.#room = new Room(host.tree, changed, LIGHT_NAME);
   }
 
   update(): void {
@@ -57,7 +61,7 @@ class Helpers implements Extra {
     }
     const objects = this.#objects.show(view, this.#scene, helpers);
     const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
-    this.#svg.show(listOf([objects, lights], view));
+    this.#svg.show(listOf([objects, lights], this.#room.box, this.#room.fontSize));
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
@@ -70,12 +74,14 @@ class Helpers implements Extra {
     const { helpers } = this.#host.values;
     const objects = this.#objects.drawingAt(view, scene, helpers);
     const lights = helpers.includes('lights') ? this.#lights.drawingAt(view, scene) : NO_DRAWING;
-    drawList(context, listOf([objects, lights], view), scale);
+    const { fontSize } = this.#room;
+    drawList(context, listOf([objects, lights], whole(view), fontSize), scale, fontSize);
   }
 
   dispose(): void {
     this.#lights.hide();
     this.#objects.hide();
+    this.#room.dispose();
     this.#element.remove();
     removeStyles(this.#root, styles);
   }

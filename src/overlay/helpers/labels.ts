@@ -1,15 +1,16 @@
 // Names in the picture, and their places. Places the names of all helpers together, so that none covers another. CSS
 // pixels of the layer.
 import type { Label, Primitive } from '../drawing/display-list.js';
-import { type Box, placeLabels } from '../drawing/label-layout.js';
-import type { Point, Projection } from '../drawing/projection.js';
-import { shortened, textWidth } from '../drawing/text-width.js';
+import { type Box, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
+import type { Point } from '../drawing/projection.js';
 
 export interface Name {
   readonly text: string;
   readonly center: Point;
   /** Around the centre, CSS pixels. */
   readonly gap: number;
+  /** Its part on the page. */
+  readonly part?: string;
   readonly opacity?: number;
 }
 
@@ -25,18 +26,33 @@ export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
 
 const COLOR = '#fff';
 
-/** One list of several drawings, with their names on top. The first drawings are lowest, and their names come last. */
-export function listOf(drawings: readonly Drawing[], view: Projection): Primitive[] {
+/**
+ * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last. Names
+ * keep to `room`.
+ */
+export function listOf(drawings: readonly Drawing[], room: Box, fontSize: number): Primitive[] {
   const names = [...drawings].reverse().flatMap((each) => each.names);
   const texts = names.map(({ text }) => shortened(text));
   const places = placeLabels(
-    names.map(({ center, gap }, i) => ({ center, gap, width: textWidth(texts[i]!) })),
-    view,
+    names.map(({ center, gap }, i) => ({ center, gap, width: textWidth(texts[i]!, fontSize) })),
+    room,
     drawings.flatMap(({ covered }) => covered),
+    fontSize,
   );
-  const labels = names.flatMap(({ opacity = 1 }, i): Label[] => {
+  const labels = names.flatMap(({ part, opacity = 1 }, i): Label[] => {
     const at = places[i];
-    return at ? [{ kind: 'label', at, text: texts[i]!, color: COLOR, opacity }] : [];
+    return at
+      ? [
+          {
+            kind: 'label',
+            at,
+            text: texts[i]!,
+            color: COLOR,
+            opacity,
+            ...(part === undefined ? {} : { part }),
+          },
+        ]
+      : [];
   });
   return [...drawings.flatMap(({ list }) => list), ...labels];
 }

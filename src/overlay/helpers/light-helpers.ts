@@ -16,7 +16,7 @@ import { Occlusion } from './occlusion.js';
 import type { SceneBall } from './placed-light.js';
 
 /** What a light's marks were computed from. */
-interface Known {
+interface KnownLight {
   readonly values: LightValues;
   readonly view: Projection;
   readonly hidden: boolean;
@@ -26,6 +26,9 @@ interface Known {
 /** Between a light's place and its name, CSS pixels. */
 const GAP = 12;
 
+/** The part of lights' names. */
+export const LIGHT_NAME = 'light-name';
+
 /** Opacity of the name of a light that is off. */
 const DIMMED = 0.75;
 
@@ -33,7 +36,7 @@ export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
   readonly #occlusion: Occlusion<PhongLight>;
-  readonly #known = new Map<PhongLight, Known>();
+  readonly #known = new Map<PhongLight, KnownLight>();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
@@ -91,6 +94,7 @@ export class LightHelpers {
           text: lightName(texts, values.name || numberedName(i, texts), values),
           center: marks[i]!.handles[0]!.at,
           gap: GAP,
+          part: LIGHT_NAME,
           opacity: values.active ? 1 : DIMMED,
         };
       }),

@@ -18,7 +18,7 @@ export interface PlacedLight {
   readonly place: Vec3;
   /** Unit vector in which a directional light shines; null for others, and without a direction. */
   readonly shines: Vec3 | null;
-  /** Of a spot; null for other lights. */
+  /** A spot's cone; null for other lights. */
   readonly spot: PlacedSpot | null;
   /** Distance at which attenuation halves the light, if it does so anywhere but at the light itself. */
   readonly halfDistance: number | null;

@@ -18,7 +18,7 @@ export interface LegendContent {
 }
 
 export class LegendBox {
-  /** Fills the layer, so that the legend knows how much room there is. */
+  /** In the free part of the picture, whose size the style sheet asks for. */
   readonly place = create('div', { class: 'view-place' });
   #bars: readonly Bar[] | null = null;
 
@@ -29,7 +29,7 @@ export class LegendBox {
     const legend = html`<div class="legend" part="legend" role="group" aria-label=${label}>
       <p class="legend-title" aria-live="polite">${title}</p>
       <p class="legend-lights" dir="auto">${lights}</p>
-      <div>${scale}</div>
+      <div class="legend-scale">${scale}</div>
       <p class="legend-note" role="status">${note}</p>
       ${progress === null ? nothing : progressTemplate(progress)}
     </div>`;

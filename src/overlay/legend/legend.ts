@@ -5,6 +5,7 @@ import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView, scaleEnd } from '../../material/view/picture-view.js';
 import { viewEntry } from '../../material/view/view-table.js';
+import type { View } from '../../material/views.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import { chosenLights, lightsText, unknownLightText } from './chosen-lights.js';
 import type { ErrorView } from '../error/error-view.js';
@@ -12,6 +13,9 @@ import { snapshotOf } from '../error/picture-snapshot.js';
 import { LegendBox } from './legend-box.js';
 import styles from './legend.css?inline';
 import { type Bar, barsOf, ERROR_END, titleOf } from './view-scale.js';
+
+/** Their pictures can be all white or all black, as the page behind them can. */
+const OUTLINED: readonly View[] = ['n-dot-l', 'attenuation', 'decay'];
 
 const errorCode = lazyCode(() => import('../error/error-view.js'), 'the error view');
 
@@ -40,7 +44,7 @@ class ViewExtra implements Extra {
     this.#host = host;
     this.#root = host.tree.layer.getRootNode() as ShadowRoot;
     addStyles(this.#root, styles);
-    host.tree.layer.append(this.#legend.place);
+    host.tree.free.append(this.#legend.place);
   }
 
   update(): void {
@@ -50,6 +54,7 @@ class ViewExtra implements Extra {
       this.#shown = shown;
       viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
       viewport.style = { ...viewport.style }; // materials and geometries follow
+      viewport.holder.classList.toggle('outlined', OUTLINED.includes(values.view));
     }
     if (values.view !== 'error') this.#hideError();
     else if (this.#errorWanted) this.#error?.update();
@@ -82,6 +87,7 @@ class ViewExtra implements Extra {
     clearTimeout(this.#warning);
     this.#hideError();
     this.#legend.place.remove();
+    viewport.holder.classList.remove('outlined');
     removeStyles(this.#root, styles);
     viewport.lighting.view = null;
     viewport.style = { ...viewport.style };

@@ -1,12 +1,18 @@
 // Turns a fragment's figure into lines over the picture: arrows, arcs and labels in CSS pixels of the layer, as a
 // display list.
-import type { Vec3 } from '../../math/vector.js';
-import { add, scale } from '../../math/vector.js';
+import { type Vec3, add, scale } from '../../math/vector.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
-import { type Box, boxAround, type LabelWish, placeLabels } from '../drawing/label-layout.js';
+import {
+  type Box,
+  boxAround,
+  boxesAlong,
+  type LabelWish,
+  placeLabels,
+  shortened,
+  textWidth,
+} from '../drawing/label-layout.js';
 import type { Point, Projection } from '../drawing/projection.js';
-import { shortened, textWidth } from '../drawing/text-width.js';
 import type { Figure } from './figure.js';
 
 const WHITE: Vec3 = [1, 1, 1];
@@ -16,6 +22,9 @@ const ARROW = { share: 0.24, least: 22, most: 110 };
 
 /** Radius of the mark, CSS pixels. Shorter arrows point at the eye or away from it and have no line. */
 const MARK = 6;
+
+/** Half the width that labels keep clear of an arrow, CSS pixels. */
+const LINE_HALF = 3;
 
 /** Layers smaller than this have room for arrows but not for their names. CSS pixels. */
 const NAMED = { width: 140, height: 110 };
@@ -31,21 +40,30 @@ export const markOf = (at: Point, dashed: boolean): Primitive[] => [
   { kind: 'disc', center: at, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
 ];
 
-/**
- * `p` is the point in world space, `at` its place on the layer. `outline`: a triangle around it, if any. `covered` by
- * the box.
- */
+interface Surroundings {
+  /** A triangle around the point, if any. */
+  readonly outline: readonly Vec3[];
+  /** Labels stay inside. */
+  readonly room: Box;
+  /** By the box. */
+  readonly covered: Box;
+  readonly fontSize: number;
+}
+
+/** `p` is the point in world space, `at` its place on the layer. */
 export function drawingOf(
   projection: Projection,
   p: Vec3,
   at: Point,
   { vectors, arcs }: Figure,
-  { outline, covered }: { readonly outline: readonly Vec3[]; readonly covered: Box },
+  { outline, room, covered, fontSize }: Surroundings,
 ): Primitive[] {
   const unit = arrowLength(projection) / projection.pixelsPerUnit(projection.depthOf(p));
   const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
   const list: Primitive[] = [];
+  const label = labelsOf(fontSize);
   const labels: Labelled[] = [label('V', at, MARK + 4)];
+  const avoided = [boxAround(at, MARK), covered];
   if (outline.length > 0)
     list.push({
       kind: 'stroke',
@@ -58,12 +76,14 @@ export function drawingOf(
     const line = points.map(placeOf).filter((point) => point !== null);
     if (line.length < 2) continue;
     list.push({ kind: 'stroke', lines: [line], color: '#fff', width: 1.5 });
+    avoided.push(...boxesAlong(line, 1));
     labels.push(label(text, line[Math.floor(line.length / 2)]!, 8));
   }
   for (const { name, direction, color, dashed } of vectors) {
     const tip = placeOf(direction);
     if (tip === null) continue;
     const css = cssColor(coreColor(color ?? WHITE));
+    avoided.push(...boxesAlong([at, tip], LINE_HALF));
     if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK)
       list.push(...arrow([at, tip], { color: css, width: 2.5, dashed }));
     labels.push(label(shortened(name), tip, 7, css));
@@ -74,8 +94,9 @@ export function drawingOf(
   labels.sort((a, b) => Number(a.text.endsWith('°')) - Number(b.text.endsWith('°')));
   const places = placeLabels(
     labels.map(({ wish }) => wish),
-    projection,
-    [boxAround(at, MARK), covered],
+    room,
+    avoided,
+    fontSize,
   );
   labels.forEach(({ text, color }, i) => {
     const place = places[i];
@@ -94,11 +115,13 @@ const dot = (center: Point): Primitive => ({
   width: 1,
 });
 
-const label = (text: string, center: Point, gap: number, color = '#fff'): Labelled => ({
-  text,
-  color,
-  wish: { center, gap, width: textWidth(text) },
-});
+const labelsOf =
+  (fontSize: number) =>
+  (text: string, center: Point, gap: number, color = '#fff'): Labelled => ({
+    text,
+    color,
+    wish: { center, gap, width: textWidth(text, fontSize) },
+  });
 
 const arrowLength = ({ width, height }: Projection): number =>
   Math.min(Math.max(ARROW.share * Math.min(width, height), ARROW.least), ARROW.most);

@@ -4,13 +4,21 @@
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { add, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
-import { type LabelWish, placeLabels } from '../drawing/label-layout.js';
+import {
+  type Box,
+  boxesAlong,
+  type LabelWish,
+  placeLabels,
+  textWidth,
+  whole,
+} from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
-import { textWidth } from '../drawing/text-width.js';
 import { degreesText, type SumRow } from './sum.js';
 
-/** CSS pixels of the diagram; probe.css gives it this size. */
+/** Of the diagram, in pixels for text of 12 pixels: probe.css scales it with its text. */
 export const PLANE = { width: 140, height: 104 } as const;
+
+const FONT_SIZE = 12;
 
 /** Where the vectors start, and their length. */
 const FOOT: Point = { x: 70, y: 82 };
@@ -50,11 +58,13 @@ export function planeOf(
   ];
   const wishes: LabelWish[] = [];
   const texts: string[] = [];
+  const avoided: Box[] = [];
   for (const [name, v] of vectors) {
     const tip = seen(axes, v);
     list.push(...arrow([FOOT, tip], { color: '#fff', width: 1.5 }));
+    avoided.push(...boxesAlong([FOOT, tip], 2));
     texts.push(name);
-    wishes.push({ center: tip, gap: 6, width: textWidth(name) });
+    wishes.push({ center: tip, gap: 6, width: textWidth(name, FONT_SIZE) });
   }
   const angles: readonly (readonly [from: Vec3, to: Vec3, cosine: number])[] = [
     [N, L, NoL],
@@ -67,9 +77,9 @@ export function planeOf(
     const text = degreesText(cosine);
     texts.push(text);
     // Nearer to L, or to R or H, than to what the other angle is measured from.
-    wishes.push({ center: line[(3 * ARC_STEPS) / 4]!, gap: 9, width: textWidth(text) });
+    wishes.push({ center: line[(3 * ARC_STEPS) / 4]!, gap: 9, width: textWidth(text, FONT_SIZE) });
   });
-  const places = placeLabels(wishes, PLANE, []);
+  const places = placeLabels(wishes, whole(PLANE), avoided, FONT_SIZE);
   places.forEach((place, i) => {
     if (place !== null) list.push({ kind: 'label', at: place, text: texts[i]!, color: '#fff' });
   });
@@ -93,5 +103,23 @@ function arcBetween(from: Point, to: Point, radius: number): Point[] {
   return Array.from({ length: ARC_STEPS + 1 }, (_, i) => {
     const angle = start + (turn * i) / ARC_STEPS;
     return { x: FOOT.x + radius * Math.cos(angle), y: FOOT.y - radius * Math.sin(angle) };
+  });
+}
+
+/**
+ * The corners of the triangle that a fragment belongs to, in world space, as drawn now. Empty if the object's geometry
+ * has changed.
+ */
+export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[] {
+  const { geometry, matrixWorld } = object;
+  const { index } = geometry;
+  const position = geometry.getAttribute('position');
+  if (3 * triangle + 2 >= (index ?? position).count) return [];
+  const e = matrixWorld.elements;
+  return [0, 1, 2].map((corner): Vec3 => {
+    const vertex = index === null ? 3 * triangle + corner : index.getX(3 * triangle + corner);
+    const [x, y, z] = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
+    const along = (row: 0 | 1 | 2): number => e[row] * x + e[4 + row]! * y + e[8 + row]! * z + e[12 + row]!;
+    return [along(0), along(1), along(2)];
   });
 }

@@ -26,9 +26,16 @@ const SLOP = { mouse: 4, touch: 10 } as const;
 /** CSS pixels per press of an arrow key, and with Shift. */
 const STEP = { fine: 1, coarse: 10 } as const;
 
-/** Listens until `signal` is aborted. `root` holds the cross-hair and the table. */
+interface Elements {
+  readonly surface: HTMLElement;
+  readonly cursor: HTMLElement;
+  /** They hold the cross-hair and the table. */
+  readonly boxes: readonly HTMLElement[];
+}
+
+/** Listens until `signal` is aborted. */
 export function listen(
-  { surface, cursor, root }: Readonly<Record<'surface' | 'cursor' | 'root', HTMLElement>>,
+  { surface, cursor, boxes }: Elements,
   host: ProbeInputHost,
   signal: AbortSignal,
 ): void {
@@ -66,9 +73,10 @@ export function listen(
   });
 
   on(cursor, 'focus', () => host.focused());
-  on(root, 'focusout', ({ relatedTarget }) => {
-    if (!root.contains(relatedTarget as Node | null)) host.blurred();
-  });
+  for (const box of boxes)
+    on(box, 'focusout', ({ relatedTarget }) => {
+      if (!boxes.some((each) => each.contains(relatedTarget as Node | null))) host.blurred();
+    });
   on(cursor, 'keydown', (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const arrow = ARROWS[event.key];
@@ -79,7 +87,7 @@ export function listen(
     event.preventDefault();
   });
   // Escape that removes a pin must do nothing else, such as closing a dialog around the viewer.
-  for (const target of [surface, root])
+  for (const target of [surface, ...boxes])
     on(target, 'keydown', (event) => {
       if (event.key === 'Escape' && host.release()) event.preventDefault();
     });

@@ -1,27 +1,27 @@
 // Shows a probed point on the page: arrows over the picture, a cross-hair for the keyboard, a box with the sum, and
 // announcements. Knows which light is looked at, but not which point is next.
 import { html, render } from 'lit';
-import { create, set } from '../../element/dom.js';
+import { create, write } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { Primitive } from '../drawing/display-list.js';
-import type { Box } from '../drawing/label-layout.js';
+import { type Box, whole } from '../drawing/label-layout.js';
 import { type Point, Projection, type Sight } from '../drawing/projection.js';
+import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
-import { Announcer } from './announcer.js';
 import { drawingOf, markOf } from './drawing.js';
 import { figureOf } from './figure.js';
 import { type BoxState, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
-import { trianglePlaces } from './triangle.js';
+import { trianglePlaces } from './plane.js';
 import { fragmentText } from './words.js';
 
 /** What the probe shows. */
-export interface Shown {
+export interface ProbedPoint {
   /** Null: outside the picture. */
   readonly at: Point | null;
   /** Null if nothing can be explained there; `message` gives the reason. */
@@ -38,14 +38,18 @@ const KEYS =
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export class ProbeView {
+  /** What is drawn, below boxes and notices. */
   readonly root = create('div', { class: 'probe' });
+  /** Holds the box, in the free part of the picture. */
+  readonly place = create('div', { class: 'probe-place' });
   /** The cross-hair. The mark that is seen is part of the drawing. */
   readonly cursor: HTMLElement;
   readonly #host: ExtraHost;
   readonly #drawing = new SvgLayer();
   readonly #announcer = new Announcer();
+  readonly #room: Room;
   readonly #box: ProbeBox;
-  #shown: Shown | null = null;
+  #shown: ProbedPoint | null = null;
   #releasable = false;
   #showing = false;
   /** {@link #show} was called while it ran. */
@@ -58,21 +62,23 @@ export class ProbeView {
   /** `release` is called by the button that removes the pin. */
   constructor(host: ExtraHost, release: () => void) {
     this.#host = host;
-    this.#box = new ProbeBox(() => this.#show(), release);
+    this.#room = new Room(host.tree, () => this.#show());
+    this.#box = new ProbeBox(this.#room, () => this.#show(), release);
     addStyles(host.viewer.shadowRoot!, styles);
-    this.#render('');
+    this.#render(null);
     this.cursor = this.root.querySelector('.cursor')!;
-    this.#box.follow(this.root);
-    host.tree.layer.append(this.root);
+    this.#box.follow(this.place);
+    host.tree.room.before(this.root);
+    host.tree.free.append(this.place);
   }
 
-  get shown(): Shown | null {
+  get shown(): ProbedPoint | null {
     return this.#shown;
   }
 
   /** Cross-hair, table or button has the focus. */
   get hasFocus(): boolean {
-    return this.root.contains(this.#focus);
+    return this.root.contains(this.#focus) || this.place.contains(this.#focus);
   }
 
   /** CSS pixels of the layer; at least one. */
@@ -101,12 +107,13 @@ export class ProbeView {
       const at = projection.point(fragment.p);
       const context = picture.getContext('2d');
       if (at === null || context === null) return;
-      drawList(context, this.#drawingOf(fragment, at, projection, NOTHING_COVERED), scale);
+      const list = this.#drawingOf(fragment, at, projection, whole(size), NOTHING_COVERED);
+      drawList(context, list, scale, this.#room.fontSize);
     };
   }
 
   /** `releasable`: the user has pinned the point. */
-  show(shown: Shown | null, releasable: boolean): void {
+  show(shown: ProbedPoint | null, releasable: boolean): void {
     this.#shown = shown;
     this.#releasable = releasable;
     const focused = this.hasFocus && this.#focus !== this.cursor;
@@ -132,7 +139,9 @@ export class ProbeView {
   dispose(): void {
     this.#announcer.dispose();
     this.#box.dispose();
+    this.#room.dispose();
     this.root.remove();
+    this.place.remove();
     removeStyles(this.#host.viewer.shadowRoot!, styles);
   }
 
@@ -158,9 +167,8 @@ export class ProbeView {
     this.#again = this.#showing;
     if (this.#showing) return;
     this.#showing = true;
-    set(this.root, { 'data-shown': this.#shown === null ? null : '' });
     if (this.#shown === null) this.#drawing.show([]);
-    this.#render(this.#shown === null ? '' : this.#contentOf(this.#shown));
+    this.#render(this.#shown === null ? null : this.#contentOf(this.#shown));
     this.#showing = false;
     if (this.#again) this.#show();
   }
@@ -172,7 +180,6 @@ export class ProbeView {
       pinned: this.#shown?.pinned === true,
       releasable: this.#releasable,
       texts,
-      width: this.size.width,
     };
     const probe = html`
       ${this.#drawing.element}
@@ -185,38 +192,45 @@ export class ProbeView {
         aria-description=${phrase(texts, KEYS)}
         .style=${this.#place}
       ></div>
-      ${this.#box.template(state)} ${this.#announcer.element}
+      ${this.#announcer.element}
     `;
     render(probe, this.root);
+    render(this.#box.template(state), this.place);
   }
 
   /** Draws the arrows, and gives what the box shows. */
-  #contentOf({ at, fragment, message }: Shown): BoxState['content'] {
+  #contentOf({ at, fragment, message }: ProbedPoint): BoxState['content'] {
     const { values } = this.#host;
     const { x, y } = at ?? this.middle;
     this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
     // The legend of a view is at the lower edge.
     const preferred = values.view === 'shaded' ? 'low' : 'high';
-    const layer = { ...this.size, rtl: this.root.matches(':dir(rtl)') };
-    const covered = this.#box.keepAwayFrom(y, layer, preferred);
+    const covered = this.#box.keepAwayFrom(y, this.place.matches(':dir(rtl)'), preferred);
     if (at === null || fragment === null) {
       this.#drawing.show(at === null ? [] : markOf(at, true));
       return message;
     }
     const sum = this.#sumOf(fragment);
-    this.#drawing.show(this.#drawingOf(fragment, at, this.projection, covered));
+    this.#drawing.show(this.#drawingOf(fragment, at, this.projection, this.#room.box, covered));
     const halfway = this.#isHalfway(fragment);
     const gouraud = this.#isGouraud(fragment);
     return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
   }
 
-  /** The arrows at `at`, with labels outside the covered box. */
-  #drawingOf(fragment: FragmentExplanation, at: Point, projection: Projection, covered: Box): Primitive[] {
+  /** The arrows at `at`, with labels in the room, outside the covered box. */
+  #drawingOf(
+    fragment: FragmentExplanation,
+    at: Point,
+    projection: Projection,
+    room: Box,
+    covered: Box,
+  ): Primitive[] {
     const sum = this.#sumOf(fragment);
     const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
     const figure = figureOf(fragment, sum, this.#rowOf(sum), look);
     const outline = this.#isGouraud(fragment) ? trianglePlaces(fragment) : [];
-    return drawingOf(projection, fragment.p, at, figure, { outline, covered });
+    const { fontSize } = this.#room;
+    return drawingOf(projection, fragment.p, at, figure, { outline, room, covered, fontSize });
   }
 
   /** The row that the figure shows. */
@@ -232,4 +246,37 @@ export class ProbeView {
   #isGouraud({ mesh }: FragmentExplanation): boolean {
     return (mesh.shading ?? this.#host.viewer.shading) === 'gouraud';
   }
+}
+
+/** Milliseconds between two announcements. */
+const PAUSE = 1000;
+
+/**
+ * Announces what the probe shows to screen readers: politely, the first change at once, then at most once a second the
+ * newest. No timer runs while nothing changes.
+ */
+class Announcer {
+  /** The live region. */
+  readonly element = create('p', { class: 'reader', 'aria-live': 'polite' });
+  #timer: number | undefined;
+  #waiting: string | null = null;
+
+  say(text: string): void {
+    if (text === (this.#waiting ?? this.element.textContent)) return;
+    this.#waiting = text;
+    if (this.#timer === undefined) this.#speak();
+  }
+
+  dispose(): void {
+    clearTimeout(this.#timer);
+    this.element.remove();
+  }
+
+  readonly #speak = (): void => {
+    this.#timer = undefined;
+    if (this.#waiting === null) return;
+    write(this.element, this.#waiting);
+    this.#waiting = null;
+    this.#timer = window.setTimeout(this.#speak, PAUSE);
+  };
 }

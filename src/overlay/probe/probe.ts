@@ -9,7 +9,7 @@ import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import { listen, type ProbeInputHost } from './probe-input.js';
-import { ProbeView, type Shown } from './probe-view.js';
+import { ProbeView, type ProbedPoint } from './probe-view.js';
 import { HIDDEN, NOTHING, OUTSIDE } from './words.js';
 
 /**
@@ -43,8 +43,8 @@ class Probe implements Extra, ProbeInputHost {
     this.#host = host;
     this.#declared = host.values.probeAt;
     this.#view = new ProbeView(host, () => this.release());
-    const { cursor, root } = this.#view;
-    listen({ surface: host.tree.surface, cursor, root }, this, this.#listening.signal);
+    const { cursor, root, place } = this.#view;
+    listen({ surface: host.tree.surface, cursor, boxes: [root, place] }, this, this.#listening.signal);
     this.#view.show(null, false);
   }
 
@@ -128,7 +128,7 @@ class Probe implements Extra, ProbeInputHost {
     else viewerPins.set(this.#host.viewer, p);
   }
 
-  /** Of pointer events, and so of shadeAt, to pixels of the layer. Not all browsers have this property. */
+  /** Pixels of pointer events, and so of shadeAt, for each pixel of the layer. Not all browsers have this property. */
   get #zoom(): number {
     return (this.#host.tree.layer as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   }
@@ -172,7 +172,7 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   /** The place that was pressed, else {@link #chosen}. */
-  async #explained(): Promise<Shown | null> {
+  async #explained(): Promise<ProbedPoint | null> {
     const toPin = this.#toPin;
     if (toPin !== null) {
       const shown = await this.#at(toPin);
@@ -186,7 +186,7 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   /** The user's pin, else the place of mouse or cross-hair, else the declared point. */
-  async #chosen(): Promise<Shown | null> {
+  async #chosen(): Promise<ProbedPoint | null> {
     if (this.#pin === null && this.#free !== null) {
       const shown = await this.#at(this.#free);
       if (shown.fragment !== null || shown.message !== '') return shown;
@@ -197,7 +197,7 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   /** The fragment at this place; the message is that of an error. */
-  async #at(at: Point): Promise<Shown> {
+  async #at(at: Point): Promise<ProbedPoint> {
     const shown = { at, fragment: null, message: '', pinned: false };
     try {
       return { ...shown, fragment: await this.#host.viewer.shadeAt(at.x * this.#zoom, at.y * this.#zoom) };
@@ -207,11 +207,11 @@ class Probe implements Extra, ProbeInputHost {
   }
 
   /** The fragment at the pixel of a point of the scene; null while the scene is not there yet. */
-  async #ofPoint(point: Vec3): Promise<Shown | null> {
+  async #ofPoint(point: Vec3): Promise<ProbedPoint | null> {
     const { viewer } = this.#host;
     const { projection } = this.#view;
     const at = projection.point(point);
-    const without = (text: keyof ViewerTexts): Shown => ({
+    const without = (text: keyof ViewerTexts): ProbedPoint => ({
       ...{ at, fragment: null, pinned: true },
       message: phrase(viewer.texts, text),
     });
@@ -224,7 +224,7 @@ class Probe implements Extra, ProbeInputHost {
     return isHidden ? without(HIDDEN) : shown;
   }
 
-  #notify(shown: Shown | null): void {
+  #notify(shown: ProbedPoint | null): void {
     const { fragment = null, at = null } = shown ?? {};
     const [x, y] = at === null ? [null, null] : [at.x * this.#zoom, at.y * this.#zoom];
     const detail: ProbeDetail = { fragment, x, y, pinned: shown?.pinned === true };

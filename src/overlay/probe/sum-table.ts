@@ -3,16 +3,14 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
-import type { Vec3 } from '../../math/vector.js';
-import { numberText, type Sum, type SumRow, tripleText } from './sum.js';
+import { CONTENTS, type TableLayout } from './columns.js';
+import { type Sum, type SumRow, tripleText } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
 
 /** Id of the element with the steps to the chosen light's terms. */
 export const STEPS = 'probe-steps';
-
-const COLUMNS = ['light', 'ambient', 'diffuse', 'specular', 'att', 'decay', 'sum'] as const;
 
 export class SumTable {
   readonly #choose: () => void;
@@ -33,8 +31,13 @@ export class SumTable {
     return [this.#pointed, this.#kept].find((light) => light !== undefined && this.#lights.includes(light));
   }
 
-  /** `shown`: the light that the figure is about. `digits`: decimals of the codes. */
-  template(sum: Sum, shown: SumRow | null, texts: ViewerTexts | null, digits: number): TemplateResult {
+  /** `shown`: the light that the figure is about. */
+  template(
+    sum: Sum,
+    shown: SumRow | null,
+    texts: ViewerTexts | null,
+    { columns, digits }: TableLayout,
+  ): TemplateResult {
     this.#lights = sum.rows.map(({ light }) => light);
     // One Tab stop: the row shown, else the first one.
     const stop = Math.max(shown === null ? 0 : sum.rows.indexOf(shown), 0);
@@ -51,7 +54,7 @@ export class SumTable {
       </caption>
       <thead>
         <tr>
-          ${COLUMNS.map((column) => html`<th scope="col">${phrase(texts, column)}</th>`)}
+          ${(['light', ...columns] as const).map((column) => html`<th scope="col">${phrase(texts, column)}</th>`)}
         </tr>
       </thead>
       <tbody>
@@ -59,7 +62,7 @@ export class SumTable {
           (row, i) =>
             html`<tr class=${row === shown ? 'shown' : nothing}>
               <th scope="row">${this.#headTemplate(row, i === stop, texts)}</th>
-              ${contentsOf(row, digits).map((text) => html`<td dir="ltr">${text}</td>`)}
+              ${columns.map((column) => html`<td dir="ltr">${CONTENTS[column](row, digits)}</td>`)}
             </tr>`,
         )}
       </tbody>
@@ -67,7 +70,7 @@ export class SumTable {
         ${sum.totals.map(
           ({ label, color }) =>
             html`<tr>
-              <th scope="row" colspan=${COLUMNS.length - 1}>${phrase(texts, label)}</th>
+              <th scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
               <td dir="ltr">${tripleText(color, digits)}</td>
             </tr>`,
         )}
@@ -122,18 +125,3 @@ export class SumTable {
     row[step[event.key as keyof typeof step]]?.querySelector('button')?.focus();
   };
 }
-
-/** Numbers, which keep their order in languages that are written from the right. */
-const contentsOf = (row: SumRow, digits: number): string[] => [
-  ...[row.ambient, row.diffuse, row.specular].map((color) => termText(color, digits)),
-  factorText(row.att),
-  factorText(row.decay),
-  termText(row.total, digits),
-];
-
-/** 1 for most lights. */
-const factorText = (factor: number): string => numberText(factor, factor === 1 ? 0 : 2);
-
-/** A term that adds nothing is one zero: most are, and the others are easier to find. */
-const termText = (color: Vec3, digits: number): string =>
-  color.every((x) => x === 0) ? '0' : tripleText(color, digits);

@@ -19,7 +19,7 @@ export interface SumRow {
   readonly specular: Vec3;
   readonly att: number;
   readonly decay: number;
-  /** Of the three terms. */
+  /** Sum of the three terms. */
   readonly total: Vec3;
   readonly share: LightExplanation;
 }
@@ -95,6 +95,10 @@ export function numberText(value: number, digits: number): string {
 /** Three numbers with a space between. */
 export const tripleText = (color: Vec3, digits: number): string =>
   color.map((x) => numberText(x, digits)).join(' ');
+
+/** A term that adds nothing is one zero: most are, and the others are easier to find. */
+export const termText = (color: Vec3, digits: number): string =>
+  color.every((x) => x === 0) ? '0' : tripleText(color, digits);
 
 /** The angle whose cosine this is, in whole degrees. */
 export const degreesText = (cosine: number): string =>

@@ -1,7 +1,6 @@
 // Reports programs that do not link, without waiting for programs that the driver is still compiling.
 import type { WebGLProgram as ThreeProgram, WebGLRenderer } from 'three';
-import { reportLinkFailure } from '../../material/link-failure.js';
-import { compilingPrograms } from '../../material/program/program-cache.js';
+import { reportLinkFailure, compilingPrograms } from '../../material/program/program-cache.js';
 
 /** What three.js's types leave out. */
 type Program = ThreeProgram & {

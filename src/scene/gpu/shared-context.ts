@@ -57,7 +57,10 @@ export class SharedContext {
     return this.#state === 'lost' || this.#state === 'refused';
   }
 
-  /** Of one drawing. The area shrinks to what the browser really gives. Infinite before the first context is open. */
+  /**
+   * Limits of one drawing. The area shrinks to what the browser really gives. Infinite before the first context is
+   * open.
+   */
   get limit(): AtlasLimit {
     return this.#limit;
   }

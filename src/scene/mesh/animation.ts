@@ -1,9 +1,10 @@
-// The pose that a mesh's content shows: that of an animation at a time, or its own.
-import type { Motion } from '../../model/content.js';
+// The poses that meshes show, and the one clock of the animations of a picture.
+import type { Motion } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
 
 type Values = Readonly<Pick<ShapeValues, 'autoplay' | 'animationName'>>;
 
+/** The pose that a mesh's content shows: that of an animation at a time, or its own. */
 export class MeshAnimation {
   readonly #motion: Motion;
   /** Empty for the first one; null for none. */
@@ -45,3 +46,47 @@ export class MeshAnimation {
 }
 
 const nameOf = ({ autoplay, animationName }: Values): string | null => (autoplay ? animationName : null);
+
+/** What can play an animation. */
+export interface Animated {
+  /** It would play if motion were allowed. */
+  readonly plays: boolean;
+  /** Plays on. */
+  advance(seconds: number): void;
+}
+
+/** The time that all animations of a picture have played. It stands still while motion is not allowed. */
+export class Animations {
+  /** Few meshes can move: a frame does not look at the others. */
+  readonly #all = new Set<Animated>();
+  /** Time of the last frame that moved something, in milliseconds; null after a pause. */
+  #last: number | null = null;
+
+  add(animated: Animated): void {
+    this.#all.add(animated);
+  }
+
+  delete(animated: Animated): void {
+    this.#all.delete(animated);
+  }
+
+  /** An animation would play if motion were allowed. */
+  get playing(): boolean {
+    for (const { plays } of this.#all) if (plays) return true;
+    return false;
+  }
+
+  /** Plays on to the frame at `now`, in milliseconds. True while something plays. */
+  step(now: number): boolean {
+    const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
+    const { playing } = this;
+    for (const animated of this.#all) if (animated.plays) animated.advance(elapsed);
+    this.#last = playing ? now : null;
+    return playing;
+  }
+
+  /** A pause: the time until the next {@link step} does not count. */
+  rest(): void {
+    this.#last = null;
+  }
+}

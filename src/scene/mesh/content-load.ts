@@ -1,13 +1,29 @@
-// Loads the content that a mesh's values name. One load at a time: a newer one replaces it.
+// Loads the content that a mesh's values name, a built-in shape or a model. One load at a time: a newer one replaces
+// it.
 import { sameValue } from '../../fields/field-store.js';
-import type { CrossOrigin } from '../../model/load-model.js';
+import type { LoadOptions } from '../../model/model-content.js';
 import { fileName } from '../../model/file-name.js';
-import { type Content, NOTHING } from '../../model/content.js';
-import { requestModel, shapeContent } from './content.js';
+import { type Content, NOTHING } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import { shapeKey } from './shapes/shared-shapes.js';
-import type { GeometryName } from './shapes/shapes.js';
-import type { Claim, Claimant, Need, TriangleBudget } from './triangle-budget.js';
+import {
+  acquireGeometry,
+  releaseGeometry,
+  type ShapeKey,
+  shapeKey,
+  shapeNeeds,
+} from './shapes/shared-shapes.js';
+import { CLOSED, type GeometryName } from './shapes/shapes.js';
+import {
+  type Claim,
+  type Claimant,
+  type TriangleBudget,
+  flatTriangles,
+  type Need,
+} from './triangle-budget.js';
+import { type BufferGeometry, Matrix4 } from 'three';
+import { PLAIN_LOOK } from '../../material/file-surface.js';
+import { lazyCode } from '../../model/lazy-code.js';
+import { gltfCode, isNamedGltf, type CrossOrigin, isDataUri, requestFile } from '../../model/request-file.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
@@ -169,4 +185,57 @@ export class ContentLoad<Owner extends ContentOwner> {
 function addressOf(src: string | Blob): URL | null {
   if (typeof src !== 'string') return new URL(encodeURIComponent(fileName(src)), 'file:///');
   return URL.canParse(src, document.baseURI) ? new URL(src, document.baseURI) : null;
+}
+
+/** A built-in shape: at once if its code is loaded, else a promise. */
+export function shapeContent(key: ShapeKey): Content | Promise<Content> {
+  const geometry = acquireGeometry(key);
+  const content = (ready: BufferGeometry): Content => {
+    let known = shapeContents.get(ready);
+    if (known === undefined) {
+      const { name } = key;
+      const sides = CLOSED.has(name) ? 'closed' : 'double';
+      known = {
+        parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
+        motion: null,
+        dispose: () => {
+          releaseGeometry(key);
+        },
+      };
+      shapeContents.set(ready, known);
+      flatNeeds.set(known, shapeNeeds(key, true));
+    }
+    return known;
+  };
+  return geometry instanceof Promise ? geometry.then(content) : content(geometry);
+}
+
+/** Equal shapes are one content. */
+const shapeContents = new WeakMap<BufferGeometry, Content>();
+
+/** What flat copies of a content's geometries hold. */
+export const flatNeedsOf = (content: Content): readonly Need[] =>
+  flatNeeds.get(content) ??
+  [...new Set(content.parts.map(({ geometry }) => geometry))].map((geometry) => ({
+    key: geometry,
+    triangles: flatTriangles(geometry),
+    flat: true,
+  }));
+
+/** Those of shapes, which are claimed before there is a geometry. */
+const flatNeeds = new WeakMap<Content, readonly Need[]>();
+
+const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
+
+/** The code that reads models. */
+export const modelCode = /* @__PURE__ */ lazyCode(() => import('../../model/model-content.js'), 'models');
+
+/**
+ * A model from its address or a file. A file is requested at once; the code that reads models comes with the first one.
+ */
+export async function requestModel(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
+  const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
+  // Its failure is reported when the file is read.
+  if (request !== null && isNamedGltf(url.pathname)) gltfCode().catch(() => undefined);
+  return (await modelCode()).modelContent(url, options, file ?? request);
 }

@@ -1,8 +1,14 @@
 // The values that a mesh declares, with domains and defaults: geometry, place, surface and its own shading. In HTML's
 // units.
 import { LIMITS } from '../../light/light-state.js';
-import { SURFACE_FIELDS, type SurfaceValues } from '../../material/material-values.js';
-import { type Reflection, REFLECTIONS, type Shading, SHADINGS } from '../../material/shading-style.js';
+import {
+  SURFACE_FIELDS,
+  type SurfaceValues,
+  type Reflection,
+  REFLECTIONS,
+  type Shading,
+  SHADINGS,
+} from '../../material/material-values.js';
 import type { Fields } from '../../fields/field-store.js';
 import {
   type Field,

@@ -3,15 +3,15 @@ import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three'
 import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
-import type { BaseLook } from '../../material/base-look.js';
+import type { BaseLook } from '../../material/file-surface.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
 import { radians } from '../../math/angle.js';
 import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
-import { type Content, type ContentPart, NOTHING } from '../../model/content.js';
-import { flatNeedsOf, shapeContent } from './content.js';
+import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
+import { flatNeedsOf, shapeContent } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey } from './shapes/shared-shapes.js';
@@ -27,7 +27,7 @@ export interface Part {
 }
 
 /** Content in the scene. */
-export interface Shown {
+export interface ShownContent {
   readonly content: Content;
   /** A round shape that has as many segments as the screen needs; null for anything else. */
   readonly round: GeometryName | null;
@@ -44,7 +44,7 @@ export interface Shown {
   readonly animation: MeshAnimation | null;
 }
 
-export const EMPTY: Shown = {
+export const EMPTY: ShownContent = {
   content: NOTHING,
   round: null,
   level: FIXED,
@@ -96,7 +96,7 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
 }
 
 /** Shows a shape as another level of it. Its bounds are the same. Throws if there is no memory for it. */
-export function showLevel(shown: Shown, level: number, flat: boolean): Shown {
+export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
   const content = shapeContent(levelKey(shown.round!, level)) as Content; // the shape's code is here
   let geometries: readonly BufferGeometry[];
   try {
@@ -116,7 +116,7 @@ export function showLevel(shown: Shown, level: number, flat: boolean): Shown {
 }
 
 /** Call after the next ones are acquired: equal looks keep their material, and so their program. */
-export function freeShown({ content, claim, parts }: Shown, materials: SharedMaterials): void {
+export function freeShown({ content, claim, parts }: ShownContent, materials: SharedMaterials): void {
   releaseParts(parts, materials);
   content.dispose();
   claim?.release();

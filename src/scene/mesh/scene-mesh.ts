@@ -1,14 +1,12 @@
 // One declared mesh in the scene: follows its values, loads what they name, and keeps showing the last content until
 // the next one is there and can be shown.
 import type { Object3D } from 'three';
-import type { Animated, Animations } from '../animations.js';
-import type { ShadingStyle } from '../../material/shading-style.js';
+import { type Animated, type Animations, MeshAnimation } from './animation.js';
+import type { ShadingStyle } from '../../material/material-values.js';
 import type { FieldStore } from '../../fields/field-store.js';
-import { ModelError } from '../../model/model.js';
-import { isOutOfMemory } from '../../model/out-of-memory.js';
-import { MeshAnimation } from './animation.js';
+import { ModelError, type Content, type ContentPart } from '../../model/model.js';
+import { isOutOfMemory } from '../../model/limits.js';
 import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { Content, ContentPart } from '../../model/content.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import {
   appearanceOf,
@@ -23,7 +21,7 @@ import {
   rootOf,
   setGeometries,
   showLevel,
-  type Shown,
+  type ShownContent,
 } from './parts.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
@@ -58,7 +56,7 @@ export class SceneMesh implements Animated, ContentOwner {
   #parent: Object3D | null = null;
   #shown = EMPTY;
   /** Shown before the present content, which has not been drawn yet. */
-  #before: Shown | null = null;
+  #before: ShownContent | null = null;
   /** There was no memory for flat normals. Until another shading is wanted, the mesh keeps the one it has. */
   #notFlat = false;
   /** There was no memory for a material: one of the parts does not look as its values say. */
@@ -124,7 +122,7 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
-    let next: Shown;
+    let next: ShownContent;
     try {
       next = this.#prepared(content, claim, url);
     } catch (error) {
@@ -338,7 +336,7 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   /** Content as it will be in the scene. Throws if there is no memory for it, and changes nothing then. */
-  #prepared(content: Content, claim: Claim, url: URL | null): Shown {
+  #prepared(content: Content, claim: Claim, url: URL | null): ShownContent {
     const { motion } = content;
     const { shading = null, reflection = null } = this.#values;
     const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
@@ -357,7 +355,7 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   /** Replaces what is shown. Call {@link #place} and {@link restyle} next. */
-  #show(next: Shown): void {
+  #show(next: ShownContent): void {
     this.#effective = this.#wantedShading;
     this.#shading = this.#values.shading ?? null;
     this.#reflection = this.#values.reflection ?? null;
@@ -373,7 +371,7 @@ export class SceneMesh implements Animated, ContentOwner {
     }
   }
 
-  #replace(next: Shown): void {
+  #replace(next: ShownContent): void {
     this.root?.removeFromParent();
     this.#shown = next;
     if (next.root !== null) this.#parent?.add(next.root);

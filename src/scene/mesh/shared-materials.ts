@@ -1,11 +1,10 @@
 // The materials that draw meshes. Meshes of one picture that look alike share one, so that three.js changes neither
 // program nor values between them. Users are counted; a material without users is freed after the next drawing, so that
 // its program can pass to the next one.
-import type { SurfaceValues } from '../../material/material-values.js';
+import { type SurfaceValues, DEFAULT_STYLE, type ShadingStyle } from '../../material/material-values.js';
 import type { PhongLighting } from '../../material/lighting.js';
-import { type BaseLook } from '../../material/base-look.js';
+import type { BaseLook } from '../../material/file-surface.js';
 import { PhongMaterial } from '../../material/phong-material.js';
-import { DEFAULT_STYLE, type ShadingStyle } from '../../material/shading-style.js';
 import type { Sides } from '../../material/back-faces.js';
 
 /** All that a mesh says about its material. Values are replaced when they change, never written to. */

@@ -13,7 +13,7 @@ import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
 import { add, dot, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
-import { type BaseColor, baseColorAt } from './base-color.js';
+import { type BaseColor, baseColorAt } from './surface-at.js';
 import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
 
 /** The point of a Phong-lit surface seen through a pixel. */

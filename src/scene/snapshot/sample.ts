@@ -1,14 +1,16 @@
-// The value of a magnified texture at given texture coordinates. Filtered and wrapped by the texture's own settings, in
-// float64, without mipmaps.
+// The value of a magnified texture, or of a vertex attribute, at a point of a triangle. Textures are filtered and
+// wrapped by their own settings, in float64, without mipmaps.
 import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,
   NearestFilter,
   type Texture,
   type Wrapping,
+  type BufferGeometry,
 } from 'three';
 import type { Vec4 } from '../../math/vector.js';
-import type { Texels } from './texels.js';
+import type { TriangleHit } from './ray-triangles.js';
+import { NoWebGL2Error } from '../gpu/stage.js';
 
 /** The settings of a texture that sampling depends on. */
 export type Sampler = Pick<Texture, 'magFilter' | 'wrapS' | 'wrapT' | 'flipY'>;
@@ -45,4 +47,77 @@ function wrap(i: number, size: number, wrapping: Wrapping): number {
   const turn = ((i % size) + size) % size;
   const mirrored = wrapping === MirroredRepeatWrapping && Math.floor(i / size) % 2 !== 0;
   return mirrored ? size - 1 - turn : turn;
+}
+
+/** A texture at the hit, through its own coordinates and transform. */
+export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: TriangleHit): Vec4 {
+  const { channel, matrix } = texture;
+  const [u = 0, v = 0] = interpolated(geometry, channel === 0 ? 'uv' : `uv${String(channel)}`, hit);
+  const m = matrix.elements;
+  return sample(texelsOf(texture), texture, m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]);
+}
+
+/** A vertex attribute at the hit; empty if the geometry lacks it. */
+export function interpolated(
+  geometry: BufferGeometry,
+  name: string,
+  { corners, weights }: TriangleHit,
+): number[] {
+  if (!geometry.hasAttribute(name)) return [];
+  const attribute = geometry.getAttribute(name);
+  return Array.from({ length: attribute.itemSize }, (_, c) =>
+    corners.reduce((sum, corner, k) => sum + weights[k]! * attribute.getComponent(corner, c), 0),
+  );
+}
+
+/** The bytes that a texture's image has on the GPU. */
+export interface Texels {
+  readonly width: number;
+  readonly height: number;
+  /** r, g, b, a of each texel with straight alpha, rows as in the image. */
+  readonly data: Uint8Array;
+}
+
+type Image = TexImageSource & { readonly width: number; readonly height: number };
+
+/** Each image is read once, because fragments are usually explained one after another. */
+const read = new WeakMap<object, Texels>();
+
+/** Throws if the image cannot be read. */
+function texelsOf(map: Texture): Texels {
+  if ((map as { isCompressedTexture?: boolean }).isCompressedTexture === true)
+    throw new Error('compressed textures cannot be read');
+  const image = map.image as Image;
+  const known = read.get(image) ?? readTexels(image);
+  read.set(image, known);
+  return known;
+}
+
+/**
+ * Uses a short-lived WebGL context of its own. A 2D canvas would premultiply alpha, and transparent texels would lose
+ * the colour that filtering mixes into their neighbours.
+ */
+function readTexels(image: Image): Texels {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  if (gl === null) throw new NoWebGL2Error('this browser gives no WebGL 2 context to read a texture with');
+  try {
+    return readThrough(gl, image);
+  } finally {
+    gl.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+}
+
+function readThrough(gl: WebGL2RenderingContext, image: Image): Texels {
+  const { width, height } = image;
+  const data = new Uint8Array(4 * width * height);
+  const texture = gl.createTexture();
+  gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+  gl.bindTexture(gl.TEXTURE_2D, texture);
+  gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE, image);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, gl.createFramebuffer());
+  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+  gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, data);
+  if (gl.getError() !== gl.NO_ERROR)
+    throw new Error(`a texture of ${String(width)} × ${String(height)} texels cannot be read`);
+  return { width, height, data };
 }

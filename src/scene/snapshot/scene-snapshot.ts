@@ -13,10 +13,9 @@ import type {
 import type { Sides } from '../../material/back-faces.js';
 import { smoothGeometry } from '../../material/flat-geometry.js';
 import type { ShadingFrame } from '../../material/lighting.js';
-import { type BaseLook } from '../../material/base-look.js';
+import type { BaseLook } from '../../material/file-surface.js';
 import { PhongMaterial } from '../../material/phong-material.js';
-import { type ShadingStyle } from '../../material/shading-style.js';
-import type { SurfaceValues } from '../../material/material-values.js';
+import type { ShadingStyle, SurfaceValues } from '../../material/material-values.js';
 import { sameValue } from '../../fields/field-store.js';
 import { hasMovingVertices } from '../bounds.js';
 

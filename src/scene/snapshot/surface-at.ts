@@ -1,7 +1,7 @@
-// A file's surface values at one point: emissive colour, metalness, roughness, mapped normal. From its textures, in
-// float64, as phong.frag.glsl computes them.
+// A file's surface values at one point: base colour and opacity, emissive colour, metalness, roughness, mapped normal.
+// From its textures, in float64, as phong.frag.glsl computes them.
 import type { BufferGeometry, Texture } from 'three';
-import { exponentOfRoughness, lobeScale } from '../../material/file-surface.js';
+import { exponentOfRoughness, lobeScale, type BaseLook } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import {
@@ -15,10 +15,9 @@ import {
   type Vec3,
   type Vec4,
 } from '../../math/vector.js';
-import type { BaseColor } from './base-color.js';
 import type { DrawnLook } from './scene-snapshot.js';
 import type { TriangleHit } from './ray-triangles.js';
-import { sampleAt } from './sample-at.js';
+import { sampleAt, interpolated } from './sample.js';
 
 /** A surface as the reference equation takes it. */
 export interface SurfaceHere extends Readonly<SurfaceValues> {
@@ -82,4 +81,41 @@ const WHITE: Vec3 = [1, 1, 1];
 function texelAt(texture: Texture, geometry: BufferGeometry, hit: TriangleHit): Vec3 {
   const [r, g, b] = sampleAt(texture, geometry, hit);
   return [r, g, b];
+}
+
+export interface BaseColor {
+  /** Encoded sRGB, 0–1. */
+  readonly color: Vec3;
+  /** 0–1; 1 where the look does not blend. */
+  readonly opacity: number;
+  /** The alpha mask discards this fragment. */
+  readonly discarded: boolean;
+}
+
+/**
+ * The look's colour times its texture times its vertex colours. With `linear`, colours are decoded before they are
+ * multiplied, and the product is encoded again.
+ */
+export function baseColorAt(
+  look: BaseLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  linear: boolean,
+): BaseColor {
+  const factors: Vec4[] = [[...look.baseColor, look.opacity]];
+  if (look.map !== null) factors.push(sampleAt(look.map, geometry, hit));
+  if (look.vertexColors) {
+    const [r = 1, g = 1, b = 1, a = 1] = interpolated(geometry, 'color', hit);
+    factors.push([r, g, b, a]);
+  }
+  const product = (channel: 0 | 1 | 2): number => {
+    if (!linear) return factors.reduce((all, factor) => all * factor[channel], 1);
+    return srgbEncode(factors.reduce((all, factor) => all * srgbDecode(factor[channel]), 1));
+  };
+  const alpha = factors.reduce((all, factor) => all * factor[3], 1);
+  return {
+    color: [product(0), product(1), product(2)],
+    opacity: look.alphaMode === 'blend' ? alpha : 1,
+    discarded: look.alphaMode === 'mask' && alpha < look.alphaCutoff,
+  };
 }

@@ -43,8 +43,12 @@ export interface Scene {
 export const FOV = 45;
 export const SURFACE = { ka: 200, kd: 200, ks: 128, shininess: 32 } as const;
 
-/** The eye's distance from a sphere of diameter 1 that fills the picture's height. */
-const FILLED = 1.05 * (0.5 / Math.sin((FOV / 2) * (Math.PI / 180)));
+/** The widest picture that is measured: width / height. */
+const WIDEST = 16 / 9;
+/** The angle from the picture's center to its corner. */
+const CORNER = Math.atan(Math.tan((FOV / 2) * (Math.PI / 180)) * Math.hypot(1, WIDEST));
+/** The eye's distance from a sphere of diameter 1 that fills the picture, corners included. */
+const FILLED = 0.97 * (0.5 / Math.sin(CORNER));
 
 /** The i-th number of the van der Corput sequence in a prime base, in [0, 1). */
 function halton(i: number, base: number): number {

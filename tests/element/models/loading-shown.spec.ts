@@ -1,7 +1,7 @@
 // What do users, CSS and screen readers get to know about loading? Progress, states, posters and the retry button. The test controls when
 // models arrive and when the progress bar's timer ends.
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
 import { assign, type PhongViewer, settled } from '../support/viewer.js';
@@ -91,7 +91,7 @@ test('shows a progress bar with a name and a value once loading has taken 300 ms
   await expect(barOf(viewer)).toHaveAccessibleName('Loading');
   await sendNext(page);
   await expect(barOf(viewer)).toHaveAttribute('aria-valuenow', '50');
-  const { violations } = await new AxeBuilder({ page }).include('phong-viewer').analyze();
+  const { violations } = await axeOn(page).include('phong-viewer').analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
   await sendNext(page);
   await settled(viewer);
@@ -255,7 +255,7 @@ test('the button of the message repeats what failed, and the focus stays in the 
   const box = (await retry.boundingBox())!;
   expect(box.height).toBeGreaterThanOrEqual(24);
   expect(box.width).toBeGreaterThanOrEqual(24);
-  const { violations } = await new AxeBuilder({ page }).include('phong-viewer').analyze();
+  const { violations } = await axeOn(page).include('phong-viewer').analyze();
   expect(violations.map(({ id }) => id)).toEqual([]);
   await retry.click();
   await settled(viewer);

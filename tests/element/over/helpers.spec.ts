@@ -67,7 +67,7 @@ test.describe('a light in the picture', () => {
     page,
     mount,
   }) => {
-    const viewer = await mount(scene(lamp, 'gui'));
+    const viewer = await mount(scene(lamp, 'gui'), { width: 900 }); // beside the panel
     const events = await record(viewer, 'light-change', 'camera-change');
     const folder = await opened(viewer, 'lamp');
     const before = await middleOf(handle(viewer, 'lamp'));

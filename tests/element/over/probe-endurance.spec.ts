@@ -49,7 +49,7 @@ test('explains at most once a frame, for any number of events, and finally the l
     }
     await new Promise(requestAnimationFrame);
     await new Promise(requestAnimationFrame);
-    const shown = element.shadowRoot!.querySelector('.probe .codes')!.textContent;
+    const shown = element.shadowRoot!.querySelector('[part=probe] .codes')!.textContent;
     const { color } = (await element.shadeAt(309, 150))!;
     return [shown, color.map((c) => (255 * c).toFixed(1)).join(' ')];
   });

@@ -173,7 +173,7 @@ test('a view is compiled once, however often it is chosen', async ({ page, mount
   expect(rounds).toEqual([rounds[0], rounds[0], rounds[0]]);
 });
 
-test('the legend can be styled and hidden, speaks the page’s language, and leaves small viewers alone', async ({
+test('the legend can be styled and hidden, speaks the page’s language, and stays inside small viewers', async ({
   page,
   mount,
 }) => {
@@ -204,6 +204,9 @@ test('the legend can be styled and hidden, speaks the page’s language, and lea
   const box = (await legendOf(viewer).boundingBox())!;
   expect(box.x).toBeGreaterThan((await viewer.boundingBox())!.x + 100);
   await viewer.evaluate((element) => Object.assign(element.style, { width: '120px', height: '90px' }));
+  await expect(legendOf(viewer)).toBeVisible();
+  expect(await inside()).toBe(true);
+  await viewer.evaluate((element) => Object.assign(element.style, { width: '60px', height: '40px' }));
   await expect(legendOf(viewer)).toBeHidden();
   await viewer.evaluate((element) => Object.assign(element.style, { width: '', height: '' }));
   await expect(legendOf(viewer)).toBeVisible();

@@ -1,6 +1,6 @@
 // Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom, with long words, from right to left?
 
-import { AxeBuilder } from '@axe-core/playwright';
+import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';
 import { expect, test } from '../../support/test.js';
@@ -12,7 +12,7 @@ const scene = `<phong-viewer alt="A scene" geometry="box" gui>
   <phong-mesh name="ball" geometry="sphere"></phong-mesh></phong-viewer>`;
 
 const violationsOf = async (page: Page): Promise<unknown> => {
-  const { violations } = await new AxeBuilder({ page })
+  const { violations } = await axeOn(page)
     .include({ fromShadowDom: ['phong-viewer', '.panel'] })
     .analyze();
   return violations.map(({ id, nodes }) => [id, ...nodes.map(({ html }) => html)]);

@@ -1,7 +1,7 @@
 // Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse, finger or keyboard point? Served under
 // the strict policy. Places are CSS pixels in the picture.
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { expect, pixelAt, pixels, test } from '../../support/test.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
@@ -199,7 +199,7 @@ test.describe('the page of one fragment', () => {
       await expect.poll(() => isAt(page, inPicture)).toBeLessThan(1);
       await expectFragment(page, await markAt(page));
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(360);
-      const { violations } = await new AxeBuilder({ page }).analyze();
+      const { violations } = await axeOn(page).analyze();
       expect(violations).toEqual([]);
     });
   });

@@ -1,7 +1,6 @@
 // The control panel's life: its code is fetched on first use, it is notified of changes, and removed again.
 import type { PhongViewer } from '../elements.js';
-import type { ViewerContext } from './context.js';
-import type { Panel, PanelChange, PanelLoader } from './panel-api.js';
+import type { ViewerContext } from './viewer-context.js';
 
 let loadPanel: PanelLoader | null = null;
 
@@ -54,3 +53,18 @@ export class ViewerPanel {
     for (const change of changes) this.#panel?.update(change);
   };
 }
+
+/** What has changed, so that a panel updates only that. */
+export type PanelChange = 'camera' | 'light' | 'lights' | 'mesh' | 'meshes' | 'viewer';
+
+/** What the element needs of a control panel. */
+export interface Panel {
+  /** Called after changes, once per kind and task. Requests no frames. */
+  update(change: PanelChange): void;
+  dispose(): void;
+}
+
+/** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
+export type CreatePanel = (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
+
+export type PanelLoader = () => Promise<{ readonly createPanel: CreatePanel }>;

@@ -9,32 +9,43 @@ import {
   type Texture,
 } from 'three';
 import { srgbEncode } from '../../math/color.js';
-import { mapsOfLook, type ModelLook, type ModelPart } from '../model.js';
+import type { BaseLook } from '../../material/file-surface.js';
+import type { ContentPart } from '../model.js';
+import { mapsOfLook } from '../owned-model.js';
 import type { Slices } from '../slices.js';
 import { Geometries, type GeometrySource, isSkinned } from './geometries.js';
 import type { Movable } from './motion.js';
-import { mapsOf, surfaceOf } from './surfaces.js';
+import { coefficientsOf, mapsOf, surfaceOf } from './surfaces.js';
 
 export interface Parts {
-  readonly parts: readonly ModelPart[];
+  readonly parts: readonly ContentPart[];
   readonly movable: Movable;
 }
 
 export async function collectParts(scene: Object3D, source: GeometrySource, slices: Slices): Promise<Parts> {
   const geometries = new Geometries(source, slices);
-  const parts: ModelPart[] = [];
-  const rigid: { part: ModelPart; mesh: Mesh }[] = [];
+  const parts: ContentPart[] = [];
+  const rigid: { part: ContentPart; mesh: Mesh }[] = [];
   scene.updateMatrixWorld(true);
   const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
   scene.traverse((object) => {
     if (object instanceof Mesh) meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
   });
   for (const mesh of meshes) {
-    const { geometry, flat } = await geometries.of(mesh);
+    const geometry = await geometries.of(mesh);
     const matrix = mesh.matrixWorld.clone();
     if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
     if (isSkinned(mesh)) matrix.identity();
-    const part = { name: nameOf(mesh), geometry, matrix, look: lookOf(mesh.material, geometry, flat) };
+    const { material } = mesh;
+    const look = lookOf(material, geometry);
+    const part: ContentPart = {
+      name: nameOf(mesh),
+      geometry,
+      matrix,
+      look,
+      sides: material.side === DoubleSide ? 'double' : 'single',
+      surface: coefficientsOf(material, look),
+    };
     parts.push(part);
     if (!isSkinned(mesh)) rigid.push({ part, mesh });
   }
@@ -54,7 +65,7 @@ function nameOf(object: Object3D): string {
   return '';
 }
 
-function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: boolean): ModelLook {
+function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry): BaseLook {
   const { color, opacity, transparent, alphaTest } = material;
   const encode = (linear: number): number => srgbEncode(Math.min(Math.max(linear, 0), 1));
   const maps = mapsOf(material, geometry);
@@ -69,8 +80,7 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, flat: 
     opacity: alphaMode === 'opaque' ? 1 : Math.min(Math.max(opacity, 0), 1),
     alphaMode,
     alphaCutoff: alphaTest,
-    doubleSided: material.side === DoubleSide,
-    flat,
+    vertexColors: geometry.hasAttribute('color'),
     ...maps,
     ...surfaceOf(material),
   };

@@ -1,0 +1,347 @@
+// Does everything over the picture keep to the room that is free: between dividers, beside the panel, below a notice, at any text size?
+
+import type { Locator, Page } from '@playwright/test';
+import { decodePng, pixelAt } from '../../support/picture.js';
+import { allReady, expect, test } from '../../support/test.js';
+import { field, opened, panelOf, titleOf } from '../panel/panel-rows.js';
+import { assign, cameraOf, drag, nextFrame, type PhongViewer } from '../support/viewer.js';
+
+const LIGHTS = `
+  <phong-light name="sun" position="-1 1.4 1.2 0" ambient="120" diffuse="190" specular="150"></phong-light>
+  <phong-light name="a lamp with a long name" position="0.9 0.5 0.6 1" ambient="101" diffuse="#d98c46" attenuation="1 0.2 0.6"></phong-light>
+  <phong-light name="back" position="-1 -1 -2 0" ambient="111"></phong-light>`;
+
+const ball = (attributes: string): string =>
+  `<phong-viewer alt="" geometry="sphere" segments="8" theta="0" phi="90" ${attributes}>${LIGHTS}</phong-viewer>`;
+
+interface Rect {
+  readonly left: number;
+  readonly top: number;
+  readonly right: number;
+  readonly bottom: number;
+}
+
+const rectOf = (target: Locator): Promise<Rect> =>
+  target.evaluate((element) => {
+    const { left, top, right, bottom } = element.getBoundingClientRect();
+    return { left, top, right, bottom };
+  });
+
+const meet = (a: Rect, b: Rect): boolean =>
+  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+
+/** Two frames: layout is observed in the first, and followed in the second. */
+async function laidOut(page: Page): Promise<void> {
+  await nextFrame(page);
+  await nextFrame(page);
+}
+
+test.describe('the probe between the dividers of a comparison', () => {
+  const comparison = `<phong-compare labels="left, right">${ball('probe probe-at="0 0 0.5"').repeat(2)}</phong-compare>`;
+  const css = 'phong-compare { display: block; height: 420px }';
+
+  /** The texts of sums that are not wholly in the part of the picture that the dividers leave. */
+  const cutSums = (page: Page): Promise<string[]> =>
+    page.evaluate(() => {
+      const compare = document.querySelector('phong-compare')!;
+      const { left, width } = compare.getBoundingClientRect();
+      const place = left + (width * Number((compare.at as readonly number[])[0])) / 100;
+      return Array.from(compare.querySelectorAll('phong-viewer'), (viewer, i) => {
+        const [from, to] = i === 0 ? [left, place] : [place, left + width];
+        const box = viewer.shadowRoot!.querySelector('[part=probe]')!;
+        if (!box.checkVisibility()) return to - from < 50 ? [] : [`no box at ${to - from}`];
+        const texts = [...box.querySelectorAll('.codes, tr > :last-child')];
+        const scroll = box.querySelector('.scroll');
+        const isCut = (text: Element): boolean => {
+          const range = document.createRange();
+          range.selectNodeContents(text);
+          const rect = range.getBoundingClientRect();
+          return rect.left < from || rect.right > to;
+        };
+        return [
+          ...texts.filter((text) => text.checkVisibility() && isCut(text)).map((text) => text.textContent),
+          ...(scroll !== null && scroll.scrollWidth > scroll.clientWidth ? ['a table that scrolls'] : []),
+        ].map((text) => `${i} at ${to - from}: ${text}`);
+      }).flat();
+    });
+
+  for (const [title, widths, places] of [
+    ['', [140, 266, 390, 532, 800, 1000], [12, 37, 50, 85]],
+    [
+      ' (each width) @release',
+      Array.from({ length: 87 }, (_, i) => 140 + 10 * i),
+      Array.from({ length: 21 }, (_, i) => 5 * i),
+    ],
+  ] as const)
+    test(`never cuts a sum, whatever the width and the place of the divider${title}`, async ({
+      page,
+      mount,
+    }) => {
+      test.slow(title !== '');
+      await mount(comparison, { css, waitForReady: false });
+      await allReady(page);
+      const cut: string[] = [];
+      for (const width of widths)
+        for (const at of places) {
+          await page.evaluate(
+            ([w, a]) => {
+              const compare = document.querySelector('phong-compare')!;
+              compare.style.width = `${w}px`;
+              compare.at = a;
+            },
+            [width, at] as const,
+          );
+          await laidOut(page);
+          cut.push(...(await cutSums(page)).map((text) => `${width}, ${at} %: ${text}`));
+        }
+      expect(cut).toEqual([]);
+    });
+
+  test('leaves out columns in their order, and below 12 em all but the colour', async ({ page, mount }) => {
+    const viewer = await mount(ball('probe probe-at="0 0 0.5"'), { height: 500 });
+    const columns = viewer.locator('[part=probe] thead th');
+    const seen: string[] = [];
+    for (const width of [700, 480, 420, 360, 300, 260, 200, 150]) {
+      await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
+      await laidOut(page);
+      const texts = await columns.allTextContents();
+      seen.push(texts.slice(1, -1).join(' '));
+    }
+    const all = 'ambient diffuse specular att decay';
+    const order = [
+      all,
+      'ambient diffuse specular att',
+      'ambient diffuse specular',
+      'diffuse specular',
+      'diffuse',
+      '',
+    ];
+    expect([...new Set(seen)]).toEqual(order.filter((each) => seen.includes(each)));
+    expect(seen[0]).toBe(all);
+    expect(seen.at(-1)).toBe('');
+    await viewer.evaluate((element) => (element.style.width = '143px'));
+    await laidOut(page);
+    await expect(viewer.locator('[part=probe] .codes')).toBeVisible();
+    await expect(viewer.locator('[part=probe] table')).toBeHidden();
+  });
+});
+
+test('the lines of helpers lie below the box of the probe and the legend', async ({ page, mount }) => {
+  const viewer = await mount(ball('view="n-dot-l" probe probe-at="0 0 0.5" helpers="grid axes"'));
+  await laidOut(page);
+  const order = await viewer.evaluate((element) => {
+    const root = element.shadowRoot!;
+    const heights = ['.helpers', '.probe', '.room'].map((part) =>
+      Number(getComputedStyle(root.querySelector(part)!).zIndex.replace('auto', '0')),
+    );
+    const inRoom = ['[part=probe]', '[part=legend]'].map((part) =>
+      root.querySelector(part)!.closest('.room'),
+    );
+    return { heights, inRoom: inRoom.every((room) => room !== null) };
+  });
+  expect(order).toEqual({ heights: [0, 1, 2], inRoom: true });
+});
+
+test('a notice keeps clear of the panel, open and closed, and has a border in forced colours', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/404/);
+  const viewer = await mount('<phong-viewer alt="" gui src="/none.glb" view="n-dot-l"></phong-viewer>');
+  const notice = viewer.locator('[part=notice]');
+  await expect(notice).toBeVisible();
+  await expect(viewer.locator('.legend')).toHaveCount(1);
+  for (const dir of ['ltr', 'rtl'])
+    for (const width of [300, 520, 640, 900]) {
+      await page.evaluate((value) => (document.documentElement.dir = value), dir);
+      await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
+      for (const open of [width >= 480, false]) {
+        const title = titleOf(viewer, 'Controls');
+        if ((await title.getAttribute('aria-expanded')) !== String(open)) await title.click();
+        await laidOut(page);
+        const [message, panel, legend] = [
+          await rectOf(notice),
+          await rectOf(panelOf(viewer)),
+          await rectOf(viewer.locator('.legend')),
+        ];
+        expect(meet(message, panel), `${dir}, ${width}, ${open}: panel`).toBe(false);
+        expect(meet(message, legend), `${dir}, ${width}, ${open}: legend`).toBe(false);
+        expect(meet(legend, panel), `${dir}, ${width}, ${open}: panel and legend`).toBe(false);
+      }
+    }
+  await page.emulateMedia({ forcedColors: 'active' });
+  await expect(notice).toHaveCSS('border-top-width', '1px');
+  await page.emulateMedia({ forcedColors: null });
+});
+
+test.describe('text over the picture', () => {
+  const sizes = (viewer: Locator): Promise<Record<string, string>> =>
+    viewer.evaluate((element) => {
+      const parts = ['[part=legend]', '[part=probe]', 'text[part=light-name]', '.lil-root'];
+      return Object.fromEntries(
+        parts.map((part) => [part, getComputedStyle(element.shadowRoot!.querySelector(part)!).fontSize]),
+      );
+    });
+  const everywhere = (size: string): Record<string, string> => ({
+    '[part=legend]': size,
+    '[part=probe]': size,
+    'text[part=light-name]': size,
+    '.lil-root': size,
+  });
+
+  test("follows the element's font size, and a name its part; what is slotted keeps its own", async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    consoleGuard.allow(/404/);
+    const markup = ball('gui view="n-dot-l" probe probe-at="0 0 0.5" helpers');
+    const failing = '<phong-viewer alt="" src="/none.glb"><p slot="error">Nothing</p></phong-viewer>';
+    const viewer = await mount(markup + failing, {
+      width: 900,
+      css: 'body { font-size: 20px } .named::part(light-name) { font-size: 30px }',
+    });
+    await expect(viewer.locator('text[part=light-name]')).toHaveCount(3);
+    expect(await sizes(viewer)).toEqual(everywhere('12px'));
+    await viewer.evaluate((element) => (element.style.fontSize = '24px'));
+    await laidOut(page);
+    expect(await sizes(viewer)).toEqual(everywhere('24px'));
+    const slotted = page.locator('[slot=error]');
+    await expect(slotted).toHaveCSS('font-size', '20px');
+    await page
+      .locator('phong-viewer')
+      .last()
+      .evaluate((element) => (element.style.fontSize = '40px'));
+    await expect(slotted).toHaveCSS('font-size', '20px');
+    await viewer.evaluate((element) => element.classList.add('named'));
+    await expect(viewer.locator('text[part=light-name]').first()).toHaveCSS('font-size', '30px');
+  });
+
+  test('grows with the height in full screen, unless the page sets a size', async ({ page, mount }) => {
+    const viewer = await mount(ball('view="n-dot-l"'));
+    const legend = viewer.locator('.legend');
+    await page.keyboard.press('Tab'); // full screen needs a user's gesture
+    await viewer.evaluate((element) => element.requestFullscreen());
+    const expected = await page.evaluate(() => `${Math.max(12, Math.round(2200 * innerHeight) / 1e5)}px`);
+    await expect(legend).toHaveCSS('font-size', expected);
+    await viewer.evaluate((element) => (element.style.fontSize = '31px'));
+    await expect(legend).toHaveCSS('font-size', '31px');
+    await page.evaluate(() => document.exitFullscreen());
+  });
+
+  test("a comparison's size is that of its labels and viewers", async ({ page, mount }) => {
+    const markup = `<phong-compare labels="a, b">${ball('view="n-dot-l"').repeat(2)}</phong-compare>`;
+    await mount(markup, { css: 'phong-compare { font-size: 18px }', waitForReady: false });
+    await allReady(page);
+    await expect(page.locator('phong-compare .label').first()).toHaveCSS('font-size', '18px');
+    await expect(page.locator('phong-viewer .legend').first()).toHaveCSS('font-size', '18px');
+  });
+});
+
+test.describe('an open panel', () => {
+  const picture = (viewer: Locator): Promise<Rect> => rectOf(viewer.locator('[part=surface]'));
+
+  test('stands beside the picture from 640 pixels on, and over it below', async ({ page, mount }) => {
+    const viewer = await mount(ball('gui'), { width: 640 });
+    await expect(panelOf(viewer)).toBeVisible();
+    await laidOut(page);
+    expect(meet(await picture(viewer), await rectOf(panelOf(viewer)))).toBe(false);
+    const beside = (await cameraOf(viewer)).radius;
+    expect((await picture(viewer)).right).toBeGreaterThanOrEqual(320);
+    await viewer.evaluate((element) => (element.style.width = '639px'));
+    await laidOut(page);
+    expect((await picture(viewer)).right).toBe(639);
+    expect((await cameraOf(viewer)).radius, 'framed by the width of the picture').toBeLessThan(beside);
+    await titleOf(viewer, 'Controls').click();
+    await expect(viewer.locator('.lil-root > .lil-children')).toBeHidden();
+  });
+
+  test("a drag across the picture's width turns the camera by 360 degrees", async ({ page, mount }) => {
+    const viewer = await mount(ball('gui'), { width: 900 });
+    await expect(panelOf(viewer)).toBeVisible();
+    await laidOut(page);
+    const { right } = await picture(viewer);
+    const before = (await cameraOf(viewer)).theta;
+    await drag(page, [20, 200], [right / 4, 0]);
+    expect((await cameraOf(viewer)).theta).toBeCloseTo(before - 90, 0);
+  });
+
+  test('leaves the picture half of the width where its text is large', async ({ page, mount }) => {
+    const viewer = await mount(ball('gui'), { width: 640, css: 'phong-viewer { font-size: 24px }' });
+    await expect(panelOf(viewer)).toBeVisible();
+    await laidOut(page);
+    expect((await picture(viewer)).right).toBe(320);
+  });
+
+  test('is not printed, and the picture keeps its size', async ({ page, mount }) => {
+    const viewer = await mount(ball('gui'), { width: 900 });
+    await expect(panelOf(viewer)).toBeVisible();
+    await laidOut(page);
+    const screen = await picture(viewer);
+    await page.emulateMedia({ media: 'print' });
+    await expect(panelOf(viewer)).toBeHidden();
+    const paper = await picture(viewer);
+    expect(paper.right - paper.left).toBeCloseTo(screen.right - screen.left, 0);
+    expect(paper.left + paper.right, 'in the middle').toBeCloseTo(900, 0);
+    await page.emulateMedia({ media: null });
+  });
+
+  test('has room for `140 140 140` in fields of colours', async ({ mount }) => {
+    const viewer = await mount(ball('gui'), { width: 700, height: 600 });
+    await assign(viewer.locator('phong-light').first(), { diffuse: [140, 140, 140] });
+    const diffuse = field(await opened(viewer, 'sun'), 'diffuse');
+    await expect(diffuse).toHaveValue('140 140 140');
+    expect(await diffuse.evaluate((input) => input.scrollWidth - input.clientWidth)).toBeLessThanOrEqual(0);
+  });
+});
+
+test.describe('a legend', () => {
+  test('has one line in pictures below 260 pixels, which fits at any width', async ({ page, mount }) => {
+    const viewer = await mount(ball('view="n-dot-l"'), { width: 260, height: 200 });
+    const legend = viewer.locator('.legend');
+    const height = async (): Promise<number> => {
+      await laidOut(page);
+      const { top, bottom } = await rectOf(legend);
+      return bottom - top;
+    };
+    expect(await height()).toBeGreaterThan(40);
+    for (const view of ['n-dot-l', 'normals', 'light-count', 'diffuse'] as const)
+      for (const width of [259, 180, 140]) {
+        await assign(viewer, { view });
+        await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
+        expect(await height(), `${view}, ${width}`).toBeLessThan(26);
+        expect((await rectOf(legend)).right, `${view}, ${width}`).toBeLessThanOrEqual(width);
+        const cut = await legend.evaluate((element) => element.scrollWidth - element.clientWidth);
+        expect(cut, `${view}, ${width}`).toBeLessThanOrEqual(0);
+      }
+  });
+
+  test('is beside a picture whose white plane has an outline on a white page, but not in files', async ({
+    page,
+    mount,
+  }) => {
+    const plane = `<phong-viewer alt="" geometry="plane" phi="0" radius="3" view="attenuation"><phong-light position="0 1 0 1"></phong-light></phong-viewer>`;
+    const viewer = await mount(plane, { width: 200, height: 200, css: 'body { background: #fff }' });
+    await expect(viewer.locator('.legend')).toHaveCount(1);
+    await nextFrame(page);
+    const darkest = (png: Buffer): number => {
+      const picture = decodePng(png);
+      // Up from the middle: away from the legend.
+      return Math.min(...Array.from({ length: 100 }, (_, y) => pixelAt(picture, 100, y)[0]));
+    };
+    expect(darkest(await viewer.screenshot())).toBeLessThan(180);
+    await assign(viewer, { view: 'normals' });
+    await nextFrame(page);
+    await assign(viewer, { view: 'attenuation' });
+    const codes = await viewer.evaluate(async (element: PhongViewer) => {
+      const bitmap = await createImageBitmap(
+        await element.toBlob({ width: 50, height: 50, type: 'image/jpeg' }),
+      );
+      const context = new OffscreenCanvas(50, 50).getContext('2d')!;
+      context.drawImage(bitmap, 0, 0);
+      return [...context.getImageData(25, 0, 1, 25).data];
+    });
+    expect(Math.min(...codes)).toBeGreaterThan(240);
+  });
+});

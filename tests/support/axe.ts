@@ -1,0 +1,8 @@
+// axe without what costs most: a tab of its own for each run, which serves frames of other hosts, and lists of what passes.
+
+import AxeBuilder from '@axe-core/playwright';
+import type { Page } from '@playwright/test';
+
+/** axe over this page, whose result holds only violations. */
+export const axeOn = (page: Page): AxeBuilder =>
+  new AxeBuilder({ page }).setLegacyMode().options({ resultTypes: ['violations'] });
