@@ -98,7 +98,10 @@ export class TriangleBudget {
     this.review();
   }
 
-  /** Triangles that are held now, weighed by memory. */
+  /**
+   * Triangles that are held now, weighed by memory. Round shapes with automatic segments count by their coarsest level:
+   * finer ones take what is left.
+   */
   get used(): number {
     return this.#used;
   }
