@@ -3,4 +3,4 @@
 import { testContract } from './contract-run.js';
 
 testContract({ driver: 'shipped', cases: 5e4, checks: 4096, everyLight: 1 });
-testContract({ driver: 'either', cases: 2e4, checks: 4096, everyLight: 2 });
+testContract({ driver: 'either', cases: 2e4, checks: 4096, everyLight: 4 });

@@ -36,11 +36,6 @@ export class SharedPage {
     return this.#context;
   }
 
-  /** Closes the context after this test. */
-  spend(): void {
-    this.#spent = true;
-  }
-
   /** Takes back what a test has done. @param failed the page may be stuck */
   async giveBack(failed: boolean): Promise<void> {
     const pages = this.#context?.pages() ?? [];
@@ -68,7 +63,11 @@ export class SharedPage {
     this.#after(target, 'route', () => () => target.unrouteAll({ behavior: 'ignoreErrors' }));
     for (const name of ['on', 'once'])
       this.#after(target, name, (_, type: never, listener: never) => () => target.off(type, listener));
-    this.#after(target, 'newCDPSession', (session: CDPSession) => () => session.detach());
+    this.#after(
+      target,
+      'newCDPSession',
+      (session: CDPSession) => () => session.detach().catch(() => undefined),
+    );
     for (const name of FINAL) this.#after(target, name, () => () => undefined, true);
     this.#after(target.clock, 'install', () => () => undefined, true);
   }

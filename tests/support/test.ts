@@ -4,6 +4,7 @@
 import {
   expect,
   test as playwright,
+  type CDPSession,
   type Locator,
   type Page,
   type PlaywrightTestArgs,
@@ -102,14 +103,14 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
 
   baseURL: async ({ site }, use) => use(site.origin),
 
-  consoleGuard: async ({ context, sharedPage }, use) => {
+  consoleGuard: async ({ context }, use) => {
     const guard = new ConsoleGuard();
     await guard.watch(context);
     await use(guard);
     for (const page of context.pages()) {
       // One round trip to each page, so that pending messages arrive.
       await page.evaluate(() => 0).catch(() => 0);
-      if (scaled.has(page)) sharedPage.spend();
+      await restorePixelRatio(page);
     }
     guard.check();
   },
@@ -142,8 +143,8 @@ async function mount(page: Page, site: Site, markup: string, options: MountOptio
   return viewer;
 }
 
-/** Pages whose ratio has been changed. */
-const scaled = new WeakSet<Page>();
+/** The sessions that hold a page's changed ratio. */
+const scaled = new WeakMap<Page, CDPSession>();
 
 /**
  * Changes the device's pixels per CSS pixel under a live page, as moving a window to another screen does. Emulated:
@@ -152,13 +153,25 @@ const scaled = new WeakSet<Page>();
  */
 export async function setPixelRatio(page: Page, deviceScaleFactor: number): Promise<void> {
   const { width, height } = page.viewportSize() ?? { width: 1000, height: 700 };
-  scaled.add(page);
-  const session = await page.context().newCDPSession(page);
+  const session = scaled.get(page) ?? (await page.context().newCDPSession(page));
+  scaled.set(page, session);
   // Chromium updates resolution queries only if the viewport's size changes too.
   for (const tall of [height + 1, height]) {
     const metrics = { width, height: tall, deviceScaleFactor, mobile: false };
     await session.send('Emulation.setDeviceMetricsOverride', metrics);
   }
+}
+
+/** Gives a page its own ratio again, for the next test. */
+async function restorePixelRatio(page: Page): Promise<void> {
+  const session = scaled.get(page);
+  const size = page.viewportSize();
+  if (session === undefined || size === null || page.isClosed()) return;
+  scaled.delete(page);
+  await session.detach();
+  // Playwright sends its own size and ratio only when the size changes.
+  await page.setViewportSize({ ...size, height: size.height + 1 });
+  await page.setViewportSize(size);
 }
 
 async function defined(page: Page): Promise<void> {
