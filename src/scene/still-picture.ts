@@ -6,7 +6,7 @@ import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
 import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
 
-const samples = /* @__PURE__ */ lazyCode(
+const sampling = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js'),
   'antialias="full" and toBlob({ samples })',
 );
@@ -77,7 +77,7 @@ export class StillPicture {
     atOnce: boolean,
     begin: () => PaintPart,
   ): Promise<HTMLCanvasElement> {
-    const { SampledCapture } = await samples();
+    const { SampledCapture } = await sampling();
     const capture = new SampledCapture(size, samples, begin());
     this.#captures.add(capture);
     if (atOnce) capture.finish();
@@ -102,7 +102,7 @@ export class StillPicture {
 
   async #fetch(): Promise<void> {
     try {
-      const { ConvergingPicture } = await samples();
+      const { ConvergingPicture } = await sampling();
       if (this.#wanted === 0 || this.#converging !== null) return;
       this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
       this.#subject.animate();
