@@ -16,7 +16,10 @@ import { LightState, shade, type Surface } from '../../src/reference/index.js';
 
 // Labels are measured by a canvas where there is one.
 beforeAll(() => {
-  vi.stubGlobal('document', { createElement: () => ({ getContext: () => null }) });
+  vi.stubGlobal('document', {
+    createElement: () => ({ getContext: () => null }),
+    documentElement: { lang: '' },
+  });
 });
 
 const SURFACE: Surface = { ka: [255, 255, 255], kd: [204, 204, 204], ks: [102, 102, 102], shininess: 8 };
