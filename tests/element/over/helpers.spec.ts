@@ -154,7 +154,7 @@ test.describe('a light in the picture', () => {
   test('has the edge of its cone on the floor that it lights, and follows the floor', async ({ mount }) => {
     const viewer = await mount(
       `<phong-viewer alt="" helpers fov="90" phi="0" theta="0" radius="4" target="0 0 0">
-         <phong-mesh geometry="plane" scale="9"></phong-mesh>
+         <phong-mesh geometry="plane" scale="4"></phong-mesh>
          <phong-light name="spot" position="0 2 0 1" axis="0 -1 0" aperture="30"></phong-light></phong-viewer>`,
     );
     /** From the middle of the picture, in pixels: 200 are as many units as the distance from the eye. */
