@@ -230,7 +230,7 @@ describe('the words', () => {
       /^Point 0 0 0\. Colour: red \d+, green \d+, blue \d+\. light 3: ambient 0 0 0, diffuse [\d ]+, specular [\d ]+\. light 1: ambient 10 10 10, diffuse 32 40 48, specular [\d ]+\.$/,
     );
     const many = explained(Array.from({ length: 5 }, () => TWO[0]!));
-    expect(fragmentText(null, many, sumOf(many, false))).toMatch(/And 2 lights more\.$/);
+    expect(fragmentText(null, many, sumOf(many, false))).toMatch(/More lights: 2\.$/);
   });
 
   it('can be replaced by another language', () => {
