@@ -131,6 +131,11 @@ export interface PhongCompare extends LitElement, CompareProperties {
 /** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
 export interface ViewerStats {
   readonly frames: number;
+  /**
+   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0 before its first
+   * ones are shown. Stays 0 where the GPU has no float targets: `full` is like `edges` there.
+   */
+  readonly samples: number;
   readonly lightsDeclared: number;
   readonly lightsActive: number;
   /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */

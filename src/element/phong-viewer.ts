@@ -270,7 +270,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (!this.#visibility.connected) return true;
     if (this.#loading.pending || this.#extras.pending !== null) return false;
     const { viewport } = this.#context;
-    return viewport.upToDate || !viewport.drawable;
+    return !viewport.drawable || (viewport.settled && !viewport.converging);
   }
 }
 
@@ -283,11 +283,12 @@ const STYLE_KEYS = ['shading', 'reflection', 'terms', 'antialias'] as const;
 
 /** Passes the values that change the picture as a whole to the viewport. `changed`: the values that were written. */
 function applyStyle(
-  viewport: Pick<Viewport, 'fov' | 'linear' | 'style'>,
-  { fov, colorInterpolation, shading, reflection, terms, antialias }: Readonly<ViewerValues>,
+  viewport: Pick<Viewport, 'fov' | 'linear' | 'style' | 'samples'>,
+  { fov, colorInterpolation, shading, reflection, terms, antialias, samples }: Readonly<ViewerValues>,
   changed: { has(key: string): boolean },
 ): void {
   viewport.fov = fov;
   viewport.linear = colorInterpolation === 'linear';
+  viewport.samples = antialias === 'full' ? samples : 0;
   if (STYLE_KEYS.some((key) => changed.has(key))) viewport.style = { shading, reflection, terms, antialias };
 }

@@ -7,7 +7,7 @@ import { cameraOf, historyOf } from '../element/viewer/history.js';
 import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/material-values.js';
 import { VIEWS } from '../material/views.js';
 import type { Say } from './label.js';
-import { SURFACE_ROWS } from './mesh-folder.js';
+import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';
 import {
   button,
   edited,
@@ -74,6 +74,7 @@ export const VIEWER_ROWS = {
     terms: flags(TERMS, (term) => `${term} term`),
     colorInterpolation: oneOf('colour space', ['srgb', 'linear']),
     antialias: oneOf('antialias', ANTIALIASES),
+    samples: number('samples', linear(16, 1024, 1), 'Per pixel, with antialias full'),
   }),
   ...inFolder('Show', {
     view: oneOf('view', VIEWS),
@@ -81,12 +82,11 @@ export const VIEWER_ROWS = {
     helpers: flags(HELPERS, (helper) => `show ${helper}`),
     probe: flag('probe'),
   }),
-  ...inFolder('Material', SURFACE_ROWS),
+  ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.
   src: NO_ROW,
   type: NO_ROW,
   geometry: NO_ROW,
-  segments: NO_ROW,
   autoplay: NO_ROW,
   animationName: NO_ROW,
   alt: NO_ROW,

@@ -1,16 +1,17 @@
 // Does what was measured keep the contract?
 import { CATEGORIES } from './categories.js';
-import { EXACT, WORST_SHARE } from './contract.js';
+import { EXACT, WORST_CATEGORY_SHARE, WORST_SHARE } from './contract.js';
 import type { Measured } from './measure.js';
 
-/** Each way in which one category breaks the contract, in words; none where it keeps it. */
-export function verdictOf(measured: Measured): string[] {
+/** Each way in which one category breaks the contract, in words; none where it keeps it. `worst`: on a worst lawful driver. */
+export function verdictOf(measured: Measured, worst = false): string[] {
   const { title, bound, notFinite, max, wrongCodes } = measured;
   const words: string[] = [];
   if (notFinite > 0) words.push(`${String(notFinite)} channels not finite`);
   if (!(max <= bound)) words.push(`error ${max.toPrecision(3)} above ${String(bound)}`);
   if (wrongCodes > 0) words.push(`${String(wrongCodes)} codes off by more than one`);
-  if (bound <= EXACT.upTo && !exactEnough(measured, EXACT.share)) words.push(exactness(measured));
+  const share = worst ? WORST_CATEGORY_SHARE : EXACT.share;
+  if (bound <= EXACT.upTo && !exactEnough(measured, share)) words.push(exactness(measured));
   return words.map((word) => `${title}: ${word}`);
 }
 
@@ -21,7 +22,7 @@ export function verdict(all: readonly Measured[], worst = false): string[] {
     sum.exact += exact;
     sum.channels += channels;
   }
-  const broken = all.flatMap(verdictOf);
+  const broken = all.flatMap((measured) => verdictOf(measured, worst));
   const share = worst ? WORST_SHARE : EXACT.share;
   if (all.length === CATEGORIES.length && !exactEnough(sum, share))
     broken.push(`all together: ${exactness(sum)}`);

@@ -155,6 +155,7 @@ export const VIEWER_TEXTS = [
   'kd',
   'ks',
   'shininess',
+  'segments',
   'θ azimuth °',
   'φ polar °',
   'radius',
@@ -170,6 +171,8 @@ export const VIEWER_TEXTS = [
   'specular term',
   'colour space',
   'antialias',
+  'samples',
+  'Per pixel, with antialias full',
   // Their options
   'directional',
   'point',
@@ -185,6 +188,7 @@ export const VIEWER_TEXTS = [
   'linear',
   'edges',
   'highlights',
+  'full',
   // What the panel shows beside the shaded picture
   'Show',
   'view',

@@ -42,9 +42,10 @@ export class Handles {
   /** The handle that Tab reaches. */
   #current: HandleEntry | null = null;
 
-  constructor(host: ExtraHost, place: HTMLElement) {
+  /** `surfaceOf`: distance along a spot's axis to the first surface, as it is drawn. */
+  constructor(host: ExtraHost, place: HTMLElement, surfaceOf: (light: PhongLight) => number) {
     this.#host = host;
-    this.#move = new LightMove(host.viewer);
+    this.#move = new LightMove(host.viewer, surfaceOf);
     place.append(this.#list, this.#region);
     this.#list.addEventListener('keydown', (event) => this.#onKey(event));
     this.#list.addEventListener('focusin', ({ target }) =>

@@ -232,9 +232,9 @@ const shape: readonly Row[] = [
   choice('type', null, 'obj', 'glb', 'model/stl'),
   choice('geometry', null, ...geometries),
   {
-    ...number('segments', null, 1, 512),
+    ...withWord(number('segments', 'auto', 1, 512), 'auto'),
     outside: [...notFinite, '0', '513', '1.5', '-3'],
-    valid: [['1', 1], ['512', 512], ['7.0', 7]], // prettier-ignore
+    valid: [['1', 1], ['512', 512], ['7.0', 7], ['AUTO', 'auto']], // prettier-ignore
   },
   presence('autoplay'),
   { ...text('animation-name', ''), property: 'animationName' },
@@ -313,7 +313,12 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     choice('reflection', 'phong', 'phong', 'blinn-phong'),
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
-    choice('antialias', 'edges', 'edges', 'highlights'),
+    choice('antialias', 'edges', 'edges', 'highlights', 'full'),
+    {
+      ...number('samples', 64, 16, 1024),
+      outside: [...notFinite, '15', '1025', '64.5'],
+      valid: [['16', 16], ['1024', 1024], ['100.0', 100], ['1e2', 100]], // prettier-ignore
+    },
     {
       ...withWord(number('pixel-ratio', 'auto', 1e-3, 1e6, 'pixelRatio'), 'auto'),
       outside: ['0', '-1', '1e999', '2e6'],
