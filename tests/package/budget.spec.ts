@@ -17,7 +17,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 123_392, modules: 56_576 } as const;
+const budgets = { standalone: 123_904, modules: 56_832 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -63,7 +63,7 @@ test('a bundled app is not larger than measured, and smaller with the standalone
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
   // Measured: 317.5 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(318_000);
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(319_000);
 });
 
 test("the React components add little to the elements' own code", () => {
