@@ -1,4 +1,5 @@
-// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js, react.js and playwright.js. three, Lit, lil-gui, React and
+// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js, react.js, react-standalone.js
+// and playwright.js. three, Lit, lil-gui, React and
 // Playwright stay imports for the user's bundler. `npm run build` runs this first; the standalone and the classic file have configs of their own.
 
 import { fileURLToPath } from 'node:url';
@@ -22,11 +23,18 @@ function staysImport(specifier: string): boolean {
   return /^(three|lit|lil-gui|react|@playwright\/test)(\/|$)/.test(specifier);
 }
 
-/** dist/react.js imports dist/index.js, so that a page has one copy of the elements. */
-const besideIndex: Plugin = {
-  name: 'beside-index',
+/**
+ * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and react-standalone.js the standalone file.
+ */
+const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
+  name: 'beside',
   enforce: 'pre',
-  resolveId: (specifier) => (specifier === './index.js' ? { id: './index.js', external: 'relative' } : null),
+  resolveId: (specifier) => (specifier === './index.js' ? { id, external: 'relative' } : null),
+});
+
+const reactEntries: Readonly<Record<string, Plugin>> = {
+  react: beside('./index.js'),
+  'react-standalone': beside('./phong-viewer.standalone.js'),
 };
 
 /**
@@ -52,6 +60,7 @@ const entries: Readonly<Record<string, string>> = {
   core: source('core.ts'),
   reference: source('reference/index.ts'),
   react: source('react.ts'),
+  'react-standalone': source('react.ts'),
   playwright: source('playwright.ts'),
 };
 
@@ -68,9 +77,9 @@ export default defineConfig(({ mode }) => ({
     inPage(),
     decoderWorkers({ plugins: workerPlugins }),
     beforeLit,
-    ...(mode === 'react'
-      ? [besideIndex, licences({ listed: false, directive: clientDirective })]
-      : [licences({ listed: false })]),
+    ...(reactEntries[mode] === undefined
+      ? [licences({ listed: false })]
+      : [reactEntries[mode], licences({ listed: false, directive: clientDirective })]),
   ],
   build: {
     outDir: outputFolder('dist'),

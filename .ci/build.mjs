@@ -12,7 +12,7 @@ import { outputFolder } from './output-folder.mjs';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(repository);
 
-for (const mode of ['index', 'trusted-types', 'core', 'reference', 'react', 'playwright'])
+for (const mode of ['index', 'trusted-types', 'core', 'reference', 'react', 'react-standalone', 'playwright'])
   await build({ configFile: join(repository, 'vite.lib.config.ts'), mode, logLevel: 'warn' });
 for (const name of ['standalone', 'classic'])
   await build({ configFile: join(repository, `vite.${name}.config.ts`), logLevel: 'warn' });

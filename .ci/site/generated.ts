@@ -63,6 +63,26 @@ function elementHtml(element: CustomElementDeclaration): string {
   ].join('\n');
 }
 
+/** Links to every element and to everything that has a row in its tables. */
+export function membersHtml(manifest: Package): string {
+  const elements = manifest.modules
+    .flatMap((module) => module.declarations ?? [])
+    .filter((declaration): declaration is CustomElementDeclaration => 'customElement' in declaration);
+  return elements
+    .map(({ tagName = '', attributes = [], members = [], events = [] }) => {
+      const names = new Set(attributes.map(({ fieldName }) => fieldName));
+      const others = members.filter(({ kind, name }) => kind === 'method' || !names.has(name));
+      const ids = [...attributes, ...others].map(({ name }) => [name, `-${name}`]);
+      ids.push(...events.map(({ name }) => [name, `-${name}-event`]));
+      const links = ids.map(
+        ([name = '', id = '']) => `<a href="#${tagName}${id}"><code>${escapeHtml(name)}</code></a>`,
+      );
+      return `<details class="members"><summary><code>&lt;${tagName}&gt;</code></summary>
+        <p class="jump"><a href="#${tagName}">all of it</a> ${links.join('\n')}</p></details>`;
+    })
+    .join('\n');
+}
+
 /** Two columns; nothing for an empty list. */
 function table<T>(
   tag: string,
@@ -112,33 +132,51 @@ export const releasesHtml = (changelog: string, repository: string): string =>
 
 // -- Sizes ------------------------------------------------------------------------------------------------------------
 
-/** What a file of dist/ is for. A pattern without a file gives no row. */
-const files: readonly (readonly [words: string, folder: string, pattern: RegExp])[] = [
-  ['`phong-viewer/standalone`, with three.js and Lit inside', '.', /^phong-viewer\.standalone\.js$/],
-  ['the control panel, when it is first opened', 'chunks', /^panel-/],
-  ['the teapot, when it is first shown', 'chunks', /^teapot-/],
-  ['the reader of glTF and GLB, with the first model of this format', 'chunks', /^read-gltf-/],
-  ['the reader of OBJ and MTL', 'chunks', /^read-obj-/],
-  ['the reader of STL', 'chunks', /^read-stl-/],
-  ['the reader of PLY', 'chunks', /^read-ply-/],
-  ['the Draco decoder, if a model needs it', 'chunks', /^draco_decoder/],
-  ['the meshopt decoder, if a model needs it', 'chunks', /^meshopt-/],
+interface SizeRow {
+  readonly words: string;
+  readonly folder: string;
+  readonly file: RegExp;
+  /** Measured, in kB after Brotli. Shown where the package has not been built, as after a fresh `npm start`. */
+  readonly noted: number;
+}
+
+/** What files of dist/ are for. */
+export const SIZES: readonly SizeRow[] = [
+  { words: '`phong-viewer/standalone`, with three.js and Lit inside', folder: '.', file: /^phong-viewer\.standalone\.js$/, noted: 124 }, // prettier-ignore
+  { words: 'the control panel, when it is first opened', folder: 'chunks', file: /^panel-/, noted: 17.5 },
+  { words: 'the teapot, when it is first shown', folder: 'chunks', file: /^teapot-/, noted: 2.5 },
+  { words: 'the reader of glTF and GLB, with the first model of this format', folder: 'chunks', file: /^read-gltf-/, noted: 38 }, // prettier-ignore
+  { words: 'the reader of OBJ and MTL', folder: 'chunks', file: /^read-obj-/, noted: 3.4 },
+  { words: 'the reader of STL', folder: 'chunks', file: /^read-stl-/, noted: 1.6 },
+  { words: 'the reader of PLY', folder: 'chunks', file: /^read-ply-/, noted: 2.5 },
+  { words: 'the Draco decoder, if a model needs it', folder: 'chunks', file: /^draco_decoder/, noted: 49 },
+  { words: 'the meshopt decoder, if a model needs it', folder: 'chunks', file: /^meshopt-/, noted: 6.7 },
 ];
 
-/** Size after Brotli in kB (1,000 bytes), as text. */
-export function kilobytes(file: string): string {
-  const bytes = brotliCompressSync(readFileSync(file)).length;
-  return bytes < 10_000 ? (bytes / 1000).toFixed(1) : String(Math.round(bytes / 1000));
+/** The script for pages opened from disk, which is no download of a page. */
+const CLASSIC: SizeRow = { words: '', folder: '.', file: /^phong-viewer\.classic\.js$/, noted: 318 };
+
+/** Size after Brotli in kB (1,000 bytes), measured; undefined where the package has not been built. */
+export function measured(dist: string, { folder, file }: SizeRow): number | undefined {
+  const path = join(dist, folder);
+  const name = existsSync(path) ? readdirSync(path).find((each) => file.test(each)) : undefined;
+  return name === undefined ? undefined : brotliCompressSync(readFileSync(join(path, name))).length / 1000;
 }
 
+const sizeText = (dist: string, row: SizeRow): string => {
+  const kilobytes = measured(dist, row) ?? row.noted;
+  return kilobytes < 10 ? kilobytes.toFixed(1) : String(Math.round(kilobytes));
+};
+
+/** Size in kB of a file that has a row. */
+export const sizeOf = (dist: string, name: string): string =>
+  sizeText(
+    dist,
+    [...SIZES, CLASSIC].find(({ file }) => file.test(name))!,
+  );
+
 /** Rows of a table. @param dist the built package. */
-export function sizesHtml(dist: string): string {
-  return files
-    .flatMap(([words, folder, pattern]) => {
-      const path = join(dist, folder);
-      const name = existsSync(path) ? readdirSync(path).find((file) => pattern.test(file)) : undefined;
-      if (name === undefined) return [];
-      return `<tr><th scope="row">${inlineHtml(words)}</th><td>${kilobytes(join(path, name))} kB</td></tr>`;
-    })
-    .join('\n');
-}
+export const sizesHtml = (dist: string): string =>
+  SIZES.map(
+    (row) => `<tr><th scope="row">${inlineHtml(row.words)}</th><td>${sizeText(dist, row)} kB</td></tr>`,
+  ).join('\n');

@@ -9,12 +9,14 @@ import type { Package as Manifest } from 'custom-elements-manifest';
 import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
-import { apiHtml, kilobytes, releasesHtml, sizesHtml } from './generated.js';
+import { apiHtml, membersHtml, releasesHtml, sizeOf, sizesHtml } from './generated.js';
 import { pairsHtml, type ModelEntries } from './models.js';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const demo = join(repository, 'demo');
 const dist = outputFolder('dist');
+/** For pages opened from disk. The start page offers it. */
+const classic = join(dist, 'phong-viewer.classic.js');
 
 /** Every index.html under demo/. */
 export const pageFiles = (): string[] =>
@@ -40,6 +42,13 @@ export function sitePages(): Plugin {
       if (id === `\0${ATTRIBUTES}`) return `export default ${JSON.stringify(documentedAttributes())};`;
       return null;
     },
+    configureServer({ middlewares }) {
+      middlewares.use('/phong-viewer.classic.js', (_request, response, next) => {
+        if (existsSync(classic))
+          response.setHeader('content-type', 'text/javascript').end(readFileSync(classic));
+        else next();
+      });
+    },
     transformIndexHtml: {
       order: 'pre',
       handler: (html, { path }) =>
@@ -50,6 +59,7 @@ export function sitePages(): Plugin {
       const output = outputFolder('site');
       // Files in demo/assets keep their names: Vite does not follow the `src` of a custom element.
       cpSync(join(demo, 'assets'), join(output, 'assets'), { recursive: true });
+      if (existsSync(classic)) cpSync(classic, join(output, 'phong-viewer.classic.js'));
       writeFileSync(join(output, 'sitemap.xml'), sitemap());
     },
   };
@@ -86,13 +96,8 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
     () => releasesHtml(readFileSync(join(repository, 'CHANGELOG.md'), 'utf8'), packageFacts().repository),
   ],
   ['sizes', () => sizesHtml(dist)],
-  [
-    'size',
-    () => {
-      const file = join(dist, 'phong-viewer.standalone.js');
-      return existsSync(file) ? kilobytes(file) : '…';
-    },
-  ],
+  ['members', () => membersHtml(JSON.parse(readBuilt('custom-elements.json')) as Manifest)],
+  ['size', (name) => sizeOf(dist, `phong-viewer.${name}.js`)],
   [
     'pairs',
     () => pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries),

@@ -11,11 +11,12 @@ import type { ClassAttributes, HTMLAttributes } from 'react';
 /** React's own `onLoad` and the like do not receive events that do not bubble. */
 type Unheard<Events> = `on${Capitalize<keyof Events & string>}`;
 
+/** React's `color` is for SVG and old HTML: a guess at `diffuse` or `kd` must not pass. */
 type ElementProps<E extends AnyElement> = ValueProps<E['values']> &
   E['properties'] &
   EventProps<E['events'], 'on'> &
   ClassAttributes<E['element']> &
-  Omit<HTMLAttributes<E['element']>, keyof ValueProps<E['values']> | Unheard<E['events']>>;
+  Omit<HTMLAttributes<E['element']>, keyof ValueProps<E['values']> | Unheard<E['events']> | 'color'>;
 
 /** Props of a component of `phong-viewer/react` for an element with these props and events. */
 export type ComponentProps<Props, Events> = Omit<Props, keyof EventProps<Events, 'on'>> & Handlers<Events>;

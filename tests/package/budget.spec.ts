@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { allReady, expect, test } from '../support/test.js';
 import { nextFrame } from '../element/support/viewer.js';
+import { measured, SIZES } from '../../.ci/site/generated.js';
 import { bundleOf } from './bundle.js';
 import { brotliSize, Requests, sentSize, usages } from './requests.js';
 
@@ -16,7 +17,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 123_392, modules: 56_576 } as const;
+const budgets = { standalone: 123_904, modules: 56_832 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -55,19 +56,34 @@ test('the standalone file is about as large as a bundle of plain three.js with i
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 174.9 kB, because bundlers keep three.js's shader chunks, and about 123 kB.
+  // Measured: 174.9 kB, because bundlers keep three.js's shader chunks, and about 125 kB.
   expect(await bundled('index.js')).toBeLessThan(176_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(124_500);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(125_500);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
   // Measured: 317.5 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(318_000);
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(319_000);
 });
 
 test("the React components add little to the elements' own code", () => {
   // Measured: 0.64 kB.
   expect(sentSize(['react.js'])).toBeLessThan(1024);
+});
+
+test('the React components with the standalone file bring no second copy of the elements or of three.js', async () => {
+  const app = await bundleOf(
+    `export * from ${JSON.stringify(join(outputFolder('dist'), 'react-standalone.js'))};`,
+  );
+  // The standalone file, 0.7 kB of components, and 3 kB of React.
+  expect(brotliSize(app) - sentSize(['phong-viewer.standalone.js'])).toBeLessThan(5000);
+});
+
+test('the sizes that the start page shows before the first build are about right', () => {
+  for (const row of SIZES) {
+    const kilobytes = measured(outputFolder('dist'), row) ?? NaN;
+    expect(Math.abs(row.noted - kilobytes), `${row.words}: ${kilobytes} kB`).toBeLessThan(0.1 * kilobytes);
+  }
 });
 
 test('the first files hold only characters that browsers keep as one byte', () => {

@@ -32,12 +32,13 @@ test.describe('the packed package', () => {
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
     // What the README links to.
     /^(src\/[A-Z-]+\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
-    /^dist\/(index|trusted-types|core|reference|react|playwright)\.js(\.map)?$/,
+    /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js(\.map)?$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/(chunks|shared)\/(basis_transcoder|draco_decoder)\.wasm$/,
     /^dist\/types\/[\w./-]+\.d\.ts$/,
+    /^dist\/texts\/\w+\.js(on)?$/,
     /^dist\/[\w.-]+\.json$/,
     /^dist\/THIRD-PARTY-LICENSES\.txt$/,
   ];

@@ -3,7 +3,16 @@
 import { createElement, type FunctionComponent } from 'react';
 import { renderToStaticMarkup } from 'react-dom/server';
 import { describe, expect, it } from 'vitest';
-import { PhongCompare, PhongLight, PhongMesh, PhongViewer, type PhongViewerProps } from '../../src/react.js';
+import {
+  PhongCompare,
+  type PhongCompareProps,
+  PhongLight,
+  type PhongLightProps,
+  PhongMesh,
+  type PhongMeshProps,
+  PhongViewer,
+  type PhongViewerProps,
+} from '../../src/react.js';
 
 const markup = <P extends object>(component: FunctionComponent<P>, props: P): string =>
   renderToStaticMarkup(createElement(component, props));
@@ -63,6 +72,26 @@ describe('the React components on a server', () => {
     expect(markup(PhongCompare, { ...props, children: viewer })).toBe(
       '<phong-compare at="30" labels="A, B"><phong-viewer alt="A"></phong-viewer></phong-compare>',
     );
+  });
+
+  it('write lists of texts with commas, which labels may contain spaces between', () => {
+    const labels = ['Gouraud shading', 'Phong'];
+    expect(markup(PhongCompare, { labels })).toBe(
+      '<phong-compare labels="Gouraud shading, Phong"></phong-compare>',
+    );
+    expect(markup(PhongViewer, { terms: ['ambient', 'diffuse'] })).toBe(
+      '<phong-viewer terms="ambient, diffuse"></phong-viewer>',
+    );
+  });
+
+  it('refuse React’s own color, which is a guess at diffuse or kd', () => {
+    // @ts-expect-error there is no such prop
+    const light: PhongLightProps = { color: 'red' };
+    // @ts-expect-error meshes have no such prop
+    const mesh: PhongMeshProps = { color: 'red' };
+    // @ts-expect-error labels are texts
+    const compare: PhongCompareProps = { labels: [1] };
+    expect([light, mesh, compare]).toHaveLength(3);
   });
 
   it('omit a value that has no text form, which the client sets', () => {

@@ -1,5 +1,5 @@
 // The values that a <phong-compare> declares: how its viewers lie beside or over each other.
-import { choiceField, numbersField, optional, orWord, textField } from '../../fields/field.js';
+import { choiceField, type Field, numbersField, optional, orWord, textField } from '../../fields/field.js';
 import type { Fields } from '../../fields/field-store.js';
 
 export interface CompareValues {
@@ -20,8 +20,8 @@ export interface CompareValues {
    */
   at: readonly number[] | 'auto';
   /**
-   * Labels of the viewers, separated by commas. Empty: no labels. Null, the default: each viewer's `aria-label` or
-   * `alt`.
+   * Labels of the viewers, separated by commas; the property also takes a list. Empty: no labels. Null, the default:
+   * each viewer's `aria-label` or `alt`.
    */
   labels: string | null;
 }
@@ -30,5 +30,15 @@ export const COMPARE_FIELDS: Fields<CompareValues> = {
   layout: choiceField<CompareValues['layout']>('split', ['split', 'side']),
   direction: choiceField<CompareValues['direction']>('horizontal', ['horizontal', 'vertical']),
   at: orWord('auto', numbersField('numbers from 0 to 100 in ascending order', 0, 100)),
-  labels: optional(textField()),
+  labels: optional(labelsField()),
 };
+
+/** A text, or a list of texts without commas. */
+function labelsField(): Field<string> {
+  const text = textField('', 'text, or a list of texts without commas');
+  const isLabel = (label: unknown): boolean => typeof label === 'string' && !label.includes(',');
+  return {
+    ...text,
+    check: (value) => text.check(Array.isArray(value) && value.every(isLabel) ? value.join(', ') : value),
+  };
+}

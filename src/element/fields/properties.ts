@@ -33,6 +33,7 @@ type Input<K, T> =
           ? T
           : T | string)
   | (K extends SingleNumber ? number : never)
+  | (K extends 'labels' ? readonly string[] : never)
   | null
   | undefined;
 

@@ -98,12 +98,9 @@ test('each mistake in the scripts gives one warning, and the other texts are use
   ]);
 });
 
-test('numbers that are only read follow the page’s language, fields keep the point', async ({
-  mount,
-  page,
-}) => {
+test('numbers that are only read follow the page’s language', async ({ mount, page }) => {
   const first = await mount(
-    `<phong-viewer geometry="box" view="n-dot-l" radius="2.5" probe probe-at="0 0.5 0" gui>
+    `<phong-viewer geometry="box" view="n-dot-l" radius="2.5" probe probe-at="0 0.5 0">
       <phong-light position="0.5 2 1 1" attenuation="1 0.25 0"></phong-light></phong-viewer>`,
     { width: 700, height: 400 },
   );
@@ -116,5 +113,4 @@ test('numbers that are only read follow the page’s language, fields keep the p
   await expect(first.locator('li').first()).toContainText('position 0,5 2 1');
   await expect(first.locator('[part=probe]')).toContainText(/0,\d\d/);
   expect(await first.locator('[part=probe]').innerText()).not.toMatch(/\d\.\d/);
-  await expect(first.getByLabel('position x').first()).toHaveValue('0.5');
 });

@@ -1,0 +1,40 @@
+// Are numbers that are only read written as the page's language writes them?
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { localNumber } from '../../src/element/page/local-number.js';
+
+const inLanguage = (lang: string): void => {
+  vi.stubGlobal('document', { documentElement: { lang } });
+};
+
+describe('numbers that are only read', () => {
+  afterEach(() => {
+    vi.unstubAllGlobals();
+  });
+
+  it.each([
+    ['', '−0.25', '−0.25'],
+    ['en-GB', '1234567.5', '1234567.5'],
+    ['de', '−0.25', '−0,25'],
+    ['fr-CH', '12', '12'],
+    ['pt-BR', '1234.5', '1234,5'],
+    ['es', '1.0e+7', '1,0e+7'],
+    ['ar-EG', '−0.25', '−٠٫٢٥'],
+    ['no language at all!', '0.5', '0.5'],
+    ['de', '∞', '∞'],
+  ])('under lang="%s" %s is %s', (lang, number, expected) => {
+    inLanguage(lang);
+    expect(localNumber(number)).toBe(expected);
+  });
+
+  it('ask the browser once for each language', () => {
+    let asked = 0;
+    const counted = (of: typeof Intl, key: string | symbol): unknown => {
+      asked += Number(key === 'NumberFormat');
+      return Reflect.get(of, key);
+    };
+    vi.stubGlobal('Intl', new Proxy(Intl, { get: counted }));
+    inLanguage('it');
+    for (let i = 0; i < 3; i++) expect(localNumber('0.5')).toBe('0,5');
+    expect(asked).toBe(1);
+  });
+});
