@@ -6,14 +6,9 @@ import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
 import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
 
-const converging = /* @__PURE__ */ lazyCode(
-  () => import('./samples/converging-picture.js').then(({ ConvergingPicture }) => ConvergingPicture),
-  'antialias="full"',
-);
-
-const sampledCapture = /* @__PURE__ */ lazyCode(
-  () => import('./samples/sampled-capture.js').then(({ SampledCapture }) => SampledCapture),
-  'toBlob({ samples })',
+const sampling = /* @__PURE__ */ lazyCode(
+  () => import('./samples/converging-picture.js'),
+  'antialias="full" and toBlob({ samples })',
 );
 
 export class StillPicture {
@@ -82,8 +77,8 @@ export class StillPicture {
     atOnce: boolean,
     begin: () => PaintPart,
   ): Promise<HTMLCanvasElement> {
-    const Capture = await sampledCapture();
-    const capture = new Capture(size, samples, begin());
+    const { SampledCapture } = await sampling();
+    const capture = new SampledCapture(size, samples, begin());
     this.#captures.add(capture);
     if (atOnce) capture.finish();
     return capture.picture.finally(() => this.#captures.delete(capture));
@@ -107,9 +102,9 @@ export class StillPicture {
 
   async #fetch(): Promise<void> {
     try {
-      const Converging = await converging();
+      const { ConvergingPicture } = await sampling();
       if (this.#wanted === 0 || this.#converging !== null) return;
-      this.#converging = new Converging(this.#subject, this.#wanted);
+      this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
       this.#subject.animate();
     } catch (error) {
       console.warn(`<phong-viewer>: ${(error as Error).message}`);

@@ -10,6 +10,9 @@ import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum
 import { tilesOf } from './tiles.js';
 import { release, sumOf, take } from './turns.js';
 
+// In one chunk with it: two that share most of their code would leave that in the first file.
+export { SampledCapture } from './sampled-capture.js';
+
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size {
   /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
