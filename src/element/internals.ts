@@ -1,11 +1,12 @@
 // What this package's own code, the panel included, can reach on an element while users cannot: its declared values,
-// its camera, and what its probe is pinned to.
+// its camera, what it shows, and what its probe is pinned to.
 import type { LightValues } from '../light/light-state.js';
 import type { MeshValues } from '../scene/mesh/mesh-fields.js';
 import type { CompareValues } from './fields/compare-fields.js';
 import { bindingOf, type FieldBinding } from './fields/field-binding.js';
 import type { ViewerValues } from './fields/viewer-fields.js';
-import type { PhongViewer } from './elements.js';
+import type { SceneMesh } from '../scene/mesh/scene-mesh.js';
+import type { PhongMesh, PhongViewer } from './elements.js';
 import type { Vec3 } from '../math/vector.js';
 import type { ViewerCamera } from './viewer/camera.js';
 
@@ -24,6 +25,9 @@ export const fieldsOf = <T extends Tag>(
 ): FieldBinding<ValuesByTag[T]> => bindingOf(element);
 
 export const viewerCameras = new WeakMap<PhongViewer, ViewerCamera>();
+
+/** What an element shows: a <phong-mesh>, or a viewer by its own attributes. */
+export const sceneMeshes = new WeakMap<PhongMesh | PhongViewer, SceneMesh>();
 
 /** The point that the user has pinned a viewer's probe to, in world space. */
 export const viewerPins = new WeakMap<PhongViewer, Vec3>();

@@ -1,6 +1,6 @@
 // A mesh's folder and its rows. Those of its surface are the rows of the viewer's own surface too.
 import type { GUI } from 'lil-gui';
-import { fieldsOf } from '../element/internals.js';
+import { fieldsOf, sceneMeshes } from '../element/internals.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { meshTitle } from '../element/viewer/description.js';
@@ -11,7 +11,18 @@ import { ButtonRow } from './button-row.js';
 import type { ChildEditor } from './child-editor.js';
 import { ChildFolder } from './child-folders.js';
 import { chooseModel } from './files-row.js';
-import { button, color, NO_ROW, number, oneOf, type Row, type RowTable, text, vector } from './rows.js';
+import {
+  button,
+  color,
+  drawnReadout,
+  NO_ROW,
+  number,
+  oneOf,
+  type Row,
+  type RowTable,
+  text,
+  vector,
+} from './rows.js';
 import type { SceneRange } from './scene-range.js';
 import { linear, logarithmic } from './travel.js';
 
@@ -40,6 +51,15 @@ export const SURFACE_ROWS = {
   }),
 } satisfies RowTable<SurfaceValues, PhongMesh | PhongViewer, 'resetMaterial'>;
 
+/** How many segments the shape has; under `auto` it says what that gives now. */
+export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
+  ...drawnReadout('segments', (element: PhongMesh | PhongViewer) => {
+    const drawn = String(sceneMeshes.get(element)?.segments ?? '');
+    return element.segments === 'auto' && drawn !== '' ? `auto (${drawn})` : drawn;
+  }),
+  shown: ({ src, geometry }) => src === '' && geometry !== null,
+};
+
 export const MESH_ROWS = {
   name: text('name'),
   src: modelFile,
@@ -51,7 +71,7 @@ export const MESH_ROWS = {
   scale: vector('scale', linear(0, 4, 0.02)),
   type: NO_ROW,
   geometry: NO_ROW,
-  segments: NO_ROW,
+  segments: SEGMENTS_ROW,
   autoplay: NO_ROW,
   animationName: NO_ROW,
 } satisfies RowTable<MeshValues, PhongMesh, 'resetMaterial'>;

@@ -14,7 +14,7 @@ import { explain, nameRow, type Say } from './label.js';
 import { type Axis, type ComponentNames, NumberControl, VectorControl } from './number-controls.js';
 import type { SceneRange } from './scene-range.js';
 import { SelectControl } from './select-control.js';
-import { Readout, TextControl } from './text-control.js';
+import { DrawnReadout, Readout, TextControl } from './text-control.js';
 import type { Travel } from './travel.js';
 
 export type Editable = PhongLight | PhongMesh | PhongViewer;
@@ -223,6 +223,13 @@ export const oneName = <E>(
 export const readout = <E>(label: ViewerText, read: (element: E) => string): Row<unknown, E> => ({
   add: (gui, { element }) => {
     new Readout(gui, () => read(element), label);
+  },
+});
+
+/** As {@link readout}, for what may change with each picture. */
+export const drawnReadout = <T, E>(label: ViewerText, read: (element: E) => string): Row<T, E> => ({
+  add: (gui, { element, viewer }) => {
+    new DrawnReadout(gui, () => read(element), label, viewer);
   },
 });
 

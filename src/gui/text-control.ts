@@ -99,3 +99,24 @@ export class TextField {
     else this.input.setAttribute('aria-invalid', 'true');
   }
 }
+
+/** One that follows the pictures of a viewer. */
+export class DrawnReadout extends Readout {
+  readonly #viewer: HTMLElement;
+  readonly #read: () => string;
+  readonly #drawn = (): void => {
+    if (this.$widget.textContent !== this.#read()) this.updateDisplay();
+  };
+
+  constructor(folder: GUI, text: () => string, name: ViewerText, viewer: HTMLElement) {
+    super(folder, text, name);
+    this.#viewer = viewer;
+    this.#read = text;
+    viewer.addEventListener('render', this.#drawn);
+  }
+
+  override destroy(): void {
+    this.#viewer.removeEventListener('render', this.#drawn);
+    super.destroy();
+  }
+}

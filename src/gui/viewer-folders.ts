@@ -7,7 +7,7 @@ import { cameraOf, historyOf } from '../element/viewer/history.js';
 import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/material-values.js';
 import { VIEWS } from '../material/views.js';
 import type { Say } from './label.js';
-import { SURFACE_ROWS } from './mesh-folder.js';
+import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';
 import {
   button,
   edited,
@@ -82,12 +82,11 @@ export const VIEWER_ROWS = {
     helpers: flags(HELPERS, (helper) => `show ${helper}`),
     probe: flag('probe'),
   }),
-  ...inFolder('Material', SURFACE_ROWS),
+  ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.
   src: NO_ROW,
   type: NO_ROW,
   geometry: NO_ROW,
-  segments: NO_ROW,
   autoplay: NO_ROW,
   animationName: NO_ROW,
   alt: NO_ROW,

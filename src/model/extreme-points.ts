@@ -20,11 +20,11 @@ export class ExtremePoints {
   readonly center: Vec3;
   /** Reaches the vertex farthest from `center`. */
   readonly radius: number;
-  /** Null once the points are found. */
-  #vertices: Vertices | null;
+  /** Or what gives them when they are needed. Null once the points are found. */
+  #vertices: Vertices | (() => Vertices) | null;
   #points: Float64Array = new Float64Array(0);
 
-  constructor(vertices: Vertices, box: Readonly<Box>, center: Vec3, radius: number) {
+  constructor(vertices: Vertices | (() => Vertices), box: Readonly<Box>, center: Vec3, radius: number) {
     this.#vertices = vertices;
     this.box = box;
     this.center = center;
@@ -40,8 +40,8 @@ export class ExtremePoints {
 
   /** Finds the points, unless they are known. */
   *search(): Search<undefined> {
-    const vertices = this.#vertices;
-    if (vertices === null) return;
+    if (this.#vertices === null) return;
+    const vertices = typeof this.#vertices === 'function' ? this.#vertices() : this.#vertices;
     const count = vertices.length / 3;
     const chosen =
       count <= FEW ? Array.from({ length: count }, (_, i) => 3 * i) : yield* supports(vertices, this.box);
@@ -67,9 +67,30 @@ const known = new WeakMap<BufferGeometry, ExtremePoints | null>();
 /** Null where the geometry has no vertex. Measured with the first call, and kept until {@link forgetExtremePoints}. */
 export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null {
   let found = known.get(geometry);
-  if (found === undefined) known.set(geometry, (found = measured(geometry)));
+  if (found === undefined) known.set(geometry, (found = declaredOf(geometry) ?? measured(geometry)));
   return found;
 }
+
+interface Declared {
+  readonly points: ExtremePoints;
+  /** The version of the vertices that they are for. */
+  readonly version: number;
+}
+
+const declared = new WeakMap<BufferGeometry, Declared>();
+
+/** Says how large a geometry counts as, whatever its vertices are, until these are written to. */
+export function declareExtremePoints(geometry: BufferGeometry, points: ExtremePoints): void {
+  declared.set(geometry, { points, version: versionOf(geometry) });
+}
+
+function declaredOf(geometry: BufferGeometry): ExtremePoints | undefined {
+  const found = declared.get(geometry);
+  return found?.version === versionOf(geometry) ? found.points : undefined;
+}
+
+const versionOf = (geometry: BufferGeometry): number =>
+  (geometry.getAttribute('position') as Partial<BufferAttribute>).version ?? 0;
 
 /**
  * Finds the points too, in steps of about a millisecond for 300,000 vertices. What `pause` returns is awaited between
@@ -89,6 +110,8 @@ export async function findExtremePoints(
 /** `copy` has the vertices of `geometry`: it is not read for itself. */
 export function shareExtremePoints(geometry: BufferGeometry, copy: BufferGeometry): void {
   known.set(copy, extremePointsOf(geometry));
+  const points = declaredOf(geometry);
+  if (points !== undefined) declareExtremePoints(copy, points);
 }
 
 /** The vertices have changed. */

@@ -12,7 +12,7 @@ import type { View } from './view-cut.js';
 
 export class ViewCamera {
   readonly camera = new PerspectiveCamera();
-  /** The shading frame that {@link aim} last wrote. */
+  /** The shading frame that {@link look} or {@link aim} last wrote. */
   readonly frame: ShadingFrame;
   readonly #orbit: Orbit;
   readonly #basis: Basis = newBasis();
@@ -38,7 +38,7 @@ export class ViewCamera {
     this.camera.matrixWorldAutoUpdate = false;
   }
 
-  /** The whole picture's sides, as {@link aim} last wrote them. */
+  /** The whole picture's sides, as {@link look} or {@link aim} last wrote them. */
   get view(): View {
     return this.#view;
   }
@@ -72,14 +72,20 @@ export class ViewCamera {
     scaleClipSpace(camera, this.#orbit.pose.radius);
   }
 
-  /** Also writes the frame and the depth range. */
-  #nearPlane(fov: number, root: Object3D, bounds: Bounds | null, aspect: number): number {
+  /** Writes {@link frame} and {@link view}, but neither matrices nor the depth range. `fov` is vertical, in degrees. */
+  look(fov: number, aspect: number): View {
     this.#orbit.basis(this.#basis);
     this.#writeEye();
     const view = this.#view;
     view.slopeY = Math.tan(radians(fov) / 2);
     view.slopeX = view.slopeY * aspect;
     view.radius = this.#orbit.radius;
+    return view;
+  }
+
+  /** Also writes the depth range. */
+  #nearPlane(fov: number, root: Object3D, bounds: Bounds | null, aspect: number): number {
+    const view = this.look(fov, aspect);
     const { near, cuts } = depthRange(this.#orbit.pose, bounds, this.#depth);
     if (!cuts) return near;
     const depth = nearestDepth(root, view, 2 * near);

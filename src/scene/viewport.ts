@@ -11,6 +11,7 @@ import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter, type ViewportStats } from './painter.js';
+import { Levels } from './mesh/levels.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { TriangleBudget } from './mesh/triangle-budget.js';
@@ -27,6 +28,7 @@ export class Viewport implements StageClient, Framed {
   readonly materials: SharedMaterials;
   readonly animations = new Animations();
   readonly budget = new TriangleBudget();
+  readonly levels: Levels;
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly fit: AutoFit;
@@ -64,6 +66,7 @@ export class Viewport implements StageClient, Framed {
     const meshes = new Set<SceneMesh>();
     this.#painter = new Painter(lights, meshes);
     this.materials = new SharedMaterials(this.#painter.lighting);
+    this.levels = new Levels(meshes, this.budget, this.materials, () => this.invalidate());
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#signals = signals;
@@ -126,6 +129,7 @@ export class Viewport implements StageClient, Framed {
   set style(style: ShadingStyle) {
     this.materials.style = style;
     for (const mesh of this.#tree.meshes) mesh.restyle();
+    this.levels.changed();
     this.invalidate();
   }
 
@@ -194,6 +198,7 @@ export class Viewport implements StageClient, Framed {
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
   reshaped(): void {
     this.fit.reshaped();
+    this.levels.changed();
     this.invalidate();
   }
 
@@ -212,6 +217,11 @@ export class Viewport implements StageClient, Framed {
   /** The canvas shows the scene as it is, if only the plain picture. */
   get upToDate(): boolean {
     return !this.#dirty && !this.#blank;
+  }
+
+  /** As {@link upToDate}, and nothing will be finer. */
+  get settled(): boolean {
+    return this.upToDate && !this.levels.pending;
   }
 
   /** Something changed: draw a frame, as soon as it is near. */
@@ -307,7 +317,7 @@ export class Viewport implements StageClient, Framed {
    * Throws RangeError if no canvas can hold it.
    */
   capture(width: number, height: number, shown = false): HTMLCanvasElement {
-    this.#bringInStep();
+    this.#bringInStep({ width, height }, true);
     this.#releaseUnlessAttached();
     const isShown = !this.#dirty && width === this.width && height === this.height;
     return stage.capture({ width, height }, (renderer, part) => {
@@ -326,7 +336,7 @@ export class Viewport implements StageClient, Framed {
   captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
     // Nothing keeps the context open for a viewer that is on no page.
     return this.#still.capture({ width, height }, samples, !this.#attached, () => {
-      this.#bringInStep();
+      this.#bringInStep({ width, height }, true);
       this.#releaseUnlessAttached();
       const view = new ViewCamera(new Orbit(this.orbit.pose));
       const [fov, bounds] = [this.#fov, this.fit.depthBounds()];
@@ -342,7 +352,7 @@ export class Viewport implements StageClient, Framed {
   /** Everything that is drawn, as it is now. `ownerOf` names the owner of a mesh. */
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
-    this.#bringInStep();
+    this.#bringInStep(this, false);
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
@@ -378,7 +388,7 @@ export class Viewport implements StageClient, Framed {
 
   /** False where there is no context. */
   readonly #paint = (): boolean => {
-    this.#bringInStep();
+    this.#bringInStep(this, false);
     return stage.draw(this, this.#render);
   };
 
@@ -397,11 +407,14 @@ export class Viewport implements StageClient, Framed {
     this.#signals.frameEnded.emit();
   }
 
-  /** Order, matrices and camera of the scene as they are now. */
-  #bringInStep(): void {
+  /** Order, matrices and camera of the scene as they are now, and its shapes as this size shows them. */
+  #bringInStep({ width, height }: Size, atOnce: boolean): void {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
+    if (width === 0 || height === 0) return;
+    const view = this.#view.look(this.#fov, width / height);
+    this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves, width);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

@@ -3,7 +3,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { flatGeometry } from '../../src/material/flat-geometry.js';
 import { TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } from '../../src/model/limits.js';
-import { createGeometry, GEOMETRIES, shapeNeeds } from '../../src/scene/mesh/shapes/shapes.js';
+import { createGeometry, GEOMETRIES } from '../../src/scene/mesh/shapes/shapes.js';
+import { shapeNeeds } from '../../src/scene/mesh/shapes/shared-shapes.js';
 import { type Claimant, flatTriangles, TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
 
 const mesh = (again = (): void => undefined, wantsFlat = false): Claimant => ({ wantsFlat, again });
@@ -20,10 +21,9 @@ describe('the number of triangles that a shape claims', () => {
     for (const segments of [1, 2, 3, 7, 12, 33, 64, 100, undefined]) {
       const geometry = await createGeometry(name, segments);
       const corners = geometry.index!.count;
-      const [smooth, flat] = shapeNeeds(name, segments, true).map(({ triangles }) => triangles) as [
-        number,
-        number,
-      ];
+      const [smooth, flat] = shapeNeeds({ name, segments, isLevel: false }, true).map(
+        ({ triangles }) => triangles,
+      ) as [number, number];
       const what = `${name} ${String(segments)}`;
       expect(smooth, what).toBeGreaterThanOrEqual(corners / 3);
       expect(smooth, what).toBeLessThanOrEqual((1.1 * corners) / 3);

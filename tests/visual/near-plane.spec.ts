@@ -45,7 +45,7 @@ test('a picture in tiles, a linked viewer and shadeAt see the same floor as the 
 const TEAPOT = { width: 400, height: 300 };
 
 test('nothing of the page shows through the teapot, from all sides', async ({ mount, page }) => {
-  const viewer = await mount('<phong-viewer geometry="teapot" ka="0"></phong-viewer>', TEAPOT);
+  const viewer = await mount('<phong-viewer geometry="teapot" segments="64" ka="0"></phong-viewer>', TEAPOT);
   const geometry = await createGeometry('teapot', undefined);
   // The default view, into the spout, and from below.
   for (const [theta, phi] of [

@@ -155,6 +155,7 @@ export const VIEWER_TEXTS = [
   'kd',
   'ks',
   'shininess',
+  'segments',
   'θ azimuth °',
   'φ polar °',
   'radius',

@@ -1,7 +1,8 @@
 // Cameras that move together: those of viewers with the same `camera-group` in a document, and those of one
-// <phong-compare>. All have exactly the same angles, radius and target, and are framed as one. A chunk, fetched with
-// its first use.
+// <phong-compare>. All have exactly the same angles, radius and target, are framed as one, and show round shapes by
+// the same rule. A chunk, fetched with its first use.
 import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
+import type { SharedLevels } from '../../scene/mesh/levels.js';
 import type { CameraSource } from '../elements.js';
 import type { CameraLink, ViewerCamera } from './camera.js';
 import type { Extra, ExtraHost } from './extras.js';
@@ -50,12 +51,13 @@ function groupAt<K>(groups: Groups<K>, key: K): CameraGroup {
   return group;
 }
 
-class CameraGroup implements CameraLink, SharedFit {
+class CameraGroup implements CameraLink, SharedFit, SharedLevels {
   /** In the order in which they joined, which is document order for a page's markup. */
   readonly #members = new Map<ViewerCamera, Member>();
   /** For the framing that all members share; null after a change. */
   #fitted: { readonly framing: Framing; readonly fit: Fit; readonly from: Member } | null = null;
   #settling = false;
+  #isFixed: boolean | null = null;
   readonly #emptied: () => void;
 
   /** `emptied` is called when the last member has left. */
@@ -69,7 +71,9 @@ class CameraGroup implements CameraLink, SharedFit {
     this.#members.set(member.camera, member);
     member.camera.link = this;
     member.viewport.fit.shared = this;
+    member.viewport.levels.shared = this;
     this.changed();
+    this.reshaded();
     if (first !== undefined) member.camera.place(placementOf(first), 'script', true);
   }
 
@@ -78,9 +82,13 @@ class CameraGroup implements CameraLink, SharedFit {
     this.#members.delete(member.camera);
     member.camera.link = null;
     member.viewport.fit.shared = null;
+    member.viewport.levels.shared = null;
     member.viewport.invalidate();
     if (this.#members.size === 0) this.#emptied();
-    else this.changed();
+    else {
+      this.changed();
+      this.reshaded();
+    }
   }
 
   moved(camera: ViewerCamera, source: CameraSource): void {
@@ -119,6 +127,18 @@ class CameraGroup implements CameraLink, SharedFit {
       this.#fitted = (full.length > 0 ? full : fits).reduce((a, b) => (b.fit.radius > a.fit.radius ? b : a));
     }
     return this.#fitted.fit;
+  }
+
+  /** A picture shows round shapes by a fixed number of segments: then all do, so that outlines meet at a divider. */
+  get isFixed(): boolean {
+    return (this.#isFixed ??= [...this.#members.values()].some(({ viewport }) => viewport.levels.isFixed));
+  }
+
+  reshaded(): void {
+    const before = this.#isFixed;
+    this.#isFixed = null;
+    if (this.isFixed === before) return;
+    for (const { viewport } of this.#members.values()) viewport.invalidate();
   }
 
   /** Moves all cameras to the fit, on behalf of the member that it comes from. */

@@ -1,7 +1,7 @@
 // The mesh of the scene that a <phong-mesh> shows.
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { PhongMesh } from '../elements.js';
-import { fieldsOf } from '../internals.js';
+import { fieldsOf, sceneMeshes } from '../internals.js';
 
 /** The mesh that an element shows. */
 export class ElementMesh extends SceneMesh {
@@ -12,6 +12,7 @@ export class ElementMesh extends SceneMesh {
   constructor(element: PhongMesh, host: MeshHost, update: (mesh: ElementMesh) => void) {
     super(fieldsOf(element).store, host);
     this.element = element;
+    sceneMeshes.set(element, this);
     this.written = (key) => {
       if (key === 'src' || key === 'geometry') this.retry();
       update(this);

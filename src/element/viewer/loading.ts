@@ -13,6 +13,7 @@ import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
 import type { TriangleBudget } from '../../scene/mesh/triangle-budget.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';
 import type { LoadDetail, ViewerErrorCode, ViewerErrorDetail } from '../events.js';
+import { sceneMeshes } from '../internals.js';
 import type { ViewerContext } from './viewer-context.js';
 import { elementOf } from './element-mesh.js';
 import type { EventQueue } from './event-queue.js';
@@ -53,6 +54,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     const { viewer, store, viewport, signals } = (this.#context = context);
     this.#events = events;
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
+    sceneMeshes.set(viewer, this.ownMesh);
     viewport.add(this.ownMesh);
     viewport.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());

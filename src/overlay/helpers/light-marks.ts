@@ -84,7 +84,9 @@ export function lightMarks(
     const tip = add(place, scale(spot.axis, spot.arrow));
     handles.push(handleAt('axis', tip, view));
     if (spot.aperture < 180)
-      handles.push(handleAt('aperture', onCone(cone, spot.aperture, coneSide(spot, spot.aperture)), view));
+      handles.push(
+        handleAt('aperture', onCone(cone, spot.aperture, coneSide(spot.grip, spot, spot.aperture)), view),
+      );
     for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
     // Over its handle, which would hide the head.
     arrowTo(tip);
@@ -110,7 +112,7 @@ const disc = (center: Point, radius: number, fill: string | null, look: Look): D
 
 function outlineOf(cone: Cone, spot: PlacedSpot, view: Projection): Stroke['lines'] {
   const { aperture } = spot;
-  const side = coneSide(spot, aperture);
+  const side = coneSide(spot.reach, spot, aperture);
   const sides = [0, Math.PI].map((around) => [cone.place, onCone(cone, aperture, side, around)]);
   return [...sides, rim(cone, spot, aperture)].flatMap((line) => view.line(line));
 }
@@ -118,7 +120,7 @@ function outlineOf(cone: Cone, spot: PlacedSpot, view: Projection): Stroke['line
 type Cone = Parameters<typeof onCone>[0];
 
 const rim = (cone: Cone, spot: PlacedSpot, degrees: number): Vec3[] =>
-  circle((around) => onCone(cone, degrees, coneSide(spot, degrees), around));
+  circle((around) => onCone(cone, degrees, coneSide(spot.reach, spot, degrees), around));
 
 /** A circle that faces the eye: the outline of a sphere, but for the perspective. */
 function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3[] {

@@ -184,7 +184,7 @@ function apertureAfter(
   const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, start) };
   const pointer = { x: handle.at.x + travel.dx, y: handle.at.y + travel.dy };
   const distanceAt = (degrees: number): number =>
-    distance(view.point(onCone(cone, degrees, coneSide(spot, degrees))), pointer);
+    distance(view.point(onCone(cone, degrees, coneSide(spot.grip, spot, degrees))), pointer);
   const nearest = (from: number, to: number, step: number): number => {
     let best = from;
     for (let degrees = from; degrees <= to; degrees += step)

@@ -31,6 +31,8 @@ export interface PlacedSpot {
   readonly arrow: number;
   /** Distance along the axis of the circle that ends the cone: at the first surface. */
   readonly reach: number;
+  /** As far as {@link reach}, and far enough from the light for a handle. */
+  readonly grip: number;
   /** Radius of the largest circle that is drawn. */
   readonly widest: number;
   /** Half-angle of the cone in degrees; 180 for none. */
@@ -43,11 +45,11 @@ export interface PlacedSpot {
 export const DIRECTIONAL_AT = 1.2;
 
 /**
- * Longest arrow of a spot's axis, and shortest cone that ends at no surface, in radii of the scene: both can be gripped
- * in a scene of any size.
+ * Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the scene: both can be
+ * gripped in a scene of any size, at any surface.
  */
 const LONGEST_ARROW = 0.6;
-const SHORTEST_REACH = 0.25;
+const LEAST_GRIP = 0.25;
 
 /** In radii of the scene: circles of wider cones than this are nearer to the light, so that they stay in the picture. */
 const WIDEST = 2;
@@ -85,12 +87,14 @@ function placedSpot(
   scene: SceneBall,
   surface: number,
 ): PlacedSpot {
-  const toBall = Math.max(reachOf(place, axis, scene), SHORTEST_REACH * scene.radius);
-  const reach = Number.isFinite(surface) ? surface : toBall;
+  const least = LEAST_GRIP * scene.radius;
+  const reach = Number.isFinite(surface) ? surface : Math.max(reachOf(place, axis, scene), least);
+  const grip = Math.max(reach, least);
   return {
     axis,
-    arrow: Math.min(reach, LONGEST_ARROW * scene.radius),
+    arrow: Math.min(grip, LONGEST_ARROW * scene.radius),
     reach,
+    grip,
     widest: WIDEST * scene.radius,
     aperture: values.aperture,
     halfAngle: halfAngle(values.cutoff),
@@ -108,10 +112,10 @@ function reachOf(place: Vec3, axis: Vec3, { center, radius }: SceneBall): number
 }
 
 /**
- * Length of the side of a cone whose circle is across the axis at the spot's reach: over a level floor that is the edge
+ * Length of the side of a cone whose circle is across the axis at `reach`: over a level floor that is the edge
  * of the lit pool. Shorter where the circle would be too wide, as it always is from 90 degrees on.
  */
-export function coneSide({ reach, widest }: Pick<PlacedSpot, 'reach' | 'widest'>, degrees: number): number {
+export function coneSide(reach: number, { widest }: PlacedSpot, degrees: number): number {
   const angle = radians(degrees);
   return degrees < 90 ? Math.min(reach / Math.cos(angle), widest / Math.sin(angle)) : widest;
 }

@@ -5,7 +5,14 @@ import type { LoadOptions } from '../../model/model-content.js';
 import { fileName } from '../../model/file-name.js';
 import { type Content, NOTHING } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
-import { shapeNeeds, acquireGeometry, CLOSED, type GeometryName, releaseGeometry } from './shapes/shapes.js';
+import {
+  acquireGeometry,
+  releaseGeometry,
+  type ShapeKey,
+  shapeKey,
+  shapeNeeds,
+} from './shapes/shared-shapes.js';
+import { CLOSED, type GeometryName } from './shapes/shapes.js';
 import {
   type Claim,
   type Claimant,
@@ -22,6 +29,8 @@ export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segme
 
 /** What shows the content. */
 export interface ContentOwner extends Claimant {
+  /** What a shape will hold before there is a geometry. */
+  needsOf(geometry: GeometryName, segments: ContentName['segments']): readonly Need[];
   /** `late` unless it was there at once. `url` is null for a shape. The owner releases the claim. */
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void;
 }
@@ -83,9 +92,9 @@ export class ContentLoad<Owner extends ContentOwner> {
       return;
     }
     try {
-      // Before the shape is built. Coarser levels of a shape would be chosen here.
-      if (geometry !== null) claim.add(shapeNeeds(geometry, segments ?? undefined, this.#owner.wantsFlat));
-      const content = geometry === null ? NOTHING : shapeContent(geometry, segments);
+      // Before the shape is built.
+      if (geometry !== null) claim.add(this.#owner.needsOf(geometry, segments));
+      const content = geometry === null ? NOTHING : shapeContent(shapeKey(geometry, segments));
       if (content instanceof Promise) this.#await(null, claim, () => content);
       else this.#owner.arrived(content, claim, null, false);
     } catch (error) {
@@ -179,22 +188,22 @@ function addressOf(src: string | Blob): URL | null {
 }
 
 /** A built-in shape: at once if its code is loaded, else a promise. */
-export function shapeContent(name: GeometryName, segments: number | null): Content | Promise<Content> {
-  const wanted = segments ?? undefined;
-  const geometry = acquireGeometry(name, wanted);
+export function shapeContent(key: ShapeKey): Content | Promise<Content> {
+  const geometry = acquireGeometry(key);
   const content = (ready: BufferGeometry): Content => {
     let known = shapeContents.get(ready);
     if (known === undefined) {
+      const { name } = key;
       const sides = CLOSED.has(name) ? 'closed' : 'double';
       known = {
         parts: [{ name, geometry: ready, matrix: IDENTITY, look: PLAIN_LOOK, sides, surface: {} }],
         motion: null,
         dispose: () => {
-          releaseGeometry(name, wanted);
+          releaseGeometry(key);
         },
       };
       shapeContents.set(ready, known);
-      flatNeeds.set(known, shapeNeeds(name, wanted, true));
+      flatNeeds.set(known, shapeNeeds(key, true));
     }
     return known;
   };

@@ -15,6 +15,7 @@ import {
   choiceField,
   numberField,
   optional,
+  orWord,
   presenceField,
   scaleField,
   textField,
@@ -34,8 +35,11 @@ export interface ShapeValues extends SurfaceValues {
   type: ModelType | null;
   /** A built-in shape; null for none. */
   geometry: GeometryName | null;
-  /** Segments around the shape, 1–512; null for the shape's default. */
-  segments: number | null;
+  /**
+   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as keep a round shape's outline within 1/8
+   * of a device pixel, otherwise the shape's own number, as for shapes with flat faces. Default auto.
+   */
+  segments: number | 'auto';
   /**
    * Plays the model's animation in a loop, while it is in view. Stopped for users who prefer reduced motion. Default
    * false.
@@ -80,7 +84,7 @@ export const SHAPE_FIELDS: Fields<ShapeValues> = {
   src: sourceField,
   type: optional(choiceField<ModelType>('gltf', MODEL_TYPES)),
   geometry: optional(choiceField<GeometryName>('box', GEOMETRIES)),
-  segments: optional(numberField(1, { min: 1, max: 512, integer: true })),
+  segments: orWord('auto', numberField(64, { min: 1, max: 512, integer: true })),
   autoplay: presenceField(),
   animationName: textField('', 'the name of an animation'),
 };

@@ -11,14 +11,16 @@ import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
 import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
-import { flatNeedsOf } from './content-load.js';
+import { flatNeedsOf, shapeContent } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
+import { FIXED, levelKey } from './shapes/shared-shapes.js';
+import type { GeometryName } from './shapes/shapes.js';
 import type { Claim } from './triangle-budget.js';
 
 export interface Part {
   readonly mesh: Mesh;
-  readonly source: ContentPart;
+  source: ContentPart;
   material: PhongMaterial;
   look: BaseLook;
   surface: Readonly<SurfaceValues>;
@@ -27,6 +29,10 @@ export interface Part {
 /** Content in the scene. */
 export interface ShownContent {
   readonly content: Content;
+  /** A round shape that has as many segments as the screen needs; null for anything else. */
+  readonly round: GeometryName | null;
+  /** Its segments, or `FIXED`. */
+  readonly level: number;
   /** What the content holds of its viewer's triangles. */
   readonly claim: Claim | null;
   readonly parts: readonly Part[];
@@ -40,6 +46,8 @@ export interface ShownContent {
 
 export const EMPTY: ShownContent = {
   content: NOTHING,
+  round: null,
+  level: FIXED,
   claim: null,
   parts: [],
   root: null,
@@ -85,6 +93,26 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
     part.mesh.geometry = geometry;
     countFlat(part, 1);
   });
+}
+
+/** Shows a shape as another level of it. Its bounds are the same. Throws if there is no memory for it. */
+export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
+  const content = shapeContent(levelKey(shown.round!, level)) as Content; // the shape's code is here
+  let geometries: readonly BufferGeometry[];
+  try {
+    geometries = geometriesOf(content, flat, null);
+  } catch (error) {
+    content.dispose();
+    throw error;
+  }
+  shown.parts.forEach((part, i) => {
+    countFlat(part, -1);
+    part.source = content.parts[i]!;
+    part.mesh.geometry = geometries[i]!;
+    countFlat(part, 1);
+  });
+  shown.content.dispose();
+  return { ...shown, content, level };
 }
 
 /** Call after the next ones are acquired: equal looks keep their material, and so their program. */

@@ -20,10 +20,13 @@ import {
   Placement,
   rootOf,
   setGeometries,
+  showLevel,
   type ShownContent,
 } from './parts.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
-import type { Claim } from './triangle-budget.js';
+import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
+import { effectiveSegments, type GeometryName, roundOf } from './shapes/shapes.js';
+import type { Claim, Need } from './triangle-budget.js';
 
 /** The picture that shows a mesh. */
 export interface MeshHost extends LoadHost<SceneMesh> {
@@ -73,6 +76,43 @@ export class SceneMesh implements Animated, ContentOwner {
 
   get wantsFlat(): boolean {
     return this.#wantedShading === 'flat';
+  }
+
+  needsOf(geometry: GeometryName, segments: ShapeValues['segments']): readonly Need[] {
+    const isFixed = segments === 'auto' && this.isFixed;
+    return shapeNeeds(isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments), this.wantsFlat);
+  }
+
+  /** The round shape that has as many segments as the screen needs; null where it shows anything else. */
+  get round(): GeometryName | null {
+    return this.#shown.round;
+  }
+
+  /** The segments of the shape that is shown; null for a model or nothing. */
+  get segments(): number | null {
+    const { geometry, segments } = this.#values;
+    if (this.complete !== 'shape' || geometry === null) return null;
+    const drawn = this.round === null || this.level === FIXED ? undefined : this.level;
+    return effectiveSegments(geometry, segments === 'auto' ? drawn : segments);
+  }
+
+  /** Its number of segments is part of the picture. */
+  get isFixed(): boolean {
+    return this.#ownShading !== 'phong';
+  }
+
+  /** The segments of {@link round}, or `FIXED`. */
+  get level(): number {
+    return this.#shown.level;
+  }
+
+  /** Shows another level of {@link round}, whose code is here. Where there is no memory for it the level stays. */
+  set level(level: number) {
+    try {
+      this.#shown = showLevel(this.#shown, level, this.#effective === 'flat');
+    } catch (error) {
+      if (!isOutOfMemory(error)) throw error;
+    }
   }
 
   /** There is room for what was refused: requests it again. */
@@ -220,9 +260,7 @@ export class SceneMesh implements Animated, ContentOwner {
     if (wanted === 'flat' && this.#notFlat) return this.#effective;
     if (wanted !== this.#effective) {
       try {
-        const { content, claim, parts } = this.#shown;
-        setGeometries(parts, geometriesOf(content, wanted === 'flat', claim));
-        if (wanted !== 'flat') claim?.dropFlat();
+        this.#regroup(wanted === 'flat');
         this.#effective = wanted;
         this.#host.budget.review(); // other shading needs more or less
         this.#pose(); // a flat copy may be of an earlier pose
@@ -237,6 +275,22 @@ export class SceneMesh implements Animated, ContentOwner {
     return shading;
   }
 
+  /** Shows the geometries with or without separate triangles. Throws if there is no room or no memory for them. */
+  #regroup(flat: boolean): void {
+    const { round, claim } = this.#shown;
+    const needs = round === null ? null : this.needsOf(round, 'auto');
+    if (needs !== null) {
+      claim?.add(needs);
+      // Before a flat copy is made of a finer level.
+      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, FIXED, false);
+      this.#host.reshaped(); // another level may be needed
+    }
+    const { content, parts } = this.#shown;
+    setGeometries(parts, geometriesOf(content, flat, needs === null ? claim : null));
+    if (needs !== null) claim?.keep(needs);
+    else if (!flat) claim?.dropFlat();
+  }
+
   /** Brings what is shown into its present pose. */
   #pose(): void {
     const { animation, parts } = this.#shown;
@@ -247,6 +301,10 @@ export class SceneMesh implements Animated, ContentOwner {
   #forgetNotFlat(): void {
     if (this.#notFlat) this.#host.dropped(this);
     this.#notFlat = false;
+  }
+
+  get #ownShading(): Shading {
+    return this.#values.shading ?? this.#host.materials.style.shading;
   }
 
   get #wantedShading(): Shading {
@@ -282,11 +340,18 @@ export class SceneMesh implements Animated, ContentOwner {
     const { motion } = content;
     const { shading = null, reflection = null } = this.#values;
     const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
-    const geometries = geometriesOf(content, this.wantsFlat, claim);
+    const { geometry, segments } = this.#values;
+    const isRound =
+      url === null && geometry !== null && segments === 'auto' && roundOf(geometry) !== undefined;
+    // Shapes are called as their geometry is. The values may already name another one.
+    const round = isRound && content.parts[0]?.name === geometry ? geometry : null;
+    const level = round === null ? FIXED : shapeKey(round, 'auto').segments!;
+    const geometries = geometriesOf(content, this.wantsFlat, round === null ? claim : null);
     const parts = partsOf(content, geometries, this.#host.materials, (source) =>
       this.#appearanceOf(source, { shading, reflection }),
     );
-    return { content, claim, parts, root: rootOf(parts, motion !== null), url, animation };
+    const root = rootOf(parts, motion !== null);
+    return { content, round, level, claim, parts, root, url, animation };
   }
 
   /** Replaces what is shown. Call {@link #place} and {@link restyle} next. */

@@ -51,10 +51,12 @@ export class Claim {
   };
 
   dropFlat(): void {
-    this.#budget.hold(
-      this,
-      [...this.needs.values()].filter(({ flat }) => !flat),
-    );
+    this.keep([...this.needs.values()].filter(({ flat }) => !flat));
+  }
+
+  /** Holds nothing but these, which it holds already. */
+  keep(needs: readonly Need[]): void {
+    this.#budget.hold(this, needs);
   }
 
   release(): void {
@@ -96,7 +98,10 @@ export class TriangleBudget {
     this.review();
   }
 
-  /** Triangles that are held now, weighed by memory. */
+  /**
+   * Triangles that are held now, weighed by memory. Round shapes with automatic segments count by their coarsest level:
+   * finer ones take what is left.
+   */
   get used(): number {
     return this.#used;
   }

@@ -232,9 +232,9 @@ const shape: readonly Row[] = [
   choice('type', null, 'obj', 'glb', 'model/stl'),
   choice('geometry', null, ...geometries),
   {
-    ...number('segments', null, 1, 512),
+    ...withWord(number('segments', 'auto', 1, 512), 'auto'),
     outside: [...notFinite, '0', '513', '1.5', '-3'],
-    valid: [['1', 1], ['512', 512], ['7.0', 7]], // prettier-ignore
+    valid: [['1', 1], ['512', 512], ['7.0', 7], ['AUTO', 'auto']], // prettier-ignore
   },
   presence('autoplay'),
   { ...text('animation-name', ''), property: 'animationName' },

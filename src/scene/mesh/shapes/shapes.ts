@@ -1,11 +1,11 @@
-// The geometries of named shapes. Every shape is centred on the origin, in its mesh's own units. Meshes with the same
-// shape and segments share one BufferGeometry; users are counted, and the last one frees it.
-import { BoxGeometry, type BufferGeometry, PlaneGeometry, SphereGeometry } from 'three';
+// The geometries of named shapes. Every shape is centred on the origin, in its mesh's own units.
+import { Box3, BoxGeometry, type BufferGeometry, PlaneGeometry, Sphere, Vector3 } from 'three';
 import { declareFaces } from '../../../material/flat-faces.js';
 import { scale, type Vec3 } from '../../../math/vector.js';
+import { declareExtremePoints, ExtremePoints } from '../../../model/extreme-points.js';
 import { lazyCode } from '../../../model/lazy-code.js';
 import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
-import type { Need } from '../triangle-budget.js';
+import { finish, gridGeometry, type Steps } from './grid-geometry.js';
 import type { SOLIDS } from './solids.js';
 
 /** The names that the `geometry` attribute takes, in the order in which menus show them. */
@@ -39,18 +39,44 @@ interface Shape {
   readonly segments: number;
   /** Fewest segments that still enclose the shape; smaller requests are raised to it. */
   readonly least: number;
-  readonly create: (segments: number) => PendingGeometry;
+  /** Begins a geometry. `out`: how far the vertices of a round shape are outside it. */
+  readonly create: (segments: number, out: number) => Steps | Promise<Steps>;
   /** Number of triangles, at least the true one, before anything is built. */
   readonly triangles: (segments: number) => number;
+  readonly round?: Round;
 }
 
-const solidsCode = /* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes');
-const teapotCode = /* @__PURE__ */ lazyCode(() => import('./teapot.js'), 'the teapot');
+/**
+ * How a curved shape differs from its triangles. Of n segments, the triangles' middles lie up to g/n² inside the shape
+ * or outside it; where it can be, all vertices of an `auto` level are moved outward, so that both are equal.
+ */
+export interface Round {
+  /** Most that the triangles of an `auto` level are inside the shape or outside it, times n². Measured. */
+  readonly gap: number;
+  /** How far its vertices are outside the shape, times n². */
+  readonly out: number;
+  /** Most segments of an `auto` level: it has at most 131,072 triangles. */
+  readonly most: number;
+  /** Half the size of the round shape's box, and the distance of its farthest point from the origin. */
+  readonly half: Vec3;
+  readonly radius: number;
+}
+
+/** A chunk whose code is kept: shapes are built at once when it is there. */
+function kept<T>(load: () => Promise<T>): (build: (code: T) => Steps) => Steps | Promise<Steps> {
+  let code: T | null = null;
+  return (build) => (code === null ? load().then((loaded) => build((code = loaded))) : build(code));
+}
+
+const solidsCode = /* @__PURE__ */ kept(
+  /* @__PURE__ */ lazyCode(() => import('./solids.js'), 'the solid shapes'),
+);
+const teapotCode = /* @__PURE__ */ kept(/* @__PURE__ */ lazyCode(() => import('./teapot.js'), 'the teapot'));
 
 const solid =
   (name: keyof typeof SOLIDS): Shape['create'] =>
-  async (n) =>
-    (await solidsCode()).SOLIDS[name](n);
+  (n, out) =>
+    solidsCode((code) => code.SOLIDS[name](n, out));
 
 /** Segments across the main ones, half as many. */
 const rowsOf = (segments: number, least: number): number => Math.max(least, Math.round(segments / 2));
@@ -66,46 +92,104 @@ function flatFaced(geometry: BufferGeometry, normals: readonly Vec3[], distance:
   return geometry;
 }
 
+/** As three.js's SphereGeometry. */
+function sphere(columns: number, out: number): Steps {
+  const rows = rowsOf(columns, 2);
+  const radius = 0.5 + out;
+  const angles = Array.from({ length: columns + 1 }, (_, i) => (i / columns) * Math.PI * 2);
+  return gridGeometry([
+    {
+      ...{ columns, rows, corners: [1, 0, 3, 0, 2, 3], closedFirst: true, closedLast: true },
+      row: (row, put) => {
+        const polar = (row / rows) * Math.PI;
+        const [across, y] = [Math.sin(polar), Math.cos(polar)];
+        // The texture's corner at a pole is over the middle of its triangle.
+        const shift = row === 0 ? 0.5 / columns : row === rows ? -0.5 / columns : 0;
+        for (let i = 0; i <= columns; i++) {
+          const x = -Math.cos(angles[i]!) * across;
+          const z = Math.sin(angles[i]!) * across;
+          put(radius * x, radius * y, radius * z, x, y, z, i / columns + shift, 1 - row / rows);
+        }
+      },
+    },
+  ]);
+}
+
+/** The sagitta of a circle of radius 1/2, times n²: the distance of a chord's middle from the arc. */
+const SAGITTA = Math.PI ** 2 / 4;
+
+const HALF: Vec3 = [0.5, 0.5, 0.5];
+
 /** `segments` counts along a side for the flat shapes (box, pyramid, plane), once round the axis for the others. */
 const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   box: {
     segments: 1,
     least: 1,
-    create: (n) => flatFaced(new BoxGeometry(1, 1, 1, n, n, n), BOX_NORMALS, 0.5),
+    *create(n) {
+      return flatFaced(new BoxGeometry(1, 1, 1, n, n, n), BOX_NORMALS, 0.5);
+    },
     triangles: (n) => 12 * n * n,
   },
   sphere: {
     segments: 64,
     least: 3,
-    create: (n) => new SphereGeometry(0.5, n, rowsOf(n, 2)),
+    create: sphere,
     triangles: (n) => 2 * n * (rowsOf(n, 2) - 1),
+    // In the middle of a quadrangle both of its curves are a sagitta away.
+    round: { gap: SAGITTA, out: SAGITTA, most: 360, half: HALF, radius: 0.5 },
   },
-  cylinder: { segments: 64, least: 3, create: solid('cylinder'), triangles: (n) => 4 * n },
-  cone: { segments: 64, least: 3, create: solid('cone'), triangles: (n) => 2 * n },
+  cylinder: {
+    segments: 64,
+    least: 3,
+    create: solid('cylinder'),
+    triangles: (n) => 4 * n,
+    round: { gap: SAGITTA / 2, out: SAGITTA / 2, most: 1024, half: HALF, radius: Math.SQRT1_2 },
+  },
+  cone: {
+    segments: 64,
+    least: 3,
+    create: solid('cone'),
+    triangles: (n) => 2 * n,
+    round: { gap: SAGITTA / 2, out: SAGITTA / 2, most: 1024, half: HALF, radius: Math.SQRT1_2 },
+  },
   pyramid: { segments: 1, least: 1, create: solid('pyramid'), triangles: (n) => 6 * n * n },
-  torus: { segments: 64, least: 3, create: solid('torus'), triangles: (n) => 2 * n * rowsOf(n, 3) },
+  torus: {
+    segments: 64,
+    least: 3,
+    create: solid('torus'),
+    triangles: (n) => 2 * n * rowsOf(n, 3),
+    round: { gap: 3.21, out: 2.22, most: 360, half: [0.5, 0.5, 0.15], radius: 0.5 },
+  },
   'torus-knot': {
     segments: 256,
     // Below this the tube's sections cut through each other, and triangles turn against their normals.
     least: 32,
-    create: async (n) => fitToUnitBox(await solid('torus-knot')(n)),
-    triangles: (n) => 2 * n * Math.min(64, Math.max(8, Math.round(n / 8))),
+    create: solid('torus-knot'),
+    triangles: (n) => 2 * n * Math.max(8, Math.round(n / 8)),
+    round: { gap: 38.5, out: 29.5, most: 720, half: [0.479874, 0.5, 0.248054], radius: 0.549929 },
   },
   teapot: {
     segments: 64,
     // Below this two triangles of the spout turn against their normals.
     least: 12,
-    create: async (n) => fitToUnitBox((await teapotCode()).teapotGeometry(n)),
+    create: (n) => teapotCode((code) => code.teapot(n)),
     // 32 patches of four to a turn. Those at the poles have some triangles less.
     triangles: (n) => 32 * 2 * Math.round(n / 4) ** 2,
+    // Its parts have seams: vertices moved outward would open them.
+    round: { gap: 4, out: 0, most: 176, half: [0.5, 0.244791, 0.310845], radius: 0.519157 },
   },
   plane: {
     segments: 1,
     least: 1,
-    create: (n) => flatFaced(new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2), [[0, 1, 0]], 0),
+    *create(n) {
+      return flatFaced(new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2), [[0, 1, 0]], 0);
+    },
     triangles: (n) => 2 * n * n,
   },
 };
+
+/** The shape's values as a round shape; undefined for one with flat faces. */
+export const roundOf = (name: GeometryName): Round | undefined => SHAPES[name].round;
 
 /** The segments that a shape is made with. `undefined` means the shape's default. */
 export function effectiveSegments(name: GeometryName, segments: number | undefined): number {
@@ -113,106 +197,62 @@ export function effectiveSegments(name: GeometryName, segments: number | undefin
   return Math.max(shape.least, Math.round(segments ?? shape.segments));
 }
 
-/**
- * What a shape will hold, and its flat copy, before they are built. A coarser level that keeps a viewer within its
- * limit is to be chosen by these numbers.
- */
-export function shapeNeeds(name: GeometryName, segments: number | undefined, flat: boolean): Need[] {
-  const key = keyOf(name, segments);
-  const triangles = SHAPES[name].triangles(effectiveSegments(name, segments));
-  const smooth = { key, triangles, flat: false };
-  // Each corner has 8 values: position, normal, uv.
-  const copy = Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
-  return flat ? [smooth, { key: `flat ${key}`, triangles: copy, flat: true }] : [smooth];
-}
+/** Triangles of a shape, at least the true number, before it is built. */
+export const trianglesOf = (name: GeometryName, segments: number | undefined): number =>
+  SHAPES[name].triangles(effectiveSegments(name, segments));
+
+/** Of flat copies, weighed by memory: each corner has 8 values, position, normal and uv. */
+export const flatTrianglesOf = (triangles: number): number =>
+  Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
 
 /**
  * A new geometry, owned by the caller: indexed, with `position`, `normal` (unit length to float32) and `uv`.
  * @param segments 1 to 512; raised to what the shape needs. `undefined` takes the shape's default.
  */
 export function createGeometry(name: GeometryName, segments: number | undefined): PendingGeometry {
-  return SHAPES[name].create(effectiveSegments(name, segments));
-}
-
-interface Shared {
-  readonly geometry: PendingGeometry;
-  users: number;
-}
-
-const shared = new Map<string, Shared>();
-
-const keyOf = (name: GeometryName, segments: number | undefined): string =>
-  `${name} ${String(effectiveSegments(name, segments))}`;
-
-/**
- * As {@link createGeometry}, but shared: the same name and segments give the same geometry. Each call needs one
- * {@link releaseGeometry} with the same arguments, whether or not a promise has settled by then; only this cache
- * disposes of the geometry. A rejected promise (a chunk that could not be fetched) needs no release, and the next call
- * tries again.
- */
-export function acquireGeometry(name: GeometryName, segments: number | undefined): PendingGeometry {
-  const key = keyOf(name, segments);
-  const present = shared.get(key);
-  if (present) {
-    present.users += 1;
-    return present.geometry;
-  }
-  const geometry = createGeometry(name, segments);
-  const entry: Shared = { geometry, users: 1 };
-  shared.set(key, entry);
-  if (geometry instanceof Promise) {
-    geometry.catch(() => {
-      if (shared.get(key) === entry) shared.delete(key);
-    });
-  }
-  return geometry;
-}
-
-/** Ends one use; the last one frees the geometry. More releases than uses do nothing. */
-export function releaseGeometry(name: GeometryName, segments: number | undefined): void {
-  const key = keyOf(name, segments);
-  const entry = shared.get(key);
-  if (!entry) return;
-  entry.users -= 1;
-  if (entry.users > 0) return;
-  shared.delete(key);
-  if (entry.geometry instanceof Promise) {
-    // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
-    entry.geometry.then(
-      (geometry) => {
-        geometry.dispose();
-      },
-      () => undefined,
-    );
-  } else {
-    entry.geometry.dispose();
-  }
+  const steps = beginGeometry(name, segments, false);
+  return steps instanceof Promise ? steps.then(finish) : finish(steps);
 }
 
 /**
- * Fits a shape into the unit box: centred on the origin, largest extent 1. Scales (uniformly) and moves the positions
- * in place, in float64 until the last rounding. Normals keep their directions.
+ * As {@link createGeometry}, in steps. `isLevel`: a level of `segments="auto"`, whose outline is as far outside the
+ * round shape as inside.
  */
-function fitToUnitBox(geometry: BufferGeometry): BufferGeometry {
-  const position = geometry.getAttribute('position');
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < position.count; i += 1) {
-    for (let axis = 0; axis < 3; axis += 1) {
-      const value = position.getComponent(i, axis);
-      low[axis] = Math.min(low[axis] ?? value, value);
-      high[axis] = Math.max(high[axis] ?? value, value);
-    }
+export function beginGeometry(
+  name: GeometryName,
+  segments: number | undefined,
+  isLevel: boolean,
+): Steps | Promise<Steps> {
+  const { create, round } = SHAPES[name];
+  const n = effectiveSegments(name, segments);
+  if (round === undefined) return create(n, 0);
+  const out = isLevel ? round.out / n ** 2 : 0;
+  const steps = create(n, out);
+  return steps instanceof Promise
+    ? steps.then((begun) => bounded(name, begun, out))
+    : bounded(name, steps, out);
+}
+
+/** Framing, and so the picture, is that of the round shape, whatever the number of segments. */
+function* bounded(name: GeometryName, steps: Steps, out: number): Steps {
+  const geometry = yield* steps;
+  const { half, radius } = SHAPES[name].round!;
+  const [x, y, z] = half;
+  let extremes = roundExtremes.get(name);
+  if (extremes === undefined) {
+    // Its code is here, so this is no promise.
+    const vertices = (): Float32Array =>
+      finish(SHAPES[name].create(SHAPES[name].segments, 0) as Steps).getAttribute('position')
+        .array as Float32Array;
+    extremes = new ExtremePoints(vertices, [-x, -y, -z, x, y, z], [0, 0, 0], radius);
+    roundExtremes.set(name, extremes);
   }
-  const extent = low.map((value, axis) => (high[axis] ?? value) - value);
-  const center = low.map((value, axis) => ((high[axis] ?? value) + value) / 2);
-  const scale = 1 / Math.max(...extent);
-  for (let i = 0; i < position.count; i += 1) {
-    for (let axis = 0; axis < 3; axis += 1) {
-      position.setComponent(i, axis, (position.getComponent(i, axis) - (center[axis] ?? 0)) * scale);
-    }
-  }
-  geometry.boundingBox = null;
-  geometry.boundingSphere = null;
+  declareExtremePoints(geometry, extremes);
+  // Lights and faces are culled by what is drawn.
+  const corner = new Vector3(x + out, y + out, z + out);
+  geometry.boundingBox = new Box3(corner.clone().negate(), corner);
+  geometry.boundingSphere = new Sphere(new Vector3(), radius + out);
   return geometry;
 }
+
+const roundExtremes = new Map<GeometryName, ExtremePoints>();

@@ -1,0 +1,294 @@
+// Gives the round shapes of a picture as many segments as its pixels show. The choice follows from camera, transforms
+// and size alone: the same scene at the same size has the same triangles.
+import { sameValue } from '../../fields/field-store.js';
+import { lazyCode } from '../../model/lazy-code.js';
+import { stretch } from '../bounds.js';
+import type { Vec3 } from '../../math/vector.js';
+import type { View } from '../view-cut.js';
+import type { SceneMesh } from './scene-mesh.js';
+import type { SharedMaterials } from './shared-materials.js';
+import { COARSEST, FIXED, isBuilt, levelKey } from './shapes/shared-shapes.js';
+import {
+  effectiveSegments,
+  flatTrianglesOf,
+  GEOMETRIES,
+  type GeometryName,
+  type Round,
+  roundOf,
+  trianglesOf,
+} from './shapes/shapes.js';
+import type { TriangleBudget } from './triangle-budget.js';
+
+/** Most that an outline may be off the round shape: device pixels. */
+const TOLERANCE = 1 / 8;
+
+/** Triangles that a frame may build before it is drawn: 2 ms for a sphere, 10 ms for a teapot. */
+const AT_ONCE = 2 ** 16;
+
+/** Pictures whose outlines meet. */
+export interface SharedLevels {
+  /** One of them shows a round shape by its fixed number of segments, so all do. */
+  readonly isFixed: boolean;
+  /** That may have changed. */
+  reshaded(): void;
+}
+
+const buildsCode = /* @__PURE__ */ lazyCode(() => import('./level-builds.js'), 'finer shapes');
+
+export class Levels {
+  readonly #meshes: ReadonlySet<SceneMesh>;
+  readonly #budget: TriangleBudget;
+  readonly #materials: SharedMaterials;
+  readonly #built: () => void;
+  #tolerance = TOLERANCE;
+  #shared: SharedLevels | null = null;
+  /** As {@link shared} was last told. */
+  #wasFixed = false;
+  #stale = true;
+  /** What the last choice was made for. */
+  #chosenFor: readonly unknown[] = [];
+  // The round shapes and their levels in the present choice, and the levels that are being built for them.
+  readonly #round: SceneMesh[] = [];
+  readonly #levels: number[] = [];
+  readonly #building = new Set<string>();
+  /** Triangles that a frame may build, and what is left of them in the present one. */
+  #inFrames = AT_ONCE;
+  #mayBuild = 0;
+
+  /** `built` is called when a level that was missing is there. */
+  constructor(
+    meshes: ReadonlySet<SceneMesh>,
+    budget: TriangleBudget,
+    materials: SharedMaterials,
+    built: () => void,
+  ) {
+    this.#meshes = meshes;
+    this.#budget = budget;
+    this.#materials = materials;
+    this.#built = built;
+  }
+
+  /** Most that an outline may be off the round shape. Device pixels, above 0, default 1/8. */
+  set outlineTolerance(pixels: number) {
+    this.#stale ||= pixels !== this.#tolerance;
+    this.#tolerance = pixels;
+  }
+
+  /** Chooses together with other pictures; null, the default: alone. */
+  set shared(shared: SharedLevels | null) {
+    this.#shared = shared;
+    this.#wasFixed = this.isFixed;
+    this.#stale = true;
+  }
+
+  /** A mesh, the shading, or what this picture is shared with has changed. */
+  changed(): void {
+    this.#stale = true;
+    if (this.#shared === null || this.isFixed === this.#wasFixed) return;
+    this.#wasFixed = !this.#wasFixed;
+    this.#shared.reshaded();
+  }
+
+  /** Some round shapes are still coarser than they will be. */
+  get pending(): boolean {
+    return this.#building.size > 0;
+  }
+
+  /** The number of segments of round shapes is part of this picture: Gouraud or flat shading shows it. */
+  get isFixed(): boolean {
+    if (this.#materials.style.shading !== 'phong') return true;
+    for (const { round, isFixed } of this.#meshes) if (round !== null && isFixed) return true;
+    return false;
+  }
+
+  /**
+   * Chooses for a picture of `height` device pixels, and shows what is chosen as far as it is built. `state`: whatever
+   * else the choice depends on, but for meshes: see {@link changed}. `atOnce`: builds all that is missing now. World
+   * matrices must be up to date.
+   */
+  choose(view: View, height: number, atOnce: boolean, ...state: readonly unknown[]): void {
+    const { used, limit } = this.#budget;
+    const isFixed = this.#shared?.isFixed ?? false;
+    const chosenFor = [...state, view.slopeY, height, used, limit, isFixed, atOnce];
+    if (!this.#stale && sameValue(chosenFor, this.#chosenFor)) return;
+    this.#stale = false;
+    this.#chosenFor = chosenFor;
+    this.#list(view, height / (2 * view.slopeY), isFixed);
+    while (this.#triangles() > limit - used && this.#coarsen());
+    this.#mayBuild = atOnce ? Infinity : this.#inFrames;
+    this.#round.forEach((mesh, i) => this.#show(mesh, this.#levels[i]!));
+  }
+
+  /** `pixels`: of a unit of length at depth 1. */
+  #list(view: View, pixels: number, isFixed: boolean): void {
+    this.#round.length = this.#levels.length = 0;
+    for (const mesh of this.#meshes) {
+      const { round: name } = mesh;
+      if (name === null) continue;
+      const round = roundOf(name)!;
+      const { elements } = mesh.parts[0]!.mesh.matrixWorld;
+      const needed =
+        isFixed || mesh.isFixed ? FIXED : segmentsIn(view, pixels / this.#tolerance, round, elements);
+      this.#round.push(mesh);
+      // Out of view it stays as it is.
+      this.#levels.push(needed === null ? mesh.level : needed === FIXED ? FIXED : levelFor(needed, name));
+    }
+  }
+
+  /** What the levels hold beyond the coarsest one, which the meshes have claimed. Equal ones count once. */
+  #triangles(): number {
+    distinct.clear();
+    let total = 0;
+    this.#round.forEach(({ round, wantsFlat }, i) => {
+      const level = this.#levels[i]!;
+      const key = levelNumber(round!, level);
+      if (level === FIXED || distinct.has(key)) return;
+      distinct.add(key);
+      const more = trianglesOf(round!, level) - trianglesOf(round!, COARSEST);
+      total += wantsFlat ? more + flatTrianglesOf(more) : more;
+    });
+    return total;
+  }
+
+  /** The next coarser levels, all of them. False where there is none. */
+  #coarsen(): boolean {
+    let changed = false;
+    this.#round.forEach(({ round }, i) => {
+      const level = this.#levels[i]!;
+      const coarser = level === FIXED ? FIXED : coarserThan(level, round!);
+      changed ||= coarser < level;
+      this.#levels[i] = coarser;
+    });
+    return changed;
+  }
+
+  #show(mesh: SceneMesh, level: number): void {
+    if (level === mesh.level) return;
+    const name = mesh.round!;
+    if (this.#isAtHand(name, level)) mesh.level = level;
+    else {
+      this.#order(name, level);
+      let next = level;
+      // If it is the first picture, or the camera has jumped: what can be had at once.
+      while (next > mesh.level && !this.#isAtHand(name, next)) next = coarserThan(next, name);
+      if (next > mesh.level) mesh.level = next;
+    }
+  }
+
+  /** It is built, or may be built in this frame. */
+  #isAtHand(name: GeometryName, level: number): boolean {
+    if (level === FIXED || isBuilt(levelKey(name, level))) return true;
+    const triangles = trianglesOf(name, level);
+    if (triangles > this.#mayBuild) return false;
+    this.#mayBuild -= triangles;
+    return true;
+  }
+
+  #order(name: GeometryName, level: number): void {
+    const text = `${name} ${String(level)}`;
+    if (this.#building.has(text)) return;
+    this.#building.add(text);
+    const wanted = (): boolean =>
+      this.#round.some((mesh, i) => mesh.round === name && this.#levels[i] === level);
+    const build = async (): Promise<void> => {
+      try {
+        await (await buildsCode()).buildLevel(levelKey(name, level), wanted);
+      } catch {
+        this.#inFrames = Infinity; // without that code, or the memory, finer shapes take longer frames
+      }
+      this.#building.delete(text);
+      this.#stale = true;
+      this.#built();
+    };
+    void build();
+  }
+}
+
+const distinct = new Set<number>();
+
+const levelNumber = (name: GeometryName, level: number): number => GEOMETRIES.indexOf(name) * 2 ** 12 + level;
+
+/**
+ * At least so many segments as a level: a multiple of an eighth of the next power of two, so that at most a quarter is
+ * more than needed and a camera that comes near passes few levels.
+ */
+export function levelFor(segments: number, name: GeometryName): number {
+  const least = effectiveSegments(name, COARSEST);
+  const { most } = roundOf(name)!;
+  if (segments >= most) return most;
+  const step = Math.max(8, 2 ** Math.ceil(Math.log2(segments)) / 8);
+  const level = Math.ceil(segments / step) * step;
+  return level > least ? Math.min(level, most) : least;
+}
+
+/** A coarser level, about half the triangles; the coarsest one itself. */
+const coarserThan = (level: number, name: GeometryName): number => levelFor(level / 1.5, name);
+
+/**
+ * Segments that keep the outline of a round shape within a distance of the true one, of which a unit of length at depth
+ * 1 has `finest`. Null where the shape is out of view.
+ */
+export function segmentsIn(
+  { frame, slopeX, slopeY }: View,
+  finest: number,
+  { gap, half, radius }: Round,
+  m: readonly number[],
+): number | null {
+  const { origin, eye, right, up, back } = frame;
+  // From the eye to the shape's middle.
+  const x = m[12]! - origin[0] - eye[0];
+  const y = m[13]! - origin[1] - eye[1];
+  const z = m[14]! - origin[2] - eye[2];
+  const depth = -(x * back[0] + y * back[1] + z * back[2]);
+  const across = Math.abs(x * right[0] + y * right[1] + z * right[2]);
+  const upward = Math.abs(x * up[0] + y * up[1] + z * up[2]);
+  const size = stretch(m);
+  const reach = size * radius;
+  if (across - slopeX * depth > reach * Math.hypot(1, slopeX)) return null;
+  if (upward - slopeY * depth > reach * Math.hypot(1, slopeY)) return null;
+  if (depth < -reach) return null;
+  const distance = Math.sqrt(x * x + y * y + z * z);
+  const nearest = distanceTo(half, m, x, y, z, reach);
+  // The farther from the middle of the view, the more pixels an angle has.
+  let cos = 1 / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+  if (distance > reach) {
+    const sinReach = reach / distance;
+    const cosReach = Math.sqrt(1 - sinReach * sinReach);
+    const sinMiddle = Math.sqrt(across * across + upward * upward) / distance;
+    cos = Math.max(cos, (depth / distance) * cosReach - sinMiddle * sinReach);
+  }
+  return Math.sqrt((gap * size * finest) / (nearest * cos * cos));
+}
+
+/**
+ * At most the distance of the outline from the eye, which the shape's middle is x, y, z away from. That of a ball is
+ * where the eye's rays touch it; seen from inside it has none, and the distance of its surface counts. Others are not
+ * nearer than their boxes and their spheres, of radius `reach`.
+ */
+function distanceTo(
+  half: Vec3,
+  m: readonly number[],
+  x: number,
+  y: number,
+  z: number,
+  reach: number,
+): number {
+  const squared = x * x + y * y + z * z;
+  let isBall = true;
+  let outside = 0; // squared
+  for (let axis = 0; axis < 3; axis++) {
+    const e = m[4 * axis]!;
+    const f = m[4 * axis + 1]!;
+    const g = m[4 * axis + 2]!;
+    const length = Math.sqrt(e * e + f * f + g * g);
+    isBall &&= Math.abs(half[axis as 0] * length - reach) <= ROUNDING * reach;
+    const beyond = length > 0 ? Math.abs(x * e + y * f + z * g) / length - half[axis as 0] * length : 0;
+    if (beyond > 0) outside += beyond * beyond;
+  }
+  const distance = Math.sqrt(squared);
+  if (!isBall) return Math.max(distance - reach, Math.sqrt(outside));
+  return distance < reach ? reach - distance : Math.sqrt(squared - reach * reach);
+}
+
+/** Relative. A turned ball's axes are equal but for float64's rounding. */
+const ROUNDING = 1e-9;

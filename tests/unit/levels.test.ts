@@ -1,0 +1,201 @@
+// Do the levels of `segments="auto"` keep their outlines within the tolerance, by the shapes' measured constants, and
+// within the viewer's limit of triangles?
+import { Matrix4 } from 'three';
+import { describe, expect, it } from 'vitest';
+import { basisOf } from '../../src/camera/orbit.js';
+import { levelFor, segmentsIn } from '../../src/scene/mesh/levels.js';
+import { finish } from '../../src/scene/mesh/shapes/grid-geometry.js';
+import { beginGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
+import type { View } from '../../src/scene/view-cut.js';
+import {
+  boxOf,
+  deviations,
+  highest,
+  type Piece,
+  type RoundName,
+  roundShapes,
+} from '../support/round-shapes.js';
+
+const SHAPES = roundShapes();
+const NAMES = Object.keys(SHAPES) as RoundName[];
+
+describe('the constants of round shapes', () => {
+  it('are there for all shapes that are not made of flat faces', () => {
+    expect(GEOMETRIES.filter((name) => roundOf(name) !== undefined)).toEqual(NAMES);
+  });
+
+  it.each(NAMES)('say how far the triangles of the %s are off it', (name) => {
+    const { gap, out } = roundOf(name)!;
+    for (const segments of name === 'torus-knot' ? [64, 128] : [16, 32, 64]) {
+      const ranges = SHAPES[name].map((piece: Piece) => deviations(piece, segments));
+      const low = segments ** 2 * Math.min(...ranges.map(([inside]) => inside));
+      const high = segments ** 2 * Math.max(...ranges.map(([, inside]) => inside));
+      expect(high - out, String(segments)).toBeLessThanOrEqual(1.005 * gap);
+      expect(low - out, String(segments)).toBeGreaterThanOrEqual(-1.005 * gap);
+      // No more than it needs.
+      if (segments > 32) expect(Math.max(high - out, out - low)).toBeGreaterThan(0.97 * gap);
+    }
+  });
+
+  it.each(NAMES)('say how large the round %s is', (name) => {
+    const { half, radius } = roundOf(name)!;
+    const surfaces = SHAPES[name].map(({ surface }) => surface);
+    boxOf(surfaces, name === 'teapot' ? 20 : 200).forEach(([low, high], axis) => {
+      // Roundings of the constants, and of the search.
+      expect(Math.abs(high - half[axis as 0]), `axis ${String(axis)}`).toBeLessThan(2e-6);
+      expect(Math.abs(low + half[axis as 0]), `axis ${String(axis)}`).toBeLessThan(2e-6);
+    });
+    const farthest = Math.max(
+      ...surfaces.map((surface) =>
+        highest((a, b) => Math.hypot(...surface(a, b).p), name === 'teapot' ? 20 : 200),
+      ),
+    );
+    expect(farthest).toBeCloseTo(radius, 5);
+  });
+
+  it.each(NAMES)('leave the %s at most 131,072 triangles', (name) => {
+    const { most } = roundOf(name)!;
+    expect(most % 8).toBe(0);
+    expect(trianglesOf(name, most)).toBeLessThanOrEqual(131_072);
+  });
+});
+
+describe('a level', () => {
+  it.each(NAMES)(
+    'of the %s is a multiple of 8, at least as fine as needed, and at most a quarter finer',
+    (name) => {
+      const { most } = roundOf(name)!;
+      const least = name === 'torus-knot' ? 32 : 16;
+      for (let segments = 0; segments < 2.5 * most; segments += 0.37) {
+        const level = levelFor(segments, name);
+        expect(level % 8).toBe(0);
+        if (level < segments) expect(level).toBe(most);
+        if (level > Math.max(1.25 * segments, segments + 8)) expect(level).toBe(least);
+      }
+      expect(levelFor(Infinity, name)).toBe(most);
+      expect(levelFor(NaN, name)).toBe(least);
+    },
+  );
+
+  it('is one of few, so that a camera that comes near builds few', () => {
+    const levels = new Set(Array.from({ length: 4000 }, (_, i) => levelFor(i / 10, 'sphere')));
+    expect([...levels]).toEqual([16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320, 360]);
+  });
+
+  it.each(NAMES)(
+    'of the %s has its vertices as far outside it as the constants say, and true normals',
+    async (name) => {
+      const { out, half, radius } = roundOf(name)!;
+      const plain = finish(await beginGeometry(name, 32, false));
+      const level = finish(await beginGeometry(name, 32, true));
+      const distance = out / 32 ** 2;
+      const [from, to] = [plain, level].map((geometry) => geometry.getAttribute('position').array) as [
+        Float32Array,
+        Float32Array,
+      ];
+      let most = 0;
+      for (let i = 0; i < from.length; i += 3)
+        most = Math.max(
+          most,
+          Math.hypot(to[i]! - from[i]!, to[i + 1]! - from[i + 1]!, to[i + 2]! - from[i + 2]!),
+        );
+      expect(most).toBeCloseTo(distance, 6);
+      expect(level.index!.array).toEqual(plain.index!.array);
+      // What is drawn lies within the bounds that culling uses.
+      for (let i = 0; i < to.length; i += 1)
+        expect(Math.abs(to[i]!)).toBeLessThanOrEqual(half[(i % 3) as 0] + distance + 1e-7);
+      expect(level.boundingSphere!.radius).toBeCloseTo(radius + distance, 12);
+    },
+  );
+});
+
+/** A view along −z from the origin's `distance`. */
+function viewFrom(distance: number, fov = 45, aspect = 4 / 3): View {
+  const slopeY = Math.tan((fov * Math.PI) / 360);
+  const { right, up, back } = basisOf({ theta: 0, phi: 90 });
+  return {
+    frame: { origin: [0, 0, 0], eye: [0, 0, distance], right, up, back },
+    ...{ slopeX: slopeY * aspect, slopeY, radius: distance },
+  };
+}
+
+const at = (x: number, y: number, z: number, size: number) =>
+  new Matrix4().makeScale(size, size, size).setPosition(x, y, z).elements;
+
+describe('the number of segments that a shape needs', () => {
+  const sphere = roundOf('sphere')!;
+
+  it('keeps the outline of a sphere within the tolerance wherever it is in the picture', () => {
+    const height = 400;
+    for (const fov of [10, 45, 120])
+      for (const distance of [0.52, 0.7, 2, 30]) {
+        const view = viewFrom(distance, fov);
+        const pixels = height / (2 * view.slopeY);
+        for (const x of [0, 0.3, 0.9]) {
+          const n = segmentsIn(view, 8 * pixels, sphere, at(x * distance * view.slopeX, 0, 0, 1));
+          if (n === null) continue;
+          // Where the outline is in view: rays that touch the sphere, once with the radius that is drawn.
+          const gap = sphere.gap / n ** 2;
+          let worst = 0;
+          for (const sign of [-1, 1]) {
+            const place = (radius: number): number => {
+              const away = Math.hypot(x * distance * view.slopeX, distance);
+              const angle =
+                Math.atan2(x * distance * view.slopeX, distance) + sign * Math.asin(radius / away);
+              return Math.tan(angle);
+            };
+            if (Math.hypot(x * distance * view.slopeX, distance) <= 0.5 || Math.abs(place(0.5)) > view.slopeX)
+              continue;
+            worst = Math.max(worst, Math.abs(pixels * (place(0.5 - gap) - place(0.5))));
+          }
+          expect(worst, `${String(fov)}° ${String(distance)} ${String(x)}`).toBeLessThan(0.126);
+        }
+      }
+  });
+
+  it('is no larger than that of a sphere that is seen whole', () => {
+    // The outline of the default view at 400 pixels is 395 / 2 pixels from its middle.
+    const view = viewFrom((1.05 * 0.5) / Math.sin(Math.PI / 8));
+    const n = segmentsIn(view, (8 * 400) / (2 * view.slopeY), sphere, at(0, 0, 0, 1))!;
+    expect(n).toBeGreaterThan(80);
+    expect(n).toBeLessThan(96);
+  });
+
+  it('is none out of view, and grows without bound where the eye is on the surface', () => {
+    const view = viewFrom(3);
+    expect(segmentsIn(view, 1000, sphere, at(0, 0, 4, 1))).toBeNull();
+    expect(segmentsIn(view, 1000, sphere, at(9, 0, 0, 1))).toBeNull();
+    expect(segmentsIn(view, 1000, sphere, at(0, 9, 0, 1))).toBeNull();
+    expect(segmentsIn(view, 1000, sphere, at(0, 0, 2.5, 1))).toBe(Infinity);
+    expect(segmentsIn(view, 1000, roundOf('torus')!, at(0, 0, 2.9, 1))).toBe(Infinity);
+    expect(segmentsIn(view, 1000, sphere, at(0, 0, 3, 1))).toBeLessThan(200);
+  });
+
+  it('is that of the nearest part that its box leaves, for a wide flat shape', () => {
+    // The eye is 10 above a disc of radius 50, and within its sphere.
+    const disc = new Matrix4().makeScale(100, 0.1, 100).setPosition(0, -10, 0).elements;
+    const view = viewFrom(0);
+    const n = segmentsIn(view, 1000, roundOf('cylinder')!, disc)!;
+    const nearest = 10 - 0.05;
+    const corner = 1 + view.slopeX ** 2 + view.slopeY ** 2;
+    expect(n).toBeCloseTo(Math.sqrt((roundOf('cylinder')!.gap * 100 * 1000 * corner) / nearest), 6);
+  });
+
+  it('is a number in every direction, whatever is rounded', () => {
+    for (let theta = 0; theta < 360; theta += 1.7) {
+      const { right, up, back } = basisOf({ theta, phi: 70 });
+      const eye = back.map((x) => 1.3719 * x) as unknown as readonly [number, number, number];
+      const view = { ...viewFrom(1), frame: { origin: [0, 0, 0] as const, eye, right, up, back } };
+      expect(segmentsIn(view, 1000, sphere, at(0, 0, 0, 1)), String(theta)).toBeGreaterThan(40);
+    }
+  });
+
+  it('grows with the root of the resolution', () => {
+    const view = viewFrom(3);
+    for (const name of NAMES) {
+      const matrix = at(0.1, 0, 0, 1);
+      const one = segmentsIn(view, 1000, roundOf(name)!, matrix)!;
+      expect(segmentsIn(view, 4000, roundOf(name)!, matrix)! / one).toBeCloseTo(2, 9);
+    }
+  });
+});
