@@ -1,5 +1,6 @@
 // @ts-check
-// Makes dist/: the ES modules, the standalone and the classic file, the types, and the manifests of the elements.
+// Makes dist/: the ES modules, the standalone and the classic file, the types, the ready sets of texts, and the manifests of the
+// elements.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';
@@ -22,6 +23,7 @@ runNode(
   '--outDir',
   outputFolder('dist') + '/types',
 );
+runNode('.ci/texts.mjs');
 if (existsSync('.ci/manifest.mjs')) runNode('.ci/manifest.mjs');
 
 /** @param {string[]} args */

@@ -52,8 +52,9 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /** Everything requested is there, and shapes have been drawn. False while nothing is requested. */
   readonly loaded: boolean;
   /**
-   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out
-   * stay English. Null, the default, restores all. Throws TypeError for anything but an object of strings.
+   * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out are
+   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in use,
+   * the page's included; null if all are English. Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
@@ -104,6 +105,18 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   resetCamera(): void;
 }
 
+/** The class of `<phong-viewer>`. */
+export interface ViewerClass extends ElementClass<PhongViewer> {
+  /**
+   * Texts for all viewers and comparisons of the page, those added later too, as {@link PhongViewer.texts}. A viewer's
+   * own texts go first; those of a `<script type="application/json" data-phong-viewer-texts>` come after these. Reading
+   * gives the texts in use on the page. Null, the default, leaves the script's. Throws TypeError for anything but an
+   * object of strings.
+   */
+  get texts(): ViewerTexts | null;
+  set texts(texts: ViewerTexts | null | undefined);
+}
+
 /** Shows the viewers that are its children over each other, with dividers between them, or side by side. */
 export interface PhongCompare extends LitElement, CompareProperties {
   readonly localName: 'phong-compare';
@@ -118,6 +131,11 @@ export interface PhongCompare extends LitElement, CompareProperties {
 /** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
 export interface ViewerStats {
   readonly frames: number;
+  /**
+   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0 before its first
+   * ones are shown. Stays 0 where the GPU has no float targets: `full` is like `edges` there.
+   */
+  readonly samples: number;
   readonly lightsDeclared: number;
   readonly lightsActive: number;
   /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */

@@ -5,10 +5,10 @@ import type { Scene } from 'three';
 import { FieldStore } from '../fields/field-store.js';
 import type {
   CameraState,
-  ElementClass,
   PhongLight,
   PhongMesh,
   PhongViewer as PublicViewer,
+  ViewerClass,
   ViewerStats,
 } from './elements.js';
 import { create, renderWhereShown } from './dom.js';
@@ -19,6 +19,7 @@ import type { ViewerProperties } from './fields/properties.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
+import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import styles from './phong-viewer.css?inline';
@@ -71,6 +72,14 @@ class ViewerElement extends LitElement implements PublicViewer {
   static override readonly shadowRootOptions: ShadowRootInit = { mode: 'open', delegatesFocus: true };
   static override get observedAttributes(): string[] {
     return [...super.observedAttributes, ...attributesOf(VIEWER_FIELDS), ...NAMING];
+  }
+
+  static get texts(): ViewerTexts | null {
+    return pageTexts();
+  }
+
+  static set texts(texts: ViewerTexts | null | undefined) {
+    assignTexts(texts);
   }
 
   readonly #store = new FieldStore<ViewerValues>(VIEWER_FIELDS);
@@ -187,6 +196,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
+    useTexts(this);
     this.#binding.upgrade();
     upgradeProperty(this, 'texts');
     upgradeProperty(this, 'maxTriangles');
@@ -198,6 +208,7 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
+    leaveTexts(this);
     this.#context.viewport.detach();
     this.#readiness.check();
   }
@@ -259,24 +270,25 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (!this.#visibility.connected) return true;
     if (this.#loading.pending || this.#extras.pending !== null) return false;
     const { viewport } = this.#context;
-    return viewport.settled || !viewport.drawable;
+    return !viewport.drawable || (viewport.upToDate && !viewport.levels.pending && !viewport.converging);
   }
 }
 
 defineProperties(ViewerElement.prototype, VIEWER_FIELDS);
 
 export type PhongViewer = PublicViewer;
-export const PhongViewer: ElementClass<PhongViewer> = ViewerElement;
+export const PhongViewer: ViewerClass = ViewerElement;
 
 const STYLE_KEYS = ['shading', 'reflection', 'terms', 'antialias'] as const;
 
 /** Passes the values that change the picture as a whole to the viewport. `changed`: the values that were written. */
 function applyStyle(
-  viewport: Pick<Viewport, 'fov' | 'linear' | 'style'>,
-  { fov, colorInterpolation, shading, reflection, terms, antialias }: Readonly<ViewerValues>,
+  viewport: Pick<Viewport, 'fov' | 'linear' | 'style' | 'samples'>,
+  { fov, colorInterpolation, shading, reflection, terms, antialias, samples }: Readonly<ViewerValues>,
   changed: { has(key: string): boolean },
 ): void {
   viewport.fov = fov;
   viewport.linear = colorInterpolation === 'linear';
+  viewport.samples = antialias === 'full' ? samples : 0;
   if (STYLE_KEYS.some((key) => changed.has(key))) viewport.style = { shading, reflection, terms, antialias };
 }

@@ -74,6 +74,7 @@ export const VIEWER_ROWS = {
     terms: flags(TERMS, (term) => `${term} term`),
     colorInterpolation: oneOf('colour space', ['srgb', 'linear']),
     antialias: oneOf('antialias', ANTIALIASES),
+    samples: number('samples', linear(16, 1024, 1), 'Per pixel, with antialias full'),
   }),
   ...inFolder('Show', {
     view: oneOf('view', VIEWS),

@@ -27,7 +27,7 @@ export const SURFACE_FIELDS: { readonly [K in keyof SurfaceValues]: Field<Surfac
 export const SHADINGS = ['phong', 'gouraud', 'flat'] as const;
 export const REFLECTIONS = ['phong', 'blinn-phong'] as const;
 export const TERMS = ['ambient', 'diffuse', 'specular'] as const;
-export const ANTIALIASES = ['edges', 'highlights'] as const;
+export const ANTIALIASES = ['edges', 'highlights', 'full'] as const;
 
 export type Shading = (typeof SHADINGS)[number];
 export type Reflection = (typeof REFLECTIONS)[number];
@@ -42,7 +42,7 @@ export interface ShadingStyle {
   /**
    * `edges` (default): one sample per pixel inside faces; the renderer smooths edges. `highlights`: the specular lobe
    * is also averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under
-   * `gouraud`.
+   * `gouraud`. `full`: like `edges`; the picture is drawn many times, its pixels displaced, and averaged.
    */
   readonly antialias: Antialias;
 }

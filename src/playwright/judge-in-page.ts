@@ -97,9 +97,9 @@ export async function judgeInPage(
   viewer: PhongViewer,
   { codes, pixels, seed, most, lightKeys }: JudgeOptions,
 ): Promise<Judgement> {
-  if (viewer.antialias === 'highlights')
+  if (viewer.antialias !== 'edges')
     throw new Error(
-      'antialias="highlights" averages highlights over a pixel, so single points of the equation are not shown',
+      `antialias="${viewer.antialias}" averages over a pixel, so single points of the equation are not shown`,
     );
   const before = JSON.stringify(viewer.camera);
   const { data, width, height } = await pictureOf(viewer);

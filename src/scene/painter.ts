@@ -20,8 +20,14 @@ export class Painter {
   }
 
   /** Draws what `view` was last aimed at. */
-  paint(renderer: WebGLRenderer, { camera, frame, view }: ViewCamera): void {
-    this.lighting.updateFrame(frame, camera);
+  paint(renderer: WebGLRenderer, view: ViewCamera): void {
+    this.lighting.updateFrame(view.frame, view.camera);
+    this.paintAgain(renderer, view);
+    this.#drawCalls = renderer.info.render.calls;
+  }
+
+  /** Draws the scene and the lights of the last {@link paint} once more. Counts as no frame for programs. */
+  paintAgain(renderer: WebGLRenderer, { camera, view }: ViewCamera): void {
     try {
       const separate = this.lighting.view?.separate === true;
       this.#huge.replace(this.#meshes, view, camera.near, camera.far, separate);
@@ -29,7 +35,6 @@ export class Painter {
     } finally {
       this.#huge.restore();
     }
-    this.#drawCalls = renderer.info.render.calls;
   }
 
   /** Gives back what the GPU holds; drawing sends it again. */
@@ -59,6 +64,7 @@ export class Painter {
 
 export interface ViewportStats {
   readonly frames: number;
+  readonly samples: number;
   readonly lightsActive: number;
   readonly lightsSent: number;
   readonly lightsSentByMesh: readonly number[];

@@ -17,7 +17,8 @@ import { SharedMaterials } from './mesh/shared-materials.js';
 import { TriangleBudget } from './mesh/triangle-budget.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import { type NoWebGL2Error, type Region, stage, type StageClient } from './gpu/stage.js';
+import { StillPicture } from './still-picture.js';
 import { ViewCamera } from './view-camera.js';
 import type { ViewportSignals } from './viewport-signals.js';
 
@@ -28,6 +29,9 @@ export class Viewport implements StageClient, Framed {
   readonly animations = new Animations();
   readonly budget = new TriangleBudget();
   readonly levels: Levels;
+  readonly scene: Scene;
+  readonly lighting: PhongLighting;
+  readonly meshes: ReadonlySet<SceneMesh>;
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly fit: AutoFit;
@@ -42,8 +46,13 @@ export class Viewport implements StageClient, Framed {
   #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
+  /** The picture has not changed, but its pixels are gone. */
+  #blank = false;
+  /** Something moves by itself, as of the last animation frame. */
+  #moving = false;
   /** A changed picture was drawn and has not been reported as shown. */
   #unshown = false;
+  readonly #still: StillPicture;
   #fov = 45;
   #frames = 0;
   /**
@@ -57,13 +66,15 @@ export class Viewport implements StageClient, Framed {
   /** `holder` is an element that holds nothing but the canvas. */
   constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
     this.holder = holder;
-    const meshes = new Set<SceneMesh>();
+    const meshes = (this.meshes = new Set<SceneMesh>());
     this.#painter = new Painter(lights, meshes);
+    ({ scene: this.scene, lighting: this.lighting } = this.#painter);
     this.materials = new SharedMaterials(this.#painter.lighting);
     this.levels = new Levels(meshes, this.budget, this.materials, () => this.invalidate());
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#signals = signals;
+    this.#still = new StillPicture(this, () => signals.frameEnded.emit());
   }
 
   /** Device pixels, at most what the GPU can draw. */
@@ -73,14 +84,6 @@ export class Viewport implements StageClient, Framed {
 
   get height(): number {
     return Math.floor(this.#wanted.height * stage.shareOf(this.#wanted));
-  }
-
-  get scene(): Scene {
-    return this.#painter.scene;
-  }
-
-  get lighting(): PhongLighting {
-    return this.#painter.lighting;
   }
 
   /** Joins the page's stage, in the window that shows the holder. */
@@ -99,6 +102,7 @@ export class Viewport implements StageClient, Framed {
     this.#attached = false;
     this.#near = undefined;
     this.#loop?.cancel(this);
+    this.#still.pause();
     stage.remove(this);
     this.#releaseUnlessAttached();
   }
@@ -121,13 +125,24 @@ export class Viewport implements StageClient, Framed {
   set style(style: ShadingStyle) {
     this.materials.style = style;
     for (const mesh of this.#tree.meshes) mesh.restyle();
-    this.levels.changed();
-    this.invalidate();
+    this.reshaped();
   }
 
   set linear(linear: boolean) {
     if (linear !== this.lighting.linear) this.invalidate();
     this.lighting.linear = linear;
+  }
+
+  /** Samples per pixel of a picture that stands still. 0, the default: it stays as it was drawn. */
+  set samples(samples: number) {
+    if (samples === this.#still.wanted) return;
+    this.#still.wanted = samples;
+    this.invalidate();
+  }
+
+  /** The picture stands still and is not yet what it will be. */
+  get converging(): boolean {
+    return !this.#moving && this.#still.pending;
   }
 
   /** How target and radius are found; null leaves them where the user put them. */
@@ -151,12 +166,8 @@ export class Viewport implements StageClient, Framed {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
     this.fit.resized(width, height);
-    this.#dirty = true;
+    this.#outdate();
     this.#wake();
-  }
-
-  get meshes(): ReadonlySet<SceneMesh> {
-    return this.#tree.meshes;
   }
 
   add(mesh: SceneMesh): void {
@@ -194,19 +205,21 @@ export class Viewport implements StageClient, Framed {
     return this.#near === undefined || (this.width > 0 && this.height > 0);
   }
 
-  /** Nothing has changed since the last frame. */
+  /** The canvas shows the scene as it is, if only the plain picture. */
   get upToDate(): boolean {
-    return !this.#dirty;
-  }
-
-  /** As {@link upToDate}, and nothing will be finer. */
-  get settled(): boolean {
-    return this.upToDate && !this.levels.pending;
+    return !this.#dirty && !this.#blank;
   }
 
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
-    this.#dirty = true;
+    this.#outdate();
+    this.animate();
+  }
+
+  repaint(): void {
+    // Out of sight, what the GPU keeps goes with the copy on the page.
+    if (this.#still.samples === 0 || !this.drawable) this.#outdate();
+    this.#blank = true;
     this.animate();
   }
 
@@ -221,21 +234,30 @@ export class Viewport implements StageClient, Framed {
   }
 
   advance(now: number): boolean {
-    return this.drawable && this.moveTo(now);
+    this.#moving = this.drawable && this.moveTo(now);
+    return this.#moving;
   }
 
   draw(): void {
-    if (this.#dirty && this.drawable) this.redraw();
+    if (!this.drawable) return;
+    if (!this.upToDate) this.redraw();
+    else if (this.#moving || !this.#still.step()) return;
+    if (!this.#moving && this.#still.startable) this.animate();
   }
 
   redraw(): void {
     if (!this.drawable || this.#near === undefined) {
-      this.#dirty = true;
+      this.#outdate();
       return;
     }
     const changed = this.#dirty;
     // Before drawing: if that throws, the next attempt follows the next change.
-    this.#dirty = false;
+    this.#dirty = this.#blank = false;
+    if (!changed && this.#still.samples > 0) {
+      this.show(false);
+      this.#signals.frameEnded.emit();
+      return;
+    }
     try {
       if (this.#paint()) {
         this.#signals.painted.emit();
@@ -254,6 +276,16 @@ export class Viewport implements StageClient, Framed {
     }
   }
 
+  sample(renderer: WebGLRenderer, part: Region): void {
+    this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
+    this.#painter.paintAgain(renderer, this.#view);
+  }
+
+  show(last: boolean): void {
+    this.#blank = !stage.draw(this, this.#renderKept);
+    this.#unshown ||= last;
+  }
+
   /** Fits the camera to the scene if radius or target is `auto` and something has changed. */
   settle(): void {
     // The first fit is not a move.
@@ -266,13 +298,40 @@ export class Viewport implements StageClient, Framed {
     return this.fit.bounds;
   }
 
-  /** The picture now, at exactly this size in pixels. Throws RangeError if no canvas can hold it. */
-  capture(width: number, height: number): HTMLCanvasElement {
+  /**
+   * The picture now, at exactly this size in pixels: the plain one unless `shown`, for what is shown at this size.
+   * Throws RangeError if no canvas can hold it.
+   */
+  capture(width: number, height: number, shown = false): HTMLCanvasElement {
     this.#bringInStep({ width, height }, true);
     this.#releaseUnlessAttached();
+    const isShown = !this.#dirty && width === this.width && height === this.height;
     return stage.capture({ width, height }, (renderer, part) => {
-      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
-      this.#painter.paint(renderer, this.#view);
+      if (shown && isShown && this.#still.samples > 0) this.#still.copy(renderer, part);
+      else {
+        this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
+        this.#painter.paint(renderer, this.#view);
+      }
+    });
+  }
+
+  /**
+   * The mean of so many samples of each pixel, of the scene as it is now. Rejects like {@link capture}. Where the GPU
+   * has no float targets it is the plain picture.
+   */
+  captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
+    // Nothing keeps the context open for a viewer that is on no page.
+    return this.#still.capture({ width, height }, samples, !this.#attached, () => {
+      this.#bringInStep({ width, height }, true);
+      this.#releaseUnlessAttached();
+      const view = new ViewCamera(new Orbit(this.orbit.pose));
+      const [fov, bounds] = [this.#fov, this.fit.depthBounds()];
+      let paint: 'paint' | 'paintAgain' = 'paint';
+      return (renderer, part) => {
+        view.aim(fov, this.scene, bounds, width, height, part);
+        this.#painter[paint](renderer, view);
+        paint = 'paintAgain'; // the lights are those of the call, and all samples count as one frame
+      };
     });
   }
 
@@ -290,7 +349,8 @@ export class Viewport implements StageClient, Framed {
 
   get stats(): ViewportStats {
     const { programs, viewersDrawn } = stage;
-    return { ...this.#painter.stats, frames: this.#frames, programs, viewersDrawn };
+    const { samples } = this.#still;
+    return { ...this.#painter.stats, frames: this.#frames, samples, programs, viewersDrawn };
   }
 
   shown(): void {
@@ -300,7 +360,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   contextLost(): void {
-    this.#dirty = true;
+    this.#outdate();
     this.#loop?.cancel(this);
     this.#releaseGpu();
     this.#signals.contextLost.emit();
@@ -323,6 +383,10 @@ export class Viewport implements StageClient, Framed {
     this.#painter.paint(renderer, this.#view);
   };
 
+  readonly #renderKept = (renderer: WebGLRenderer): void => {
+    this.#still.copy(renderer);
+  };
+
   contextMissing(error: NoWebGL2Error): void {
     this.#loop?.cancel(this);
     this.#signals.contextMissing.emit(error);
@@ -334,7 +398,6 @@ export class Viewport implements StageClient, Framed {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
-    if (width === 0 || height === 0) return;
     const view = this.#view.look(this.#fov, width / height);
     this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves, width);
   }
@@ -348,13 +411,21 @@ export class Viewport implements StageClient, Framed {
 
   /** Drawing sends everything to the GPU again. */
   #releaseGpu(): void {
+    this.#still.dispose();
     this.materials.sweep();
     this.#painter.release();
   }
 
   /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */
   #wake(): void {
-    if (!this.drawable) this.#loop?.cancel(this);
-    else if (this.#dirty) this.#loop?.request(this);
+    if (!this.drawable) {
+      this.#loop?.cancel(this);
+      this.#still.pause();
+    } else if (!this.upToDate || this.converging) this.#loop?.request(this);
+  }
+
+  #outdate(): void {
+    this.#dirty = true;
+    this.#still.reset();
   }
 }

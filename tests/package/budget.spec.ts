@@ -16,7 +16,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 125_952, modules: 59_136 } as const;
+const budgets = { standalone: 127_232, modules: 60_160 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -48,21 +48,21 @@ test('the standalone file is about as large as a bundle of plain three.js with i
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.178. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.18);
+  // Measured: 1.191. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.195);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 177.2 kB, because bundlers keep three.js's shader chunks, and about 126 kB.
-  expect(await bundled('index.js')).toBeLessThan(178_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(127_000);
+  // Measured: 178.5 kB, because bundlers keep three.js's shader chunks, and about 127 kB.
+  expect(await bundled('index.js')).toBeLessThan(179_000);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(128_000);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 319.8 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(320_500);
+  // Measured: 324.7 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(325_500);
 });
 
 test("the React components add little to the elements' own code", () => {

@@ -35,7 +35,7 @@ export interface ViewerLike extends HTMLElement {
 /** The viewer's `toBlob` at this size; default: the canvas's own. */
 export async function pixels(
   viewer: Locator,
-  size: { width?: number; height?: number; helpers?: boolean } = {},
+  size: { width?: number; height?: number; helpers?: boolean; samples?: number } = {},
 ): Promise<Picture> {
   const base64 = await viewer.evaluate(async (element, options) => {
     const blob = await (element as ViewerLike).toBlob({ ...options, type: 'image/png' });

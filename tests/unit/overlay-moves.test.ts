@@ -19,7 +19,7 @@ const sight = {
 const values = (given: Partial<LightValues>): LightValues => new LightState(given).values;
 
 function anchorOf(light: LightValues, view: Projection, part: Part = 'place'): Anchor {
-  const { placed, handles } = lightMarks(light, view, scene, false);
+  const { placed, handles } = lightMarks(light, view, scene, false, Infinity);
   return { part, values: light, placed, handle: handles.find((each) => each.part === part)!, view, scene };
 }
 
@@ -144,7 +144,7 @@ describe('a light that is moved', () => {
     const from = new Projection(sight);
     const spot = values({ position: [0, 1, 0, 1], axis: [0, -1, 0], aperture: 20 });
     const anchor = anchorOf(spot, from, 'aperture');
-    const wider = lightMarks({ ...spot, aperture: 47 }, from, scene, false).handles.find(
+    const wider = lightMarks({ ...spot, aperture: 47 }, from, scene, false, Infinity).handles.find(
       ({ part }) => part === 'aperture',
     )!;
     const { x, y } = anchor.handle.at;
@@ -153,6 +153,39 @@ describe('a light that is moved', () => {
     expect(moved(anchor, from, travel(-9999, 0, { byKeys: true })).aperture).toBe(0);
     // At 180 there is no cone, and the handle would disappear during the move.
     expect(moved(anchor, from, travel(9999, 0, { byKeys: true })).aperture).toBe(179);
+  });
+});
+
+describe('a spot’s helper', () => {
+  const from = new Projection(sight);
+  const edgeOf = (aperture: number, surface: number): Vec3 => {
+    const light = values({ position: [0.2, 2, 0.1, 1], axis: [0, -1, 0], aperture });
+    const { handles } = lightMarks(light, from, scene, false, surface);
+    return handles.find(({ part }) => part === 'aperture')!.place;
+  };
+  const radiusOf = ([x, , z]: Vec3): number => Math.hypot(x - 0.2, z - 0.1);
+
+  it('ends at the first surface: over a level floor its ring is the lit pool', () => {
+    for (const aperture of [5, 20, 35]) {
+      const edge = edgeOf(aperture, 2.5);
+      expect(edge[1]).toBeCloseTo(-0.5, 12);
+      expect(radiusOf(edge)).toBeCloseTo(2.5 * Math.tan((aperture * Math.PI) / 180), 12);
+    }
+  });
+
+  it('ends where its axis leaves the scene if it meets no surface', () => {
+    const exit = Math.sqrt(scene.radius ** 2 - 0.05);
+    expect(edgeOf(10, Infinity)[1]).toBeCloseTo(-exit, 12);
+  });
+
+  it('has a ring of at most twice the scene’s radius, without a jump at any aperture', () => {
+    let before = radiusOf(edgeOf(1, 2.5));
+    for (let aperture = 1.5; aperture < 180; aperture += 0.5) {
+      const radius = radiusOf(edgeOf(aperture, 2.5));
+      expect(radius).toBeLessThanOrEqual(2 * scene.radius + 1e-9);
+      expect(Math.abs(radius - before)).toBeLessThan(0.1);
+      before = radius;
+    }
   });
 });
 
@@ -167,7 +200,13 @@ describe('a light’s helper', () => {
         fc.integer({ min: 1, max: 500 }),
         (from, v, w, width) => {
           const small = new Projection({ ...sight, pose: from.pose, width });
-          const { handles } = lightMarks(values({ position: [...v, w], aperture: 20 }), small, scene, false);
+          const { handles } = lightMarks(
+            values({ position: [...v, w], aperture: 20 }),
+            small,
+            scene,
+            false,
+            Infinity,
+          );
           for (const { at } of handles) {
             expect(at.x >= 0 && at.x <= width, `${at.x}`).toBe(true);
             expect(at.y >= 0 && at.y <= 300, `${at.y}`).toBe(true);

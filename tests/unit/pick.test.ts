@@ -23,7 +23,8 @@ import type { Sides } from '../../src/material/back-faces.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
-import { type Hit, pick } from '../../src/scene/snapshot/pick.js';
+import { distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
+import type { Vec3 } from '../../src/math/vector.js';
 import { cornersOf } from '../../src/scene/snapshot/corners.js';
 import { ViewCamera } from '../../src/scene/view-camera.js';
 
@@ -318,5 +319,30 @@ describe('a snapshot of an animated mesh', () => {
     expect(taken()).toBe(before);
     geometry.setAttribute('normal', (geometry.getAttribute('normal') as BufferAttribute).clone());
     expect(taken()).not.toBe(before);
+  });
+});
+
+describe('the distance along a ray', () => {
+  const along = (from: Vec3, direction: Vec3): number => {
+    const view = new ViewCamera(new Orbit({ theta: 0, phi: 90, radius: 3 }));
+    view.aim(45, scene, { center: [0, 0, 0], radius: 2 }, SIZE, SIZE);
+    return distanceAlong(snapshotThrough(view), from, direction);
+  };
+
+  it('ends at the nearest surface, from either side, wherever the eye is', () => {
+    wall(0);
+    wall(-1);
+    expect(along([0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(5, 12);
+    expect(along([0.1, 0.2, -5], [0, 0, 1])).toBeCloseTo(4, 12);
+    expect(along([0.1, 0.2, -0.25], [0.6, 0, 0.8])).toBeCloseTo(0.25 / 0.8, 12);
+    expect(along([0, 0, 5], [0, 1, 0])).toBe(Infinity);
+  });
+
+  it("ends at a page author's own mesh too", () => {
+    wall(0);
+    const other = new Mesh(new PlaneGeometry(1, 1), new MeshBasicMaterial());
+    other.position.z = 1;
+    scene.add(other);
+    expect(along([0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(4, 12);
   });
 });

@@ -17,7 +17,7 @@ import {
   withStrangers,
 } from './scene-laws.js';
 
-const SIZE = { width: 120, height: 84 };
+const SIZE = { width: 84, height: 60 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 8));

@@ -6,6 +6,7 @@ import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
+import { leaveTexts, useTexts } from '../page/page-texts.js';
 import { CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
@@ -29,6 +30,7 @@ export class Comparison implements DividerHost, ReactiveController {
   readonly #element: PhongCompare;
   readonly #values: Readonly<CompareValues>;
   readonly #observer = new MutationObserver(() => this.#element.requestUpdate());
+  readonly #textUser = { requestUpdate: () => this.#element.requestUpdate() };
   #listeners = new AbortController();
   /** Those in the panes, in their order. */
   #viewers: readonly PhongViewer[] = [];
@@ -44,6 +46,7 @@ export class Comparison implements DividerHost, ReactiveController {
     const root = this.#element.shadowRoot!;
     addStyles(root, styles);
     this.#observe();
+    useTexts(this.#textUser);
     const { signal } = (this.#listeners = new AbortController());
     // The direction of the text may have changed, which no event reports.
     for (const type of ['pointerover', 'focusin'] as const)
@@ -53,6 +56,7 @@ export class Comparison implements DividerHost, ReactiveController {
 
   hostDisconnected(): void {
     this.#observer.disconnect();
+    leaveTexts(this.#textUser);
     this.#listeners.abort();
   }
 

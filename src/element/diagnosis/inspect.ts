@@ -1,8 +1,9 @@
 // Finds elements that may hold a mistake of their author that nothing else reports. Each element is tested once, after
 // the task or the parsing that connected it. The tests are cheap and coarse; the code that knows the mistakes and their
-// cures is fetched only if one fails.
+// cures is fetched only if one fails. The page's own texts are looked for at the same time.
 import { registryAround } from '../child-registry.js';
 import type { PhongViewer } from '../elements.js';
+import { lookForTexts } from '../page/page-texts.js';
 import { isNamed } from '../viewer/naming.js';
 
 const waiting = new Set<Element>();
@@ -61,6 +62,7 @@ function inspectSoon(): void {
   setTimeout(() => {
     const elements = [...waiting];
     waiting.clear();
+    lookForTexts();
     report(elements.filter(isSuspect));
     const nameless = elements.filter(isNameless);
     const [first] = nameless;

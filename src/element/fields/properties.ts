@@ -145,6 +145,8 @@ export interface ViewerProperties extends ShapeProperties, ViewerValues {
   set colorInterpolation(value: Viewer['colorInterpolation']);
   get antialias(): ViewerValues['antialias'];
   set antialias(value: Viewer['antialias']);
+  get samples(): ViewerValues['samples'];
+  set samples(value: Viewer['samples']);
   get pixelRatio(): ViewerValues['pixelRatio'];
   set pixelRatio(value: Viewer['pixelRatio']);
   get helpers(): ViewerValues['helpers'];

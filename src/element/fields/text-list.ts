@@ -1,5 +1,6 @@
 // All texts that a viewer shows or announces, in English, as the keys of `texts`. Words in braces stand for values. The
 // elements import only the type, so the list adds no bytes.
+import type { ViewerErrorCode } from '../events.js';
 
 export const VIEWER_TEXTS = [
   // The picture, and what is around it
@@ -84,7 +85,6 @@ export const VIEWER_TEXTS = [
   'Point {point}.',
   'Colour: red {red}, green {green}, blue {blue}.',
   '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}',
-  'And {count} lights more.',
   'Unlit: the colour is the base colour, whatever the lights.',
   'Gouraud: the terms are those of the triangle’s corners, interpolated.',
   'Another surface hides the point.',
@@ -171,6 +171,8 @@ export const VIEWER_TEXTS = [
   'specular term',
   'colour space',
   'antialias',
+  'samples',
+  'Per pixel, with antialias full',
   // Their options
   'directional',
   'point',
@@ -186,6 +188,7 @@ export const VIEWER_TEXTS = [
   'linear',
   'edges',
   'highlights',
+  'full',
   // What the panel shows beside the shaded picture
   'Show',
   'view',
@@ -208,5 +211,15 @@ export const VIEWER_TEXTS = [
   'Divider',
   'Divider between {first} and {second}',
 ] as const;
+
+/** The codes of `error`, which are keys of `texts` too. */
+export const ERROR_TEXTS = [
+  'load-failed',
+  'bad-model',
+  'too-large',
+  'csp',
+  'context-lost',
+  'no-webgl2',
+] as const satisfies readonly ViewerErrorCode[];
 
 export type ViewerText = (typeof VIEWER_TEXTS)[number];

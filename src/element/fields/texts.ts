@@ -10,6 +10,9 @@ import type { ViewerText } from './text-list.js';
  */
 export type ViewerTexts = { readonly [text in ViewerText | ViewerErrorCode]?: string | undefined };
 
+/** Every text in one language, and a message for every error. */
+export type CompleteTexts = Readonly<Record<ViewerText | ViewerErrorCode, string>>;
+
 /** A text, in the page's words if it has its own, with values in place of the words in braces. */
 export const phrase = (
   texts: ViewerTexts | null,

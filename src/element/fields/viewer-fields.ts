@@ -78,9 +78,12 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /**
    * `edges`: several samples per pixel at the edges of faces, one inside. `highlights`: the specular lobe is also
    * averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`.
-   * Default edges.
+   * `full`: a picture that stands still converges to the mean over each pixel; until then, and while anything moves,
+   * like `edges`. Default edges.
    */
   antialias: Antialias;
+  /** Samples per pixel of `antialias="full"`. Whole, 16–1,024. Default 64. */
+  samples: number;
   /**
    * Most pixels of the canvas per CSS pixel, a number above 0, or `auto`: as many as the device has. Below 1 the
    * picture is blurred. Default auto.
@@ -139,6 +142,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
   antialias: choiceField<Antialias>('edges', ANTIALIASES),
+  samples: numberField(64, { min: 16, max: 1024, integer: true }),
   // Any limit far above what screens have would do.
   pixelRatio: orWord('auto', numberField(1, { above: 0, max: 1e6 })),
   helpers: { ...subsetField<Helper>(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },

@@ -6,6 +6,7 @@ import { fileName } from '../../model/file-name.js';
 import type { MeshValues } from '../../scene/mesh/mesh-fields.js';
 import type { ViewerText } from '../fields/text-list.js';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
+import { localNumber } from '../page/local-number.js';
 import type { CameraState } from '../elements.js';
 
 /** Lights that the description names. It is read in one go, so it must be short; the list names more. */
@@ -75,9 +76,9 @@ const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?
 /** Not as a literal: browsers would keep the whole first file at two bytes for each character instead of one. */
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
-/** Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is used. */
+/** In the page's language. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is used. */
 const numbers = (values: readonly number[]): string =>
   values
-    .map((value) => Number(value.toPrecision(3)))
+    .map((value) => localNumber(String(Number(value.toPrecision(3)))))
     .join(' ')
     .replaceAll('-', MINUS);

@@ -3,6 +3,7 @@
 import type { TemplateResult } from 'lit';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 import type { PhongViewer } from '../elements.js';
+import { pageTexts, textsOver } from '../page/page-texts.js';
 import { ViewerAnnouncements } from './announcements.js';
 import type { ViewerContext } from './viewer-context.js';
 import type { ViewerExtras } from './extras.js';
@@ -21,7 +22,10 @@ export class ViewerDisplay {
   readonly #extras: ViewerExtras;
   /** Null before the element is connected for the first time. */
   #tree: ViewerTree | null = null;
+  /** The viewer's own. */
   #texts: ViewerTexts | null = null;
+  /** Those over the page's; null if they have to be put together again. */
+  #used: { readonly page: ViewerTexts | null; readonly texts: ViewerTexts | null } | null = null;
   /** The poster that could not be shown. */
   #badPoster = '';
   /** The poster has been replaced by a picture. */
@@ -56,7 +60,7 @@ export class ViewerDisplay {
     const isSlotting = loading.bar !== undefined || failure.newest !== null;
     return viewerTemplate({
       holder: this.#context.viewport.holder,
-      name: surfaceName(viewer, this.#texts),
+      name: surfaceName(viewer, this.texts),
       description: this.#announcements.description,
       reader: this.#announcements.template(),
       fixed: !viewer.orbit,
@@ -69,7 +73,7 @@ export class ViewerDisplay {
       retryable: failure.retryable,
       dismissible: failure.dismissible,
       onButton: this.#onButton,
-      texts: this.#texts,
+      texts: this.texts,
     });
   }
 
@@ -110,12 +114,17 @@ export class ViewerDisplay {
     return this.#tree?.panel ?? null;
   }
 
+  /** Those in use: the viewer's own, then the page's. */
   get texts(): ViewerTexts | null {
-    return this.#texts;
+    const page = pageTexts();
+    if (this.#used === null || this.#used.page !== page)
+      this.#used = { page, texts: textsOver(this.#texts, page) };
+    return this.#used.texts;
   }
 
   set texts(texts: ViewerTexts | null | undefined) {
     this.#texts = checkedTexts(texts);
+    this.#used = null;
     this.#viewer.requestUpdate('texts');
   }
 

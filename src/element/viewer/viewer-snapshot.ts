@@ -66,7 +66,8 @@ export async function blobOf(
 ): Promise<Blob> {
   const { pending } = extras;
   if (pending !== null) await pending;
-  const picture = pictureOf(viewport, options);
+  const picture =
+    options.samples === undefined ? pictureOf(viewport, options) : await meanOf(viewport, options);
   const drawn = picture === null ? null : extras.drawOver(picture, options);
   const { pictureBlob } = await lazy.picture();
   await drawn;
@@ -75,10 +76,26 @@ export async function blobOf(
 
 /** The picture at this size, by default the canvas's own; null for an invalid size. */
 function pictureOf(viewport: Viewport, options: PictureOptions): HTMLCanvasElement | null {
+  const size = sizeOf(viewport, options);
+  return size && viewport.capture(...size, true);
+}
+
+/** The same with `samples`. */
+async function meanOf(viewport: Viewport, options: PictureOptions): Promise<HTMLCanvasElement | null> {
+  const { samples = 1 } = options;
+  const isCount = Number.isInteger(samples) && samples >= 1 && samples <= MOST_SAMPLES;
+  if (!isCount)
+    throw new RangeError(`toBlob: samples must be a whole number from 1 to 1024, got ${String(samples)}`);
+  const size = sizeOf(viewport, options);
+  return size && viewport.captureSamples(...size, samples);
+}
+
+const MOST_SAMPLES = 1024;
+
+function sizeOf(viewport: Viewport, options: PictureOptions): [number, number] | null {
   const width = options.width ?? Math.max(viewport.width, 1);
   const height = options.height ?? Math.max(viewport.height, 1);
-  const isSize = [width, height].every((side) => Number.isInteger(side) && side >= 1);
-  return isSize ? viewport.capture(width, height) : null;
+  return [width, height].every((side) => Number.isInteger(side) && side >= 1) ? [width, height] : null;
 }
 
 /** Code that the snapshots are for. */

@@ -4,6 +4,7 @@ import { create, set, write } from '../../element/dom.js';
 import type { ViewerText } from '../../element/fields/text-list.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { fieldsOf } from '../../element/internals.js';
+import { localNumber } from '../../element/page/local-number.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
@@ -41,9 +42,10 @@ export class Handles {
   /** The handle that Tab reaches. */
   #current: HandleEntry | null = null;
 
-  constructor(host: ExtraHost, place: HTMLElement) {
+  /** `surfaceOf`: distance along a spot's axis to the first surface, as it is drawn. */
+  constructor(host: ExtraHost, place: HTMLElement, surfaceOf: (light: PhongLight) => number) {
     this.#host = host;
-    this.#move = new LightMove(host.viewer);
+    this.#move = new LightMove(host.viewer, surfaceOf);
     place.append(this.#list, this.#region);
     this.#list.addEventListener('keydown', (event) => this.#onKey(event));
     this.#list.addEventListener('focusin', ({ target }) =>
@@ -151,7 +153,7 @@ export class Handles {
     const label =
       part === 'place'
         ? lightText(texts, name, values)
-        : phrase(texts, PART_TEXTS[part], { name, degrees: String(values.aperture) });
+        : phrase(texts, PART_TEXTS[part], { name, degrees: localNumber(String(values.aperture)) });
     set(element, { 'aria-label': label, 'aria-description': phrase(texts, 'Enter starts moving.') });
   }
 

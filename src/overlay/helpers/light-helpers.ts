@@ -8,11 +8,11 @@ import { numberedName } from '../../element/phong-light.js';
 import { lightName } from '../../element/viewer/description.js';
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import { boxAround } from '../drawing/label-layout.js';
-import type { Projection } from '../drawing/projection.js';
+import type { Projection, Ray } from '../drawing/projection.js';
 import { Handles } from './handles.js';
 import type { Drawing } from './labels.js';
 import { type LightMarks, lightMarks } from './light-marks.js';
-import { Occlusion } from './occlusion.js';
+import { FirstSurfaces, Occlusion } from './occlusion.js';
 import type { SceneBall } from './placed-light.js';
 
 /** What a light's marks were computed from. */
@@ -20,6 +20,7 @@ interface KnownLight {
   readonly values: LightValues;
   readonly view: Projection;
   readonly hidden: boolean;
+  readonly surface: number;
   readonly marks: LightMarks;
 }
 
@@ -36,13 +37,16 @@ export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
   readonly #occlusion: Occlusion<PhongLight>;
+  /** Of the axes of spots. */
+  readonly #surfaces: FirstSurfaces<PhongLight>;
   readonly #known = new Map<PhongLight, KnownLight>();
 
   /** `changed` is called when marks look different although nothing was drawn. */
   constructor(host: ExtraHost, place: HTMLElement, changed: () => void) {
     this.#host = host;
-    this.#handles = new Handles(host, place);
+    this.#handles = new Handles(host, place, this.#surfaceOf);
     this.#occlusion = new Occlusion(host, changed);
+    this.#surfaces = new FirstSurfaces(host, changed);
   }
 
   /** Shows the handles, and gives what to draw. `isFrame`: a frame was drawn. */
@@ -54,18 +58,21 @@ export class LightHelpers {
     for (const light of lights) {
       const { values } = fieldsOf(light).store;
       const hidden = this.#occlusion.isHidden(light);
+      const surface = this.#surfaceOf(light);
       const known = this.#known.get(light);
       const isSame = known?.view === view && sameValues(known.values, values);
-      if (isSame && known.hidden === hidden) continue;
+      if (isSame && known.hidden === hidden && known.surface === surface) continue;
       if (!isSame) changed.push(light);
-      const marks = lightMarks(values, view, scene, hidden);
-      this.#known.set(light, { values: { ...values }, view, hidden, marks });
+      const marks = lightMarks(values, view, scene, hidden, surface);
+      this.#known.set(light, { values: { ...values }, view, hidden, surface, marks });
     }
     const marks = lights.map((light) => this.#known.get(light)!.marks);
     this.#handles.show(lights, marks, view, scene);
     const places = new Map(lights.map((light, i) => [light, marks[i]!.placed.place]));
     // A frame for another reason than a light: a mesh may have moved.
-    this.#occlusion.follow(view, places, isFrame && changed.length === 0 ? lights : changed);
+    const asked = isFrame && changed.length === 0 ? lights : changed;
+    this.#occlusion.follow(view, places, asked);
+    this.#surfaces.follow(view, axesOf(lights, marks), asked);
     return this.#drawing(lights, marks);
   }
 
@@ -73,7 +80,13 @@ export class LightHelpers {
   drawingAt(view: Projection, scene: SceneBall): Drawing {
     const { lights } = this.#host.children;
     const marks = lights.map((light) =>
-      lightMarks(fieldsOf(light).store.values, view, scene, this.#occlusion.isHidden(light)),
+      lightMarks(
+        fieldsOf(light).store.values,
+        view,
+        scene,
+        this.#occlusion.isHidden(light),
+        this.#surfaceOf(light),
+      ),
     );
     return this.#drawing(lights, marks);
   }
@@ -81,8 +94,12 @@ export class LightHelpers {
   hide(): void {
     this.#handles.hide();
     this.#occlusion.stop();
+    this.#surfaces.stop();
     this.#known.clear();
   }
+
+  /** Distance along a spot's axis, as last known; Infinity before that. */
+  readonly #surfaceOf = (light: PhongLight): number => this.#surfaces.answer(light) ?? Infinity;
 
   #drawing(lights: readonly PhongLight[], marks: readonly LightMarks[]): Drawing {
     const { texts } = this.#host.viewer;
@@ -101,6 +118,16 @@ export class LightHelpers {
       covered: marks.flatMap(({ handles }) => handles.map(({ at }) => boxAround(at, GAP / 2))),
     };
   }
+}
+
+/** The axes of spots. */
+function axesOf(lights: readonly PhongLight[], marks: readonly LightMarks[]): Map<PhongLight, Ray> {
+  const axes = new Map<PhongLight, Ray>();
+  lights.forEach((light, i) => {
+    const { spot, place } = marks[i]!.placed;
+    if (spot !== null) axes.set(light, { origin: place, direction: spot.axis });
+  });
+  return axes;
 }
 
 function sameValues(a: Readonly<LightValues>, b: Readonly<LightValues>): boolean {

@@ -7,6 +7,7 @@ import { arrow, arrowHead, type Disc, type Primitive, type Stroke } from '../dra
 import { inside, type Point, type Projection } from '../drawing/projection.js';
 import {
   acrossAxis,
+  coneSide,
   onCone,
   placedLight,
   type PlacedLight,
@@ -48,14 +49,15 @@ const DIMMED = 0.55;
 /** Colours of 255 are full. */
 const FULL = 255;
 
-/** `hidden`: a shape is in front of it. */
+/** `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first surface; Infinity for none. */
 export function lightMarks(
   values: Readonly<LightValues>,
   view: Projection,
   scene: SceneBall,
   hidden: boolean,
+  surface: number,
 ): LightMarks {
-  const placed = placedLight(values, view, scene);
+  const placed = placedLight(values, view, scene, surface);
   const { place, spot, shines, halfDistance } = placed;
   const own = scale(values.diffuse, 1 / FULL);
   const look = {
@@ -77,12 +79,14 @@ export function lightMarks(
   if (spot !== null) {
     const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, view) };
     if (spot.halfAngle !== null && spot.halfAngle < spot.aperture)
-      stroke(view.line(rim(cone, spot.halfAngle, spot.reach)), 1, true);
+      stroke(view.line(rim(cone, spot, spot.halfAngle)), 1, true);
     if (spot.aperture < 180) stroke(outlineOf(cone, spot, view), 1.5);
     const tip = add(place, scale(spot.axis, spot.arrow));
     handles.push(handleAt('axis', tip, view));
     if (spot.aperture < 180)
-      handles.push(handleAt('aperture', onCone(cone, spot.aperture, spot.reach), view));
+      handles.push(
+        handleAt('aperture', onCone(cone, spot.aperture, coneSide(spot.grip, spot, spot.aperture)), view),
+      );
     for (const { at, outside } of handles) if (!outside) list.push(disc(at, RADIUS.part, '#fff', look));
     // Over its handle, which would hide the head.
     arrowTo(tip);
@@ -106,15 +110,17 @@ const disc = (center: Point, radius: number, fill: string | null, look: Look): D
   ...{ center, radius, fill, width: 2 },
 });
 
-function outlineOf(cone: Cone, { aperture, reach }: PlacedSpot, view: Projection): Stroke['lines'] {
-  const sides = [0, Math.PI].map((around) => [cone.place, onCone(cone, aperture, reach, around)]);
-  return [...sides, rim(cone, aperture, reach)].flatMap((line) => view.line(line));
+function outlineOf(cone: Cone, spot: PlacedSpot, view: Projection): Stroke['lines'] {
+  const { aperture } = spot;
+  const side = coneSide(spot.reach, spot, aperture);
+  const sides = [0, Math.PI].map((around) => [cone.place, onCone(cone, aperture, side, around)]);
+  return [...sides, rim(cone, spot, aperture)].flatMap((line) => view.line(line));
 }
 
 type Cone = Parameters<typeof onCone>[0];
 
-const rim = (cone: Cone, degrees: number, distance: number): Vec3[] =>
-  circle((around) => onCone(cone, degrees, distance, around));
+const rim = (cone: Cone, spot: PlacedSpot, degrees: number): Vec3[] =>
+  circle((around) => onCone(cone, degrees, coneSide(spot.reach, spot, degrees), around));
 
 /** A circle that faces the eye: the outline of a sphere, but for the perspective. */
 function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3[] {

@@ -33,11 +33,14 @@ interface Move {
 export class LightMove {
   readonly #viewer: PhongViewer;
   #move: Move | null = null;
+  readonly #surfaceOf: (light: PhongLight) => number;
   #view: Projection | null = null;
   #scene: SceneBall | null = null;
 
-  constructor(viewer: PhongViewer) {
+  /** `surfaceOf`: distance along a spot's axis to the first surface, as it is drawn. */
+  constructor(viewer: PhongViewer, surfaceOf: (light: PhongLight) => number) {
     this.#viewer = viewer;
+    this.#surfaceOf = surfaceOf;
   }
 
   get active(): boolean {
@@ -141,7 +144,7 @@ export class LightMove {
     const [view, scene] = [this.#view, this.#scene];
     if (view === null || scene === null) return null;
     const values = { ...fieldsOf(light).store.values };
-    const { placed, handles } = lightMarks(values, view, scene, false);
+    const { placed, handles } = lightMarks(values, view, scene, false, this.#surfaceOf(light));
     const handle = handles.find((each) => each.part === part);
     return handle === undefined ? null : { part, values, placed, handle, view, scene };
   }

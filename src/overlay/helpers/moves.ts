@@ -5,7 +5,14 @@ import { radians } from '../../math/angle.js';
 import { add, cross, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Point, Projection, Ray } from '../drawing/projection.js';
 import type { Handle, Part } from './light-marks.js';
-import { acrossAxis, DIRECTIONAL_AT, onCone, type PlacedLight, type SceneBall } from './placed-light.js';
+import {
+  acrossAxis,
+  coneSide,
+  DIRECTIONAL_AT,
+  onCone,
+  type PlacedLight,
+  type SceneBall,
+} from './placed-light.js';
 
 /** The start of a move. */
 export interface Anchor {
@@ -177,7 +184,7 @@ function apertureAfter(
   const cone = { place, axis: spot.axis, across: acrossAxis(spot.axis, place, start) };
   const pointer = { x: handle.at.x + travel.dx, y: handle.at.y + travel.dy };
   const distanceAt = (degrees: number): number =>
-    distance(view.point(onCone(cone, degrees, spot.reach)), pointer);
+    distance(view.point(onCone(cone, degrees, coneSide(spot.grip, spot, degrees))), pointer);
   const nearest = (from: number, to: number, step: number): number => {
     let best = from;
     for (let degrees = from; degrees <= to; degrees += step)

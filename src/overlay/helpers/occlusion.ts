@@ -1,10 +1,10 @@
-// Finds places of the scene that lie behind a shape, by rays into a snapshot of the scene, a while after a change and
-// in slices: nothing waits for them, and marks are drawn as before until they are known.
+// Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one: a while
+// after a change and in slices. Nothing waits for them, and marks are drawn as before until they are known.
 import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { Vec3 } from '../../math/vector.js';
-import { pick } from '../../scene/snapshot/pick.js';
+import { distanceAlong, pick } from '../../scene/snapshot/pick.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';
-import type { Projection } from '../drawing/projection.js';
+import type { Projection, Ray } from '../drawing/projection.js';
 
 /** Milliseconds between a change and the rays: several changes in a row, as in a drag, cost one series. */
 const PAUSE = 100;
@@ -15,35 +15,37 @@ const SLICE = 4;
 /** Relative. A place on a surface, such as a lamp's on its shade, is not behind it. */
 const TOLERANCE = 1e-3;
 
-export class Occlusion<Key> {
+/** Questions that a ray answers, by key. */
+class RayTests<Key, Question, Answer> {
   readonly #host: ExtraHost;
+  readonly #test: (question: Question, view: Projection, scene: SceneSnapshot) => Answer;
   readonly #changed: () => void;
-  readonly #hidden = new Map<Key, boolean>();
+  readonly #answers = new Map<Key, Answer>();
   #view: Projection | null = null;
-  #places: ReadonlyMap<Key, Vec3> = new Map();
+  #questions: ReadonlyMap<Key, Question> = new Map();
   #timer = 0;
-  /** Places that may have changed since the last series of rays began. */
+  /** Keys whose answers may have changed since the last series of rays began. */
   readonly #stale = new Set<Key>();
 
-  constructor(host: ExtraHost, changed: () => void) {
+  constructor(
+    host: ExtraHost,
+    test: (question: Question, view: Projection, scene: SceneSnapshot) => Answer,
+    changed: () => void,
+  ) {
     this.#host = host;
+    this.#test = test;
     this.#changed = changed;
   }
 
-  /** As last known; false before that. */
-  isHidden(key: Key): boolean {
-    return this.#hidden.get(key) === true;
+  /** As last known; undefined before that. */
+  answer(key: Key): Answer | undefined {
+    return this.#answers.get(key);
   }
 
-  /** Whether it is known that nothing hides the place. */
-  isSeen(key: Key): boolean {
-    return this.#hidden.get(key) === false;
-  }
-
-  /** Finds out what hides these places. `changed`: those for which that may have changed. */
-  follow(view: Projection, places: ReadonlyMap<Key, Vec3>, changed: Iterable<Key>): void {
+  /** Finds the answers. `changed`: the keys whose answers may have changed. */
+  follow(view: Projection, questions: ReadonlyMap<Key, Question>, changed: Iterable<Key>): void {
     this.#view = view;
-    this.#places = places;
+    this.#questions = questions;
     for (const key of changed) this.#stale.add(key);
     this.#wait();
   }
@@ -52,7 +54,7 @@ export class Occlusion<Key> {
     clearTimeout(this.#timer);
     this.#timer = 0;
     this.#stale.clear();
-    this.#hidden.clear();
+    this.#answers.clear();
   }
 
   #wait(): void {
@@ -66,31 +68,55 @@ export class Occlusion<Key> {
     const view = this.#view;
     const { scene } = this.#host.snapshot();
     if (view === null || scene === null) return;
-    for (const key of this.#hidden.keys()) if (!this.#places.has(key)) this.#hidden.delete(key);
-    this.#test(view, scene, keys, false);
+    for (const key of this.#answers.keys()) if (!this.#questions.has(key)) this.#answers.delete(key);
+    this.#slice(view, scene, keys, false);
   };
 
-  /** Tests one slice of the places that are left; `differs`: some before were found to differ. */
-  #test(view: Projection, scene: SceneSnapshot, left: Key[], differs: boolean): void {
+  /** Tests one slice of the keys that are left; `differs`: some before were found to differ. */
+  #slice(view: Projection, scene: SceneSnapshot, left: Key[], differs: boolean): void {
     const end = performance.now() + SLICE;
     let differ = differs;
     do {
       const key = left.pop();
-      const place = key === undefined ? undefined : this.#places.get(key);
-      if (key === undefined || place === undefined) continue;
-      const hidden = isBehind(place, view, scene);
-      if (hidden !== this.#hidden.get(key)) differ = true;
-      this.#hidden.set(key, hidden);
+      const question = key === undefined ? undefined : this.#questions.get(key);
+      if (key === undefined || question === undefined) continue;
+      const answer = this.#test(question, view, scene);
+      if (answer !== this.#answers.get(key)) differ = true;
+      this.#answers.set(key, answer);
     } while (left.length > 0 && performance.now() < end);
     if (left.length > 0)
       this.#timer = window.setTimeout(() => {
         this.#timer = 0;
-        this.#test(view, scene, left, differ);
+        this.#slice(view, scene, left, differ);
       });
     else {
       if (differ) this.#changed();
       this.#wait();
     }
+  }
+}
+
+/** Whether places are behind a shape. */
+export class Occlusion<Key> extends RayTests<Key, Vec3, boolean> {
+  constructor(host: ExtraHost, changed: () => void) {
+    super(host, isBehind, changed);
+  }
+
+  /** As last known; false before that. */
+  isHidden(key: Key): boolean {
+    return this.answer(key) === true;
+  }
+
+  /** Whether it is known that nothing hides the place. */
+  isSeen(key: Key): boolean {
+    return this.answer(key) === false;
+  }
+}
+
+/** How far the first surface on a ray is; Infinity where there is none. */
+export class FirstSurfaces<Key> extends RayTests<Key, Ray, number> {
+  constructor(host: ExtraHost, changed: () => void) {
+    super(host, ({ origin, direction }, _, scene) => distanceAlong(scene, origin, direction), changed);
   }
 }
 

@@ -29,8 +29,12 @@ export interface PlacedSpot {
   readonly axis: Vec3;
   /** Length of the axis's arrow. */
   readonly arrow: number;
-  /** Length of the cone's side. */
+  /** Distance along the axis of the circle that ends the cone: at the first surface. */
   readonly reach: number;
+  /** As far as {@link reach}, and far enough from the light for a handle. */
+  readonly grip: number;
+  /** Radius of the largest circle that is drawn. */
+  readonly widest: number;
   /** Half-angle of the cone in degrees; 180 for none. */
   readonly aperture: number;
   /** Angle from the axis at which decay halves the light, degrees; null without decay. */
@@ -41,12 +45,22 @@ export interface PlacedSpot {
 export const DIRECTIONAL_AT = 1.2;
 
 /**
- * Longest arrow of a spot's axis, and shortest cone, in radii of the scene: both can be gripped in a scene of any size.
+ * Longest arrow of a spot's axis, and least distance of handles from the light, in radii of the scene: both can be
+ * gripped in a scene of any size, at any surface.
  */
 const LONGEST_ARROW = 0.6;
-const SHORTEST_REACH = 0.25;
+const LEAST_GRIP = 0.25;
 
-export function placedLight(values: Readonly<LightValues>, view: Projection, scene: SceneBall): PlacedLight {
+/** In radii of the scene: circles of wider cones than this are nearer to the light, so that they stay in the picture. */
+const WIDEST = 2;
+
+/** `surface`: distance along a spot's axis to the first surface; Infinity if there is none, or while that is not known. */
+export function placedLight(
+  values: Readonly<LightValues>,
+  view: Projection,
+  scene: SceneBall,
+  surface = Infinity,
+): PlacedLight {
   const [x, y, z, w] = values.position;
   const inCamera = values.space === 'camera';
   const turned = (v: Vec3): Vec3 => (inCamera ? view.turnToWorld(v) : v);
@@ -61,33 +75,49 @@ export function placedLight(values: Readonly<LightValues>, view: Projection, sce
     directional,
     place,
     shines: directional && length(toward) > 0 ? scale(toward, -1) : null,
-    spot: isSpot(values) ? placedSpot(values, place, normalize(turned(values.axis)), scene) : null,
+    spot: isSpot(values) ? placedSpot(values, place, normalize(turned(values.axis)), scene, surface) : null,
     halfDistance: directional ? null : halfDistance(values.attenuation),
   };
 }
 
-function placedSpot(values: Readonly<LightValues>, place: Vec3, axis: Vec3, scene: SceneBall): PlacedSpot {
-  const reach = Math.max(reachOf(place, axis, scene), SHORTEST_REACH * scene.radius);
+function placedSpot(
+  values: Readonly<LightValues>,
+  place: Vec3,
+  axis: Vec3,
+  scene: SceneBall,
+  surface: number,
+): PlacedSpot {
+  const least = LEAST_GRIP * scene.radius;
+  const reach = Number.isFinite(surface) ? surface : Math.max(reachOf(place, axis, scene), least);
+  const grip = Math.max(reach, least);
   return {
     axis,
-    arrow: Math.min(reach, LONGEST_ARROW * scene.radius),
+    arrow: Math.min(grip, LONGEST_ARROW * scene.radius),
     reach,
+    grip,
+    widest: WIDEST * scene.radius,
     aperture: values.aperture,
     halfAngle: halfAngle(values.cutoff),
   };
 }
 
-/**
- * Distance along the axis to the scene's ball: where it enters, or leaves from inside. Beside it, the distance to its
- * centre.
- */
+/** Distance along the axis to where it leaves the scene's ball. Beside it, the distance to its centre. */
 function reachOf(place: Vec3, axis: Vec3, { center, radius }: SceneBall): number {
   const toCenter = subtract(center, place);
   const along = dot(toCenter, axis);
   const aside = Math.hypot(...subtract(toCenter, scale(axis, along)));
   const half = Math.sqrt(Math.max(radius * radius - aside * aside, 0));
-  if (aside < radius && along + half > 0) return along > half ? along - half : along + half;
+  if (aside < radius && along + half > 0) return along + half;
   return Math.hypot(along, aside);
+}
+
+/**
+ * Length of the side of a cone whose circle is across the axis at `reach`: over a level floor that is the edge
+ * of the lit pool. Shorter where the circle would be too wide, as it always is from 90 degrees on.
+ */
+export function coneSide(reach: number, { widest }: PlacedSpot, degrees: number): number {
+  const angle = radians(degrees);
+  return degrees < 90 ? Math.min(reach / Math.cos(angle), widest / Math.sin(angle)) : widest;
 }
 
 /** Where kc + kl·d + kq·d² = 2; null where attenuation is constant or 1/2 at the light already. */

@@ -1,5 +1,6 @@
 // Shows a view: what the picture draws in place of the shaded colours, and the legend over it. Follows `view` and
 // `view-light`.
+import { localNumber } from '../../element/page/local-number.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
@@ -134,7 +135,7 @@ class ViewExtra implements Extra {
     if (this.#host.values.view !== 'error') return '';
     if (done === null) return phrase(texts, 'measured when the picture is still');
     if (Number.isNaN(largest)) return '';
-    return phrase(texts, 'largest away from edges: {error}', { error: largest.toFixed(2) });
+    return phrase(texts, 'largest away from edges: {error}', { error: localNumber(largest.toFixed(2)) });
   }
 
   #updateLegend(): void {
@@ -144,7 +145,7 @@ class ViewExtra implements Extra {
     const { done } = this.#progress;
     const busy = view === 'error' && done !== null && done < 1;
     const most = viewEntry(view).scale === 'count' ? scaleEnd(chosenLights(host)) : 1;
-    const key = `${view} ${String(most)}`;
+    const key = `${view} ${String(most)} ${document.documentElement.lang}`;
     if (this.#scale.key !== key) this.#scale = { key, bars: barsOf(view, most) };
     this.#legend.show({
       label: phrase(texts, 'Legend'),

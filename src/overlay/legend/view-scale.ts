@@ -1,5 +1,6 @@
 // The title and the scale of a view's legend, as data.
 import type { ViewerText } from '../../element/fields/text-list.js';
+import { localNumber } from '../../element/page/local-number.js';
 import { scaleColor } from '../../material/view/scale.js';
 import { VIEW_TABLE, type ViewEntry, viewEntry } from '../../material/view/view-table.js';
 import type { View } from '../../material/views.js';
@@ -42,7 +43,11 @@ interface LegendTitle {
 }
 
 /** `most`: the count at the end of the scale of `light-count`, at least 1. */
-export const barsOf = (view: View, most: number): readonly Bar[] => SCALES[viewEntry(view).scale](most);
+export const barsOf = (view: View, most: number): readonly Bar[] =>
+  SCALES[viewEntry(view).scale](most).map((bar) => ({
+    ...bar,
+    marks: bar.marks.map(({ at, text }) => ({ at, text: localNumber(text) })),
+  }));
 
 const GREY: readonly Bar[] = [
   { label: '', colors: [BLACK, [255, 255, 255]], fields: false, marks: UNIT_MARKS },

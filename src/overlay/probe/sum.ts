@@ -2,6 +2,7 @@
 // Colours in codes: 255 is full.
 import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
+import { localNumber } from '../../element/page/local-number.js';
 import { srgbDecode } from '../../math/color.js';
 import { add, map, type Vec3 } from '../../math/vector.js';
 
@@ -84,12 +85,12 @@ const brightness = ([r, g, b]: Vec3): number => r + g + b;
 
 const codes = (color: Vec3): Vec3 => map(color, (x) => 255 * x);
 
-/** With a typographic minus; zero has no sign. */
+/** In the page's language, with a typographic minus; zero has no sign. */
 export function numberText(value: number, digits: number): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   // Larger numbers, from extreme lights, would not fit with all digits.
   const text = Math.abs(value) < 1e6 ? value.toFixed(digits) : value.toExponential(1);
-  return text.replace(/^-(?!0(\.0*)?$)/, '−').replace(/^-/, '');
+  return localNumber(text.replace(/^-(?!0(\.0*)?$)/, '−').replace(/^-/, ''));
 }
 
 /** Three numbers with a space between. */
@@ -102,4 +103,4 @@ export const termText = (color: Vec3, digits: number): string =>
 
 /** The angle whose cosine this is, in whole degrees. */
 export const degreesText = (cosine: number): string =>
-  `${String(Math.round((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI))}°`;
+  `${localNumber(String(Math.round((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI)))}°`;

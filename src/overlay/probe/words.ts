@@ -1,5 +1,6 @@
 // A probed point in words. For screen readers, which see neither arrows nor table, and for the line below the table.
 // Plain functions from values to text.
+import { localNumber } from '../../element/page/local-number.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { LEAST_EXPONENT } from '../../light/light-layout.js';
@@ -19,7 +20,7 @@ export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplan
   const shown = byShare(sum.rows).slice(0, NAMED);
   for (const row of shown) parts.push(rowText(texts, row));
   const more = sum.rows.length - shown.length;
-  if (more > 0) parts.push(phrase(texts, 'And {count} lights more.', { count: String(more) }));
+  if (more > 0) parts.push(`${phrase(texts, 'More lights: {number}', { number: String(more) })}.`);
   return parts.join(' ');
 }
 
@@ -41,7 +42,7 @@ function rowText(texts: ViewerTexts | null, row: SumRow): string {
 }
 
 const placeText = ({ p }: FragmentExplanation): string =>
-  p.map((x) => String(Number(x.toPrecision(3))).replace('-', '−')).join(' ');
+  p.map((x) => localNumber(String(Number(x.toPrecision(3)))).replace('-', '−')).join(' ');
 
 /** The steps from a light's vectors through its cosines to its terms. */
 export function stepsText(
@@ -63,7 +64,7 @@ export function stepsText(
     cosines: halfway ? 'N·H' : 'R·V',
     angle: degreesText(share.RoV),
     cosine: numberText(share.RoV, 3),
-    exponent: String(Number(shininess.toPrecision(3))),
+    exponent: localNumber(String(Number(shininess.toPrecision(3)))),
     power: numberText(powerOf(share.RoV, shininess), 3),
   };
   return [

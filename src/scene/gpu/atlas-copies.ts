@@ -10,7 +10,7 @@ export interface CopyClient extends Size {
   /** It is visible, or its visibility is not known yet. */
   readonly drawable: boolean;
   /** The copy is gone: draw again once visible. */
-  invalidate(): void;
+  repaint(): void;
 }
 
 /** Pixels that pictures out of sight may keep together, in screens. */
@@ -54,7 +54,7 @@ export class AtlasCopies {
   #newCanvas(client: CopyClient): HTMLCanvasElement {
     const canvas = client.holder.ownerDocument.createElement('canvas');
     canvas.addEventListener('contextrestored', () => {
-      if (this.#canvases.get(client) === canvas) client.invalidate();
+      if (this.#canvases.get(client) === canvas) client.repaint();
     });
     return canvas;
   }
@@ -84,7 +84,7 @@ export class AtlasCopies {
       if (isKept(client)) continue;
       surplus -= width * height;
       this.drop(client);
-      client.invalidate();
+      client.repaint();
     }
     this.#fresh.clear();
   }

@@ -47,7 +47,7 @@ class Stage {
       for (const client of this.#clients) client.contextMissing(error);
     },
     retrying: () => {
-      this.#invalidateAll();
+      this.#repaintAll();
     },
   });
   /** Places reserved for pictures that have not been drawn yet in this frame. */
@@ -62,7 +62,7 @@ class Stage {
     if (this.#clients.has(client)) return;
     this.#clients.add(client);
     // The first picture shows the shared canvas itself, and the others are about to draw on it.
-    if (this.#clients.size === 2) this.#invalidateAll();
+    if (this.#clients.size === 2) this.#repaintAll();
     this.#context.retry();
   }
 
@@ -76,7 +76,7 @@ class Stage {
     this.#showDrawn();
     this.#copies.drop(client);
     client.holder.replaceChildren();
-    if (this.#clients.size === 1) this.#invalidateAll();
+    if (this.#clients.size === 1) this.#repaintAll();
     // The canvas may have been large only for this picture. The next frame finds the size again.
     else if (this.#clients.size > 1) this.#context.resize(ONE_PIXEL);
     // An element that only moves within the page is back before the microtask.
@@ -125,6 +125,32 @@ class Stage {
       else if (!this.#context.noticeLoss()) throw error; // a lost context answers null, which three.js does not expect
       return false;
     }
+  }
+
+  /** The renderer of the open context, which `size` opens where there is none. Throws where it is lost. */
+  open(size: Size): WebGLRenderer {
+    if (this.#clients.size === 0) queueMicrotask(this.#closeIfEmpty);
+    const renderer = this.#context.open(size);
+    if (renderer === null || this.#context.noticeLoss()) throw contextLost();
+    return renderer;
+  }
+
+  /**
+   * Calls `render` to draw into targets of its own; no picture changes. False: there is no context, or it was lost
+   * meanwhile.
+   */
+  drawAside(render: (renderer: WebGLRenderer) => void): boolean {
+    const { renderer } = this.#context;
+    if (renderer === null || this.#context.noticeLoss()) return false;
+    try {
+      render(renderer);
+      this.#context.checkLinks();
+    } catch (error) {
+      if (!this.#context.noticeLoss()) throw error;
+    } finally {
+      renderer.setRenderTarget(null);
+    }
+    return !this.#context.noticeLoss();
   }
 
   /**
@@ -206,8 +232,8 @@ class Stage {
     else this.#context.resize(before); // else it would stay large
   }
 
-  #invalidateAll(): void {
-    for (const client of this.#clients) client.invalidate();
+  #repaintAll(): void {
+    for (const client of this.#clients) client.repaint();
   }
 
   /**
@@ -326,7 +352,7 @@ export interface Region {
   readonly height: number;
 }
 
-const contextLost = (): Error =>
+export const contextLost = (): Error =>
   new Error('the graphics context is lost: there is no picture until the browser restores it');
 
 /** The page's stage. */

@@ -11,7 +11,7 @@ import {
 import { cullsBackFaces } from '../../material/back-faces.js';
 import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
-import { add, dot, scale, subtract, type Vec3 } from '../../math/vector.js';
+import { add, cross, dot, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
 import { type BaseColor, baseColorAt } from './surface-at.js';
 import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
@@ -58,6 +58,29 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
 }
 
 /**
+ * How far the nearest surface is from a place, along a unit vector in world space: a page author's own included, from
+ * either side. Infinity if there is none.
+ */
+export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3): number {
+  const [x, y, z] = map(along, Math.abs);
+  const other: Vec3 = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1];
+  const right = normalize(cross(along, other));
+  const frame = { origin: from, eye: ORIGIN, right, up: cross(right, along), back: scale(along, -1) };
+  const ray: ViewRay = { frame, slopeX: 0, slopeY: 0, near: 0, far: Infinity };
+  let nearest = Infinity;
+  for (const drawn of snapshot.objects) {
+    if (!isOwn(drawn)) nearest = Math.min(nearest, foreignDepth(drawn, snapshot.camera, ray));
+    else
+      forEachSurface(drawn, ray, ({ depth }) => {
+        nearest = Math.min(nearest, depth);
+      });
+  }
+  return nearest;
+}
+
+const ORIGIN: Vec3 = [0, 0, 0];
+
+/**
  * Relative. Faces in one plane, such as a flattened box's, differ in depth by a few roundings of float64, 1e-16 each.
  */
 const COPLANAR = 1e-12;
@@ -74,18 +97,28 @@ function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number)
 
 function phongHits<Owner>(drawn: OwnDrawn<Owner>, ray: ViewRay, camera: PerspectiveCamera): Hit<Owner>[] {
   const { geometry, matrixWorld, phong } = drawn;
-  const { index, drawRange } = geometry;
-  const count = (index ?? geometry.getAttribute('position')).count;
-  const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
   const culled = cullsBackFaces(phong.sides, geometry, matrixWorld, camera);
   const hits: Hit<Owner>[] = [];
-  forEachHit(ray, geometry, matrixWorld, range, (hit) => {
+  forEachSurface(drawn, ray, (hit, base) => {
     if (culled && !hit.front) return;
-    const base = baseColorAt(phong.look, geometry, hit, phong.linear);
-    if (base.discarded) return;
     hits.push({ ...hit, drawn, base, frame: ray.frame, p: placeAt(ray, hit.depth) });
   });
   return hits;
+}
+
+/** All of an object that is not cut out by its texture, from either side. */
+function forEachSurface(
+  { geometry, matrixWorld, phong }: OwnDrawn,
+  ray: ViewRay,
+  visit: (hit: TriangleHit, base: BaseColor) => void,
+): void {
+  const { index, drawRange } = geometry;
+  const count = (index ?? geometry.getAttribute('position')).count;
+  const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
+  forEachHit(ray, geometry, matrixWorld, range, (hit) => {
+    const base = baseColorAt(phong.look, geometry, hit, phong.linear);
+    if (!base.discarded) visit(hit, base);
+  });
 }
 
 const placeAt = ({ frame, slopeX, slopeY }: ViewRay, depth: number): Vec3 =>

@@ -313,7 +313,12 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     choice('reflection', 'phong', 'phong', 'blinn-phong'),
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
-    choice('antialias', 'edges', 'edges', 'highlights'),
+    choice('antialias', 'edges', 'edges', 'highlights', 'full'),
+    {
+      ...number('samples', 64, 16, 1024),
+      outside: [...notFinite, '15', '1025', '64.5'],
+      valid: [['16', 16], ['1024', 1024], ['100.0', 100], ['1e2', 100]], // prettier-ignore
+    },
     {
       ...withWord(number('pixel-ratio', 'auto', 1e-3, 1e6, 'pixelRatio'), 'auto'),
       outside: ['0', '-1', '1e999', '2e6'],

@@ -345,3 +345,32 @@ test.describe('a legend', () => {
     expect(Math.min(...codes)).toBeGreaterThan(240);
   });
 });
+
+for (const scheme of ['light', 'dark'] as const)
+  test(`the empty part of the progress bar is near the ground of a ${scheme} page, the full part is not`, async ({
+    page,
+    mount,
+  }) => {
+    await page.route('**/slow.glb', () => undefined); // never answered
+    const viewer = await mount('<phong-viewer alt="" src="/slow.glb"></phong-viewer>', {
+      css: `:root { color-scheme: ${scheme} }`,
+      waitForReady: false,
+    });
+    const bar = viewer.locator('[part=progress]');
+    await expect(bar).toBeVisible();
+    const [ground, empty, full] = await bar.evaluate((element) => {
+      const pixel = new OffscreenCanvas(1, 1).getContext('2d', { willReadFrequently: true })!;
+      const green = (color: string): number => {
+        pixel.fillStyle = color;
+        pixel.fillRect(0, 0, 1, 1);
+        return pixel.getImageData(0, 0, 1, 1).data[1]!;
+      };
+      const { backgroundColor, color } = getComputedStyle(element);
+      document.body.style.color = 'Canvas';
+      const canvas = getComputedStyle(document.body).color;
+      return [green(canvas), green(backgroundColor), green(color)] as const;
+    });
+    expect(Math.abs(ground - empty)).toBeLessThan(60);
+    expect(Math.abs(empty - full)).toBeGreaterThan(90);
+    await viewer.evaluate((element) => element.remove());
+  });

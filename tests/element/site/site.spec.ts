@@ -1,11 +1,21 @@
 // Is every page of the site fit for publication? An empty console, a policy, a link to the package, a layout for phones, no problem found by
-// axe, and data for search engines and link previews.
+// axe, pictures as before, and data for search engines and link previews. One load of each page serves all of these.
 
-import AxeBuilder from '@axe-core/playwright';
+import { axeOn } from '../../support/axe.js';
 import type { APIRequestContext, Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
 import { strictPolicy } from '../../support/site.js';
 import { sitePages } from '../../support/site-pages.js';
+import { expectPictures } from '../../visual/contact-sheet.js';
+
+/** Pages whose pictures are compared with a baseline. The others show none, or some that change. */
+const PICTURED: ReadonlySet<string> = new Set([
+  '',
+  ...['bunny/', 'shapes/', 'article/', 'lights/', 'explain/', 'gallery/'],
+  ...['lights/', 'spots/', 'camera/', 'materials/', 'models/', 'see/', 'accuracy/', 'speed/'].map(
+    (page) => `guide/${page}`,
+  ),
+]);
 
 const PHONE = { width: 390, height: 844 };
 
@@ -23,7 +33,7 @@ async function expectFitAndAccessible(page: Page): Promise<void> {
   expect.soft(tooWide, 'pixels beside the screen').toBeLessThanOrEqual(0);
   for (const colorScheme of ['light', 'dark'] as const) {
     await page.emulateMedia({ colorScheme });
-    const axe = new AxeBuilder({ page });
+    const axe = axeOn(page);
     // The dark page is the light one in other colours.
     if (colorScheme === 'dark') axe.withRules(['color-contrast', 'link-in-text-block']);
     const { violations } = await axe.analyze();
@@ -74,7 +84,10 @@ async function brokenLinks(page: Page, request: APIRequestContext): Promise<stri
 for (const path of sitePages) {
   const name = path === '' ? 'start page' : `page ${path}`;
 
-  test(`the ${name} fits a phone, passes axe, and has a head, a link to the package and no broken link`, async ({
+  const pictured = PICTURED.has(path);
+  const looks = pictured ? ', looks as before' : '';
+
+  test(`the ${name} fits a phone, passes axe${looks}, and has a head, a link to the package and no broken link`, async ({
     page,
     request,
   }) => {
@@ -84,6 +97,8 @@ for (const path of sitePages) {
     await open(page, path);
     await expectFitAndAccessible(page);
     await expectHead(page, request, path);
+    if (pictured)
+      await expectPictures(page, `demo-${path === '' ? 'landing' : path.slice(0, -1).replace('/', '-')}`);
     await expect.soft(page.getByText('npm install phong-viewer three').first()).toBeVisible();
     const nav = page.getByRole('navigation', { name: 'Pages', exact: true });
     const pages = ['Guide', 'Playground', 'Gallery', 'API', 'Bench', 'Releases'];

@@ -1,0 +1,62 @@
+// The texts of a whole page, in place of those of its viewers and comparisons: by `PhongViewer.texts`, and in scripts of
+// JSON in the markup. Reading the markup is a chunk.
+import { lazyCode } from '../../model/lazy-code.js';
+import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
+
+export const TEXT_SCRIPTS = 'script[data-phong-viewer-texts]';
+
+const markup = /* @__PURE__ */ lazyCode(() => import('./markup-texts.js'), 'texts in the markup');
+
+/** An element on the page that shows texts. */
+interface TextUser {
+  requestUpdate(name: 'texts'): void;
+}
+
+const users = new Set<TextUser>();
+
+let declared: ViewerTexts | null = null;
+let assigned: ViewerTexts | null = null;
+let texts: ViewerTexts | null = null;
+
+/** The texts in use on the page; null for none. */
+export const pageTexts = (): ViewerTexts | null => texts;
+
+/** `PhongViewer.texts`. Throws TypeError for anything but an object of strings. */
+export function assignTexts(value: unknown): void {
+  assigned = checkedTexts(value);
+  combine();
+}
+
+/** Those of the markup. */
+export function declareTexts(found: ViewerTexts | null): void {
+  declared = found;
+  combine();
+}
+
+/** `first`, and the texts of `last` that it does not have. */
+export const textsOver = (first: ViewerTexts | null, last: ViewerTexts | null): ViewerTexts | null =>
+  first === null || last === null ? (first ?? last) : Object.freeze({ ...last, ...first });
+
+function combine(): void {
+  texts = textsOver(assigned, declared);
+  for (const user of users) user.requestUpdate('texts');
+}
+
+/** The element is on the page: it is updated when the page's texts change. */
+export const useTexts = (user: TextUser): unknown => users.add(user);
+
+/** The element has left the page. */
+export const leaveTexts = (user: TextUser): unknown => users.delete(user);
+
+/** Reads the page's scripts of texts, if there are any. Call it when elements have come, and the page is parsed. */
+export function lookForTexts(): void {
+  if (document.querySelector(TEXT_SCRIPTS) === null) return;
+  markup().then(
+    ({ readTexts }) => {
+      readTexts();
+    },
+    (error: unknown) => {
+      console.warn((error as Error).message);
+    },
+  );
+}

@@ -1,0 +1,69 @@
+// How many samples are drawn at once: as many as the GPU finishes in 8 ms, so that input and the page's own frames never
+// wait longer for them. A batch begins in an animation frame, and the next one after it has ended.
+
+const BATCH_MS = 8;
+
+export class Batches {
+  readonly #gl: WebGL2RenderingContext;
+  #size = 1;
+  /** Larger batches took too long. */
+  #most = Infinity;
+  #fence: WebGLSync | null = null;
+  #timer = 0;
+  #start = 0;
+  /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
+  #quick: boolean | null = null;
+
+  constructor(gl: WebGL2RenderingContext) {
+    this.#gl = gl;
+  }
+
+  /** Samples of the next batch. */
+  get size(): number {
+    return this.#size;
+  }
+
+  /** Whether the GPU has finished the last batch. Does not wait for it. */
+  get ended(): boolean {
+    if (this.#fence === null) return true;
+    if (!this.#signalled) return false;
+    const quick = this.#quick ?? (performance.now() - this.#start < BATCH_MS ? true : null);
+    this.cancel();
+    if (quick === true) this.#size = Math.min(2 * this.#size, this.#most);
+    if (quick === false) this.#size = this.#most = Math.max(this.#size >> 1, 1);
+    return true;
+  }
+
+  /**
+   * Draws a batch, at most `left` samples, by `draw`. Fewer than {@link size} where the script alone takes too long.
+   */
+  send(left: number, draw: () => void): void {
+    const gl = this.#gl;
+    const start = (this.#start = performance.now());
+    const wanted = Math.min(this.#size, left);
+    let drawn = 0;
+    do {
+      draw();
+      drawn += 1;
+    } while (drawn < wanted && performance.now() - start < BATCH_MS);
+    if (drawn < wanted) this.#size = this.#most = drawn;
+    this.#quick = null;
+    this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    this.#timer = window.setTimeout(() => {
+      if (performance.now() - start < 2 * BATCH_MS) this.#quick = this.#signalled;
+    }, BATCH_MS);
+  }
+
+  /** Forgets a batch that may not have ended. */
+  cancel(): void {
+    clearTimeout(this.#timer);
+    if (this.#fence !== null) this.#gl.deleteSync(this.#fence);
+    this.#fence = null;
+  }
+
+  get #signalled(): boolean {
+    const gl = this.#gl;
+    return this.#fence !== null && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED;
+  }
+}

@@ -1,0 +1,172 @@
+// The picture of one viewport while nothing changes: its samples are drawn batch by batch, and their mean replaces the
+// plain picture, until all are there. Fetched with the first use of `antialias="full"`.
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { Size } from '../gpu/atlas.js';
+import { type Region, stage } from '../gpu/stage.js';
+import { Batches } from './batches.js';
+import { copyPart, fromBelow } from './picture-copy.js';
+import { shifted } from './pixel-offsets.js';
+import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
+import { tilesOf } from './tiles.js';
+import { release, sumOf, take } from './turns.js';
+
+/** The viewport, as its samples need it. Sizes are in device pixels. */
+export interface Sampled extends Size {
+  /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
+  sample(renderer: WebGLRenderer, part: Region): void;
+  /** Shows the kept picture. `last`: it has all samples. */
+  show(last: boolean): void;
+  /** Requests an animation frame. */
+  animate(): void;
+}
+
+/** Animation frames without a change before the first sample: a slow drag has frames in which nothing moves. */
+const STILL_FRAMES = 3;
+
+/** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
+const FIRST_SHOWN = 16;
+
+/** A mean is shown again once it has so many times the samples: each time costs a copy to the page. */
+const SHOWN_AGAIN = 4;
+
+export class ConvergingPicture {
+  readonly #subject: Sampled;
+  readonly #wanted: number;
+  /** Samples of the picture that is shown; 0: the plain one. */
+  #samples = 0;
+  #picture: WebGLRenderTarget | null = null;
+  #stillFrames = 0;
+  #run: Run | null = null;
+  /** Not possible on this GPU, or not with this scene. */
+  #failed = false;
+
+  constructor(subject: Sampled, wanted: number) {
+    this.#subject = subject;
+    this.#wanted = wanted;
+  }
+
+  /** Samples of the picture that is shown; 0: the plain one. */
+  get samples(): number {
+    return this.#samples;
+  }
+
+  /** More samples are to come, as long as nothing changes. */
+  get pending(): boolean {
+    return !this.#failed && this.#samples < this.#wanted;
+  }
+
+  /** All samples are there. */
+  get converged(): boolean {
+    return this.#samples >= this.#wanted;
+  }
+
+  /** Call in an animation frame without a change. True: call again in the next one. */
+  step(): boolean {
+    if (!this.pending) return false;
+    this.#stillFrames += 1;
+    if (this.#stillFrames <= STILL_FRAMES) return true;
+    if (!take(this)) return false; // its turn comes with an animation frame
+    const before = this.#samples;
+    try {
+      if (!stage.drawAside(this.#draw)) this.pause();
+    } catch (error) {
+      this.#fail();
+      throw error;
+    }
+    if (this.#samples > before) this.#subject.show(this.converged);
+    return this.#run !== null;
+  }
+
+  /** The scene, the camera or the size has changed. */
+  reset(): void {
+    this.#stillFrames = 0;
+    this.#samples = 0;
+    this.#failed = false;
+    this.pause();
+  }
+
+  /** Stops for as long as nobody can see the picture. What is shown stays. */
+  pause(): void {
+    this.#run?.batches.cancel();
+    this.#run = null;
+    release(this);
+  }
+
+  /** A turn is free. */
+  wake(): void {
+    this.#subject.animate();
+  }
+
+  /** Gives back what the GPU holds. */
+  dispose(): void {
+    this.reset();
+    this.#picture?.dispose();
+    this.#picture = null;
+  }
+
+  /** Fills the renderer's present viewport with the kept picture, or with the part of it that `part` is. */
+  copy(renderer: WebGLRenderer, part?: Region): void {
+    const { width, height } = this.#subject;
+    copyPart(renderer, this.#picture!.texture, part ?? { x: 0, y: 0, width, height }, height);
+  }
+
+  readonly #draw = (renderer: WebGLRenderer): void => {
+    const run = (this.#run ??= this.#begin(renderer));
+    if (run === null) this.#fail();
+    else if (run.batches.ended) this.#advance(renderer, run);
+  };
+
+  /** Null where the GPU cannot do it. */
+  #begin(renderer: WebGLRenderer): Run | null {
+    if (!canSum(renderer)) return null;
+    const { width, height } = this.#subject;
+    if (this.#picture?.width !== width || this.#picture.height !== height) {
+      this.#picture?.dispose();
+      this.#picture = pictureTarget(width, height);
+    }
+    const tiles = tilesOf({ width, height }, MOST_SUMMED);
+    const sum = sumOf(renderer);
+    if (!sum.begin(tiles[0]!)) return null;
+    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext);
+    return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };
+  }
+
+  /** Draws one batch, and shows or ends what is complete with it. */
+  #advance(renderer: WebGLRenderer, run: Run): void {
+    const { batches, sum, tiles } = run;
+    const tile = tiles[run.tile]!;
+    batches.send(this.#wanted - sum.count, () => {
+      sum.add(() => {
+        this.#subject.sample(renderer, shifted(tile, sum.count));
+      });
+    });
+    const complete = sum.count === this.#wanted;
+    const isLast = complete && run.tile === tiles.length - 1;
+    const shows = isLast || (tiles.length === 1 && sum.count >= run.nextShown);
+    if (complete || shows) sum.resolve(this.#picture!, fromBelow(tile, this.#subject.height));
+    if (complete && !isLast) {
+      run.tile += 1;
+      if (!sum.begin(tiles[run.tile]!)) this.#fail();
+    }
+    if (!shows) return;
+    run.nextShown = sum.count * SHOWN_AGAIN;
+    this.#samples = Math.max(this.#samples, sum.count);
+    if (isLast) this.pause();
+  }
+
+  #fail(): void {
+    this.#failed = true;
+    this.pause();
+  }
+}
+
+/** The samples of one standstill. */
+interface Run {
+  readonly batches: Batches;
+  readonly sum: SampleSum;
+  readonly tiles: readonly Region[];
+  /** The one that is summed. */
+  tile: number;
+  /** The number of samples from which on the mean is shown again. */
+  nextShown: number;
+}

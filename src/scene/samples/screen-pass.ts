@@ -1,0 +1,92 @@
+// One pass over the pixels of a target: a triangle that covers them all, and a fragment shader that reads textures.
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Camera,
+  CustomBlending,
+  GLSL3,
+  Mesh,
+  NoBlending,
+  OneFactor,
+  RawShaderMaterial,
+  type Texture,
+  Vector2,
+  type WebGLRenderer,
+} from 'three';
+
+const VERTEX = `
+precision highp float;
+in vec3 position;
+void main() { gl_Position = vec4(position, 1.0); }`;
+
+export interface ScreenUniforms {
+  readonly uPixels: { value: Texture | null };
+  readonly uOther: { value: Texture | null };
+  /** Where the first texel is drawn, in pixels of the target. */
+  readonly uOrigin: { readonly value: Vector2 };
+  readonly uCount: { value: number };
+}
+
+export class ScreenPass {
+  readonly uniforms: ScreenUniforms = {
+    uPixels: { value: null },
+    uOther: { value: null },
+    uOrigin: { value: new Vector2() },
+    uCount: { value: 1 },
+  };
+  readonly #mesh: Mesh<BufferGeometry, RawShaderMaterial>;
+  readonly #camera = new Camera();
+
+  /**
+   * `value` is a GLSL expression of `texel`, a vec4, that may read `uOther` at `at`. `adds`: it is added to what the
+   * target holds, by blending.
+   */
+  constructor(value: string, adds = false) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute(
+      'position',
+      new BufferAttribute(new Float32Array([-1, -1, 0, 3, -1, 0, -1, 3, 0]), 3),
+    );
+    const material = new RawShaderMaterial({
+      glslVersion: GLSL3,
+      vertexShader: VERTEX,
+      fragmentShader: `
+precision highp float;
+uniform highp sampler2D uPixels;
+uniform highp sampler2D uOther;
+uniform vec2 uOrigin;
+uniform float uCount;
+out vec4 color;
+void main() {
+  ivec2 at = ivec2(gl_FragCoord.xy - uOrigin);
+  vec4 texel = texelFetch(uPixels, at, 0);
+  color = ${value};
+}`,
+      uniforms: this.uniforms as unknown as Record<string, { value: unknown }>,
+      depthTest: false,
+      depthWrite: false,
+      toneMapped: false,
+      ...(adds
+        ? { blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor }
+        : { blending: NoBlending }),
+    });
+    this.#mesh = new Mesh(geometry, material);
+    this.#mesh.frustumCulled = false;
+    this.#mesh.matrixAutoUpdate = false;
+    this.#mesh.matrixWorldAutoUpdate = false;
+  }
+
+  /** Draws over the renderer's present viewport. */
+  draw(renderer: WebGLRenderer, pixels: Texture, other: Texture | null = null): void {
+    const { uPixels, uOther } = this.uniforms;
+    uPixels.value = pixels;
+    uOther.value = other;
+    renderer.render(this.#mesh, this.#camera);
+    uPixels.value = uOther.value = null;
+  }
+
+  dispose(): void {
+    this.#mesh.geometry.dispose();
+    this.#mesh.material.dispose();
+  }
+}

@@ -1,0 +1,41 @@
+// Pictures of a page converge one after the other: the first is finished sooner, and one set of float buffers serves
+// all of them. The set is made for the first picture of a queue and freed after the last.
+import type { WebGLRenderer } from 'three';
+import { SampleSum } from './sample-sum.js';
+
+export interface Waiting {
+  /** A turn is free: take it in an animation frame, or give it up by {@link release}. */
+  wake(): void;
+}
+
+let active: Waiting | null = null;
+const waiting = new Set<Waiting>();
+let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null = null;
+
+/** Whether it is this one's turn. If not, it is woken once it may be. */
+export function take(one: Waiting): boolean {
+  active ??= one;
+  if (active === one) waiting.delete(one);
+  else waiting.add(one);
+  return active === one;
+}
+
+/** It needs no turn any more, or not now. */
+export function release(one: Waiting): void {
+  const waited = waiting.delete(one);
+  if (active !== one && !waited) return;
+  if (active === one) active = null;
+  if (active !== null) return;
+  const [next] = waiting;
+  if (next === undefined) shared?.sum.free();
+  else next.wake();
+}
+
+/** The buffers of whose turn it is. A restored context has another renderer. */
+export function sumOf(renderer: WebGLRenderer): SampleSum {
+  if (shared?.renderer !== renderer) {
+    shared?.sum.dispose();
+    shared = { renderer, sum: new SampleSum(renderer) };
+  }
+  return shared.sum;
+}

@@ -1,0 +1,120 @@
+// The samples of a picture while it stands still. The code that draws them is fetched with its first use.
+import type { WebGLRenderer } from 'three';
+import { lazyCode } from '../model/lazy-code.js';
+import type { Size } from './gpu/atlas.js';
+import type { Region } from './gpu/stage.js';
+import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
+import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
+
+const converging = /* @__PURE__ */ lazyCode(
+  () => import('./samples/converging-picture.js').then(({ ConvergingPicture }) => ConvergingPicture),
+  'antialias="full"',
+);
+
+const sampledCapture = /* @__PURE__ */ lazyCode(
+  () => import('./samples/sampled-capture.js').then(({ SampledCapture }) => SampledCapture),
+  'toBlob({ samples })',
+);
+
+export class StillPicture {
+  readonly #subject: Sampled;
+  readonly #settled: () => void;
+  /** Those that are being drawn. */
+  readonly #captures = new Set<SampledCapture>();
+  #wanted = 0;
+  /** Null while no samples are wanted or the code is being fetched. */
+  #converging: ConvergingPicture | null = null;
+
+  /** `settled`: no more samples are to come, because all are there or cannot be drawn. */
+  constructor(subject: Sampled, settled: () => void) {
+    this.#subject = subject;
+    this.#settled = settled;
+  }
+
+  /** Samples per pixel. 0, the default: the picture stays as it was drawn. */
+  get wanted(): number {
+    return this.#wanted;
+  }
+
+  set wanted(samples: number) {
+    this.#wanted = samples;
+    this.dispose();
+    this.#converging = null;
+    if (samples > 0) void this.#fetch();
+  }
+
+  /** Samples of the picture that is shown; 0: it is as it was drawn. */
+  get samples(): number {
+    return this.#converging?.samples ?? 0;
+  }
+
+  /** Samples are to come while nothing changes. */
+  get pending(): boolean {
+    return this.#wanted > 0 && (this.#converging?.pending ?? true);
+  }
+
+  /** The code is there, so that an animation frame brings samples. */
+  get startable(): boolean {
+    return this.#converging?.pending === true;
+  }
+
+  /** Call in an animation frame in which nothing moves. True: call again in the next one. */
+  step(): boolean {
+    try {
+      return this.#converging?.step() === true;
+    } finally {
+      if (!this.pending) this.#settled();
+    }
+  }
+
+  /** Draws the mean of {@link samples} in place of the scene, or the part of it that `part` is. */
+  copy(renderer: WebGLRenderer, part?: Region): void {
+    this.#converging?.copy(renderer, part);
+  }
+
+  /**
+   * The mean of so many samples of the picture as it is when `begin` is called: once the code is there. `atOnce`: not in
+   * slices.
+   */
+  async capture(
+    size: Size,
+    samples: number,
+    atOnce: boolean,
+    begin: () => PaintPart,
+  ): Promise<HTMLCanvasElement> {
+    const Capture = await sampledCapture();
+    const capture = new Capture(size, samples, begin());
+    this.#captures.add(capture);
+    if (atOnce) capture.finish();
+    return capture.picture.finally(() => this.#captures.delete(capture));
+  }
+
+  /** Something has changed. What is being captured is finished as it was. */
+  reset(): void {
+    for (const capture of this.#captures) capture.finish();
+    this.#converging?.reset();
+  }
+
+  /** Nobody can see the picture. */
+  pause(): void {
+    this.#converging?.pause();
+  }
+
+  /** Gives back what the GPU holds. */
+  dispose(): void {
+    this.#converging?.dispose();
+  }
+
+  async #fetch(): Promise<void> {
+    try {
+      const Converging = await converging();
+      if (this.#wanted === 0 || this.#converging !== null) return;
+      this.#converging = new Converging(this.#subject, this.#wanted);
+      this.#subject.animate();
+    } catch (error) {
+      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+      this.#wanted = 0;
+      this.#settled();
+    }
+  }
+}

@@ -1,0 +1,222 @@
+// `antialias="full"`: when do samples come, what interrupts them, and what is shown meanwhile and afterwards?
+
+import type { Locator, Page } from '@playwright/test';
+import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { countEverything, NOTHING, spentIn } from '../support/counting.js';
+import { usages } from '../../package/requests.js';
+import { assign, nextFrame, type PhongViewer } from '../support/viewer.js';
+
+const size = { width: 60, height: 40 };
+const light = '<phong-light position="1 2 3 0"></phong-light>';
+const full = 'geometry="torus" antialias="full" samples="16"';
+const viewerOf = (attributes: string): string => `<phong-viewer alt="" ${attributes}>${light}</phong-viewer>`;
+
+interface Shown {
+  readonly samples: number;
+  readonly frames: number;
+}
+
+/** What `stats` says at each `render` from now on. */
+const renders = (viewer: Locator) =>
+  viewer.evaluateHandle((element: PhongViewer) => {
+    const list: Shown[] = [];
+    element.addEventListener('render', () => {
+      const { samples, frames } = element.stats;
+      list.push({ samples, frames });
+    });
+    return list;
+  });
+
+const samplesOf = (viewer: Locator): Promise<number> =>
+  viewer.evaluate((element: PhongViewer) => element.stats.samples);
+
+/** Waits until it has all samples. */
+async function converged(viewer: Locator): Promise<void> {
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  expect(await samplesOf(viewer)).toBe(16);
+}
+
+test('a still picture gets its samples, which are no frames, and then nothing runs until something changes', async ({
+  page,
+  mount,
+}) => {
+  await countEverything(page);
+  const viewer = await mount(viewerOf(full), size);
+  await converged(viewer);
+  await nextFrame(page);
+  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  const seen = await renders(viewer);
+  const { frames } = await viewer.evaluate((element: PhongViewer) => element.stats);
+  await assign(viewer, { theta: 40 });
+  await converged(viewer);
+  await nextFrame(page);
+  expect(await seen.jsonValue()).toEqual([
+    { samples: 0, frames: frames + 1 },
+    { samples: 16, frames: frames + 1 },
+  ]);
+  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  await assign(viewer, { antialias: 'edges' });
+  await allReady(page);
+  expect(await samplesOf(viewer)).toBe(0);
+});
+
+test('several viewers converge, one after the other, and keep their pictures when another one comes or goes', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(viewerOf(full), size);
+  await converged(viewer);
+  const before = await pixels(viewer);
+  const seen = await renders(viewer);
+  await page.evaluate(
+    (markup) => {
+      document.body.insertAdjacentHTML('beforeend', markup);
+    },
+    viewerOf(full) + viewerOf(full),
+  );
+  await allReady(page);
+  for (const one of await page.locator('phong-viewer').all()) expect(await samplesOf(one)).toBe(16);
+  await page.evaluate(() => {
+    for (const one of [...document.querySelectorAll('phong-viewer')].slice(1)) one.remove();
+  });
+  await nextFrame(page);
+  await allReady(page);
+  expect(await seen.jsonValue(), 'the first picture has not changed').toEqual([]);
+  expect(compare(await pixels(viewer), before).max).toBe(0);
+});
+
+test('a picture that is taken away in the middle converges when it is back', async ({ mount }) => {
+  const viewer = await mount(viewerOf(full.replace('16', '1024')), { ...size, waitForReady: false });
+  const begins = (): Promise<void> =>
+    expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
+  await begins();
+  await viewer.evaluate((element) => {
+    const parent = element.parentElement!;
+    element.remove();
+    parent.append(element);
+  });
+  expect(await samplesOf(viewer), 'moved').toBe(0);
+  await begins();
+  await viewer.evaluate((element) => (element.style.cssText = 'position: absolute; top: 9000px'));
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await viewer.evaluate((element: PhongViewer) => {
+    element.style.cssText = '';
+    element.samples = 16;
+  });
+  await expect.poll(() => samplesOf(viewer)).toBe(16);
+  await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 90));
+  await expect.poll(() => samplesOf(viewer), 'a turning camera').toBe(0);
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 0));
+  await converged(viewer);
+});
+
+/** Contexts of the page lack these extensions. */
+const without = (page: Page, ...names: string[]): Promise<unknown> =>
+  page.addInitScript((lacking) => {
+    const { prototype } = WebGL2RenderingContext;
+
+    const original = prototype.getExtension as (this: unknown, name: string) => unknown;
+    prototype.getExtension = function (this: unknown, name: string): unknown {
+      return lacking.includes(name) ? null : original.call(this, name);
+    } as typeof prototype.getExtension;
+  }, names);
+
+test('without float targets `full` is like `edges`, and `stats` says so', async ({ page, mount }) => {
+  await without(page, 'EXT_color_buffer_float');
+  const viewer = await mount(viewerOf(full), size);
+  expect(await samplesOf(viewer)).toBe(0);
+});
+
+test('without blending of floats the picture is the same', async ({ page, mount }) => {
+  const viewer = await mount(viewerOf(full), size);
+  await converged(viewer);
+  const blended = await pixels(viewer);
+  await without(page, 'EXT_float_blend');
+  const other = await mount(viewerOf(full), size);
+  await converged(other);
+  expect(compare(await pixels(other), blended).max).toBe(0);
+});
+
+test('objects of a page keep their colours, whichever way their materials encode them', async ({
+  page,
+  site,
+}) => {
+  await page.goto(site.page(viewerOf('antialias="edges" samples="16"'), usages.modules));
+  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  const viewer = page.locator('phong-viewer');
+  await viewer.evaluate(async (element: PhongViewer) => {
+    element.style.cssText = 'width: 60px; height: 40px';
+    const three = await import('three');
+    const fragmentShader = `void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 1.0);
+      #include <tonemapping_fragment>
+      #include <colorspace_fragment>
+    }`;
+    const own = [
+      new three.ShaderMaterial({ fragmentShader }),
+      new three.MeshBasicMaterial({ color: 0x336699, transparent: true, opacity: 0.5 }),
+    ];
+    own.forEach((material, i) => {
+      const mesh = new three.Mesh(new three.PlaneGeometry(4, 4), material);
+      mesh.position.set(2 * i - 1, 0, 0);
+      element.scene.add(mesh);
+    });
+    element.refit();
+    element.theta = 0;
+    element.phi = 90;
+    element.radius = 1;
+    await element.ready;
+  });
+  const { programs } = await viewer.evaluate((element: PhongViewer) => element.stats);
+  const plain = await pixels(viewer);
+  await assign(viewer, { antialias: 'full' });
+  await converged(viewer);
+  // All but the seam in the middle is flat.
+  expect(compare(await pixels(viewer), plain, 1).share).toBeLessThan(0.1);
+  expect(compare(await pixels(viewer), plain).rmse).toBeLessThan(20);
+  const drawn = await viewer.evaluate((element: PhongViewer) => element.stats.programs);
+  expect(drawn - programs, 'sum, mean and copy').toBe(3);
+  await nextFrame(page);
+});
+
+test('a lost context and a new size in the middle leave nothing stuck', async ({ page, mount }) => {
+  const viewer = await mount(viewerOf(full.replace('16', '512')), { ...size, waitForReady: false });
+  await expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBeGreaterThan(0);
+  await viewer.evaluate(async (element) => {
+    const canvas = element.shadowRoot!.querySelector('canvas')!;
+    const extension = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!;
+    extension.loseContext();
+    await new Promise((resolve) => setTimeout(resolve, 100));
+    extension.restoreContext();
+  });
+  await assign(viewer, { samples: 16 });
+  await expect.poll(() => samplesOf(viewer), { timeout: 20_000 }).toBe(16);
+  await viewer.evaluate((element) => (element.style.width = '50px'));
+  await nextFrame(page);
+  await converged(viewer);
+  const { width } = await pixels(viewer);
+  expect(width).toBe(50);
+});
+
+test('toBlob({ samples }) is the picture that a viewer of that size converges to, of the scene at the call', async ({
+  mount,
+}) => {
+  const viewer = await mount(viewerOf(full), { width: 90, height: 70 });
+  await converged(viewer);
+  const wanted = await pixels(viewer);
+  await assign(viewer, { antialias: 'edges' });
+  const options = { width: 90, height: 70, samples: 16 };
+  expect(compare(await pixels(viewer, options), wanted).max).toBe(0);
+  const same = await viewer.evaluate(async (element: PhongViewer, given) => {
+    const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
+      new Uint8Array(await (await blob).arrayBuffer()).join();
+    const before = await bytesOf(element.toBlob(given));
+    const blob = element.toBlob(given);
+    await new Promise((resolve) => setTimeout(resolve, 5));
+    element.theta = 80;
+    return (await bytesOf(blob)) === before;
+  }, options);
+  expect(same).toBe(true);
+  for (const samples of [0, 1.5, 1025, 'many'])
+    await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(/RangeError.*samples/);
+});

@@ -1,0 +1,83 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { Batches } from '../../src/scene/samples/batches.js';
+
+/** A GPU that takes so many milliseconds for each sample. */
+class Gpu {
+  cost = 1;
+  fences = 0;
+  #end = 0;
+  readonly gl = {
+    ...{ SYNC_GPU_COMMANDS_COMPLETE: 1, SYNC_STATUS: 2, SIGNALED: 3 },
+    fenceSync: () => ((this.fences += 1), {}),
+    deleteSync: () => (this.fences -= 1),
+    flush: () => undefined,
+    getSyncParameter: () => (performance.now() >= this.#end ? 3 : 4),
+  } as unknown as WebGL2RenderingContext;
+
+  draw(): void {
+    this.#end = Math.max(this.#end, performance.now()) + this.cost;
+  }
+}
+
+describe('batches of samples', () => {
+  beforeEach(() => {
+    vi.useFakeTimers();
+    vi.stubGlobal('window', globalThis);
+  });
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.unstubAllGlobals();
+  });
+
+  /** Sizes of the batches in so many animation frames of 16 ms. */
+  function sizes(gpu: Gpu, frames: number, left = Infinity): number[] {
+    const batches = new Batches(gpu.gl);
+    const drawn: number[] = [];
+    for (let frame = 0; frame < frames; frame++) {
+      if (batches.ended) {
+        let count = 0;
+        batches.send(left, () => {
+          gpu.draw();
+          count += 1;
+        });
+        drawn.push(count);
+      }
+      vi.advanceTimersByTime(16);
+    }
+    batches.cancel();
+    expect(gpu.fences).toBe(0);
+    return drawn;
+  }
+
+  it('grow from one sample to what the GPU draws in 8 ms', () => {
+    const gpu = new Gpu();
+    expect(sizes(gpu, 6)).toEqual([1, 2, 4, 8, 16, 8]);
+  });
+
+  it('stay at one sample that takes longer, and wait for its end', () => {
+    const gpu = new Gpu();
+    gpu.cost = 40;
+    expect(sizes(gpu, 9)).toEqual([1, 1, 1]);
+  });
+
+  it('have no more samples than are left', () => {
+    expect(sizes(new Gpu(), 4, 3)).toEqual([1, 2, 3, 3]);
+  });
+
+  it('end where the script alone takes 8 ms', () => {
+    const gpu = new Gpu();
+    const batches = new Batches(gpu.gl);
+    for (let frame = 0; frame < 4; frame++) {
+      batches.send(Infinity, () => undefined);
+      vi.advanceTimersByTime(16);
+      expect(batches.ended).toBe(true);
+    }
+    let drawn = 0;
+    batches.send(Infinity, () => {
+      vi.advanceTimersByTime(3);
+      drawn += 1;
+    });
+    expect(drawn).toBe(3);
+    batches.cancel();
+  });
+});
