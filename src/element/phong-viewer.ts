@@ -270,7 +270,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (!this.#visibility.connected) return true;
     if (this.#loading.pending || this.#extras.pending !== null) return false;
     const { viewport } = this.#context;
-    return !viewport.drawable || (viewport.settled && !viewport.converging);
+    return !viewport.drawable || (viewport.upToDate && !viewport.levels.pending && !viewport.converging);
   }
 }
 

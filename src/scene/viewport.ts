@@ -29,6 +29,9 @@ export class Viewport implements StageClient, Framed {
   readonly animations = new Animations();
   readonly budget = new TriangleBudget();
   readonly levels: Levels;
+  readonly scene: Scene;
+  readonly lighting: PhongLighting;
+  readonly meshes: ReadonlySet<SceneMesh>;
   readonly #painter: Painter;
   readonly #tree: SceneTree;
   readonly fit: AutoFit;
@@ -63,8 +66,9 @@ export class Viewport implements StageClient, Framed {
   /** `holder` is an element that holds nothing but the canvas. */
   constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
     this.holder = holder;
-    const meshes = new Set<SceneMesh>();
+    const meshes = (this.meshes = new Set<SceneMesh>());
     this.#painter = new Painter(lights, meshes);
+    ({ scene: this.scene, lighting: this.lighting } = this.#painter);
     this.materials = new SharedMaterials(this.#painter.lighting);
     this.levels = new Levels(meshes, this.budget, this.materials, () => this.invalidate());
     this.#tree = new SceneTree(this.#painter.scene, meshes);
@@ -80,14 +84,6 @@ export class Viewport implements StageClient, Framed {
 
   get height(): number {
     return Math.floor(this.#wanted.height * stage.shareOf(this.#wanted));
-  }
-
-  get scene(): Scene {
-    return this.#painter.scene;
-  }
-
-  get lighting(): PhongLighting {
-    return this.#painter.lighting;
   }
 
   /** Joins the page's stage, in the window that shows the holder. */
@@ -129,8 +125,7 @@ export class Viewport implements StageClient, Framed {
   set style(style: ShadingStyle) {
     this.materials.style = style;
     for (const mesh of this.#tree.meshes) mesh.restyle();
-    this.levels.changed();
-    this.invalidate();
+    this.reshaped();
   }
 
   set linear(linear: boolean) {
@@ -175,10 +170,6 @@ export class Viewport implements StageClient, Framed {
     this.#wake();
   }
 
-  get meshes(): ReadonlySet<SceneMesh> {
-    return this.#tree.meshes;
-  }
-
   add(mesh: SceneMesh): void {
     this.#tree.add(mesh);
     this.reshaped();
@@ -217,11 +208,6 @@ export class Viewport implements StageClient, Framed {
   /** The canvas shows the scene as it is, if only the plain picture. */
   get upToDate(): boolean {
     return !this.#dirty && !this.#blank;
-  }
-
-  /** As {@link upToDate}, and nothing will be finer. */
-  get settled(): boolean {
-    return this.upToDate && !this.levels.pending;
   }
 
   /** Something changed: draw a frame, as soon as it is near. */
@@ -412,7 +398,6 @@ export class Viewport implements StageClient, Framed {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
-    if (width === 0 || height === 0) return;
     const view = this.#view.look(this.#fov, width / height);
     this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves, width);
   }

@@ -17,7 +17,7 @@ const scene = `<phong-viewer geometry="box" theta="30" phi="70">
 </phong-viewer>`;
 
 /** Measured bytes, rounded up to the next 256. A change that adds bytes raises the number in the same commit. */
-const budgets = { standalone: 123_904, modules: 56_832 } as const;
+const budgets = { standalone: 127_744, modules: 60_672 } as const;
 
 for (const usage of ['standalone', 'modules'] as const) {
   test(`a viewer with a box and three lights fetches no part of the package that it does not use (${usage})`, async ({
@@ -49,21 +49,21 @@ test('the standalone file is about as large as a bundle of plain three.js with i
     scene.add(new DirectionalLight(), new PointLight(), new SpotLight());
     new WebGLRenderer().render(scene, new PerspectiveCamera());
   `);
-  // Measured: 1.154. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
-  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.16);
+  // Measured: 1.191. three.js alone, with the modules replaced that .ci/standalone-three lists, is 0.59.
+  expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.2);
 });
 
 test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
-  // Measured: 174.9 kB, because bundlers keep three.js's shader chunks, and about 125 kB.
-  expect(await bundled('index.js')).toBeLessThan(176_000);
-  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(125_500);
+  // Measured: 178.5 kB, because bundlers keep three.js's shader chunks, and about 127 kB.
+  expect(await bundled('index.js')).toBeLessThan(179_800);
+  expect(await bundled('phong-viewer.standalone.js')).toBeLessThan(128_500);
 });
 
 test('the script for pages opened from disk, which contains all parts, is not larger than measured', () => {
-  // Measured: 317.5 kB, of which the Draco decoder is 80 kB.
-  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(319_000);
+  // Measured: 324.7 kB, of which the Draco decoder is 80 kB.
+  expect(sentSize(['phong-viewer.classic.js'])).toBeLessThan(327_000);
 });
 
 test("the React components add little to the elements' own code", () => {
