@@ -161,6 +161,7 @@ const texts: CompleteTexts = {
   kd: 'kd',
   ks: 'ks',
   shininess: 'Glanzexponent',
+  segments: 'Segmente',
   'θ azimuth °': 'θ Azimut °',
   'φ polar °': 'φ Polarwinkel °',
   radius: 'Abstand',

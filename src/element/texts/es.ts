@@ -159,6 +159,7 @@ const texts: CompleteTexts = {
   kd: 'kd',
   ks: 'ks',
   shininess: 'exponente de brillo',
+  segments: 'segmentos',
   'θ azimuth °': 'θ acimut °',
   'φ polar °': 'φ polar °',
   radius: 'distancia',

@@ -159,6 +159,7 @@ const texts: CompleteTexts = {
   kd: 'kd',
   ks: 'ks',
   shininess: 'exposant de brillance',
+  segments: 'segments',
   'θ azimuth °': 'θ azimut °',
   'φ polar °': 'φ polaire °',
   radius: 'distance',

@@ -159,6 +159,7 @@ const texts: CompleteTexts = {
   kd: 'kd',
   ks: 'ks',
   shininess: 'expoente de brilho',
+  segments: 'segmentos',
   'θ azimuth °': 'θ azimute °',
   'φ polar °': 'φ polar °',
   radius: 'distância',
