@@ -277,6 +277,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   sample(renderer: WebGLRenderer, part: Region): void {
+    this.#bringInStep(this, false); // a file of another size may have been drawn since
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
     this.#painter.paintAgain(renderer, this.#view);
   }
@@ -383,9 +384,7 @@ export class Viewport implements StageClient, Framed {
     this.#painter.paint(renderer, this.#view);
   };
 
-  readonly #renderKept = (renderer: WebGLRenderer): void => {
-    this.#still.copy(renderer);
-  };
+  readonly #renderKept = (renderer: WebGLRenderer): void => this.#still.copy(renderer);
 
   contextMissing(error: NoWebGL2Error): void {
     this.#loop?.cancel(this);
