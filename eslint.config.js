@@ -72,7 +72,7 @@ export default defineConfig(
     rules: {
       'house/layers': 'error',
       // Longer than this, a file has more than one subject. Shorter files are not better: what changes together stays together.
-      'max-lines': ['error', { max: 330, skipBlankLines: true, skipComments: true }],
+      'max-lines': ['error', { max: 345, skipBlankLines: true, skipComments: true }],
       'no-console': ['error', { allow: ['warn'] }],
       'no-restricted-syntax': [
         'error',

@@ -37,6 +37,15 @@ export class Painter {
     }
   }
 
+  /** Draws the scene again and again, with the lights of the first time. All of it counts as one frame. */
+  sampler(view: ViewCamera): (renderer: WebGLRenderer) => void {
+    let paint: 'paint' | 'paintAgain' = 'paint';
+    return (renderer) => {
+      this[paint](renderer, view);
+      paint = 'paintAgain';
+    };
+  }
+
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
     releaseGpu(this.scene);

@@ -11,7 +11,7 @@ import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter, type ViewportStats } from './painter.js';
-import { Levels } from './mesh/levels.js';
+import { Levels, OUTLINE_TOLERANCE, SAMPLED_TOLERANCE } from './mesh/levels.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { TriangleBudget } from './mesh/triangle-budget.js';
@@ -70,7 +70,9 @@ export class Viewport implements StageClient, Framed {
     this.#painter = new Painter(lights, meshes);
     ({ scene: this.scene, lighting: this.lighting } = this.#painter);
     this.materials = new SharedMaterials(this.#painter.lighting);
-    this.levels = new Levels(meshes, this.budget, this.materials, () => this.invalidate());
+    this.levels = new Levels(meshes, this.budget, this.materials, (samples) =>
+      samples ? this.animate() : this.invalidate(),
+    );
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#signals = signals;
@@ -276,14 +278,21 @@ export class Viewport implements StageClient, Framed {
     }
   }
 
+  refine(): boolean {
+    // First the plain picture gets what it lacks.
+    if (this.levels.pending) return false;
+    this.#bringInStep(this, false, SAMPLED_TOLERANCE);
+    return !this.levels.pending;
+  }
+
   sample(renderer: WebGLRenderer, part: Region): void {
-    this.#bringInStep(this, false); // a file of another size may have been drawn since
+    this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
     this.#painter.paintAgain(renderer, this.#view);
   }
 
   show(last: boolean): void {
-    this.#blank = !stage.draw(this, this.#renderKept);
+    this.#blank = !stage.draw(this, (renderer) => this.#still.copy(renderer));
     this.#unshown ||= last;
   }
 
@@ -323,15 +332,15 @@ export class Viewport implements StageClient, Framed {
   captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
     // Nothing keeps the context open for a viewer that is on no page.
     return this.#still.capture({ width, height }, samples, !this.#attached, () => {
-      this.#bringInStep({ width, height }, true);
+      this.#bringInStep({ width, height }, true, SAMPLED_TOLERANCE);
       this.#releaseUnlessAttached();
       const view = new ViewCamera(new Orbit(this.orbit.pose));
       const [fov, bounds] = [this.#fov, this.fit.depthBounds()];
-      let paint: 'paint' | 'paintAgain' = 'paint';
+      const paint = this.#painter.sampler(view);
       return (renderer, part) => {
+        this.#chooseLevels({ width, height }, true, SAMPLED_TOLERANCE); // the page may have shown its own since
         view.aim(fov, this.scene, bounds, width, height, part);
-        this.#painter[paint](renderer, view);
-        paint = 'paintAgain'; // the lights are those of the call, and all samples count as one frame
+        paint(renderer);
       };
     });
   }
@@ -384,8 +393,6 @@ export class Viewport implements StageClient, Framed {
     this.#painter.paint(renderer, this.#view);
   };
 
-  readonly #renderKept = (renderer: WebGLRenderer): void => this.#still.copy(renderer);
-
   contextMissing(error: NoWebGL2Error): void {
     this.#loop?.cancel(this);
     this.#signals.contextMissing.emit(error);
@@ -393,10 +400,15 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** Order, matrices and camera of the scene as they are now, and its shapes as this size shows them. */
-  #bringInStep({ width, height }: Size, atOnce: boolean): void {
+  #bringInStep(size: Size, atOnce: boolean, tolerance?: number): void {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
+    this.#chooseLevels(size, atOnce, tolerance);
+  }
+
+  #chooseLevels({ width, height }: Size, atOnce: boolean, tolerance = OUTLINE_TOLERANCE): void {
+    this.levels.outlineTolerance = tolerance;
     const view = this.#view.look(this.#fov, width / height);
     this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves, width);
   }

@@ -71,7 +71,6 @@ test('a torus converges to the exact mean over each pixel', async ({ mount }) =>
   await assign(viewer, { antialias: 'full' });
   await settled(viewer);
   const full = errorsOf(await pixels(viewer), means);
-  // Measured: 5.08 and 0.7, because in a picture this small every fifth pixel lies at an outline.
   expect(full.rmse).toBeLessThan(plain.rmse / 4);
   expect(full.within).toBeGreaterThan(plain.within);
 });

@@ -19,8 +19,11 @@ import {
 } from './shapes/shapes.js';
 import type { TriangleBudget } from './triangle-budget.js';
 
-/** Most that an outline may be off the round shape: device pixels. */
-const TOLERANCE = 1 / 8;
+/** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
+export const OUTLINE_TOLERANCE = 1 / 8;
+
+/** The same in the samples of a still picture, whose mean shows an eighth of a plain picture's error. */
+export const SAMPLED_TOLERANCE = 1 / 64;
 
 /** Triangles that a frame may build before it is drawn: 2 ms for a sphere, 10 ms for a teapot. */
 const AT_ONCE = 2 ** 16;
@@ -39,8 +42,8 @@ export class Levels {
   readonly #meshes: ReadonlySet<SceneMesh>;
   readonly #budget: TriangleBudget;
   readonly #materials: SharedMaterials;
-  readonly #built: () => void;
-  #tolerance = TOLERANCE;
+  readonly #built: (samples: boolean) => void;
+  #tolerance = OUTLINE_TOLERANCE;
   #shared: SharedLevels | null = null;
   /** As {@link shared} was last told. */
   #wasFixed = false;
@@ -55,12 +58,12 @@ export class Levels {
   #inFrames = AT_ONCE;
   #mayBuild = 0;
 
-  /** `built` is called when a level that was missing is there. */
+  /** `built` is called when a level that was missing is there; `samples`: for the samples of a still picture. */
   constructor(
     meshes: ReadonlySet<SceneMesh>,
     budget: TriangleBudget,
     materials: SharedMaterials,
-    built: () => void,
+    built: (samples: boolean) => void,
   ) {
     this.#meshes = meshes;
     this.#budget = budget;
@@ -68,7 +71,7 @@ export class Levels {
     this.#built = built;
   }
 
-  /** Most that an outline may be off the round shape. Device pixels, above 0, default 1/8. */
+  /** Most that an outline may be off the round shape. Device pixels, above 0. */
   set outlineTolerance(pixels: number) {
     this.#stale ||= pixels !== this.#tolerance;
     this.#tolerance = pixels;
@@ -198,7 +201,7 @@ export class Levels {
       }
       this.#building.delete(text);
       this.#stale = true;
-      this.#built();
+      this.#built(this.#tolerance === SAMPLED_TOLERANCE);
     };
     void build();
   }

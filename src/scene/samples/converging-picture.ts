@@ -15,6 +15,8 @@ export { SampledCapture } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size {
+  /** Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame. */
+  refine(): boolean;
   /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
   sample(renderer: WebGLRenderer, part: Region): void;
   /** Shows the kept picture. `last`: it has all samples. */
@@ -69,6 +71,7 @@ export class ConvergingPicture {
     this.#stillFrames += 1;
     if (this.#stillFrames <= STILL_FRAMES) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
+    if (this.#run === null && !this.#subject.refine()) return true;
     const before = this.#samples;
     try {
       if (!stage.drawAside(this.#draw)) this.pause();

@@ -220,3 +220,24 @@ test('toBlob({ samples }) is the picture that a viewer of that size converges to
   for (const samples of [0, 1.5, 1025, 'many'])
     await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(/RangeError.*samples/);
 });
+
+test('the samples of a round shape have an outline eight times as fine, and moving it brings back the plain one', async ({
+  mount,
+}) => {
+  const viewer = await mount(viewerOf('geometry="sphere" samples="16"'), size);
+  const triangles = (): Promise<number> =>
+    viewer.evaluate((element: PhongViewer) => {
+      let count = 0;
+      element.scene.traverse((object) => {
+        count += ((object as { geometry?: { index: { count: number } } }).geometry?.index.count ?? 0) / 3;
+      });
+      return count;
+    });
+  const plain = await triangles();
+  await assign(viewer, { antialias: 'full' });
+  await converged(viewer);
+  expect((await triangles()) / plain).toBeGreaterThan(5);
+  await assign(viewer, { antialias: 'edges' });
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  expect(await triangles()).toBe(plain);
+});
