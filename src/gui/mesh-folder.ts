@@ -51,12 +51,11 @@ export const SURFACE_ROWS = {
   }),
 } satisfies RowTable<SurfaceValues, PhongMesh | PhongViewer, 'resetMaterial'>;
 
-/** How many segments the shape has; under `auto` it says what that gives now. */
+/** How many segments the shape has; under `auto`: what that gives now. */
 export const SEGMENTS_ROW: Row<MeshValues['segments'], PhongMesh | PhongViewer> = {
-  ...drawnReadout('segments', (element: PhongMesh | PhongViewer) => {
-    const drawn = String(sceneMeshes.get(element)?.segments ?? '');
-    return element.segments === 'auto' && drawn !== '' ? `auto (${drawn})` : drawn;
-  }),
+  ...drawnReadout('segments', (element: PhongMesh | PhongViewer) =>
+    String(sceneMeshes.get(element)?.segments ?? ''),
+  ),
   shown: ({ src, geometry }) => src === '' && geometry !== null,
 };
 

@@ -336,6 +336,11 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     choice('layout', 'split', 'split', 'side'),
     choice('direction', 'horizontal', 'horizontal', 'vertical'),
     dividers,
-    { ...text('labels', ''), fallback: null, valid: [['Gouraud, Phong', 'Gouraud, Phong'], ['', '']] }, // prettier-ignore
+    {
+      ...text('labels', ''),
+      fallback: null,
+      valid: [['Gouraud, Phong', 'Gouraud, Phong'], ['', '']], // prettier-ignore
+      refused: [[1, 'TypeError'], [['a', 1], 'TypeError'], [['a, b'], 'TypeError']], // prettier-ignore
+    },
   ],
 };

@@ -328,6 +328,8 @@ test('labels come from `labels`, or from the names of the viewers', async ({ pag
     element.setAttribute('labels', 'left, right');
   });
   expect(await texts()).toEqual(['left', 'right']);
+  await assign(compare, { labels: ['a list', 'of texts'] });
+  expect(await texts()).toEqual(['a list', 'of texts']);
   await assign(compare, { labels: '' });
   expect(await texts()).toEqual([]);
   await assign(page.locator('phong-viewer').first(), { texts: { Divider: 'Trenner' } });
