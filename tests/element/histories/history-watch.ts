@@ -167,7 +167,9 @@ export function installWatch(): void {
   }
   async function blobOf(viewer: PhongViewer, [width, height]: readonly [number, number]): Promise<Drawn> {
     takeDrawn();
-    const coming = viewer.toBlob({ width, height });
+    // One page shows the mean of the samples already, another one may not show the viewer at all.
+    const { antialias, samples } = viewer;
+    const coming = viewer.toBlob({ width, height, ...(antialias === 'full' ? { samples } : {}) });
     const taken = takeDrawn();
     const by = taken.programs === '' ? (seenBy.get(viewer) ?? taken) : taken; // a lone viewer may reuse what it shows
     const bitmap = await createImageBitmap(await coming);
