@@ -226,6 +226,16 @@ describe('sharing', () => {
     fresh.releaseGeometry(key);
   });
 
+  it('gives a lazy shape at once to whoever comes after it has arrived', async () => {
+    vi.resetModules(); // no shape's code is here
+    const fresh = await import('../../src/scene/mesh/shapes/shared-shapes.js');
+    const key: ShapeKey = { name: 'teapot', segments: 16, isLevel: true };
+    const geometry = await fresh.acquireGeometry(key);
+    expect(fresh.acquireGeometry(key)).toBe(geometry);
+    fresh.releaseGeometry(key);
+    fresh.releaseGeometry(key);
+  });
+
   it('keeps the levels used last of automatic segments, as long as any is in use', () => {
     const level = (segments: number): ShapeKey => ({ name: 'sphere', segments, isLevel: true });
     const shown = acquire(level(16));

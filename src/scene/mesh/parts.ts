@@ -95,9 +95,9 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
   });
 }
 
-/** Shows a shape as another level of it. Its bounds are the same. Throws if there is no memory for it. */
+/** Shows a shape, whose code is here, as another level of it. Its bounds are the same. Throws if there is no memory for it. */
 export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
-  const content = shapeContent(levelKey(shown.round!, level)) as Content; // the shape's code is here
+  const content = shapeContent(levelKey(shown.round!, level)) as Content;
   let geometries: readonly BufferGeometry[];
   try {
     geometries = geometriesOf(content, flat, null);

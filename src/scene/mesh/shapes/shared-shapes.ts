@@ -43,7 +43,8 @@ export const FIXED = 0;
 export const COARSEST = 16;
 
 interface Shared {
-  readonly geometry: PendingGeometry;
+  /** A promise until its code is here. */
+  geometry: PendingGeometry;
   users: number;
 }
 
@@ -94,10 +95,13 @@ export function acquireGeometry(key: ShapeKey): PendingGeometry {
 function add(text: string, entry: Shared, isLevel: boolean): void {
   shared.set(text, entry);
   if (!(entry.geometry instanceof Promise)) return;
-  entry.geometry.catch(() => {
-    if (shared.get(text) === entry) shared.delete(text);
-    if (isLevel) usedLevels -= entry.users;
-  });
+  entry.geometry.then(
+    (geometry) => (entry.geometry = geometry),
+    () => {
+      if (shared.get(text) === entry) shared.delete(text);
+      if (isLevel) usedLevels -= entry.users;
+    },
+  );
 }
 
 /** Whether it is there, and costs nothing to acquire. */
