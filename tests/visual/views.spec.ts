@@ -234,7 +234,7 @@ test('with a single light the shaded picture is that of the scene without the ot
 
 test('gives every triangle a colour, between dark lines', async ({ mount }) => {
   const viewer = await mount(
-    `<phong-viewer view="triangles" geometry="sphere" segments="7" radius="1.2">${lights}</phong-viewer>`,
+    `<phong-viewer view="triangles" geometry="sphere" segments="7" radius="1.1">${lights}</phong-viewer>`,
     SIZE,
   );
   const samples = await samplesOf(viewer, 1);
