@@ -16,7 +16,7 @@ import { compareMarkup } from './viewer/to-html.js';
 
 const load = lazyCode(() => import('./compare/comparison.js'), '<phong-compare>');
 
-/** The accessors come from the table of fields. */
+// The accessors come from the table of fields.
 interface CompareElement extends CompareProperties {
   readonly localName: 'phong-compare';
   addEventListener: Listen<this, PhongCompareEventMap>;

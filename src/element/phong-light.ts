@@ -17,7 +17,7 @@ export class ElementLight extends LightState {
   batch = 0;
 }
 
-/** The accessors come from the table of fields. */
+// The accessors come from the table of fields.
 interface LightElement extends LightProperties {
   readonly localName: 'phong-light';
 }

@@ -8,7 +8,7 @@ import type { Listen, PhongMeshEventMap } from './events.js';
 import { attributesOf, defineProperties } from './fields/field-binding.js';
 import type { MeshProperties } from './fields/properties.js';
 
-/** The accessors come from the table of fields. */
+// The accessors come from the table of fields.
 interface MeshElement extends MeshProperties {
   readonly localName: 'phong-mesh';
   addEventListener: Listen<this, PhongMeshEventMap>;

@@ -39,7 +39,7 @@ import { sceneMarkup } from './viewer/to-html.js';
 import { blobOf, lazy } from './viewer/viewer-snapshot.js';
 import type { Viewport } from '../scene/viewport.js';
 
-/** The accessors come from the table of fields. */
+// The accessors come from the table of fields.
 interface ViewerElement extends ViewerProperties {
   readonly localName: 'phong-viewer';
   addEventListener: Listen<this, PhongViewerEventMap>;
