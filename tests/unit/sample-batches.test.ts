@@ -60,6 +60,17 @@ describe('batches of samples', () => {
     expect(sizes(gpu, 9)).toEqual([1, 1, 1]);
   });
 
+  it('grow after a slow first sample, which allocates and compiles', () => {
+    const gpu = new Gpu();
+    gpu.cost = 20;
+    const draw = gpu.draw.bind(gpu);
+    gpu.draw = () => {
+      draw();
+      gpu.cost = 1;
+    };
+    expect(sizes(gpu, 6)).toEqual([1, 1, 2, 4, 8]);
+  });
+
   it('have no more samples than are left', () => {
     expect(sizes(new Gpu(), 4, 3)).toEqual([1, 2, 3, 3]);
   });

@@ -30,7 +30,8 @@ export class Batches {
     const quick = this.#quick ?? (performance.now() - this.#start < BATCH_MS ? true : null);
     this.cancel();
     if (quick === true) this.#size = Math.min(2 * this.#size, this.#most);
-    if (quick === false) this.#size = this.#most = Math.max(this.#size >> 1, 1);
+    // Not of one sample: the first one allocates and compiles, and the next may take a tenth of its time.
+    if (quick === false && this.#size > 1) this.#size = this.#most = this.#size >> 1;
     return true;
   }
 
