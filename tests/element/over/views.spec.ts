@@ -320,6 +320,8 @@ test('the markup keeps the view, and the panel writes and follows it', async ({ 
     'light 3',
     'lamp',
   ]);
+  // The warning comes with a timer of 0.
+  await viewer.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
 });
 
 test.describe('the error', () => {
