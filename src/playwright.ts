@@ -52,7 +52,7 @@ const { Buffer } = globalThis as unknown as { Buffer: { from(text: string, encod
 /** Suspects that are looked at closely. A picture with more is wrong anyway. */
 const MOST_SUSPECTS = 2000;
 
-/** Pixels judged by default: of a picture of 300 × 200 a second's work on one core, half of what a viewer covers. */
+/** Pixels judged by default: about half of what a viewer of 300 × 200 covers. */
 const PIXELS = 10_000;
 
 /** Failed pixels that a message lists. */
