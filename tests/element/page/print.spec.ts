@@ -1,4 +1,6 @@
 // Does a printed page show all pictures, also those below the fold, and their CSS backgrounds?
+import { type Browser, chromium } from '@playwright/test';
+import { findBrowser, softwareGl } from '../../../.ci/browser.mjs';
 import { expect, test } from '../../support/test.js';
 import { decodePng, type Picture } from '../../support/picture.js';
 
@@ -14,6 +16,8 @@ test('draws pictures below the fold before the page is printed', async ({ mount,
 });
 
 test('prints the CSS background behind every picture, on every page', async ({ mount, page, browser }) => {
+  const reader = await browserWithPdfViewer(browser);
+  test.skip(reader === null, 'no browser on this machine shows a PDF');
   const count = 8;
   const viewer = '<phong-viewer geometry="box"></phong-viewer>';
   await mount(viewer.repeat(count), {
@@ -23,19 +27,38 @@ test('prints the CSS background behind every picture, on every page', async ({ m
   });
   const pdf = await page.pdf({ printBackground: true, preferCSSPageSize: true });
   // Chromium's own viewer shows the pages below each other.
-  const reader = await browser.newPage({ viewport: { width: 500, height: 1700 } });
-  await reader.setContent('<style>body { margin: 0 } embed { width: 500px; height: 1700px }</style>');
-  await reader.evaluate((base64) => {
+  const shown = await reader!.newPage({ viewport: { width: 500, height: 1700 } });
+  await shown.setContent('<style>body { margin: 0 } embed { width: 500px; height: 1700px }</style>');
+  await shown.evaluate((base64) => {
     const embed = document.createElement('embed');
     embed.type = 'application/pdf';
     embed.src = `data:application/pdf;base64,${base64}#toolbar=0`;
     document.body.append(embed);
   }, pdf.toString('base64'));
   await expect
-    .poll(async () => redBoxes(decodePng(await reader.screenshot())), { timeout: 30_000 })
+    .poll(async () => redBoxes(decodePng(await shown.screenshot())), { timeout: 30_000 })
     .toBe(count);
-  await reader.close();
+  await shown.close();
+  if (reader !== browser) await reader!.close();
 });
+
+/** The tests' own browser, or another one where that has no PDF viewer: headless shells have none. */
+async function browserWithPdfViewer(own: Browser): Promise<Browser | null> {
+  if (await showsPdf(own)) return own;
+  const executablePath = await findBrowser();
+  const path = executablePath === undefined ? {} : { executablePath };
+  const other = await chromium.launch({ ...path, args: softwareGl });
+  if (await showsPdf(other)) return other;
+  await other.close();
+  return null;
+}
+
+async function showsPdf(browser: Browser): Promise<boolean> {
+  const page = await browser.newPage();
+  const shows = await page.evaluate(() => navigator.pdfViewerEnabled);
+  await page.close();
+  return shows;
+}
 
 /** Runs of at least 100 red pixels, read down the column that has the most red. */
 function redBoxes({ width, height, data }: Picture): number {
