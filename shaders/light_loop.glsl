@@ -1,11 +1,12 @@
-// The sum over the lights at one point, in shading space. The caller applies the material's colours once. Needs light_rows,
-// guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
+// The sum over the lights at one point, in shading space. The caller applies the material's colours once. Needs
+// light_rows, guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
 //
-// `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call, so compilers drop the rest.
-// By default there is a loop for each kind of light, with the number of turns read from the header and the features of
-// everything declared: DECLARED_FEATURES, an integer literal. LIGHT_STATEMENTS, where it is defined, replaces the loops: a specialised program's statements.
-// Call lightSums in uniform control flow with FILTER_HIGHLIGHTS: it uses dFdx and dFdy.
-// Nothing branches on a fragment: measured, that is 0.8 of the time in software and as fast on a GPU.
+// `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call, so compilers drop
+// the rest. By default there is a loop for each kind of light, with the number of turns read from the header and the
+// features of everything declared: DECLARED_FEATURES, an integer literal. LIGHT_STATEMENTS, where it is defined,
+// replaces the loops: a specialised program's statements. Call lightSums in uniform control flow with
+// FILTER_HIGHLIGHTS: it uses dFdx and dFdy. Nothing branches on a fragment: measured, that is 0.8 of the time in
+// software and as fast on a GPU.
 
 /** Σ Ia·decay, Σ Id·att·NoL·decay and Σ Is·att·spec·decay, before the material. */
 struct LightSums {
@@ -117,8 +118,8 @@ void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, floa
 }
 
 /**
- * Sums all lights at point p. N is unit, or zero: then only ambient light is left. V is the unit vector toward the eye, or
- * zero: then there is no specular light. n >= 0 is the specular exponent.
+ * Sums all lights at point p. N is unit, or zero: then only ambient light is left. V is the unit vector toward the eye,
+ * or zero: then there is no specular light. n >= 0 is the specular exponent.
  */
 LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);

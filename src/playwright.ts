@@ -124,9 +124,10 @@ export const expect = playwrightExpect.extend({
   /**
    * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face. A pixel also
    * passes if the equation takes its colour within one step of the device's subpixel grid, to which rasterisers move
-   * vertices. Judges a sample unless `pixels` is `'all'`. Never judged: edges of triangles, translucent surfaces, textures with several texels to a pixel, and own
-   * objects in `scene`. The message and an annotation of the test report how many pixels were judged. What CSS makes of
-   * the picture is not judged: a `filter` or an `opacity` gets a warning.
+   * vertices. Judges a sample unless `pixels` is `'all'`. Never judged: edges of triangles, translucent surfaces,
+   * textures with several texels to a pixel, and own objects in `scene`. The message and an annotation of the test
+   * report how many pixels were judged. What CSS makes of the picture is not judged: a `filter` or an `opacity` gets a
+   * warning.
    */
   async toShowTheEquation(
     viewer: Locator,

@@ -53,8 +53,8 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   readonly loaded: boolean;
   /**
    * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out are
-   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in use,
-   * the page's included; null if all are English. Throws TypeError for anything but an object of strings.
+   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in
+   * use, the page's included; null if all are English. Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);

@@ -228,8 +228,8 @@ export function levelFor(segments: number, name: GeometryName): number {
 const coarserThan = (level: number, name: GeometryName): number => levelFor(level / 1.5, name);
 
 /**
- * Segments that keep the outline of a round shape within a distance of the true one, of which a unit of length at depth
- * 1 has `finest`. Null where the shape is out of view.
+ * Segments that keep the outline of a round shape close enough to the true one. `finest`: how many times the allowed
+ * distance goes into a unit of length at depth 1. Null where the shape is out of view.
  */
 export function segmentsIn(
   { frame, slopeX, slopeY }: View,

@@ -15,7 +15,9 @@ export { SampledCapture } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size {
-  /** Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame. */
+  /**
+   * Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame.
+   */
   refine(): boolean;
   /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
   sample(renderer: WebGLRenderer, part: Region): void;

@@ -71,7 +71,7 @@ export function* gridGeometry(grids: readonly Grid[]): Steps {
       for (let column = 0; row > 0 && column < columns; column++)
         for (let k = from; k < to; k++) {
           const c = corners[k]!;
-          // Of the row before, or of this one.
+          // A vertex of the row before, or of this one.
           index[corner++] = first + column + (c & 1) - (c < 2 ? columns + 1 : 0);
         }
       yield;

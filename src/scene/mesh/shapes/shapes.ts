@@ -201,7 +201,7 @@ export function effectiveSegments(name: GeometryName, segments: number | undefin
 export const trianglesOf = (name: GeometryName, segments: number | undefined): number =>
   SHAPES[name].triangles(effectiveSegments(name, segments));
 
-/** Of flat copies, weighed by memory: each corner has 8 values, position, normal and uv. */
+/** What flat copies count as triangles, by their memory: each corner has 8 values, position, normal and uv. */
 export const flatTrianglesOf = (triangles: number): number =>
   Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
 
