@@ -49,7 +49,9 @@ const DIMMED = 0.55;
 /** Colours of 255 are full. */
 const FULL = 255;
 
-/** `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first surface; Infinity for none. */
+/**
+ * `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first surface; Infinity for none.
+ */
 export function lightMarks(
   values: Readonly<LightValues>,
   view: Projection,

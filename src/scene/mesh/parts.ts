@@ -95,7 +95,10 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
   });
 }
 
-/** Shows a shape, whose code is here, as another level of it. Its bounds are the same. Throws if there is no memory for it. */
+/**
+ * Shows a shape, whose code is here, as another level of it. Its bounds are the same. Throws if there is no memory for
+ * it.
+ */
 export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
   const content = shapeContent(levelKey(shown.round!, level)) as Content;
   let geometries: readonly BufferGeometry[];
