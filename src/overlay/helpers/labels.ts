@@ -27,8 +27,8 @@ export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
 const COLOR = '#fff';
 
 /**
- * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last. Names
- * keep to `room`.
+ * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last.
+ * Names keep to `room`.
  */
 export function listOf(drawings: readonly Drawing[], room: Box, fontSize: number): Primitive[] {
   const names = [...drawings].reverse().flatMap((each) => each.names);
