@@ -11,9 +11,11 @@ import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
+import { measurePicture } from './measure/pictures.mjs';
 import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { readOptions } from './options.mjs';
+import { pictureTime, RMSE } from './pictures.mjs';
 import { Progress } from './progress.mjs';
 import { addSamples, ratioOf, valueOf } from './results.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
@@ -21,6 +23,10 @@ import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 const here = fileURLToPath(new URL('.', import.meta.url));
 /** Longest time of one launch of a subject, in milliseconds. */
 const PATIENCE = 240_000;
+/** The same where a float64 ray caster has to draw the exact pictures first. */
+const PATIENCE_WITH_TRUTH = 2_400_000;
+/** Pixels of a whole picture whose error is measured, unless asked otherwise. */
+const PICTURE_SIZE = /** @type {const} */ ([400, 300]);
 const ROUNDS = 3;
 /** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
 const MOST_LIGHTS_AT_SIZE = 32;
@@ -77,7 +83,7 @@ async function main(options) {
  * @param {Lab} lab @param {readonly string[]} names @param {import('./options.mjs').Options} options
  * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {() => void} save
  */
-async function measureAll(lab, names, { launches, minutes }, result, begun, save) {
+async function measureAll(lab, names, { launches, minutes, size }, result, begun, save) {
   const parts = Array.from({ length: launches }, () => names).flat();
   const progress = new Progress(parts);
   for (const [i, name] of parts.entries()) {
@@ -86,7 +92,8 @@ async function measureAll(lab, names, { launches, minutes }, result, begun, save
       return void console.log(`${progress} Stopped: ${minutes} minutes are over.`);
     const launch = Math.floor(i / names.length);
     try {
-      await withPatience(measure(lab, name, launch, result));
+      const patience = SUBJECTS[name]?.kind === 'picture' ? PATIENCE_WITH_TRUTH : PATIENCE;
+      await withPatience(measure(lab, name, launch, result, size), patience);
     } catch (error) {
       const message = error instanceof Error ? (error.message.split('\n')[0] ?? '') : String(error);
       result.failures.push({ subject: name, message });
@@ -105,12 +112,12 @@ function sizeOf({ scene }, { machine, size }) {
   return [Math.round(size[0] * shrink), Math.round(size[1] * shrink)];
 }
 
-/** @param {Promise<void>} work */
-async function withPatience(work) {
+/** @param {Promise<void>} work @param {number} patience milliseconds */
+async function withPatience(work, patience) {
   /** @type {NodeJS.Timeout | undefined} */
   let timer;
   const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`took longer than ${PATIENCE / 1000} s`)), PATIENCE);
+    timer = setTimeout(() => reject(new Error(`took longer than ${patience / 1000} s`)), patience);
   });
   work.catch(() => {}); // it may fail once it is too late
   try {
@@ -120,8 +127,8 @@ async function withPatience(work) {
   }
 }
 
-/** One launch of a subject. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result */
-async function measure(lab, name, launch, result) {
+/** One launch of a subject. `size`: of pictures, if asked for. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result @param {readonly [number, number] | null} size */
+async function measure(lab, name, launch, result, size) {
   const subject = SUBJECTS[name];
   const options = {
     size: result.size,
@@ -138,6 +145,8 @@ async function measure(lab, name, launch, result) {
       return measureStart(lab, subject, launch, options);
     case 'model':
       return measureModel(lab, subject, launch, options);
+    case 'picture':
+      return measurePicture(lab, subject, launch, { ...options, size: size ?? PICTURE_SIZE });
     case 'viewers':
       return measureViewers(lab, { ...options, rounds: 1 });
     case 'connect':
@@ -159,6 +168,7 @@ function summary(result, name) {
   const failure = result.failures.findLast(({ subject }) => subject === name);
   if (failure !== undefined) return `failed: ${failure.message}`;
   const rows = result.measures.filter(({ subject }) => subject === name);
+  if (SUBJECTS[name]?.kind === 'picture') return pictureSummary(result, name);
   const front = result.fronts.find(({ subject }) => subject === name);
   if (front !== undefined) {
     const base = valueOf({
@@ -184,6 +194,17 @@ function summary(result, name) {
         return `${label}${ratioOf(row, side)?.median.toFixed(2)} (${valueOf(row, side).median.toPrecision(3)})`;
       });
       return `${row.measure} ${ratios.join(', ')} : 1 (${base} ${row.unit})`;
+    })
+    .join('; ');
+}
+
+/** Error and time of each picture. @param {import('./results.mjs').BenchResult} result @param {string} subject */
+function pictureSummary(result, subject) {
+  const errors = result.measures.find((row) => row.subject === subject && row.measure === RMSE.triangles);
+  return Object.keys(errors?.samples ?? {})
+    .map((side) => {
+      const time = pictureTime(result, subject, side);
+      return `${side} ${errors && valueOf(errors, side).median.toPrecision(2)} in ${time?.toPrecision(3)}`;
     })
     .join('; ');
 }
