@@ -2,7 +2,7 @@
 // `npm run bench`: measures real scenes with the element and with plain three.js, in turns, over fresh launches of a browser, and
 // writes one result for the stack. See options.mjs for its options and subjects.mjs for what it measures.
 
-import { existsSync, mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -55,8 +55,13 @@ async function main(options) {
       .map(([key, value]) => `${key}: ${value}`)
       .join('\n'),
   );
+  const out =
+    options.out ||
+    (!options.add && (options.quick || options.only.length > 0)
+      ? ''
+      : join(here, 'results', `${options.stack}.json`));
   /** @type {import('./results.mjs').BenchResult} */
-  const result = {
+  const result = (options.add ? readWithout(out, names) : undefined) ?? {
     stack: options.stack,
     machine,
     date: new Date(begun).toISOString().slice(0, 10),
@@ -66,9 +71,6 @@ async function main(options) {
     fronts: [],
     failures: [],
   };
-  const out =
-    options.out ||
-    (options.quick || options.only.length > 0 ? '' : join(here, 'results', `${options.stack}.json`));
   await measureAll(lab, names, options, result, begun, () => write(out, result));
   await lab.close();
   if (out !== '') console.log(`\n${out}`);
@@ -207,6 +209,21 @@ function pictureSummary(result, subject) {
       return `${side} ${errors && valueOf(errors, side).median.toPrecision(2)} in ${time?.toPrecision(3)}`;
     })
     .join('; ');
+}
+
+/**
+ * A result without these subjects, to be measured again; undefined where there is none.
+ * @param {string} file @param {readonly string[]} names @returns {import('./results.mjs').BenchResult | undefined}
+ */
+function readWithout(file, names) {
+  if (!existsSync(file)) return undefined;
+  /** @type {import('./results.mjs').BenchResult} */
+  const result = JSON.parse(readFileSync(file, 'utf8'));
+  const isOther = (/** @type {{ subject: string }} */ { subject }) => !names.includes(subject);
+  result.measures = result.measures.filter(isOther);
+  result.fronts = result.fronts.filter(isOther);
+  result.failures = result.failures.filter(isOther);
+  return result;
 }
 
 /** @param {string} file @param {import('./results.mjs').BenchResult} result */

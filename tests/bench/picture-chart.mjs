@@ -64,15 +64,13 @@ export function panelSvg(points, picture, colors) {
     ...{ document, width: 300, height: 230, marginLeft: 34, marginRight: 8, marginTop: 8, marginBottom: 24 },
     ...panelScales(points, colors),
     ariaLabel: `${picture}: error over time`,
-    style: { fontSize: '11px', fontFamily: 'inherit', color: 'currentColor', background: 'none' },
     marks: panelMarks(
       points.filter((point) => point.picture === picture),
       {},
     ),
   });
-  svg.querySelector('style')?.remove(); // a strict policy allows no inline style sheets
-  svg.removeAttribute('width');
-  svg.removeAttribute('height');
+  svg.querySelector('style')?.remove(); // a strict policy allows no styles but the page's
+  for (const name of ['style', 'class', 'width', 'height']) svg.removeAttribute(name);
   svg.setAttribute('role', 'img');
   return svg.outerHTML;
 }
