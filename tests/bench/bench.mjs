@@ -11,7 +11,7 @@ import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
-import { measurePicture } from './measure/pictures.mjs';
+import { keepTruths, measurePicture } from './measure/pictures.mjs';
 import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { readOptions } from './options.mjs';
@@ -28,6 +28,8 @@ const PATIENCE_WITH_TRUTH = 2_400_000;
 /** Pixels of a whole picture whose error is measured, unless asked otherwise. */
 const PICTURE_SIZE = /** @type {const} */ ([400, 300]);
 const ROUNDS = 3;
+/** Of whole pictures, which take seconds each in software. */
+const PICTURE_ROUNDS = 2;
 /** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
 const MOST_LIGHTS_AT_SIZE = 32;
 
@@ -49,6 +51,13 @@ async function main(options) {
   }
   const lab = new Lab(folder, await launchOptions(options));
   await lab.open();
+  if (options.truths) {
+    for (const name of names) {
+      const subject = SUBJECTS[name];
+      if (subject?.kind === 'picture') await keepTruths(lab, subject, options.size ?? PICTURE_SIZE);
+    }
+    return lab.close();
+  }
   const machine = await lab.machine();
   console.log(
     Object.entries(machine)
@@ -60,17 +69,19 @@ async function main(options) {
     (!options.add && (options.quick || options.only.length > 0)
       ? ''
       : join(here, 'results', `${options.stack}.json`));
+  const date = new Date(begun).toISOString().slice(0, 10);
   /** @type {import('./results.mjs').BenchResult} */
   const result = (options.add ? readWithout(out, names) : undefined) ?? {
-    stack: options.stack,
-    machine,
-    date: new Date(begun).toISOString().slice(0, 10),
-    launches: options.launches,
+    ...{ stack: options.stack, machine, date, launches: options.launches },
     size: options.size ?? (isSoftware(machine.renderer) ? [480, 360] : [1920, 1080]),
     measures: [],
     fronts: [],
     failures: [],
   };
+  if (options.add) {
+    const { launches, note } = options;
+    (result.added ??= []).push({ subjects: names, machine, date, launches, note });
+  }
   await measureAll(lab, names, options, result, begun, () => write(out, result));
   await lab.close();
   if (out !== '') console.log(`\n${out}`);
@@ -148,7 +159,10 @@ async function measure(lab, name, launch, result, size) {
     case 'model':
       return measureModel(lab, subject, launch, options);
     case 'picture':
-      return measurePicture(lab, subject, launch, { ...options, size: size ?? PICTURE_SIZE });
+      return measurePicture(lab, subject, launch, {
+        ...options,
+        ...{ rounds: PICTURE_ROUNDS, size: size ?? PICTURE_SIZE },
+      });
     case 'viewers':
       return measureViewers(lab, { ...options, rounds: 1 });
     case 'connect':
@@ -223,6 +237,10 @@ function readWithout(file, names) {
   result.measures = result.measures.filter(isOther);
   result.fronts = result.fronts.filter(isOther);
   result.failures = result.failures.filter(isOther);
+  result.added = (result.added ?? []).flatMap(({ subjects, ...one }) => {
+    const others = subjects.filter((subject) => !names.includes(subject));
+    return others.length === 0 ? [] : [{ ...one, subjects: others }];
+  });
   return result;
 }
 

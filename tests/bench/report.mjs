@@ -99,7 +99,7 @@ ${pictures.join('\n\n')}
 ## Machines
 
 ${machinesTable(results)}
-${failures(results)}
+${additions(results)}${failures(results)}
 \`npm run bench -- --help\` explains how to measure again.
 `;
   return { report, charts };
@@ -282,6 +282,17 @@ function machinesTable(results) {
       ...keys.map((key) => [key, ...results.map(({ machine }) => machine[key] ?? '–')]),
     ],
   );
+}
+
+/** @param {readonly BenchResult[]} results */
+function additions(results) {
+  const lines = results.flatMap(({ stack, added = [] }) =>
+    added.map(({ subjects, machine, date, launches, note }) => {
+      const facts = [date, `launches: ${launches}`, ...Object.values(machine).slice(0, 5), note];
+      return `- ${stack}, ${subjects.join('; ')}: ${escaped(facts.filter((fact) => fact !== '').join(', '))}`;
+    }),
+  );
+  return lines.length === 0 ? '' : `\nMeasured on their own:\n\n${lines.join('\n')}\n`;
 }
 
 /** @param {readonly BenchResult[]} results */

@@ -12,6 +12,8 @@ import { truthOf } from '../truths.mjs';
 const OURS = 'element';
 /** A page of its own for each. */
 const SIDES = [...FULL.map(full), 'highlights', 'multisampled', 'passes', PLAIN];
+/** The side that shows the triangles of the samples. */
+const FINE = full(FULL[0] ?? NaN);
 /** Those that draw the triangles of the plain picture; the others draw those of the samples. */
 const DRAW_PLAIN = [PLAIN, 'highlights', 'multisampled'];
 
@@ -25,22 +27,8 @@ const DRAW_PLAIN = [PLAIN, 'highlights', 'multisampled'];
  * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').PictureSubject} subject @param {number} launch @param {Options} options
  */
 export async function measurePicture(lab, { scene, round }, launch, { size, rounds, add }) {
-  const browser = await lab.launch();
-  /** @type {Method[]} */
-  const methods = [];
-  /** @type {(() => void)[]} */
-  const checks = [];
-  let cell = { width: size[0], height: size[1] };
-  for (const side of SIDES) {
-    const query = new URLSearchParams({ scene, side, width: String(size[0]), height: String(size[1]) });
-    const { page, check } = await openPage(browser, `${lab.origin}/picture.html?${query}`, size);
-    const facts = await page.evaluate(() => window.openPicture());
-    check();
-    checks.push(check);
-    cell = facts.cell;
-    for (const [name, { steps }] of Object.entries(facts.methods)) methods.push({ side, name, steps, page });
-  }
-  if (launch === 0) await addErrors(methods, { round, cell, add });
+  const { methods, cell, check } = await openSides(lab, scene, SIDES, size);
+  if (launch === 0) await addErrors(methods, await truthsOf(lab, methods, cell, round), add);
   const timed = methods.filter(({ name }) => !name.endsWith(CODES));
   for (const method of timed) if (method.name !== OURS) await time(method); // the first one compiles and allocates
   /** @type {Record<string, number>[]} */
@@ -53,8 +41,51 @@ export async function measurePicture(lab, { scene, round }, launch, { size, roun
     Object.assign(samples[ofRound] ?? {}, labelled(method, times));
     return times.at(-1) ?? NaN;
   });
-  for (const check of checks) check();
+  check();
   for (const values of samples) add(TIME, 'ms', baseLast(values));
+}
+
+/**
+ * Keeps the exact pictures beside the built pages, and measures nothing.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').PictureSubject} subject @param {readonly [number, number]} size
+ */
+export async function keepTruths(lab, { scene, round }, size) {
+  const { methods, cell, check } = await openSides(lab, scene, [PLAIN, FINE], size);
+  await truthsOf(lab, methods, cell, round);
+  check();
+}
+
+/** @param {import('../browser.mjs').Lab} lab @param {string} scene @param {readonly string[]} sides @param {readonly [number, number]} size */
+async function openSides(lab, scene, sides, size) {
+  const browser = await lab.launch();
+  /** @type {Method[]} */
+  const methods = [];
+  /** @type {(() => void)[]} */
+  const checks = [];
+  let cell = { width: size[0], height: size[1] };
+  for (const side of sides) {
+    const query = new URLSearchParams({ scene, side, width: String(size[0]), height: String(size[1]) });
+    const { page, check } = await openPage(browser, `${lab.origin}/picture.html?${query}`, size);
+    const facts = await page.evaluate(() => window.openPicture());
+    check();
+    checks.push(check);
+    cell = facts.cell;
+    for (const [name, { steps }] of Object.entries(facts.methods)) methods.push({ side, name, steps, page });
+  }
+  return { methods, cell, check: () => checks.forEach((check) => check()) };
+}
+
+/**
+ * @param {import('../browser.mjs').Lab} lab @param {readonly Method[]} methods @param {import('../pages/picture.js').Cell} cell @param {boolean} round
+ */
+async function truthsOf({ folder }, methods, cell, round) {
+  /** @param {string} side */
+  const pageOf = (side) => /** @type {Method} */ (methods.find((one) => one.side === side)).page;
+  return {
+    plain: await truthOf(folder, pageOf(PLAIN), cell),
+    fine: await truthOf(folder, pageOf(FINE), cell),
+    shape: round ? await truthOf(folder, pageOf(PLAIN), cell, { round }) : undefined,
+  };
 }
 
 /** @param {Method} method @returns {Promise<number[]>} */
@@ -76,14 +107,9 @@ const baseLast = ({ [PLAIN]: base = NaN, ...others }) => ({ ...others, [PLAIN]: 
 
 /**
  * Compares every picture with its triangles', and with the round shape's where there is one.
- * @param {readonly Method[]} methods @param {{ round: boolean, cell: import('../pages/picture.js').Cell } & Pick<Options, 'add'>} options
+ * @param {readonly Method[]} methods @param {Awaited<ReturnType<typeof truthsOf>>} truths @param {Options['add']} add
  */
-async function addErrors(methods, { round, cell, add }) {
-  /** @param {string} side */
-  const pageOf = (side) => /** @type {Method} */ (methods.find((one) => one.side === side)).page;
-  const plain = await truthOf(pageOf(PLAIN), cell);
-  const fine = await truthOf(pageOf(SIDES[0] ?? ''), cell);
-  const shape = round ? await truthOf(pageOf(PLAIN), cell, { round }) : undefined;
+async function addErrors(methods, { plain, fine, shape }, add) {
   /** @type {Record<string, Record<string, number>>} */
   const found = { [RMSE.triangles]: {}, [WITHIN]: {}, [RMSE.round]: {} };
   for (const method of methods) {

@@ -109,12 +109,7 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** A viewer that is removed closes its images. */
 function copyOf(texture: Texture): Texture {
-  const image = texture.image as ImageBitmap;
-  const canvas = document.createElement('canvas');
-  canvas.width = image.width;
-  canvas.height = image.height;
-  canvas.getContext('2d')!.drawImage(image, 0, 0);
-  const copy = new CanvasTexture(canvas);
+  const copy = new CanvasTexture(pictureOf(texture));
   copy.wrapS = texture.wrapS;
   copy.wrapT = texture.wrapT;
   copy.magFilter = texture.magFilter;
@@ -123,4 +118,13 @@ function copyOf(texture: Texture): Texture {
   copy.colorSpace = NoColorSpace;
   copy.flipY = false;
   return copy;
+}
+
+export function pictureOf(texture: Texture): HTMLCanvasElement {
+  const image = texture.image as ImageBitmap;
+  const canvas = document.createElement('canvas');
+  canvas.width = image.width;
+  canvas.height = image.height;
+  canvas.getContext('2d', { willReadFrequently: true })!.drawImage(image, 0, 0);
+  return canvas;
 }

@@ -1,6 +1,8 @@
 // A whole picture by the element: the plain one, with averaged highlights, or the mean of many samples.
 import { onlyContext, runFrame } from './page-hooks.js';
 import 'phong-viewer';
+import type { TrueShape } from '../../support/caster/scene.js';
+import { castSceneOf } from './cast-scene.js';
 import type { Viewer } from './element-side.js';
 import type { OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
@@ -93,6 +95,10 @@ export const openElement =
       methods: { element: { steps: 1 } },
       renderer: rendererName(gl),
       samples: gl.getParameter(gl.SAMPLES) as number,
+      scenes: (round) =>
+        viewers.map((viewer) =>
+          castSceneOf(viewer, round ? { kind: viewer.geometry as TrueShape['kind'] } : null),
+        ),
       async time() {
         finish(gl);
         const start = performance.now();

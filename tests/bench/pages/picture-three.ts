@@ -1,9 +1,7 @@
 // A whole picture by three.js, under a ShaderMaterial of the same equation: the triangles of the element's plain picture,
 // multisampled by the canvas; or those of its samples, by three.js's passes as shipped.
 import {
-  type BufferGeometry,
   LinearSRGBColorSpace,
-  type Material,
   Mesh,
   PerspectiveCamera,
   Scene,
@@ -17,7 +15,8 @@ import { SSAARenderPass } from 'three/addons/postprocessing/SSAARenderPass.js';
 import { TAARenderPass } from 'three/addons/postprocessing/TAARenderPass.js';
 import { CODES, MULTISAMPLED, SSAA, ssaa, TAA, TAA_PASS } from '../pictures.mjs';
 import type { Viewer } from './element-side.js';
-import { equationMaterial, type ShownMaterial } from './equation-material.js';
+import { lightsOf, shownMeshes } from './cast-scene.js';
+import { equationMaterial } from './equation-material.js';
 import { antialiasAll, showViewers } from './picture-element.js';
 import type { Cell, OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
@@ -70,17 +69,14 @@ function cameraOf({ camera: { eye, target, up, radius }, fov }: Viewer, aspect: 
 
 function sceneOf(viewer: Viewer, decodes: boolean): Scene {
   const scene = new Scene();
-  viewer.scene.updateMatrixWorld();
-  viewer.scene.traverse((object) => {
-    if (!(object instanceof Mesh)) return;
-    const shown = object as Mesh<BufferGeometry, Material & ShownMaterial>;
+  for (const shown of shownMeshes(viewer)) {
     const place = { eye: viewer.camera.eye, matrix: shown.matrixWorld };
-    const material = equationMaterial(shown.material, viewer.lights, place, decodes);
+    const material = equationMaterial(shown.material, lightsOf(viewer), place, decodes);
     const mesh = new Mesh(shown.geometry.clone(), material);
     mesh.matrixAutoUpdate = false;
     mesh.matrix.copy(shown.matrixWorld);
     scene.add(mesh);
-  });
+  }
   return scene;
 }
 
@@ -103,6 +99,7 @@ const open =
       methods: Object.fromEntries(Object.entries(ways).map(([name, { steps }]) => [name, { steps }])),
       renderer: rendererName(gl),
       samples: gl.getParameter(gl.SAMPLES) as number,
+      scenes: () => [], // those of the element
       async time(method) {
         const way = ways[method]!;
         last = { method: '', step: 0 };

@@ -2,6 +2,7 @@
 // picture.html?scene=sphere&side=full&width=400&height=300. Each way of the element has a page of its own, so that its
 // programs stay.
 import './page-hooks.js';
+import type { CastScene } from '../../support/caster/scene.js';
 import { FULL, full, PLAIN } from '../pictures.mjs';
 import type { Mode } from './picture-element.js';
 import { PICTURE_SCENES, type PictureName, type PictureScene } from './picture-scenes.js';
@@ -18,6 +19,8 @@ export interface PictureSide {
   time(method: string): Promise<number[]>;
   /** The codes of a picture: r, g, b of each pixel over black, row by row from the top, viewer by viewer. */
   codes(method: string, step: number): Promise<Uint8Array>;
+  /** What each viewer shows now; `round`: as the true shape. */
+  scenes(round: boolean): readonly CastScene[];
 }
 
 export type OpenPicture = (holder: HTMLElement, scene: PictureScene, size: Cell) => Promise<PictureSide>;
