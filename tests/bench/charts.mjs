@@ -144,7 +144,7 @@ function picturesChart(result) {
   return svgOf(
     {
       ...frame('RMSE in codes over time, plain picture = 1 (dashed: average of codes)'),
-      height: 560,
+      height: 530,
       marginTop: 80,
       fx: { axis: null, padding: 0.06 },
       fy: { axis: null, padding: 0.16 },
@@ -231,7 +231,8 @@ function svgOf(options, series = []) {
     svg.append(element);
   };
   write(options.ariaLabel ?? '', 10, 20, '#222');
-  series.forEach((name, i) => write(name, 10 + 170 * i, 42, COLORS[i] ?? '#222'));
+  const step = Math.min(170, (WIDTH - 20) / series.length);
+  series.forEach((name, i) => write(name, 10 + step * i, 42, COLORS[i] ?? '#222'));
   svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   return svg.outerHTML;
 }
