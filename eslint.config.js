@@ -27,6 +27,7 @@ export default defineConfig(
       'site/',
       'dist-harness/',
       'dist-bench/',
+      'truths/',
       'test-results/',
       'playwright-report/',
       'tests/fixtures/',

@@ -13,7 +13,7 @@ import type {
 } from './elements.js';
 import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import type { FragmentExplanation } from './explanation.js';
+import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
@@ -179,10 +179,10 @@ class ViewerElement extends LitElement implements PublicViewer {
     return blobOf(this.#context.viewport, this.#extras, options);
   }
 
-  async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
+  async shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = this.#extras.snapshot();
-    return (await lazy.shadeAt()).shadeAt(snapshot, x, y);
+    return (await lazy.shadeAt()).shadeAt(snapshot, x, y, options);
   }
 
   toHTML(): string {

@@ -23,7 +23,7 @@ interface Placed {
   readonly radius: number;
 }
 
-/** Relative. Equal meshes side by side reach as far as each other but for rounding, and one of them is enough. */
+/** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
 const SAME = 1e-9;
 
 /** Measures every visible mesh below `root`. World matrices must be up to date. */

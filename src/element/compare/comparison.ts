@@ -160,7 +160,7 @@ export class Comparison implements DividerHost, ReactiveController {
     this.#observer.disconnect();
     this.#observer.observe(this.#element, { childList: true });
     for (const viewer of this.#viewers) {
-      // The surface has the name in whatever way it was given, by attribute or property.
+      // The surface carries the name, whether it was given by attribute or property.
       const surface = viewer.shadowRoot?.querySelector('[part=surface]') ?? viewer;
       this.#observer.observe(surface, { attributeFilter: ['aria-label'] });
     }

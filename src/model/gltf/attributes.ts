@@ -74,7 +74,7 @@ export const encodedColors: Conversion = async (source, slices) => {
   return new BufferAttribute(values, items);
 };
 
-/** Numbers as they are, of the vertices that the corners name. */
+/** The unconverted numbers of the vertices that the corners refer to. */
 export async function gathered(
   source: Attribute,
   corners: ArrayLike<number>,

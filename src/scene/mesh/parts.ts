@@ -56,8 +56,8 @@ export const EMPTY: ShownContent = {
 };
 
 /**
- * The geometries that show a content, smooth or flat, and measured: all memory that showing it takes, but for the
- * GPU's. Throws if there is not enough, or if flat copies are beyond the limit of `claim`.
+ * The measured geometries that show a content, smooth or flat. Allocates all memory that showing it takes, except the
+ * GPU's. Throws if there is not enough, or if flat copies exceed the limit of `claim`.
  */
 export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
   if (flat) claim?.add(flatNeedsOf(content));
