@@ -2,12 +2,9 @@
 
 import { countEverything, countsOf, NOTHING, spentIn } from '../element/support/counting.js';
 import { nextFrame, type PhongViewer } from '../element/support/viewer.js';
-import { allReady, expect, test } from '../support/test.js';
+import { expect, test } from '../support/test.js';
 
-test('@release fifty viewers converge one after the other, and then nothing runs', async ({
-  page,
-  mount,
-}) => {
+test('@release fifty viewers converge, each of them once, and then nothing runs', async ({ page, mount }) => {
   test.setTimeout(300_000);
   await countEverything(page);
   const kinds = ['box', 'sphere', 'cone', 'torus', 'teapot'];
