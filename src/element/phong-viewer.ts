@@ -20,6 +20,7 @@ import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
+import { CORNER_STYLES } from './page/picture-box.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import styles from './phong-viewer.css?inline';
@@ -196,6 +197,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
+    addStyles(this.renderRoot as ShadowRoot, CORNER_STYLES);
     useTexts(this);
     this.#binding.upgrade();
     upgradeProperty(this, 'texts');

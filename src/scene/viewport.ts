@@ -278,10 +278,15 @@ export class Viewport implements StageClient, Framed {
     }
   }
 
-  refine(): boolean {
+  /** Draws the samples that are missing now, as far as `deadline` allows: a time as of `performance.now()`. */
+  converge(deadline: number): void {
+    if (this.drawable && this.upToDate && !this.#moving) this.#still.finish(deadline);
+  }
+
+  refine(atOnce: boolean): boolean {
     // First the plain picture gets what it lacks.
-    if (this.levels.pending) return false;
-    this.#bringInStep(this, false, SAMPLED_TOLERANCE);
+    if (!atOnce && this.levels.pending) return false;
+    this.#bringInStep(this, atOnce, SAMPLED_TOLERANCE);
     return !this.levels.pending;
   }
 

@@ -41,16 +41,17 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
 const FARTHER = [0, 0.7];
 
 /**
- * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other and, as
- * far as they can, `avoided`. `room`: they stay inside.
+ * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other, `boxes`
+ * and, as far as they can, `avoided`. `room`: they stay inside.
  */
 export function placeLabels(
   wishes: readonly LabelWish[],
   room: Box,
   avoided: readonly Box[],
   fontSize: number,
+  boxes: readonly Box[] = [],
 ): (Point | null)[] {
-  const taken: Box[] = [];
+  const taken: Box[] = [...boxes];
   return wishes.map((wish) => {
     const box = bestBox(wish, room, taken, avoided, fontSize);
     if (box === null) return null;
