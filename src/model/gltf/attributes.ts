@@ -28,22 +28,31 @@ export const floatPositions: Conversion = async (source, slices) => {
  * Unit vectors, normalised in float64. A normal without direction (zero, NaN, Infinity) becomes zero: only ambient
  * light.
  */
-export const unitNormals: Conversion = async (source, slices) => {
-  const values = new Float32Array(source.count * 3);
+export const unitNormals: Conversion = (source, slices) => unitVectors(source, 3, slices);
+
+/**
+ * The first three components as unit vectors, or zero where they have no direction. The fourth of `items`, if there is
+ * one, becomes its sign: 1 or -1.
+ */
+export async function unitVectors(source: Attribute, items: 3 | 4, slices: Slices): Promise<BufferAttribute> {
+  const values = new Float32Array(source.count * items);
   await slices.over(source.count, (from, to) => {
     for (let i = from; i < to; i += 1) {
       const x = source.getX(i);
       const y = source.getY(i);
       const z = source.getZ(i);
       const length = Math.hypot(x, y, z);
-      if (!(length > 0 && length < Infinity)) continue;
-      values[i * 3] = x / length;
-      values[i * 3 + 1] = y / length;
-      values[i * 3 + 2] = z / length;
+      const at = i * items;
+      if (length > 0 && length < Infinity) {
+        values[at] = x / length;
+        values[at + 1] = y / length;
+        values[at + 2] = z / length;
+      }
+      if (items === 4) values[at + 3] = source.getW(i) < 0 ? -1 : 1;
     }
   });
-  return new BufferAttribute(values, 3);
-};
+  return new BufferAttribute(values, items);
+}
 
 /** Texture coordinates; values that are not finite become 0. */
 export const floatUvs: Conversion = async (source, slices) => {

@@ -2,29 +2,12 @@
 // Space Basis Vectors for an Arbitrary Mesh").
 import { BufferAttribute, type BufferGeometry } from 'three';
 import type { Slices } from '../slices.js';
-import type { Conversion } from './attributes.js';
+import { type Conversion, unitVectors } from './attributes.js';
 
 /**
  * The file's tangents: unit vectors with w ±1, or zero where there is no direction, which leaves the normal as it is.
  */
-export const unitTangents: Conversion = async (source, slices) => {
-  const values = new Float32Array(source.count * 4);
-  await slices.over(source.count, (from, to) => {
-    for (let i = from; i < to; i += 1) {
-      const x = source.getX(i);
-      const y = source.getY(i);
-      const z = source.getZ(i);
-      const length = Math.hypot(x, y, z);
-      if (length > 0 && length < Infinity) {
-        values[i * 4] = x / length;
-        values[i * 4 + 1] = y / length;
-        values[i * 4 + 2] = z / length;
-      }
-      values[i * 4 + 3] = source.getW(i) < 0 ? -1 : 1;
-    }
-  });
-  return new BufferAttribute(values, 4);
-};
+export const unitTangents: Conversion = (source, slices) => unitVectors(source, 4, slices);
 
 /**
  * Adds the attribute `tangent` to `geometry`, computed from its texture coordinates `uv`. A tangent points along

@@ -87,21 +87,23 @@ export function* gridGeometry(grids: readonly Grid[]): Steps {
   return geometry;
 }
 
-/** Writes the triangles between a row and the one before from `corner` on; `first`: its first vertex. Returns the next corner. */
+/**
+ * Writes the indices of the triangles between a row, whose first vertex is `first`, and the row before. Begins at
+ * `corner`, and returns where the next row's begin.
+ */
 function indexRow(index: Indices, corner: number, grid: Grid, row: number, first: number): number {
   const { columns, rows, corners, closedFirst, closedLast } = grid;
   const from = row === 1 && closedFirst === true ? 3 : 0;
   const to = row === rows && closedLast === true ? 3 : 6;
-  let next = corner;
+  const step = to - from;
   for (let k = from; k < to; k++) {
     const c = corners[k]!;
     // Of the row before, or of this one.
     let vertex = first + (c & 1) - (c < 2 ? columns + 1 : 0);
     const end = vertex + columns;
-    for (let at = next; vertex < end; at += to - from) index[at] = vertex++;
-    next += 1;
+    for (let at = corner + k - from; vertex < end; at += step) index[at] = vertex++;
   }
-  return corner + columns * (to - from);
+  return corner + step * columns;
 }
 
 /** All steps at once. */

@@ -31,6 +31,11 @@ export const CLOSED: ReadonlySet<GeometryName> = new Set(
   GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),
 );
 
+/** A shape whose code is here: its geometries are made at once. */
+export type LoadedShape = GeometryName & { readonly [loaded]: true };
+
+declare const loaded: unique symbol;
+
 /** A geometry, or a promise where the shape's code is a chunk of its own. */
 export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
 
@@ -115,7 +120,18 @@ function sphere(columns: number, out: number): Steps {
         for (let i = 0; i <= columns; i++) {
           const x = -cos[i]! * across;
           const z = sin[i]! * across;
-          put(into, first + i, radius * x, radius * y, radius * z, x, y, z, i / columns + shift, 1 - row / rows);
+          put(
+            into,
+            first + i,
+            radius * x,
+            radius * y,
+            radius * z,
+            x,
+            y,
+            z,
+            i / columns + shift,
+            1 - row / rows,
+          );
         }
       },
     },
