@@ -62,6 +62,12 @@ export class StillPicture {
     }
   }
 
+  /** Draws the missing samples now, as far as `deadline` allows: a time as of `performance.now()`. */
+  finish(deadline: number): void {
+    this.#converging?.finish(deadline);
+    if (!this.pending) this.#settled();
+  }
+
   /** Draws the mean of {@link samples} in place of the scene, or the part of it that `part` is. */
   copy(renderer: WebGLRenderer, part?: Region): void {
     this.#converging?.copy(renderer, part);

@@ -278,10 +278,15 @@ export class Viewport implements StageClient, Framed {
     }
   }
 
-  refine(): boolean {
+  /** Draws the samples that are missing now, as far as `deadline` allows: a time as of `performance.now()`. */
+  converge(deadline: number): void {
+    if (this.drawable && this.upToDate && !this.#moving) this.#still.finish(deadline);
+  }
+
+  refine(atOnce: boolean): boolean {
     // First the plain picture gets what it lacks.
-    if (this.levels.pending) return false;
-    this.#bringInStep(this, false, SAMPLED_TOLERANCE);
+    if (!atOnce && this.levels.pending) return false;
+    this.#bringInStep(this, atOnce, SAMPLED_TOLERANCE);
     return !this.levels.pending;
   }
 
@@ -313,11 +318,12 @@ export class Viewport implements StageClient, Framed {
    * Throws RangeError if no canvas can hold it.
    */
   capture(width: number, height: number, shown = false): HTMLCanvasElement {
-    this.#bringInStep({ width, height }, true);
-    this.#releaseUnlessAttached();
     const isShown = !this.#dirty && width === this.width && height === this.height;
+    const isMean = shown && isShown && this.#still.samples > 0;
+    if (!isMean) this.#bringInStep({ width, height }, true);
+    this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
-      if (shown && isShown && this.#still.samples > 0) this.#still.copy(renderer, part);
+      if (isMean) this.#still.copy(renderer, part);
       else {
         this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
         this.#painter.paint(renderer, this.#view);
@@ -348,7 +354,8 @@ export class Viewport implements StageClient, Framed {
   /** Everything that is drawn, as it is now. `ownerOf` names the owner of a mesh. */
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
-    this.#bringInStep(this, false);
+    // The triangles of the picture that is shown.
+    this.#bringInStep(this, false, this.#still.samples > 0 ? SAMPLED_TOLERANCE : OUTLINE_TOLERANCE);
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();

@@ -24,34 +24,28 @@ export const floatPositions: Conversion = async (source, slices) => {
   return positions;
 };
 
-/**
- * Unit vectors, normalised in float64. A normal without direction (zero, NaN, Infinity) becomes zero: only ambient
- * light.
- */
-export const unitNormals: Conversion = (source, slices) => unitVectors(source, 3, slices);
+/** Unit vectors. A normal without direction becomes zero: only ambient light. */
+export const unitNormals: Conversion = async (source, slices) => {
+  const values = new Float32Array(source.count * 3);
+  await slices.over(source.count, (from, to) => {
+    for (let i = from; i < to; i += 1) setUnit(values, i * 3, source, i);
+  });
+  return new BufferAttribute(values, 3);
+};
 
 /**
- * The first three components as unit vectors, or zero where they have no direction. The fourth of `items`, if there is
- * one, becomes its sign: 1 or -1.
+ * Writes the vector of vertex `i` to `values` from index `at`, normalised in float64. Leaves them where it has no
+ * direction (zero, NaN, Infinity).
  */
-export async function unitVectors(source: Attribute, items: 3 | 4, slices: Slices): Promise<BufferAttribute> {
-  const values = new Float32Array(source.count * items);
-  await slices.over(source.count, (from, to) => {
-    for (let i = from; i < to; i += 1) {
-      const x = source.getX(i);
-      const y = source.getY(i);
-      const z = source.getZ(i);
-      const length = Math.hypot(x, y, z);
-      const at = i * items;
-      if (length > 0 && length < Infinity) {
-        values[at] = x / length;
-        values[at + 1] = y / length;
-        values[at + 2] = z / length;
-      }
-      if (items === 4) values[at + 3] = source.getW(i) < 0 ? -1 : 1;
-    }
-  });
-  return new BufferAttribute(values, items);
+export function setUnit(values: Float32Array, at: number, source: Attribute, i: number): void {
+  const x = source.getX(i);
+  const y = source.getY(i);
+  const z = source.getZ(i);
+  const length = Math.hypot(x, y, z);
+  if (!(length > 0 && length < Infinity)) return;
+  values[at] = x / length;
+  values[at + 1] = y / length;
+  values[at + 2] = z / length;
 }
 
 /** Texture coordinates; values that are not finite become 0. */
@@ -80,7 +74,7 @@ export const encodedColors: Conversion = async (source, slices) => {
   return new BufferAttribute(values, items);
 };
 
-/** Numbers as they are, of the vertices that the corners name. */
+/** The unconverted numbers of the vertices that the corners refer to. */
 export async function gathered(
   source: Attribute,
   corners: ArrayLike<number>,

@@ -2,12 +2,21 @@
 // Space Basis Vectors for an Arbitrary Mesh").
 import { BufferAttribute, type BufferGeometry } from 'three';
 import type { Slices } from '../slices.js';
-import { type Conversion, unitVectors } from './attributes.js';
+import { type Conversion, setUnit } from './attributes.js';
 
 /**
  * The file's tangents: unit vectors with w ±1, or zero where there is no direction, which leaves the normal as it is.
  */
-export const unitTangents: Conversion = (source, slices) => unitVectors(source, 4, slices);
+export const unitTangents: Conversion = async (source, slices) => {
+  const values = new Float32Array(source.count * 4);
+  await slices.over(source.count, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      setUnit(values, i * 4, source, i);
+      values[i * 4 + 3] = source.getW(i) < 0 ? -1 : 1;
+    }
+  });
+  return new BufferAttribute(values, 4);
+};
 
 /**
  * Adds the attribute `tangent` to `geometry`, computed from its texture coordinates `uv`. A tangent points along

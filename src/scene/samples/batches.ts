@@ -40,6 +40,7 @@ export class Batches {
    */
   send(left: number, draw: () => void): void {
     const gl = this.#gl;
+    this.cancel();
     const start = (this.#start = performance.now());
     const wanted = Math.min(this.#size, left);
     let drawn = 0;
