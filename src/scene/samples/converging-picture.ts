@@ -6,6 +6,7 @@ import { type Region, stage } from '../gpu/stage.js';
 import { Batches } from './batches.js';
 import { copyPart, fromBelow } from './picture-copy.js';
 import { shifted } from './pixel-offsets.js';
+import type { PaintPart } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
 import { release, sumOf, take } from './turns.js';
@@ -17,8 +18,8 @@ export { SampledCapture } from './sampled-capture.js';
 export interface Sampled extends Size {
   /** Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame. */
   refine(): boolean;
-  /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
-  sample(renderer: WebGLRenderer, part: Region): void;
+  /** What draws the samples of one batch, all of them in this task. */
+  sampler(): PaintPart;
   /** Shows the kept picture. `last`: it has all samples. */
   show(last: boolean): void;
   /** Requests an animation frame. */
@@ -141,9 +142,10 @@ export class ConvergingPicture {
   #advance(renderer: WebGLRenderer, run: Run): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
+    const paint = this.#subject.sampler();
     batches.send(this.#wanted - sum.count, () => {
       sum.add(() => {
-        this.#subject.sample(renderer, shifted(tile, sum.count));
+        paint(renderer, shifted(tile, sum.count));
       });
     });
     const complete = sum.count === this.#wanted;
