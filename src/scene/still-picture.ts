@@ -90,9 +90,14 @@ export class StillPicture {
     return capture.picture.finally(() => this.#captures.delete(capture));
   }
 
-  /** Something has changed. What is being captured is finished as it was. */
-  reset(): void {
+  /** Something is about to change, or has: what is being captured is drawn to its end. */
+  finishCaptures(): void {
     for (const capture of this.#captures) capture.finish();
+  }
+
+  /** Something has changed. */
+  reset(): void {
+    this.finishCaptures();
     this.#converging?.reset();
   }
 

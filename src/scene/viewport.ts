@@ -4,6 +4,7 @@ import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
+import type { PictureView } from '../material/views.js';
 import type { ShadingStyle } from '../material/material-values.js';
 import { Animations } from './mesh/animation.js';
 import { AutoFit, type Framing } from './auto-fit.js';
@@ -17,9 +18,11 @@ import { SharedMaterials } from './mesh/shared-materials.js';
 import { TriangleBudget } from './mesh/triangle-budget.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { type NoWebGL2Error, type Region, stage, type StageClient } from './gpu/stage.js';
+import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
+import type { PaintPart } from './samples/sampled-capture.js';
 import { StillPicture } from './still-picture.js';
 import { ViewCamera } from './view-camera.js';
+import type { View } from './view-cut.js';
 import type { ViewportSignals } from './viewport-signals.js';
 
 export class Viewport implements StageClient, Framed {
@@ -125,9 +128,17 @@ export class Viewport implements StageClient, Framed {
   }
 
   set style(style: ShadingStyle) {
+    this.changing();
     this.materials.style = style;
     for (const mesh of this.#tree.meshes) mesh.restyle();
     this.reshaped();
+  }
+
+  /** What is shown in place of the shaded colour; null, the default, for that. */
+  set view(view: PictureView | null) {
+    this.changing();
+    this.lighting.view = view;
+    this.style = { ...this.style }; // materials and geometries follow
   }
 
   set linear(linear: boolean) {
@@ -173,11 +184,13 @@ export class Viewport implements StageClient, Framed {
   }
 
   add(mesh: SceneMesh): void {
+    this.changing();
     this.#tree.add(mesh);
     this.reshaped();
   }
 
   remove(mesh: SceneMesh): void {
+    this.changing();
     this.#tree.remove(mesh);
     this.reshaped();
   }
@@ -210,6 +223,11 @@ export class Viewport implements StageClient, Framed {
   /** The canvas shows the scene as it is, if only the plain picture. */
   get upToDate(): boolean {
     return !this.#dirty && !this.#blank;
+  }
+
+  /** What meshes show is about to change. Pictures that are being captured show the scene as it was when they began. */
+  changing(): void {
+    this.#still.finishCaptures();
   }
 
   /** Something changed: draw a frame, as soon as it is near. */
@@ -290,10 +308,13 @@ export class Viewport implements StageClient, Framed {
     return !this.levels.pending;
   }
 
-  sample(renderer: WebGLRenderer, part: Region): void {
-    this.#chooseLevels(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
-    this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
-    this.#painter.paintAgain(renderer, this.#view);
+  sampler(): PaintPart {
+    this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
+    const [{ width, height }, bounds] = [this, this.fit.depthBounds()];
+    return (renderer, part) => {
+      this.#view.aim(this.#fov, this.scene, bounds, width, height, part);
+      this.#painter.paintAgain(renderer, this.#view);
+    };
   }
 
   show(last: boolean): void {
@@ -341,10 +362,17 @@ export class Viewport implements StageClient, Framed {
       this.#bringInStep({ width, height }, true, SAMPLED_TOLERANCE);
       this.#releaseUnlessAttached();
       const view = new ViewCamera(new Orbit(this.orbit.pose));
-      const [fov, bounds] = [this.#fov, this.fit.depthBounds()];
+      const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
       const paint = this.#painter.sampler(view);
       return (renderer, part) => {
-        this.#chooseLevels({ width, height }, true, SAMPLED_TOLERANCE); // the page may have shown its own since
+        // The page may have shown its own since.
+        this.#chooseLevels(
+          { width, height },
+          view.look(fov, width / height),
+          version,
+          true,
+          SAMPLED_TOLERANCE,
+        );
         view.aim(fov, this.scene, bounds, width, height, part);
         paint(renderer);
       };
@@ -407,17 +435,18 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** Order, matrices and camera of the scene as they are now, and its shapes as this size shows them. */
-  #bringInStep(size: Size, atOnce: boolean, tolerance?: number): void {
+  #bringInStep(size: Size, atOnce: boolean, tolerance = OUTLINE_TOLERANCE): void {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
-    this.#chooseLevels(size, atOnce, tolerance);
+    const view = this.#view.look(this.#fov, size.width / size.height);
+    this.#chooseLevels(size, view, this.orbit.version, atOnce, tolerance);
   }
 
-  #chooseLevels({ width, height }: Size, atOnce: boolean, tolerance = OUTLINE_TOLERANCE): void {
+  /** `view` is that of the orbit's `version`. */
+  #chooseLevels(size: Size, view: View, version: number, atOnce: boolean, tolerance: number): void {
     this.levels.outlineTolerance = tolerance;
-    const view = this.#view.look(this.#fov, width / height);
-    this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves);
+    this.levels.choose(view, size.height, atOnce, version, this.#tree.moves);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

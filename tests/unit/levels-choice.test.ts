@@ -38,7 +38,8 @@ class Picture {
     const quiet = (): void => undefined;
     const host: MeshHost = {
       ...{ materials: this.materials, animations: new Animations(), budget: this.budget },
-      ...{ crossOrigin: null, mayLoad: true, changed: quiet, began: quiet, progress: quiet, removed: quiet },
+      ...{ crossOrigin: null, mayLoad: true, changing: quiet, changed: quiet, began: quiet },
+      ...{ progress: quiet, removed: quiet },
       ...{ shown: () => false, dropped: (mesh) => void this.failed.delete(mesh) },
       reshaped: () => this.levels.changed(),
       ended: (mesh, _, error) => {

@@ -71,6 +71,44 @@ describe('batches of samples', () => {
     expect(sizes(gpu, 6)).toEqual([1, 1, 2, 4, 8]);
   });
 
+  it('reach what the GPU draws in 8 ms again after one that was late, and try more once in a while', () => {
+    const gpu = new Gpu();
+    const draw = gpu.draw.bind(gpu);
+    let drawn = 0;
+    gpu.draw = () => {
+      drawn += 1;
+      gpu.cost = drawn === 4 ? 15 : 1; // in the batch of 4: something else kept the GPU busy
+      draw();
+    };
+    const found = sizes(gpu, 30);
+    expect(found.slice(0, 4)).toEqual([1, 2, 4, 2]);
+    expect(found.slice(-15)).toContain(8);
+    const late = found.filter((size) => size > 8).length;
+    expect(late / found.length).toBeLessThan(0.1);
+  });
+
+  it('grow again after a script that was late once', () => {
+    const gpu = new Gpu();
+    gpu.cost = 0.5;
+    const draw = gpu.draw.bind(gpu);
+    let drawn = 0;
+    gpu.draw = () => {
+      drawn += 1;
+      if (drawn === 5) vi.advanceTimersByTime(9);
+      draw();
+    };
+    expect(Math.max(...sizes(gpu, 20).slice(-4))).toBe(16);
+  });
+
+  it('leave no fence behind where one is sent before the last has ended', () => {
+    const gpu = new Gpu();
+    const batches = new Batches(gpu.gl);
+    for (let i = 0; i < 3; i++) batches.send(1, () => gpu.draw());
+    expect(gpu.fences).toBe(1);
+    batches.cancel();
+    expect(gpu.fences).toBe(0);
+  });
+
   it('have no more samples than are left', () => {
     expect(sizes(new Gpu(), 4, 3)).toEqual([1, 2, 3, 3]);
   });

@@ -19,6 +19,7 @@ function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: F
     budget: new TriangleBudget(),
     ...{ crossOrigin: null, mayLoad: true },
     ...{
+      changing: quiet,
       changed: quiet,
       reshaped: quiet,
       began: quiet,

@@ -53,8 +53,7 @@ class ViewExtra implements Extra {
     const shown = `${values.view} ${values.viewLight}`;
     if (shown !== this.#shown) {
       this.#shown = shown;
-      viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
-      viewport.style = { ...viewport.style }; // materials and geometries follow
+      viewport.view = pictureView(values.view, () => chosenLights(this.#host));
       viewport.holder.classList.toggle('outlined', OUTLINED.includes(values.view));
     }
     if (values.view !== 'error') this.#hideError();
@@ -90,8 +89,7 @@ class ViewExtra implements Extra {
     this.#legend.place.remove();
     viewport.holder.classList.remove('outlined');
     removeStyles(this.#root, styles);
-    viewport.lighting.view = null;
-    viewport.style = { ...viewport.style };
+    viewport.view = null;
   }
 
   async #showError(): Promise<void> {

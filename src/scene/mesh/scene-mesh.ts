@@ -32,6 +32,8 @@ import type { Claim, Need } from './triangle-budget.js';
 export interface MeshHost extends LoadHost<SceneMesh> {
   readonly materials: SharedMaterials;
   readonly animations: Animations;
+  /** What shows the mesh is about to change, or may be. */
+  changing(): void;
   /** The mesh looks different: draw again. */
   changed(): void;
   /** The mesh's geometry or place is different: measure again. */
@@ -124,6 +126,7 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
+    this.#host.changing();
     let next: ShownContent;
     try {
       next = this.#prepared(content, claim, url);
@@ -183,6 +186,7 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Updates the scene to the values. Cheap if nothing has changed. */
   update(): void {
+    this.#host.changing();
     this.#load.request(this.#values);
     const { animation, parts } = this.#shown;
     if (animation?.update(this.#values) === true) followPose(parts);
@@ -195,6 +199,7 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   advance(seconds: number): void {
+    this.#host.changing();
     this.#shown.animation?.advance(seconds);
     if (seconds > 0) followPose(this.parts);
   }
@@ -231,6 +236,7 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
   restyle(): void {
+    this.#host.changing();
     const { reflection = null } = this.#values;
     const shading = this.#reshade();
     const restyled = shading !== this.#shading || reflection !== this.#reflection;

@@ -3,11 +3,19 @@
 
 const BATCH_MS = 8;
 
+/**
+ * Batches in time, one after the other, until more than the last limit is tried again: a late one may have waited for
+ * something else. Where it was too large, one in nine takes up to twice the time.
+ */
+const IN_TIME = 8;
+
 export class Batches {
   readonly #gl: WebGL2RenderingContext;
   #size = 1;
-  /** Larger batches took too long. */
+  /** Larger batches took too long lately. */
   #most = Infinity;
+  /** Batches in time since the last late one. */
+  #inTime = 0;
   #fence: WebGLSync | null = null;
   #timer = 0;
   #start = 0;
@@ -29,9 +37,9 @@ export class Batches {
     if (!this.#signalled) return false;
     const quick = this.#quick ?? (performance.now() - this.#start < BATCH_MS ? true : null);
     this.cancel();
-    if (quick === true) this.#size = Math.min(2 * this.#size, this.#most);
+    if (quick === true) this.#grow();
     // Not of one sample: the first one allocates and compiles, and the next may take a tenth of its time.
-    if (quick === false && this.#size > 1) this.#size = this.#most = this.#size >> 1;
+    if (quick === false && this.#size > 1) this.#limit(this.#size >> 1);
     return true;
   }
 
@@ -39,6 +47,7 @@ export class Batches {
    * Draws a batch, at most `left` samples, by `draw`. Fewer than {@link size} where the script alone takes too long.
    */
   send(left: number, draw: () => void): void {
+    this.cancel();
     const gl = this.#gl;
     this.cancel();
     const start = (this.#start = performance.now());
@@ -48,7 +57,7 @@ export class Batches {
       draw();
       drawn += 1;
     } while (drawn < wanted && performance.now() - start < BATCH_MS);
-    if (drawn < wanted) this.#size = this.#most = drawn;
+    if (drawn < wanted) this.#limit(drawn);
     this.#quick = null;
     this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
@@ -62,6 +71,17 @@ export class Batches {
     clearTimeout(this.#timer);
     if (this.#fence !== null) this.#gl.deleteSync(this.#fence);
     this.#fence = null;
+  }
+
+  #grow(): void {
+    this.#inTime += 1;
+    if (this.#inTime >= IN_TIME) this.#most = Infinity;
+    this.#size = Math.min(2 * this.#size, this.#most);
+  }
+
+  #limit(size: number): void {
+    this.#size = this.#most = size;
+    this.#inTime = 0;
   }
 
   get #signalled(): boolean {

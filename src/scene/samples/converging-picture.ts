@@ -6,6 +6,7 @@ import { type Region, stage } from '../gpu/stage.js';
 import { Batches } from './batches.js';
 import { copyPart, fromBelow } from './picture-copy.js';
 import { shifted } from './pixel-offsets.js';
+import type { PaintPart } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
 import { release, seize, sumOf, take } from './turns.js';
@@ -20,8 +21,8 @@ export interface Sampled extends Size {
    * `atOnce` builds them now.
    */
   refine(atOnce: boolean): boolean;
-  /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
-  sample(renderer: WebGLRenderer, part: Region): void;
+  /** Returns what draws the samples of one batch, all of them in this task. */
+  sampler(): PaintPart;
   /** Shows the kept picture. `last`: it has all samples. */
   show(last: boolean): void;
   /** Requests an animation frame. */
@@ -174,9 +175,10 @@ export class ConvergingPicture {
   #advance(renderer: WebGLRenderer, run: Run): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
+    const paint = this.#subject.sampler();
     batches.send(this.#wanted - sum.count, () => {
       sum.add(() => {
-        this.#subject.sample(renderer, shifted(tile, sum.count));
+        paint(renderer, shifted(tile, sum.count));
       });
     });
     const complete = sum.count === this.#wanted;

@@ -14,7 +14,7 @@ import { tilesOf } from './tiles.js';
 /** Milliseconds until the GPU is asked again whether it has finished a batch. */
 const PAUSE = 4;
 
-/** Draws a part of the picture into the renderer's present target. */
+/** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
 export type PaintPart = (renderer: WebGLRenderer, part: Region) => void;
 
 export class SampledCapture {
