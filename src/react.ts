@@ -135,7 +135,10 @@ const useClientEffect = onServer ? useEffect : useLayoutEffect;
  */
 const attributeProp = (attribute: string): string => (onServer ? attribute : attribute.toUpperCase());
 
-/** Lists become words separated by spaces, texts that may contain some by commas. Null removes the attribute; undefined: the value has no text (a file). */
+/**
+ * Lists become words separated by spaces, texts that may contain some by commas. Null removes the attribute; undefined:
+ * the value has no text (a file).
+ */
 function attributeText(value: unknown): string | null | undefined {
   if (Array.isArray(value) || ArrayBuffer.isView(value)) {
     const list = Array.from(value as ArrayLike<unknown>);

@@ -3,7 +3,7 @@
 import type { LitElement } from 'lit';
 import type { Scene } from 'three';
 import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
-import type { FragmentExplanation } from './explanation.js';
+import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import type {
   CompareProperties,
   LightProperties,
@@ -92,13 +92,13 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /**
    * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS pixels from the picture's
    * top left corner, inside any border, like `offsetX` and `offsetY` of a pointer event on the viewer. The fragment is
-   * the one at the centre of the device pixel there, in the scene as it is at the call. Highlights are those of the
-   * equation, not averaged, whatever `antialias` says. Blended surfaces are explained without what lies behind them.
-   * Textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene} is
-   * nearest (its lines and points are ignored), and while the viewer has no box on the page. Rejects with `TypeError`
-   * or `RangeError` unless x and y are finite numbers.
+   * the one at the centre of the device pixel there, or with `exact` the one at that very point, in the scene as it is
+   * at the call. Highlights are those of the equation, not averaged, whatever `antialias` says. Blended surfaces are
+   * explained without what lies behind them. Textures are sampled without mipmaps. Null where nothing is hit, where an
+   * object of your own in {@link scene} is nearest (its lines and points are ignored), and while the viewer has no box
+   * on the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
    */
-  shadeAt(x: number, y: number): Promise<FragmentExplanation | null>;
+  shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
   toHTML(): string;
   /** Back to the last declared camera. */

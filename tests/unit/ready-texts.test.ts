@@ -37,6 +37,11 @@ describe.each(Object.entries({ de, es, fr, pt }))('the texts in %s', (_language,
   });
 });
 
+it('French has no-break spaces before colons, and narrow ones before semicolons', () => {
+  for (const [key, text] of Object.entries(fr))
+    expect(text, key).not.toMatch(/(?<!\u00a0):|(?<!\u202f);|(?<!\u202f)[?!]/u);
+});
+
 describe('TEXTS.md', () => {
   const document = readFileSync(new URL('../../src/TEXTS.md', import.meta.url), 'utf8');
   const listed = [...document.slice(document.indexOf('## The keys')).matchAll(/^- `(.+)`$/gm)].map(

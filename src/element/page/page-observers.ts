@@ -11,13 +11,16 @@ export interface Watcher {
   resized(entry: ResizeObserverEntry): void;
   /** The document was shown or hidden. */
   shown(): void;
-  /** The page is about to be printed. */
-  printed(): void;
+  /** The page is about to be printed, and waits for its pictures until `deadline`, a time as of `performance.now()`. */
+  printed(deadline: number): void;
   /** The device's pixels per CSS pixel have changed. */
   scaled(): void;
   /** The element's window was closed, or its iframe removed. No element is disconnected by that. */
   closed(): void;
 }
+
+/** The longest that a page's pictures make printing wait, once each is drawn. */
+const PRINT_MS = 3000;
 
 interface Observers {
   readonly intersection: IntersectionObserver;
@@ -88,7 +91,7 @@ export class PageObservers {
     const listeners = new AbortController();
     const { signal } = listeners;
     view.document.addEventListener('visibilitychange', () => this.#notify('shown'), { signal });
-    view.addEventListener('beforeprint', () => this.#notify('printed'), { signal });
+    view.addEventListener('beforeprint', () => this.#printed(), { signal });
     // Not for the window that runs this code: nothing is left to clean up when it closes.
     if (view !== window) view.addEventListener('pagehide', () => this.#notify('closed'), { signal });
     this.#watchRatio(signal);
@@ -121,7 +124,12 @@ export class PageObservers {
     query.addEventListener('change', changed, { once: true, signal });
   }
 
-  #notify(what: 'shown' | 'printed' | 'scaled' | 'closed'): void {
+  #printed(): void {
+    const deadline = performance.now() + PRINT_MS;
+    for (const watcher of [...this.#watched.values()]) watcher.printed(deadline);
+  }
+
+  #notify(what: 'shown' | 'scaled' | 'closed'): void {
     // A copy: watchers may come and go meanwhile.
     for (const watcher of [...this.#watched.values()]) watcher[what]();
   }

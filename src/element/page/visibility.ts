@@ -11,8 +11,11 @@ export interface ElementView {
   readonly near: boolean;
   /** Painted, and in view. */
   readonly visible: boolean;
-  /** The page is about to be printed: only the picture of this moment counts. */
-  readonly printing: boolean;
+  /**
+   * The page is about to be printed, and waits until this time, as of `performance.now()`: only the picture of this
+   * moment counts. Null: it is not.
+   */
+  readonly printsAt: number | null;
   /** CSS pixels. */
   readonly width: number;
   readonly height: number;
@@ -100,10 +103,10 @@ export class Visibility implements ReactiveController, Watcher {
   }
 
   /** On paper everything is seen, wherever it is on the page. */
-  printed(): void {
+  printed(deadline: number): void {
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     const visible = this.#inView === true;
-    this.#changed.emit({ painted: true, near: true, visible, printing: true, ...this.#size });
+    this.#changed.emit({ painted: true, near: true, visible, printsAt: deadline, ...this.#size });
     this.shown();
   }
 
@@ -137,7 +140,7 @@ export class Visibility implements ReactiveController, Watcher {
     const painted = !this.#hidden && isPainted(this.#element);
     const visible = painted && this.#inView === true;
     const near = visible || (painted && this.#near === true && !isCollapsed(this.#element));
-    this.#changed.emit({ painted, near, visible, printing: false, ...this.#size });
+    this.#changed.emit({ painted, near, visible, printsAt: null, ...this.#size });
   }
 
   closed(): void {

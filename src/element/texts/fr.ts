@@ -6,8 +6,8 @@ const texts: CompleteTexts = {
   Loading: 'Chargement',
   'Try again': 'Réessayer',
   Close: 'Fermer',
-  'Arrow keys rotate.': 'Les flèches font tourner.',
-  'Plus and minus zoom.': 'Plus et moins zooment.',
+  'Arrow keys rotate.': 'Les flèches font tourner la vue.',
+  'Plus and minus zoom.': 'Plus et moins changent le zoom.',
   'Home resets the camera.': 'Origine réinitialise la caméra.',
   'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.':
     'Caméra : azimut {theta}°, angle polaire {phi}°, distance {radius}.',
@@ -24,7 +24,7 @@ const texts: CompleteTexts = {
   '{name}: mesh': '{name} : maillage',
   'More lights: {number}': 'Autres lumières : {number}',
   'More meshes: {number}': 'Autres maillages : {number}',
-  'head-light': 'lampe frontale',
+  'head-light': 'lumière frontale',
   'light {number}': 'lumière {number}',
   'mesh {number}': 'maillage {number}',
   box: 'boîte',
@@ -41,7 +41,7 @@ const texts: CompleteTexts = {
   '{name}: edge of the cone, {degrees}°': '{name} : bord du cône, {degrees}°',
   'Enter starts moving.': 'Entrée commence le déplacement.',
   'Arrow keys move, with Shift toward you and away. Enter ends, Escape restores.':
-    'Les flèches déplacent ; avec Maj, vers vous ou à l’opposé. Entrée termine, Échap annule.',
+    'Les flèches déplacent ; avec Maj, vers vous ou à l’opposé. Entrée termine, Échap annule.',
   Legend: 'Légende',
   Shaded: 'Ombrage',
   'Ambient term': 'Terme ambiant',
@@ -68,7 +68,8 @@ const texts: CompleteTexts = {
   'cross-hair': 'viseur',
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.':
     'Les flèches le déplacent d’un pixel, avec Maj de dix. Entrée le fixe à la surface, Échap le détache.',
-  'Red, green and blue of each term; 255 is full': 'Rouge, vert et bleu de chaque terme ; 255 est le maximum',
+  'Red, green and blue of each term; 255 is full':
+    'Rouge, vert et bleu de chaque terme ; 255 est la pleine intensité',
   'of 255': 'sur 255',
   light: 'lumière',
   att: 'att.',
@@ -97,7 +98,7 @@ const texts: CompleteTexts = {
   '{name}: no direction, so only ambient.': '{name} : sans direction, donc seulement ambiante.',
   '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.':
     '{name} : N·L = cos {angle} = {cosine} n’est pas supérieur à 0, donc seulement ambiante.',
-  '{name}: N·L = cos {angle} = {cosine};': '{name} : N·L = cos {angle} = {cosine} ;',
+  '{name}: N·L = cos {angle} = {cosine};': '{name} : N·L = cos {angle} = {cosine} ;',
   '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.':
     '{cosines} = cos {angle} = {cosine}, à la puissance {exponent} : {power}.',
   Controls: 'Réglages',
@@ -133,12 +134,12 @@ const texts: CompleteTexts = {
   '{name} active': '{name} allumée',
   kind: 'type',
   'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.':
-    'Directionnelle : w = 0. Ponctuelle : w = 1. Projecteur : w = 1 avec cône ou décroissance ; ' +
-    'les autres types posent aperture 180 et cutoff 0.',
+    'Directionnelle : w = 0. Ponctuelle : w = 1. Projecteur : w = 1 avec cône ou décroissance ; ' +
+    'les autres types mettent aperture à 180 et cutoff à 0.',
   ambient: 'ambiante',
   diffuse: 'diffuse',
   specular: 'spéculaire',
-  'r g b, #rgb or a name; 255 is full': 'r g b, #rgb ou un nom ; 255 est le maximum',
+  'r g b, #rgb or a name; 255 is full': 'r g b, #rgb ou un nom ; 255 est la pleine intensité',
   '{color} picker': '{color} : sélecteur de couleur',
   '{color} brightness': '{color} : luminosité',
   position: 'position',
@@ -213,7 +214,7 @@ const texts: CompleteTexts = {
   'Divider between {first} and {second}': 'Séparateur entre {first} et {second}',
   'load-failed': 'Le modèle n’a pas pu être chargé. {url}',
   'bad-model': 'Le fichier ne peut pas être lu comme modèle. ({message})',
-  'too-large': 'Le modèle est trop grand. ({message})',
+  'too-large': 'Le modèle est trop volumineux. ({message})',
   csp: 'Les règles de sécurité de la page empêchent d’afficher le modèle. ({message})',
   'context-lost':
     'Le navigateur a perdu la connexion avec la carte graphique. L’image reviendra dès qu’il l’aura rétablie.',

@@ -4,11 +4,11 @@ import type { CompleteTexts } from '../fields/texts.js';
 const texts: CompleteTexts = {
   '3D scene': 'Cena 3D',
   Loading: 'Carregando',
-  'Try again': 'Tentar de novo',
+  'Try again': 'Tentar novamente',
   Close: 'Fechar',
   'Arrow keys rotate.': 'As setas giram.',
   'Plus and minus zoom.': 'Mais e menos aproximam e afastam.',
-  'Home resets the camera.': 'Home restaura a câmera.',
+  'Home resets the camera.': 'Home redefine a câmera.',
   'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.':
     'Câmera: azimute {theta}°, ângulo polar {phi}°, distância {radius}.',
   'Lights: {lights}.': 'Luzes: {lights}.',
@@ -68,7 +68,8 @@ const texts: CompleteTexts = {
   'cross-hair': 'mira',
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.':
     'As setas a movem um pixel; com Shift, dez. Enter a fixa na superfície, Esc a solta.',
-  'Red, green and blue of each term; 255 is full': 'Vermelho, verde e azul de cada termo; 255 é o máximo',
+  'Red, green and blue of each term; 255 is full':
+    'Vermelho, verde e azul de cada termo; 255 é a intensidade plena',
   'of 255': 'de 255',
   light: 'luz',
   att: 'aten.',
@@ -117,8 +118,8 @@ const texts: CompleteTexts = {
   'move down': 'descer',
   duplicate: 'duplicar',
   remove: 'remover',
-  'reset camera': 'restaurar câmera',
-  'reset material': 'restaurar material',
+  'reset camera': 'redefinir câmera',
+  'reset material': 'redefinir material',
   Model: 'Modelo',
   'choose model file…': 'escolher arquivo de modelo…',
   Files: 'Arquivos',
@@ -134,11 +135,11 @@ const texts: CompleteTexts = {
   kind: 'tipo',
   'Directional: w = 0. Point: w = 1. Spot: w = 1 with a cone or decay; the other kinds set aperture 180 and cutoff 0.':
     'Direcional: w = 0. Pontual: w = 1. Holofote: w = 1 com cone ou queda; ' +
-    'os outros tipos definem aperture 180 e cutoff 0.',
+    'os outros tipos definem aperture como 180 e cutoff como 0.',
   ambient: 'ambiente',
   diffuse: 'difusa',
   specular: 'especular',
-  'r g b, #rgb or a name; 255 is full': 'r g b, #rgb ou um nome; 255 é o máximo',
+  'r g b, #rgb or a name; 255 is full': 'r g b, #rgb ou um nome; 255 é a intensidade plena',
   '{color} picker': '{color}: seletor de cor',
   '{color} brightness': '{color}: brilho',
   position: 'posição',
@@ -200,7 +201,7 @@ const texts: CompleteTexts = {
   'show axes': 'mostrar eixos',
   'show grid': 'mostrar grade',
   'show normals': 'mostrar normais',
-  'show bounds': 'mostrar caixas envolventes',
+  'show bounds': 'mostrar caixas delimitadoras',
   probe: 'sonda',
   shaded: 'sombreado',
   normals: 'normais',

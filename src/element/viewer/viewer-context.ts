@@ -65,11 +65,12 @@ export class ViewerContext {
     return this.store.values;
   }
 
-  #follow({ pixelWidth, pixelHeight, painted, near, printing }: ElementView): void {
+  #follow({ pixelWidth, pixelHeight, painted, near, printsAt }: ElementView): void {
     this.viewport.resize(pixelWidth, pixelHeight);
     this.viewport.near = this.values.loading === 'eager' ? painted : near;
-    if (!printing) return;
+    if (printsAt === null) return;
     this.signals.orderNeeded.emit();
     this.viewport.redraw();
+    this.viewport.converge(printsAt);
   }
 }

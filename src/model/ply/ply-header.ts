@@ -141,7 +141,7 @@ function afterLineEnd(bytes: Uint8Array, at: number): number {
 function requireBytes({ encoding, elements }: PlyHeader, available: number): void {
   let needed = 0;
   for (const { count, properties } of elements) {
-    // In text, a value takes a digit and a blank, but for the last.
+    // In text, each value takes at least a digit and a blank; only the last needs no blank.
     const sizes = properties.map(({ type, countType }) =>
       encoding === 'text' ? 2 : PLY_TYPE_SIZES[countType ?? type],
     );

@@ -37,20 +37,21 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
   [-1, 1],
 ];
 
-/** Where a label goes if something is in its way: farther from its centre by so many font sizes. */
+/** Font sizes by which a label moves away from its centre if something is in its way, in the order tried. */
 const FARTHER = [0, 0.7];
 
 /**
- * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other and, as
- * far as they can, `avoided`. `room`: they stay inside.
+ * Left ends of the baselines, in the order of the wishes; null where there is no room. Labels avoid each other, `boxes`
+ * and, as far as they can, `avoided`. `room`: they stay inside.
  */
 export function placeLabels(
   wishes: readonly LabelWish[],
   room: Box,
   avoided: readonly Box[],
   fontSize: number,
+  boxes: readonly Box[] = [],
 ): (Point | null)[] {
-  const taken: Box[] = [];
+  const taken: Box[] = [...boxes];
   return wishes.map((wish) => {
     const box = bestBox(wish, room, taken, avoided, fontSize);
     if (box === null) return null;

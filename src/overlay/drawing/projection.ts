@@ -36,10 +36,7 @@ export interface Ray {
  */
 const NEAREST = 1e-4;
 
-/**
- * Lines are cut where they are farther outside than so many widths and heights. Far ends would make dashes slow to
- * draw.
- */
+/** Widths and heights outside the picture at which lines are cut. Far ends would make dashes slow to draw. */
 const OUTSIDE = 1;
 
 export class Projection {

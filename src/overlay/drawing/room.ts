@@ -1,24 +1,34 @@
-// What of the layer is free, and how large its text is. The style sheet lays the room out (phong-viewer.css, and
-// panel.css for the panel): this follows it by observers, after layout, so that no frame has to ask for one.
+// The free rectangle of the layer over the picture, the boxes in it, and its text size. The style sheets lay it out
+// (phong-viewer.css, and panel.css for the panel). Observers follow them after layout, so that no frame forces one.
 import { create } from '../../element/dom.js';
 import type { ViewerTree } from '../../element/viewer/template.js';
 import type { Box } from './label-layout.js';
+
+interface RoomOptions {
+  /** The part of the text, if the page can style it. */
+  readonly textPart?: string;
+  /** {@link Room.boxes} are wanted. */
+  readonly followsBoxes?: boolean;
+}
 
 export class Room {
   readonly #tree: ViewerTree;
   /** As wide as the text is high. */
   readonly #em: HTMLElement;
   readonly #observer: ResizeObserver;
+  /** Follows what changes the boxes' places but not their sizes. */
+  readonly #arrivals: MutationObserver | null;
   #box: Box = { left: 0, top: 0, right: 0, bottom: 0 };
+  #boxes: readonly Box[] = [];
   #fontSize = 0;
 
-  /** `changed` is called when room or text have another size. `part`: of the text, if the page can style it. */
-  constructor(tree: ViewerTree, changed: () => void, part?: string) {
+  /** `changed` is called when room, boxes or text have another size or place. */
+  constructor(tree: ViewerTree, changed: () => void, { textPart, followsBoxes }: RoomOptions = {}) {
     this.#tree = tree;
     this.#em = create('i', {
       class: 'corner',
       'aria-hidden': 'true',
-      ...(part === undefined ? {} : { part }),
+      ...(textPart === undefined ? {} : { part: textPart }),
     });
     this.#em.style.width = '1em';
     tree.layer.prepend(this.#em);
@@ -28,11 +38,18 @@ export class Room {
       changed();
     });
     for (const each of [this.#em, tree.room, tree.free]) this.#observer.observe(each);
+    this.#arrivals = followsBoxes === true ? new MutationObserver(this.#observeBoxes) : null;
+    this.#observeBoxes();
   }
 
   /** CSS pixels of the layer. Without width or height where nothing is free. */
   get box(): Box {
     return this.#box;
+  }
+
+  /** The legend and the probe's table, where they are followed. CSS pixels of the layer. */
+  get boxes(): readonly Box[] {
+    return this.#boxes;
   }
 
   /** CSS pixels, above 0. */
@@ -42,8 +59,25 @@ export class Room {
 
   dispose(): void {
     this.#observer.disconnect();
+    this.#arrivals?.disconnect();
     this.#em.remove();
   }
+
+  /** Each extra has a place in the free part, which holds its box. */
+  readonly #observeBoxes = (): void => {
+    const { free } = this.#tree;
+    this.#arrivals?.observe(free, { childList: true });
+    for (const place of this.#arrivals === null ? [] : free.children) {
+      this.#arrivals?.observe(place, { childList: true });
+      for (const box of place.children) {
+        this.#arrivals?.observe(box, { attributeFilter: ['class', 'hidden'] });
+        this.#observer.observe(box);
+      }
+    }
+    // Observed anew, it is reported after the next layout.
+    this.#observer.unobserve(free);
+    this.#observer.observe(free);
+  };
 
   #read(): void {
     const { room, free } = this.#tree;
@@ -51,5 +85,11 @@ export class Room {
     const top = room.offsetTop + free.offsetTop;
     this.#box = { left, top, right: left + free.offsetWidth, bottom: top + free.offsetHeight };
     this.#fontSize = parseFloat(getComputedStyle(this.#em).fontSize);
+    if (this.#arrivals === null) return;
+    const boxes = free.querySelectorAll<HTMLElement>(':scope > * > *');
+    this.#boxes = Array.from(boxes, (box) => {
+      const [x, y] = [left + box.offsetLeft, top + box.offsetTop];
+      return { left: x, top: y, right: x + box.offsetWidth, bottom: y + box.offsetHeight };
+    });
   }
 }

@@ -42,7 +42,7 @@ class Helpers implements Extra {
     this.#lights = new LightHelpers(host, this.#element, changed);
     this.#objects = new SceneHelpers(host, changed);
     host.tree.room.before(this.#element);
-    this.#room = new Room(host.tree, changed, LIGHT_NAME);
+    this.#room = new Room(host.tree, changed, { textPart: LIGHT_NAME, followsBoxes: true });
   }
 
   update(): void {
@@ -61,7 +61,8 @@ class Helpers implements Extra {
     }
     const objects = this.#objects.show(view, this.#scene, helpers);
     const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
-    this.#svg.show(listOf([objects, lights], this.#room.box, this.#room.fontSize));
+    const { box, fontSize, boxes } = this.#room;
+    this.#svg.show(listOf([objects, lights], box, fontSize, boxes));
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */

@@ -27,10 +27,15 @@ export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
 const COLOR = '#fff';
 
 /**
- * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last. Names
- * keep to `room`.
+ * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last.
+ * Names keep to `room`, outside the boxes in it.
  */
-export function listOf(drawings: readonly Drawing[], room: Box, fontSize: number): Primitive[] {
+export function listOf(
+  drawings: readonly Drawing[],
+  room: Box,
+  fontSize: number,
+  boxes: readonly Box[] = [],
+): Primitive[] {
   const names = [...drawings].reverse().flatMap((each) => each.names);
   const texts = names.map(({ text }) => shortened(text));
   const places = placeLabels(
@@ -38,6 +43,7 @@ export function listOf(drawings: readonly Drawing[], room: Box, fontSize: number
     room,
     drawings.flatMap(({ covered }) => covered),
     fontSize,
+    boxes,
   );
   const labels = names.flatMap(({ part, opacity = 1 }, i): Label[] => {
     const at = places[i];

@@ -56,8 +56,8 @@ export const EMPTY: ShownContent = {
 };
 
 /**
- * The geometries that show a content, smooth or flat, and measured: all memory that showing it takes, but for the
- * GPU's. Throws if there is not enough, or if flat copies are beyond the limit of `claim`.
+ * The measured geometries that show a content, smooth or flat. Allocates all memory that showing it takes, except the
+ * GPU's. Throws if there is not enough, or if flat copies exceed the limit of `claim`.
  */
 export function geometriesOf(content: Content, flat: boolean, claim: Claim | null): BufferGeometry[] {
   if (flat) claim?.add(flatNeedsOf(content));
@@ -95,7 +95,10 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
   });
 }
 
-/** Shows a shape, whose code is here, as another level of it. Its bounds are the same. Throws if there is no memory for it. */
+/**
+ * Shows a shape, whose code is here, as another level of it. Its bounds are the same. Throws if there is no memory for
+ * it.
+ */
 export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
   const content = shapeContent(levelKey(shown.round!, level)) as Content;
   let geometries: readonly BufferGeometry[];

@@ -9,15 +9,18 @@ import { shifted } from './pixel-offsets.js';
 import type { PaintPart } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
-import { release, sumOf, take } from './turns.js';
+import { release, seize, sumOf, take } from './turns.js';
 
 // In one chunk with it: two that share most of their code would leave that in the first file.
 export { SampledCapture } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size {
-  /** Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame. */
-  refine(): boolean;
+  /**
+   * Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame.
+   * `atOnce` builds them now.
+   */
+  refine(atOnce: boolean): boolean;
   /** What draws the samples of one batch, all of them in this task. */
   sampler(): PaintPart;
   /** Shows the kept picture. `last`: it has all samples. */
@@ -31,6 +34,9 @@ const STILL_FRAMES = 3;
 
 /** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
 const FIRST_SHOWN = 16;
+
+/** Samples that are sent to the GPU before its end is waited for, when all are drawn at once. */
+const WAITS_AFTER = 8;
 
 /** A mean is shown again once it has so many times the samples: each time costs a copy to the page. */
 const SHOWN_AGAIN = 4;
@@ -72,7 +78,7 @@ export class ConvergingPicture {
     this.#stillFrames += 1;
     if (this.#stillFrames <= STILL_FRAMES) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
-    if (this.#run === null && !this.#subject.refine()) return true;
+    if (this.#run === null && !this.#subject.refine(false)) return true;
     const before = this.#samples;
     try {
       if (!stage.drawAside(this.#draw)) this.pause();
@@ -82,6 +88,25 @@ export class ConvergingPicture {
     }
     if (this.#samples > before) this.#subject.show(this.converged);
     return this.#run !== null;
+  }
+
+  /**
+   * Draws what is missing now, without waiting for turns and frames, as far as `deadline` allows: a time as of
+   * `performance.now()`.
+   */
+  finish(deadline: number): void {
+    if (!this.pending) return;
+    seize(this);
+    this.#subject.refine(true);
+    const before = this.#samples;
+    try {
+      while (this.pending && performance.now() < deadline && stage.drawAside(this.#drawNow));
+      this.pause();
+    } catch (error) {
+      this.#fail();
+      throw error;
+    }
+    if (this.#samples > before) this.#subject.show(this.converged);
   }
 
   /** The scene, the camera or the size has changed. */
@@ -121,6 +146,14 @@ export class ConvergingPicture {
     const run = (this.#run ??= this.#begin(renderer));
     if (run === null) this.#fail();
     else if (run.batches.ended) this.#advance(renderer, run);
+  };
+
+  readonly #drawNow = (renderer: WebGLRenderer): void => {
+    const run = (this.#run ??= this.#begin(renderer));
+    if (run === null) return this.#fail();
+    // The deadline is the GPU's too: reading a pixel waits for it.
+    if (run.sum.count % WAITS_AFTER === 0) run.sum.wait();
+    this.#advance(renderer, run);
   };
 
   /** Null where the GPU cannot do it. */

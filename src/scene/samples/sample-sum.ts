@@ -71,6 +71,14 @@ export class SampleSum {
     this.#count += 1;
   }
 
+  /** Returns once the GPU has drawn all of it. */
+  wait(): void {
+    const renderer = this.#renderer;
+    renderer.setRenderTarget(this.#targets!.sum);
+    const gl = renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.FLOAT, new Float32Array(4));
+  }
+
   /** Writes the mean of the samples so far, in 8 bits, to this place of `picture`: pixels from its bottom left. */
   resolve(picture: WebGLRenderTarget, { x, y, width, height }: Region): void {
     const renderer = this.#renderer;

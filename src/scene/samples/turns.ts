@@ -6,6 +6,8 @@ import { SampleSum } from './sample-sum.js';
 export interface Waiting {
   /** A turn is free: take it in an animation frame, or give it up by {@link release}. */
   wake(): void;
+  /** Another one takes the turn: release it. */
+  pause(): void;
 }
 
 let active: Waiting | null = null;
@@ -18,6 +20,13 @@ export function take(one: Waiting): boolean {
   if (active === one) waiting.delete(one);
   else waiting.add(one);
   return active === one;
+}
+
+/** Takes the turn from whoever has it. */
+export function seize(one: Waiting): void {
+  if (active !== one) active?.pause();
+  active = one;
+  waiting.delete(one);
 }
 
 /** It needs no turn any more, or not now. */

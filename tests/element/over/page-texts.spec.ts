@@ -36,7 +36,7 @@ test('a script of texts holds for all viewers and comparisons, those added later
   }
   await expect(page.locator('phong-compare [role=separator]')).toHaveAttribute(
     'aria-label',
-    /^Trenner zwischen/,
+    /^Trennlinie zwischen/,
   );
   await first.evaluate((element) => element.before(element.cloneNode()));
   await expect(legend(page.locator('phong-viewer').first())).toContainText('Normalen');

@@ -126,6 +126,56 @@ test.describe('the probe between the dividers of a comparison', () => {
   });
 });
 
+test.describe('names of lights and axes', () => {
+  /** The names that a box covers, and the boxes that cover each other or leave the picture. */
+  const clashes = (viewer: Locator): Promise<string[]> =>
+    viewer.evaluate((element) => {
+      const root = element.shadowRoot!;
+      const whole = element.getBoundingClientRect();
+      const boxes = [...root.querySelectorAll('.legend, .box')]
+        .filter((box) => box.checkVisibility())
+        .map((box) => [box.className, box.getBoundingClientRect()] as const);
+      const names = Array.from(
+        root.querySelectorAll('.helpers text'),
+        (name) => [name.textContent, name.getBoundingClientRect()] as const,
+      );
+      const all = [...boxes, ...names];
+      return all.flatMap(([what, a], i) => [
+        ...all
+          .slice(i + 1)
+          .filter(([, b]) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom)
+          .map(([other]) => `${what} and ${other}`),
+        ...(a.left < whole.left || a.right > whole.right || a.top < whole.top || a.bottom > whole.bottom
+          ? [`${what} leaves the picture`]
+          : []),
+      ]);
+    });
+
+  for (const [title, widths] of [
+    ['', [140, 210, 259, 260, 340, 479, 480, 560, 640, 800, 1000]],
+    [' (each width) @release', Array.from({ length: 87 }, (_, i) => 140 + 10 * i)],
+  ] as const)
+    test(`keep clear of legend and probe at any width${title}`, async ({ page, mount }) => {
+      test.slow(title !== '');
+      const extras = 'view="n-dot-l" probe probe-at="0 0 0.5" helpers="lights axes"';
+      const viewer = await mount(ball(extras), { height: 400 });
+      const found: string[] = [];
+      const names: number[] = [];
+      for (const view of ['n-dot-l', 'shaded'] as const) {
+        await assign(viewer, { view });
+        for (const width of widths) {
+          await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
+          await laidOut(page);
+          await nextFrame(page);
+          found.push(...(await clashes(viewer)).map((text) => `${view}, ${width}: ${text}`));
+          names.push(await viewer.locator('.helpers text').count());
+        }
+      }
+      expect(found).toEqual([]);
+      expect(Math.max(...names), 'where there is room').toBe(6);
+    });
+});
+
 test('the lines of helpers lie below the box of the probe and the legend', async ({ page, mount }) => {
   const viewer = await mount(ball('view="n-dot-l" probe probe-at="0 0 0.5" helpers="grid axes"'));
   await laidOut(page);

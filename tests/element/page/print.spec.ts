@@ -13,6 +13,27 @@ test('draws pictures below the fold before the page is printed', async ({ mount,
   expect(await frames()).toBe(1);
 });
 
+test('prints the mean of all samples with `antialias="full"`, in view or not', async ({ mount, page }) => {
+  const viewer = '<phong-viewer geometry="sphere" antialias="full" samples="64"></phong-viewer>';
+  await mount(`${viewer}<div id="above"></div>${viewer}`, {
+    width: 60,
+    height: 40,
+    css: '#above { height: 5000px }',
+  });
+  // Drawn anew, so that the first one is on its way again when the page is printed.
+  await page.evaluate(() => (document.querySelector('phong-viewer')!.theta = 50));
+  const printed = await page.evaluateHandle(() => {
+    const samples: number[] = [];
+    // After the viewers' own listeners.
+    window.addEventListener('beforeprint', () => {
+      for (const each of document.querySelectorAll('phong-viewer')) samples.push(each.stats.samples);
+    });
+    return samples;
+  });
+  await page.pdf();
+  expect(await printed.jsonValue()).toEqual([64, 64]);
+});
+
 test('prints the CSS background behind every picture, on every page', async ({ mount, page, browser }) => {
   const count = 8;
   const viewer = '<phong-viewer geometry="box"></phong-viewer>';

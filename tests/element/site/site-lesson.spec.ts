@@ -99,6 +99,25 @@ test('the figures of the article behave as their captions say', async ({ page })
     // The rest stays as its author wrote it.
     await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
   });
+  await test.step('the rim has more steps the more samples its pixels have, and follows the camera', async () => {
+    const rim = await figure(page, 'fig-pixel');
+    const shares = (): Promise<number[]> =>
+      rim.locator('.pixels canvas').evaluateAll((all) =>
+        all.map((canvas) => {
+          const context = new OffscreenCanvas(24, 15).getContext('2d', { willReadFrequently: true })!;
+          context.drawImage(canvas as HTMLCanvasElement, 0, 0);
+          const { data } = context.getImageData(0, 0, 24, 15);
+          return new Set(data.filter((_, i) => i % 4 === 3)).size;
+        }),
+      );
+    await expect.poll(async () => (await shares())[3]).toBeGreaterThan(10);
+    const [one, four, sixteen, most] = await shares();
+    expect([one, four]).toEqual([2, 5]);
+    expect(sixteen).toBeGreaterThan(four!);
+    expect(most).toBeGreaterThan(sixteen!);
+    await rim.locator('phong-viewer').evaluate((viewer) => viewer.setAttribute('target', '5 5 5'));
+    await expect.poll(shares).toEqual([1, 1, 1, 1]);
+  });
   await test.step('a slider under a divider changes the light on both sides', async () => {
     const decay = await figure(page, 'fig-decay');
     await decay.getByRole('slider', { name: 'cutoff' }).fill('2');
