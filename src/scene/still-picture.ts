@@ -6,6 +6,8 @@ import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
 import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
 
+export type { PaintPart };
+
 const sampling = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js'),
   'antialias="full" and toBlob({ samples })',
