@@ -291,7 +291,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   sample(renderer: WebGLRenderer, part: Region): void {
-    this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
+    this.#chooseLevels(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
     this.#painter.paintAgain(renderer, this.#view);
   }
@@ -417,7 +417,7 @@ export class Viewport implements StageClient, Framed {
   #chooseLevels({ width, height }: Size, atOnce: boolean, tolerance = OUTLINE_TOLERANCE): void {
     this.levels.outlineTolerance = tolerance;
     const view = this.#view.look(this.#fov, width / height);
-    this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves, width);
+    this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
