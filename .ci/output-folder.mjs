@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 const repository = fileURLToPath(new URL('..', import.meta.url));
 
 /**
- * @param {'dist' | 'site' | 'dist-harness' | 'test-results'} name
+ * @param {'dist' | 'site' | 'dist-harness' | 'test-results' | 'truths'} name
  * @returns {string} absolute path
  */
 export function outputFolder(name) {

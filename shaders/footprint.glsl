@@ -1,15 +1,16 @@
 // A specular lobe averaged over a pixel, in closed form. For fragment shaders; needs power.
 //
 // A lobe is (1 - y)^n with y = |e|²/2, where e is L - W or N - H. Near the highlight that is exp(-n|e|²/2): a normal
-// distribution of e, of variance 1/n. From one side of the pixel to the other e moves by dx and by dy, every place alike:
-// j = dx/√12 and dy/√12 are the standard deviations. The average is to second order again a normal distribution, its
-// covariance C = I/n + jx jxᵀ + jy jyᵀ, its height 1/√det(nC) (filtering a lobe by the pixel's footprint: Kaplanyan, Hill,
-// Patney and Lefohn, "Filtering distributions of normals for shading antialiasing", HPG 2016; Tokuyoshi and Kaplanyan,
-// "Improved geometric specular antialiasing", I3D 2019; both for distributions of microfacets). Along the principal axes of
-// jx jxᵀ + jy jyᵀ, C is diagonal, so nothing cancels where the sides are parallel, as they are on a cylinder.
+// distribution of e, of variance 1/n. From one side of the pixel to the other e moves by dx and by dy, every place
+// alike: j = dx/√12 and dy/√12 are the standard deviations. The average is to second order again a normal distribution,
+// its covariance C = I/n + jx jxᵀ + jy jyᵀ, its height 1/√det(nC) (filtering a lobe by the pixel's footprint:
+// Kaplanyan, Hill, Patney and Lefohn, "Filtering distributions of normals for shading antialiasing", HPG 2016;
+// Tokuyoshi and Kaplanyan, "Improved geometric specular antialiasing", I3D 2019; both for distributions of
+// microfacets). Along the principal axes of jx jxᵀ + jy jyᵀ, C is diagonal, so nothing cancels where the sides are
+// parallel, as they are on a cylinder.
 //
-// A pixel is flatter than a normal distribution: the fourth cumulant of a side's places is -w⁴/120, w = √12 j. With
-// z = C⁻¹e, s = j·z and q = jᵀC⁻¹j that is, by Edgeworth's series, the factor 1 - (144/120)/24 Σ (s⁴ - 6 s²q + 3q²) over
+// A pixel is flatter than a normal distribution: the fourth cumulant of a side's places is -w⁴/120, w = √12 j. With z =
+// C⁻¹e, s = j·z and q = jᵀC⁻¹j that is, by Edgeworth's series, the factor 1 - (144/120)/24 Σ (s⁴ - 6 s²q + 3q²) over
 // both sides. Without it the largest error is two to three times as large.
 
 /** A pixel as a lobe meets it. */
@@ -72,8 +73,8 @@ float averagedLobe(vec3 e, float n, Footprint pixel) {
 }
 
 /**
- * How the unit vector `along` of a vector, whose square is `squared`, turns when that vector moves by `move`. At most of
- * length 1, however far: the sine of the angle. `move` up to 1e19; `along` may be zero.
+ * How the unit vector `along` of a vector, whose square is `squared`, turns when that vector moves by `move`. At most
+ * of length 1, however far: the sine of the angle. `move` up to 1e19; `along` may be zero.
  */
 vec3 turning(vec3 along, vec3 move, float squared) {
   vec3 across = move - along * dot(along, move);

@@ -1,11 +1,12 @@
-// The sum over the lights at one point, in shading space. The caller applies the material's colours once. Needs light_rows,
-// guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
+// The sum over the lights at one point, in shading space. The caller applies the material's colours once. Needs
+// light_rows, guard, power, attenuation, spot, diffuse_lobe and one specular lobe.
 //
-// `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call, so compilers drop the rest.
-// By default there is a loop for each kind of light, with the number of turns read from the header and the features of
-// everything declared: DECLARED_FEATURES, an integer literal. LIGHT_STATEMENTS, where it is defined, replaces the loops: a specialised program's statements.
-// Call lightSums in uniform control flow with FILTER_HIGHLIGHTS: it uses dFdx and dFdy.
-// Nothing branches on a fragment: measured, that is 0.8 of the time in software and as fast on a GPU.
+// `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call, so compilers drop
+// the rest. By default there is a loop for each kind of light, with the number of turns read from the header and the
+// features of everything declared: DECLARED_FEATURES, an integer literal. LIGHT_STATEMENTS, where it is defined,
+// replaces the loops: a specialised program's statements. Call lightSums in uniform control flow with
+// FILTER_HIGHLIGHTS: it uses dFdx and dFdy. Nothing branches on a fragment: measured, that is 0.8 of the time in
+// software and as fast on a GPU.
 
 /** Σ Ia·decay, Σ Id·att·NoL·decay and Σ Is·att·spec·decay, before the material. */
 struct LightSums {
@@ -51,7 +52,8 @@ void addColor(inout vec3 sum, inout float grey, vec3 color, float amount, bool t
 }
 
 /** Adds one light's diffuse and specular terms times `factor`. L unit, or zero where there is no direction. */
-void addLobes(inout LightSums sums, vec3 N, LOBE_VIEW view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor, int features) {
+void addLobes(inout LightSums sums, vec3 N, LOBE_VIEW view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor,
+              int features) {
   float NoL = dot(N, L);
   if (has(features, FEATURE_DIFFUSE)) {
     float amount = factor * diffuseLobe(NoL);
@@ -75,11 +77,13 @@ vec3 towardLight(vec3 position, vec3 p, out float d, out float squared) {
 /** Adds the directional light whose first row is `row`. All three functions take the same arguments. */
 void addDirectional(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, float n, int features) {
   vec3 L = lightRow(row + DIRECTIONAL_DIRECTION).xyz;
-  addLobes(sums, N, view, L, n, lightRow(row + DIRECTIONAL_DIFFUSE).rgb, lightRow(row + DIRECTIONAL_SPECULAR).rgb, 1.0, features);
+  vec3 diffuse = lightRow(row + DIRECTIONAL_DIFFUSE).rgb;
+  addLobes(sums, N, view, L, n, diffuse, lightRow(row + DIRECTIONAL_SPECULAR).rgb, 1.0, features);
 }
 
 /** Adds a positional light's lobes; `factor` is what its cone leaves. */
-void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, LOBE_VIEW view, float n, float factor, int features) {
+void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, LOBE_VIEW view, float n,
+                   float factor, int features) {
   vec4 diffuse = lightRow(row + POINT_DIFFUSE);
   vec4 specular = lightRow(row + POINT_SPECULAR);
   if (has(features, FEATURE_ATTENUATED)) {
@@ -117,8 +121,8 @@ void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, floa
 }
 
 /**
- * Sums all lights at point p. N is unit, or zero: then only ambient light is left. V is the unit vector toward the eye, or
- * zero: then there is no specular light. n >= 0 is the specular exponent.
+ * Sums all lights at point p. N is unit, or zero: then only ambient light is left. V is the unit vector toward the eye,
+ * or zero: then there is no specular light. n >= 0 is the specular exponent.
  */
 LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   LightSums sums = LightSums(vec3(0.0), vec3(0.0), vec3(0.0), 0.0, 0.0);
@@ -136,7 +140,9 @@ LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   ivec3 counts = ivec3(lightRow(HEADER_COUNTS).xyz);
   int row = HEADER_ROWS;
 #if (DECLARED_FEATURES & FEATURE_DIRECTIONAL) != 0
-  for (int i = 0; i < counts.x; i++, row += DIRECTIONAL_ROWS) addDirectional(sums, row, p, N, view, n, DIRECTIONAL_FEATURES);
+  for (int i = 0; i < counts.x; i++, row += DIRECTIONAL_ROWS) {
+    addDirectional(sums, row, p, N, view, n, DIRECTIONAL_FEATURES);
+  }
 #endif
 #if (DECLARED_FEATURES & FEATURE_POINT) != 0
   for (int i = 0; i < counts.y; i++, row += POINT_ROWS) addPoint(sums, row, p, N, view, n, POINT_FEATURES);

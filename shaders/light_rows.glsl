@@ -1,5 +1,5 @@
-// lightRow(i): row i of the packed lights. The layout's defines say what a row holds. With STORAGE_OWN the program has a
-// lightRow of its own before this text.
+// lightRow(i): row i of the packed lights. The layout's defines say what a row holds. With STORAGE_OWN the program has
+// a lightRow of its own before this text.
 
 #if LIGHT_STORAGE == STORAGE_UNIFORMS
 uniform highp vec4 uLightRows[LIGHT_ROWS];

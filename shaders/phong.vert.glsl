@@ -3,7 +3,8 @@
 
 in vec3 position;
 in vec3 normal;
-// three.js's names, because it sends these with each mesh and the material's own uniforms once. Both are to shading space.
+// three.js's names, because it sends these with each mesh and the material's own uniforms once. Both are to shading
+// space.
 uniform mat4 modelViewMatrix;
 uniform mat3 normalMatrix;
 uniform mat4 uShadingToClip;

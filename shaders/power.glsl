@@ -24,7 +24,10 @@ float powMild(float x, float k) {
   return x >= TINY || k < LEAST_EXPONENT ? power : 0.0;
 }
 
-/** The same for k from 1 to LARGEST_MILD_POWER, where a base near 0 gives a result near 0. x may be negative by rounding. */
+/**
+ * The same for k from 1 to LARGEST_MILD_POWER, where a base near 0 gives a result near 0. x may be negative by
+ * rounding.
+ */
 float powFrom1(float x, float k) {
   return exp2(k * log2(max(x, TINY)));
 }

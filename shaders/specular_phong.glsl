@@ -16,8 +16,9 @@ vec3 specularView(vec3 N, vec3 V) {
 
 /** max(dot(R, V), 0)^n with R = 2 NoL N - L. N, L unit, W from specularView; NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 W, float n) {
-  // 1 - dot(R, V), without cancelling at the highlight's centre. There it hardly depends on the vectors' lengths either, whose
-  // errors inversesqrt brings: those of N count four times in W. A cosine would give all of them to the power.
+  // 1 - dot(R, V), without cancelling at the highlight's centre. There it hardly depends on the vectors' lengths
+  // either, whose errors inversesqrt brings: those of N count four times in W. A cosine would give all of them to the
+  // power.
   vec3 d = L - W;
   float y = 0.5 * dot(d, d);
 #if defined(INTEGER_SHININESS)

@@ -16,8 +16,8 @@ vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float
 /** The same for a normal of any length; zero leaves ambient light only. */
 vec3 surfaceColor(vec3 p, vec3 normal, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
 #ifdef FILTER_HIGHLIGHTS
-  // Derivatives use neighbouring fragments outside the triangle, where interpolation may divide by zero beyond the horizon.
-  // The limit is farther than any scene, and squares of differences stay finite.
+  // Derivatives use neighbouring fragments outside the triangle, where interpolation may divide by zero beyond the
+  // horizon. The limit is farther than any scene, and squares of differences stay finite.
   p = clamp(p, -FARTHEST, FARTHEST);
   normal = clamp(normal, -FARTHEST, FARTHEST);
 #endif

@@ -1,5 +1,6 @@
-// How many lights add something, in place of the surface's colour. Takes the place of surface_color. Needs light_loop, and
-// light_grid with HAS_LIGHT_GRID. Lights are packed in rows of their own (COUNTED_…) by src/material/view/count-lights.ts.
+// How many lights add something, in place of the surface's colour. Takes the place of surface_color. Needs light_loop,
+// and light_grid with HAS_LIGHT_GRID. Lights are packed in rows of their own (COUNTED_…) by
+// src/material/view/count-lights.ts.
 
 uniform float uViewLights; // lights that could be counted, at least 1
 uniform float uViewOpen; // leading lights that have no cone
@@ -9,7 +10,9 @@ int channelBits(vec3 color) {
   return int(color.r > 0.0) + 2 * int(color.g > 0.0) + 4 * int(color.b > 0.0);
 }
 
-/** A fragment: its point, normal and view, and the channels of Ka (bits 0–2), Kd (3–5) and Ks (6–8) that are not black. */
+/**
+ * A fragment: its point, normal and view, and the channels of Ka (bits 0–2), Kd (3–5) and Ks (6–8) that are not black.
+ */
 struct Counted {
   vec3 p;
   vec3 N; // unit, or zero
@@ -18,7 +21,10 @@ struct Counted {
   bool glossy; // the lobe is 1 in every direction
 };
 
-/** Whether a light whose cone the fragment is in adds a term. `light`: its first row; v points to it from the fragment, at any length. */
+/**
+ * Whether a light whose cone the fragment is in adds a term. `light`: its first row; v points to it from the fragment,
+ * at any length.
+ */
 bool adds(vec4 light, vec3 v, Counted at) {
   int channels = int(light.w) & at.channels;
 #ifdef REFLECTION_BLINN_PHONG

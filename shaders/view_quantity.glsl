@@ -1,5 +1,5 @@
-// One quantity of the equation in place of the surface's colour: the normal, or a number of one light. Takes the place of
-// surface_color. Needs light_loop. VIEW_VALUE is an expression of `at` with one of the functions below.
+// One quantity of the equation in place of the surface's colour: the normal, or a number of one light. Takes the place
+// of surface_color. Needs light_loop. VIEW_VALUE is an expression of `at` with one of the functions below.
 
 uniform vec4 uViewPosition; // of the light, in shading space; w = 0: xyz is L, unit or zero
 uniform vec4 uViewAxis; // A, unit or zero; w = cutoff

@@ -1,4 +1,4 @@
-// What a shader file is to TypeScript: its text.
+// Declares imported shader files as their text.
 
 declare module '*.glsl?raw' {
   const text: string;

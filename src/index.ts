@@ -43,7 +43,7 @@ export type {} from './element/types/svelte.js';
 export type {} from './element/elements.js';
 export type {} from './element/types/vue.js';
 export type { PictureOptions } from './element/viewer/picture-blob.js';
-export type { FragmentExplanation, LightExplanation } from './element/explanation.js';
+export type { FragmentExplanation, LightExplanation, ShadeOptions } from './element/explanation.js';
 export type { CameraSource, CameraState } from './element/elements.js';
 export type { ViewerStats } from './element/elements.js';
 export type { Vec3, Vec4 } from './math/vector.js';

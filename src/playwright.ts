@@ -6,8 +6,8 @@ import { errors, expect as playwrightExpect, type Locator, test } from '@playwri
 import { LIGHT_FIELDS } from './light/light-state.js';
 import type { PhongViewer } from './index.js';
 import { changeByCss, judgeInPage, otherElement, settleInPage } from './playwright/in-page.js';
-import type { Judgement, Suspect } from './playwright/judge-in-page.js';
-import { codesOff } from './playwright/subpixel.js';
+import type { Judgement } from './playwright/judge-in-page.js';
+import { verdictOf } from './playwright/verdict.js';
 
 export interface SettledOptions {
   /** Milliseconds, default 20,000. */
@@ -20,6 +20,11 @@ export interface EquationOptions extends SettledOptions {
    * promises.
    */
   readonly codes?: number;
+  /**
+   * The same in outlines and at edges of triangles, for `antialias="full"`, where a pixel is the mean of its samples.
+   * Whole, 0–255, default 8.
+   */
+  readonly outlineCodes?: number;
   /**
    * Least share of the surfaces' pixels that can be judged, 0–1, default 0.25. Fewer fail the test, because it would
    * say little: make the viewer larger or move the camera closer. Small triangles leave few pixels inside a single
@@ -54,9 +59,6 @@ const MOST_SUSPECTS = 2000;
 
 /** Pixels judged by default: about half of what a viewer of 300 × 200 covers. */
 const PIXELS = 10_000;
-
-/** Failed pixels that a message lists. */
-const LISTED = 5;
 
 /**
  * Waits until a viewer's picture stands still: everything requested is loaded and drawn, faster programs have taken
@@ -122,20 +124,30 @@ export async function snapshot(
 /** Playwright's `expect` with the matcher of this package. `mergeExpects` combines it with others. */
 export const expect = playwrightExpect.extend({
   /**
+<<<<<<< HEAD
    * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face. A pixel also
    * passes if the equation takes its colour within one step of the device's subpixel grid, to which rasterisers move
-   * vertices. Judges a sample unless `pixels` is `'all'`. Never judged: edges of triangles, translucent surfaces, textures with several texels to a pixel, and own
-   * objects in `scene`. The message and an annotation of the test report how many pixels were judged. What CSS makes of
-   * the picture is not judged: a `filter` or an `opacity` gets a warning.
+   * vertices. Judges a sample unless `pixels` is `'all'`. Never judged: edges of triangles, translucent surfaces,
+   * textures with several texels to a pixel, and own objects in `scene`. The message and an annotation of the test
+   * report how many pixels were judged. What CSS makes of the picture is not judged: a `filter` or an `opacity` gets a
+   * warning.
+=======
+   * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face, and with
+   * `antialias="full"` its mean in outlines. A pixel also passes if the equation takes its colour within one step of the
+   * device's subpixel grid, to which rasterisers move vertices. Judges a sample unless `pixels` is `'all'`. Never judged:
+   * edges of triangles in other pictures, translucent surfaces, textures with several texels to a pixel, and own objects
+   * in `scene`. The message and an annotation of the test report how many pixels were judged. What CSS makes of the
+   * picture is not judged: a `filter` or an `opacity` gets a warning.
+>>>>>>> main
    */
-  async toShowTheEquation(
-    viewer: Locator,
-    { codes = 1, share = 0.25, pixels = PIXELS, seed = 1, timeout = 20_000 }: EquationOptions = {},
-  ) {
-    if (!Number.isInteger(codes) || codes < 0 || codes > 255)
-      throw new RangeError(
-        `toShowTheEquation: codes must be a whole number from 0 to 255, got ${String(codes)}`,
-      );
+  async toShowTheEquation(viewer: Locator, options: EquationOptions = {}) {
+    const { codes = 1, outlineCodes, share = 0.25, pixels = PIXELS, seed = 1 } = options;
+    const { timeout = 20_000 } = options;
+    for (const [name, limit] of Object.entries({ codes, outlineCodes: outlineCodes ?? 0 }))
+      if (!Number.isInteger(limit) || limit < 0 || limit > 255)
+        throw new RangeError(
+          `toShowTheEquation: ${name} must be a whole number from 0 to 255, got ${String(limit)}`,
+        );
     if (!(share >= 0 && share <= 1))
       throw new RangeError(`toShowTheEquation: share must be from 0 to 1, got ${String(share)}`);
     if (pixels !== 'all' && !(Number.isInteger(pixels) && pixels >= 1))
@@ -149,49 +161,20 @@ export const expect = playwrightExpect.extend({
     if (change !== null) warn(`toShowTheEquation: ${change}`);
     const judgement: Judgement = await viewer.evaluate(judgeInPage, {
       codes,
+      outlineCodes: outlineCodes ?? null,
       pixels: pixels === 'all' ? null : pixels,
       seed,
       most: MOST_SUSPECTS,
       lightKeys: Object.keys(LIGHT_FIELDS),
     });
-    const wrong = judgement.suspects.filter((suspect) => codesOff(suspect, judgement) > codes);
-    const failed = wrong.length + judgement.suspectCount - judgement.suspects.length;
-    const { judged, surface } = judgement;
-    const summary = summaryOf(judgement, seed);
+    const { pass, summary, message } = verdictOf(judgement, { codes, share }, seed);
     test.info().annotations.push({ type: 'equation', description: summary });
-    const enough = judged > 0 && judged >= share * surface;
-    const reason = enough
-      ? `${String(failed)} of them differ by more than ${String(codes)} ${codes === 1 ? 'code' : 'codes'}.`
-      : `At least ${percent(share)} are needed: make the viewer larger, move the camera closer, or lower \`share\`.`;
-    return {
-      name: 'toShowTheEquation',
-      pass: enough && failed === 0,
-      message: () => [`${summary} ${reason}`, ...wrong.slice(0, LISTED).map(line)].join('\n'),
-    };
+    return { name: 'toShowTheEquation', pass, message: () => message };
   },
 });
-
-function summaryOf(
-  { judged, surface, edges, translucent, minified, sampled }: Judgement,
-  seed: number,
-): string {
-  if (surface === 0) return 'The picture shows no surface.';
-  const part =
-    sampled === 1 ? '' : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
-  const left = Object.entries({ 'at edges': edges, translucent, 'with minified textures': minified })
-    .filter(([, count]) => count > 0)
-    .map(([name, count]) => `${String(count)} ${name}`);
-  const rest = left.length === 0 ? '' : `; not judged: ${left.join(', ')}`;
-  return `${String(judged)} of ${String(surface)} pixels of surfaces${part} were judged (${percent(judged / surface)}${rest}).`;
-}
 
 /** In the console, and in the test's report. */
 function warn(description: string): void {
   test.info().annotations.push({ type: 'warning', description });
   console.warn(description);
 }
-
-const percent = (share: number): string => `${String(Math.round(100 * share))} %`;
-
-const line = ({ x, y, drawn, expected }: Suspect): string =>
-  `  pixel ${String(x)}, ${String(y)}: ${drawn.join(' ')} is drawn, ${expected.map((code) => code.toFixed(2)).join(' ')} is the equation's`;

@@ -1,7 +1,7 @@
 /**
  * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client.
  * Values are written as the text of attributes: React omits arrays and `false` from a server's markup and does not set
- * them when it hydrates. Knows neither the values' names nor their domains.
+ * them when it hydrates.
  */
 import {
   createElement,
@@ -135,7 +135,10 @@ const useClientEffect = onServer ? useEffect : useLayoutEffect;
  */
 const attributeProp = (attribute: string): string => (onServer ? attribute : attribute.toUpperCase());
 
-/** Lists become words separated by spaces, texts that may contain some by commas. Null removes the attribute; undefined: the value has no text (a file). */
+/**
+ * Lists become words separated by spaces, texts that may contain some by commas. Null removes the attribute; undefined:
+ * the value has no text (a file).
+ */
 function attributeText(value: unknown): string | null | undefined {
   if (Array.isArray(value) || ArrayBuffer.isView(value)) {
     const list = Array.from(value as ArrayLike<unknown>);

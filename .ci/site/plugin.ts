@@ -11,6 +11,8 @@ import { outputFolder } from '../output-folder.mjs';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
 import { apiHtml, membersHtml, releasesHtml, sizeOf, sizesHtml } from './generated.js';
 import { pairsHtml, type ModelEntries } from './models.js';
+import { picturesHtml } from './pictures.js';
+import { readResults } from '../../tests/bench/results.mjs';
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const demo = join(repository, 'demo');
@@ -102,6 +104,7 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
     'pairs',
     () => pairsHtml(JSON.parse(readFileSync(join(demo, 'models/models.json'), 'utf8')) as ModelEntries),
   ],
+  ['pictures', () => picturesHtml(readResults(join(repository, 'tests/bench/results')))],
   ['scene', sceneHtml],
   ['panelled', (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui')],
 ]);

@@ -92,9 +92,7 @@ export function depthRange(
 export const nearBefore = (depth: number, radius: number): number =>
   Math.max(0.9 * depth, LEAST_NEAR * radius);
 
-/**
- * What is nearer than this share of the orbit's radius, no float32 position relative to the target tells from the eye.
- */
+/** Share of the orbit's radius. Closer to the eye, float32 positions relative to the target are no longer distinct. */
 const LEAST_NEAR = 2 ** -23;
 
 // Between these limits near and far are normal float32 numbers, with room to spare.

@@ -3,7 +3,7 @@
 import type { LitElement } from 'lit';
 import type { Scene } from 'three';
 import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventMap } from './events.js';
-import type { FragmentExplanation } from './explanation.js';
+import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import type {
   CompareProperties,
   LightProperties,
@@ -13,6 +13,7 @@ import type {
 import type { ViewerTexts } from './fields/texts.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import type { Vec3 } from '../math/vector.js';
+import type { ViewportStats } from '../scene/painter.js';
 
 /** The class of an element. */
 export interface ElementClass<E extends HTMLElement> {
@@ -53,8 +54,8 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   readonly loaded: boolean;
   /**
    * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out are
-   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in use,
-   * the page's included; null if all are English. Throws TypeError for anything but an object of strings.
+   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in
+   * use, the page's included; null if all are English. Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
@@ -92,13 +93,13 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   /**
    * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS pixels from the picture's
    * top left corner, inside any border, like `offsetX` and `offsetY` of a pointer event on the viewer. The fragment is
-   * the one at the centre of the device pixel there, in the scene as it is at the call. Highlights are those of the
-   * equation, not averaged, whatever `antialias` says. Blended surfaces are explained without what lies behind them.
-   * Textures are sampled without mipmaps. Null where nothing is hit, where an object of your own in {@link scene} is
-   * nearest (its lines and points are ignored), and while the viewer has no box on the page. Rejects with `TypeError`
-   * or `RangeError` unless x and y are finite numbers.
+   * the one at the centre of the device pixel there, or with `exact` the one at that very point, in the scene as it is
+   * at the call. Highlights are those of the equation, not averaged, whatever `antialias` says. Blended surfaces are
+   * explained without what lies behind them. Textures are sampled without mipmaps. Null where nothing is hit, where an
+   * object of your own in {@link scene} is nearest (its lines and points are ignored), and while the viewer has no box
+   * on the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
    */
-  shadeAt(x: number, y: number): Promise<FragmentExplanation | null>;
+  shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
   /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
   toHTML(): string;
   /** Back to the last declared camera. */
@@ -129,27 +130,8 @@ export interface PhongCompare extends LitElement, CompareProperties {
 }
 
 /** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
-export interface ViewerStats {
-  readonly frames: number;
-  /**
-   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0 before its first
-   * ones are shown. Stays 0 where the GPU has no float targets: `full` is like `edges` there.
-   */
-  readonly samples: number;
+export interface ViewerStats extends ViewportStats {
   readonly lightsDeclared: number;
-  readonly lightsActive: number;
-  /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */
-  readonly lightsSent: number;
-  /** The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were added. */
-  readonly lightsSentByMesh: readonly number[];
-  /** Programs of the page's WebGL context. */
-  readonly programs: number;
-  /** In the last frame. */
-  readonly drawCalls: number;
-  /** Uploads of light data. */
-  readonly uploads: number;
-  /** Viewers that the page's last frame has drawn: those in view that had changed. */
-  readonly viewersDrawn: number;
 }
 
 /** What moved the camera. */

@@ -12,6 +12,14 @@ export interface LightExplanation extends LightShare {
   readonly name: string;
 }
 
+export interface ShadeOptions {
+  /**
+   * Explains the point at `x`, `y` itself, not the one at its pixel's centre: for `antialias="full"`, whose pixels are
+   * means. Default false.
+   */
+  readonly exact?: boolean;
+}
+
 /** One fragment by the equation in float64. Frozen; lengths in scene units, vectors in world space. */
 export interface FragmentExplanation {
   /** The point on the surface. */

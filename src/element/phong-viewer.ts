@@ -13,13 +13,14 @@ import type {
 } from './elements.js';
 import { create, renderWhereShown } from './dom.js';
 import type { Listen, PhongViewerEventMap } from './events.js';
-import type { FragmentExplanation } from './explanation.js';
+import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { ViewerProperties } from './fields/properties.js';
 import { upgradeProperty, type ViewerTexts } from './fields/texts.js';
 import { RETRY_KEYS, VIEWER_FIELDS, type ViewerValues } from './fields/viewer-fields.js';
 import { viewerCameras } from './internals.js';
 import { assignTexts, leaveTexts, pageTexts, useTexts } from './page/page-texts.js';
+import { CORNER_STYLES } from './page/picture-box.js';
 import { addStyles } from './page/style-sheets.js';
 import { Visibility } from './page/visibility.js';
 import styles from './phong-viewer.css?inline';
@@ -178,10 +179,10 @@ class ViewerElement extends LitElement implements PublicViewer {
     return blobOf(this.#context.viewport, this.#extras, options);
   }
 
-  async shadeAt(x: number, y: number): Promise<FragmentExplanation | null> {
+  async shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null> {
     this.#update();
     const snapshot = this.#extras.snapshot();
-    return (await lazy.shadeAt()).shadeAt(snapshot, x, y);
+    return (await lazy.shadeAt()).shadeAt(snapshot, x, y, options);
   }
 
   toHTML(): string {
@@ -196,6 +197,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.ownerDocument.defaultView === null) return; // a document that no window shows
     super.connectedCallback();
     addStyles(this.renderRoot as ShadowRoot, styles);
+    addStyles(this.renderRoot as ShadowRoot, CORNER_STYLES);
     useTexts(this);
     this.#binding.upgrade();
     upgradeProperty(this, 'texts');

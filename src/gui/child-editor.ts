@@ -103,7 +103,7 @@ const focus = (element: HTMLElement): void => {
   element.focus({ preventScroll: true });
 };
 
-/** HTML nests self-closed tags in one another. Brings what is inside an element behind it. */
+/** HTML nests self-closed tags in one another. Moves the children of an element behind it. */
 function unnest(element: HTMLElement): void {
   element.after(...element.children);
 }

@@ -30,8 +30,8 @@ import { addUndo } from './undo.js';
 import { VIEWER_ROWS } from './viewer-folders.js';
 
 /**
- * In viewers narrower than this, the panel starts closed, because it would hide the picture: in font sizes, and at most
- * so many CSS pixels, from which on it stands beside the picture.
+ * In viewers narrower than this, the panel starts closed, because it would hide the picture. `text`: in font sizes;
+ * `column`: upper limit in CSS pixels, the width from which the panel stands beside the picture.
  */
 const WIDE = { text: 40, column: 640 } as const;
 

@@ -20,7 +20,7 @@ export class LightSet {
     return this.#version;
   }
 
-  /** Increments with every change but of positions: a move does not change the code that lights need. */
+  /** Increments with every change except moves, which do not change the code that lights need. */
   get kindVersion(): number {
     return this.#kindVersion;
   }

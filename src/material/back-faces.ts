@@ -8,7 +8,7 @@ import type { BufferGeometry, Camera, Matrix4 } from 'three';
  */
 export type Sides = 'closed' | 'single' | 'double';
 
-/** Determinants below this share of the column lengths' product are 0 but for rounding: the mesh is flattened. */
+/** Determinants below this share of the column lengths' product are 0 up to rounding: the mesh is flattened. */
 const FLATTENED = 1e-9;
 
 /**

@@ -20,7 +20,7 @@ export class ExtremePoints {
   readonly center: Vec3;
   /** Reaches the vertex farthest from `center`. */
   readonly radius: number;
-  /** Or what gives them when they are needed. Null once the points are found. */
+  /** The vertices, or a function that returns them. Null once the points are found. */
   #vertices: Vertices | (() => Vertices) | null;
   #points: Float64Array = new Float64Array(0);
 
@@ -73,13 +73,13 @@ export function extremePointsOf(geometry: BufferGeometry): ExtremePoints | null 
 
 interface Declared {
   readonly points: ExtremePoints;
-  /** The version of the vertices that they are for. */
+  /** The version of the vertices that the points were found in. */
   readonly version: number;
 }
 
 const declared = new WeakMap<BufferGeometry, Declared>();
 
-/** Says how large a geometry counts as, whatever its vertices are, until these are written to. */
+/** Replaces the measured size of a geometry, until its vertices are written to. */
 export function declareExtremePoints(geometry: BufferGeometry, points: ExtremePoints): void {
   declared.set(geometry, { points, version: versionOf(geometry) });
 }

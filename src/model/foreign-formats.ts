@@ -89,7 +89,7 @@ const BEGINNINGS: readonly (readonly [text: string, format: ForeignFormat])[] = 
   ['\x1f\x8b', { what: 'a gzip archive', cure: 'Unpack it, and use the model in it.' }],
 ];
 
-/** By the first bytes; null if they are nothing known. */
+/** Recognised by the first bytes; null if unknown. */
 export function foreignContent(bytes: Uint8Array): ForeignFormat | null {
   const start = new TextDecoder('latin1').decode(bytes.subarray(0, 2048));
   const known = BEGINNINGS.find(([text]) => start.startsWith(text));

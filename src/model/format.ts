@@ -67,7 +67,7 @@ const FORMATS: readonly Format[] = (Object.keys(FORMAT_NAMES) as FormatKey[]).ma
   ...READERS[key],
 }));
 
-/** What is known of a file besides its bytes. */
+/** What is known about a file besides its bytes. */
 export interface FormatHints {
   /** What the element's `type` says: a word such as `obj` or a media type; empty for nothing. */
   readonly type?: string;

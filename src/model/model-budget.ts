@@ -20,7 +20,7 @@ export interface ModelClaims {
   readonly nodes?: number;
   readonly json?: number;
   readonly pixels?: number;
-  /** Those of `pixels` that are transcoded (KTX2). Images are transcoded one after the other: the largest counts. */
+  /** The part of `pixels` that is transcoded (KTX2). Images are transcoded one after the other: the largest counts. */
   readonly transcoded?: number;
 }
 

@@ -10,7 +10,7 @@ export interface Content {
   readonly parts: readonly ContentPart[];
   /** Null if nothing in it moves. */
   readonly motion: Motion | null;
-  /** What a file says and the equation has no place for, by the file's own names. */
+  /** Features of the file that the equation has no place for, by the file's own names. */
   readonly dropped?: ReadonlySet<string>;
   /** Images and material libraries that are missing or broken, by the names in the model: it is shown without them. */
   readonly missing?: readonly string[];

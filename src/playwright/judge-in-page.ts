@@ -3,6 +3,8 @@
 import type { LightValues } from '../light/light-state.js';
 import { scale, subtract, type Vec3 } from '../math/vector.js';
 import type { PhongViewer } from '../index.js';
+import { judgeMeans, type Means } from './judge-means.js';
+import { deviceSubpixelBits, type Explain, explainer, pictureOf, type Row, rowsOf } from './page-picture.js';
 import { textureFault, type Explained } from './texture-fault.js';
 import { type Tile, tilesOf } from './tiles.js';
 
@@ -49,6 +51,8 @@ export interface Judgement {
   readonly edges: number;
   readonly translucent: number;
   readonly minified: number;
+  /** Judged as means of samples; null where the picture shows single points. Then there are no suspects. */
+  readonly means: Means | null;
   readonly suspects: readonly Suspect[];
   /** All of them; `suspects` holds the first `most`. */
   readonly suspectCount: number;
@@ -63,6 +67,8 @@ export interface Judgement {
 
 export interface JudgeOptions {
   readonly codes: number;
+  /** The same in outlines that are means of samples; null: by their number. */
+  readonly outlineCodes: number | null;
   /** Pixels to judge at least, where the picture has them; null: all. */
   readonly pixels: number | null;
   /** Chooses the pixels. */
@@ -73,12 +79,40 @@ export interface JudgeOptions {
   readonly lightKeys: readonly string[];
 }
 
-type Counts = {
+/** What a picture's pixels have been found to be. */
+export type Counts = {
   -readonly [K in 'surface' | 'judged' | 'edges' | 'translucent' | 'minified' | 'suspectCount']: Judgement[K];
 };
 
-/** What shadeAt explains of pixels in a row; null where no Phong-lit surface is drawn. */
-type Row = readonly (Explained | null)[];
+/** A picture, and how its pixels are explained. */
+export interface Subject {
+  readonly viewer: PhongViewer;
+  readonly picture: ImageData;
+  readonly explain: Explain;
+  readonly subpixelBits: number;
+}
+
+export type Findings = Counts & Pick<Judgement, 'sampled' | 'means' | 'suspects'>;
+
+/** Judges each pixel by one point of the equation, or where samples have been averaged by their mean. */
+export async function judgeInPage(viewer: PhongViewer, options: JudgeOptions): Promise<Judgement> {
+  if (viewer.antialias === 'highlights')
+    throw new Error(
+      'antialias="highlights" averages over a pixel, so single points of the equation are not shown',
+    );
+  const before = JSON.stringify(viewer.camera);
+  const picture = await pictureOf(viewer);
+  const { width, height } = picture;
+  const subpixelBits = deviceSubpixelBits();
+  const subject = { viewer, picture, explain: explainer(viewer, width, height), subpixelBits };
+  const { samples } = viewer.stats;
+  const findings = await (samples > 0
+    ? judgeMeans(subject, samples, options)
+    : judgePoints(subject, options));
+  if (JSON.stringify(viewer.camera) !== before)
+    throw new Error('the camera moved while the picture was judged');
+  return { width, height, subpixelBits, ...findings, ...settingOf(viewer, options.lightKeys) };
+}
 
 /** A pixel inside one face, with those to the right and below. */
 interface Inside {
@@ -93,18 +127,11 @@ interface Inside {
  * textures where several texels share a pixel, because it samples without mipmaps. Borders of texels that are not
  * filtered count as edges.
  */
-export async function judgeInPage(
-  viewer: PhongViewer,
-  { codes, pixels, seed, most, lightKeys }: JudgeOptions,
-): Promise<Judgement> {
-  if (viewer.antialias !== 'edges')
-    throw new Error(
-      `antialias="${viewer.antialias}" averages over a pixel, so single points of the equation are not shown`,
-    );
-  const before = JSON.stringify(viewer.camera);
-  const { data, width, height } = await pictureOf(viewer);
-  const subpixelBits = deviceSubpixelBits();
-  const row = rowsOf(viewer, width, height);
+async function judgePoints(
+  { viewer, picture, explain, subpixelBits }: Subject,
+  { codes, pixels, seed, most }: JudgeOptions,
+): Promise<Findings> {
+  const { data, width, height } = picture;
   const counts: Counts = { surface: 0, judged: 0, edges: 0, translucent: 0, minified: 0, suspectCount: 0 };
   const suspects: Suspect[] = [];
   const tiles = tilesOf(width, height, seed);
@@ -112,11 +139,7 @@ export async function judgeInPage(
   for (const tile of tiles) {
     if (pixels !== null && counts.judged >= pixels) break;
     done += 1;
-    const rows = await Promise.all(
-      Array.from({ length: tile.bottom - tile.top + 2 }, (_, i) =>
-        row(tile.top - 1 + i, tile.left - 1, tile.right + 1),
-      ),
-    );
+    const rows = await rowsOf(explain, tile);
     for (const { x, y, inside } of insides(tile, rows, subpixelBits, counts)) {
       const drawn = [...data.subarray(4 * (y * width + x), 4 * (y * width + x) + 4)];
       const expected = scale(inside.here.color, 255);
@@ -125,51 +148,8 @@ export async function judgeInPage(
       if (suspects.length < most) suspects.push({ x, y, drawn, expected, ...evidence(viewer, inside) });
     }
   }
-  if (JSON.stringify(viewer.camera) !== before)
-    throw new Error('the camera moved while the picture was judged');
   const sampled = tiles.length === 0 ? 1 : done / tiles.length;
-  return { width, height, subpixelBits, sampled, ...counts, suspects, ...settingOf(viewer, lightKeys) };
-}
-
-/** The picture's pixels, without premultiplication or a colour conversion. */
-async function pictureOf(viewer: PhongViewer): Promise<ImageData> {
-  const bitmap = await createImageBitmap(await viewer.toBlob(), {
-    premultiplyAlpha: 'none',
-    colorSpaceConversion: 'none',
-  });
-  const { width, height } = bitmap;
-  const canvas = Object.assign(document.createElement('canvas'), { width, height });
-  const context = canvas.getContext('2d', { willReadFrequently: true });
-  if (context === null) throw new Error('the viewer cannot be drawn here');
-  context.drawImage(bitmap, 0, 0);
-  return context.getImageData(0, 0, width, height);
-}
-
-function deviceSubpixelBits(): number {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  if (gl === null) throw new Error('the viewer cannot be drawn here');
-  const bits = Number(gl.getParameter(gl.SUBPIXEL_BITS));
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
-  return bits;
-}
-
-/** Explains the pixels `from` to `to` (excluded) of one row of a picture of that size. */
-function rowsOf(
-  viewer: PhongViewer,
-  width: number,
-  height: number,
-): (y: number, from: number, to: number) => Promise<Row> {
-  const surface = viewer.shadowRoot?.querySelector('[part=surface]');
-  if (!surface) throw new Error('the viewer cannot be drawn here');
-  // shadeAt takes CSS pixels of the picture before any transform; inside CSS zoom, those of pointer events.
-  const style = getComputedStyle(surface);
-  const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
-  const cssX = (parseFloat(style.width) * zoom) / width;
-  const cssY = (parseFloat(style.height) * zoom) / height;
-  return (y, from, to) =>
-    Promise.all(
-      Array.from({ length: to - from }, (_, i) => viewer.shadeAt((from + i + 0.5) * cssX, (y + 0.5) * cssY)),
-    );
+  return { ...counts, sampled, means: null, suspects };
 }
 
 /** The pixels of a tile that can be judged. `rows` are those of the tile and of one pixel around it. */
@@ -213,7 +193,7 @@ function judged(
   return fault === null ? { here, right, below } : null;
 }
 
-const isOff = (drawn: readonly number[], expected: Vec3, codes: number): boolean =>
+export const isOff = (drawn: readonly number[], expected: Vec3, codes: number): boolean =>
   expected.some((value, channel) => Math.abs(Math.round(value) - drawn[channel]!) > codes);
 
 /** What is needed to evaluate the equation around the pixel. */

@@ -29,7 +29,7 @@ export async function settleInPage(viewer: PhongViewer, timeout: number): Promis
   for (;;) {
     const requested = quiet < (compiling ? COMPILING_FRAMES : QUIET_FRAMES);
     const drawn = await drawsFrame(viewer, requested, what, within);
-    if (!drawn) return within('it is not drawn', viewer.ready);
+    if (!drawn) return within(viewer.antialias === 'full' ? 'it converges' : 'it is not drawn', viewer.ready);
     if (!requested) {
       what = 'it draws frames by itself';
       quiet = 0;

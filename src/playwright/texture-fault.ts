@@ -57,6 +57,8 @@ export function textureFault(
   return fault;
 }
 
+export const isTextured = (here: Explained): boolean => texturesOf(here).length > 0;
+
 function texturesOf({ object }: Explained): readonly Mapped[] {
   const { look } = object.material as unknown as { look?: object };
   return Object.values(look ?? {}).filter(

@@ -1,4 +1,4 @@
-// Which parts of a picture are judged, and in which order. Knows neither pages nor viewers.
+// Which parts of a picture are judged, and in which order.
 
 /** A rectangle of pixels. `right` and `bottom` are excluded. */
 export interface Tile {
@@ -9,8 +9,8 @@ export interface Tile {
 }
 
 /**
- * Sides of a tile, in pixels. A tile also needs the explanations of the pixels around it, half of its own number at this
- * size. Larger tiles need fewer, but spread the same number of pixels over fewer places of the picture.
+ * Sides of a tile, in pixels. A tile also needs the explanations of the pixels around it, half of its own number at
+ * this size. Larger tiles need fewer, but spread the same number of pixels over fewer places of the picture.
  */
 const TILE = 8;
 
@@ -25,12 +25,17 @@ export function tilesOf(width: number, height: number, seed: number): Tile[] {
         right: Math.min(left + TILE, width - 1),
         bottom: Math.min(top + TILE, height - 1),
       });
-  const random = generator(seed);
-  for (let i = tiles.length - 1; i > 0; i--) {
-    const j = Math.floor(random() * (i + 1));
-    [tiles[i], tiles[j]] = [tiles[j]!, tiles[i]!];
-  }
+  shuffle(tiles, seed);
   return tiles;
+}
+
+/** Puts a list into a random order. The same seed gives the same order. */
+export function shuffle<T>(list: T[], seed: number): void {
+  const random = generator(seed);
+  for (let i = list.length - 1; i > 0; i--) {
+    const j = Math.floor(random() * (i + 1));
+    [list[i], list[j]] = [list[j]!, list[i]!];
+  }
 }
 
 /** Numbers from 0 to 1 (excluded): the generator "mulberry32", of 32 bits of state. */

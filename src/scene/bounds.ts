@@ -23,7 +23,7 @@ interface Placed {
   readonly radius: number;
 }
 
-/** Relative. Equal meshes side by side reach as far as each other but for rounding, and one of them is enough. */
+/** Relative. Equal meshes side by side reach equally far up to rounding, and one of them is enough. */
 const SAME = 1e-9;
 
 /** Measures every visible mesh below `root`. World matrices must be up to date. */
@@ -217,8 +217,8 @@ const distance = ([px, py, pz]: Vec3, x: number, y: number, z: number): number =
   Math.sqrt((x - px) ** 2 + (y - py) ** 2 + (z - pz) ** 2);
 
 /**
- * Upper bound of the factor by which a matrix lengthens vectors: the square root of the largest row sum of MᵀM, which is no less than
- * its largest eigenvalue, and equal to it where the matrix does not shear.
+ * Upper bound of the factor by which a matrix lengthens vectors: the square root of the largest row sum of MᵀM, which
+ * is no less than its largest eigenvalue, and equal to it where the matrix does not shear.
  */
 export function stretch(m: readonly number[]): number {
   const along = (i: number, j: number): number =>

@@ -186,7 +186,7 @@ function writeBounds(into: BufferGeometry, from: BufferGeometry): void {
   box.copy(from.boundingBox!);
   box.min.sub(center);
   box.max.sub(center);
-  // Another object when it has changed, as whoever keeps lights by bounds expects.
+  // A new object when it has changed: light culling caches by identity.
   if (into.boundingBox?.equals(box) === true) return;
   into.boundingBox = box.clone();
   into.boundingSphere = new Sphere().copy(from.boundingSphere!);

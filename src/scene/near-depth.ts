@@ -27,7 +27,7 @@ import {
   type View,
 } from './view-cut.js';
 
-/** Share of the orbit's radius: nothing farther from the eye is cut of objects whose vertices only the GPU knows. */
+/** Share of the orbit's radius. Objects with vertices that only the GPU knows are never cut beyond this distance. */
 const UNKNOWN_NEAREST = 1e-5;
 
 /** The least depth found so far. */

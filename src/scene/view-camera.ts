@@ -121,8 +121,8 @@ export class ViewCamera {
 }
 
 /**
- * Moves the far plane to infinity: depth is then w − 2 near, and its row that of w but for one number. However large
- * vertices are, both are rounded alike, and none falls behind the far plane by rounding.
+ * Moves the far plane to infinity: depth is then w − 2 near, so its row equals that of w except for one number. Both
+ * are rounded alike at any size of the vertices, and no vertex falls behind the far plane by rounding.
  */
 function removeFarPlane({ near, projectionMatrix, projectionMatrixInverse }: PerspectiveCamera): void {
   const { elements } = projectionMatrix;

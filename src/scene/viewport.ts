@@ -291,7 +291,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   sample(renderer: WebGLRenderer, part: Region): void {
-    this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
+    this.#chooseLevels(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
     this.#painter.paintAgain(renderer, this.#view);
   }
@@ -318,11 +318,12 @@ export class Viewport implements StageClient, Framed {
    * Throws RangeError if no canvas can hold it.
    */
   capture(width: number, height: number, shown = false): HTMLCanvasElement {
-    this.#bringInStep({ width, height }, true);
-    this.#releaseUnlessAttached();
     const isShown = !this.#dirty && width === this.width && height === this.height;
+    const isMean = shown && isShown && this.#still.samples > 0;
+    if (!isMean) this.#bringInStep({ width, height }, true);
+    this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
-      if (shown && isShown && this.#still.samples > 0) this.#still.copy(renderer, part);
+      if (isMean) this.#still.copy(renderer, part);
       else {
         this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
         this.#painter.paint(renderer, this.#view);
@@ -353,7 +354,8 @@ export class Viewport implements StageClient, Framed {
   /** Everything that is drawn, as it is now. `ownerOf` names the owner of a mesh. */
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
-    this.#bringInStep(this, false);
+    // The triangles of the picture that is shown.
+    this.#bringInStep(this, false, this.#still.samples > 0 ? SAMPLED_TOLERANCE : OUTLINE_TOLERANCE);
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
@@ -415,7 +417,7 @@ export class Viewport implements StageClient, Framed {
   #chooseLevels({ width, height }: Size, atOnce: boolean, tolerance = OUTLINE_TOLERANCE): void {
     this.levels.outlineTolerance = tolerance;
     const view = this.#view.look(this.#fov, width / height);
-    this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves, width);
+    this.levels.choose(view, height, atOnce, this.orbit.version, this.#tree.moves);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

@@ -2,14 +2,25 @@
 // The aims of the project's performance work, and where a result holds the figure for each. An aim is a most or, for frame rates,
 // a least.
 
+import { CODES, full, PLAIN, pictureValue, RMSE, SSAA, ssaa, TAA, taa, WITHIN } from './pictures.mjs';
 import { ratioOf, ratioOverSubjects, valueOf } from './results.mjs';
-import { modelSubjects, NETWORKS, SCRIPT_LIGHTS, SPHERE_LIGHTS } from './subjects.mjs';
+import { spread } from './statistics.mjs';
+import {
+  modelSubjects,
+  NETWORKS,
+  PICTURES,
+  pictureSubject,
+  SCRIPT_LIGHTS,
+  SPHERE_LIGHTS,
+} from './subjects.mjs';
 
 /**
  * @typedef {object} Aim
  * @property {string} label
  * @property {string} subject
- * @property {readonly string[]} [subjects] the figure is their median ratio to the better of the other sides
+ * @property {readonly string[]} [subjects] the figure is their median ratio to the better of the other sides; with `against`,
+ *   their worst ratio to the best of these sides
+ * @property {readonly string[]} [against]
  * @property {string} measure
  * @property {string} [side] default: the first
  * @property {'ratio' | 'value' | 'over usual'} [figure] default: ratio. `over usual`: milliseconds above the usual frame
@@ -32,6 +43,51 @@ const both = (x) => ({ software: x, gpu: x });
 const sphere = (count) => `sphere, ${count === 1 ? '1 light' : `${count} lights`}`;
 /** @param {number} count */
 const script = (count) => `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`;
+
+/** Most RMSE, and least share of pixels within one code in %, with so many samples. */
+const PICTURE_AIMS = /** @type {const} */ ({
+  sphere: { 64: 0.5, 256: 0.35, round: 0.6, within: 98 },
+  torus: { 64: 0.5, 256: 0.35, round: 0.6, within: 98 },
+  'textured GLB': { 64: 0.5, 256: 0.35, within: 98 },
+  'teapot on a floor': { 64: 0.7, 256: 0.4, within: 97 },
+});
+
+/** @returns {Aim[]} */
+function pictureAims() {
+  const ofOne = Object.entries(PICTURE_AIMS).flatMap(([picture, aims]) => {
+    const subject = pictureSubject(/** @type {keyof typeof PICTURES} */ (picture));
+    /** @param {string} label @param {string} measure @param {number} samples @param {number} most @returns {Aim} */
+    const aim = (label, measure, samples, most) => ({
+      ...{ label: `${picture}, ${label}, ${samples} samples`, subject, measure, side: full(samples) },
+      ...{ figure: 'value', most: both(most), least: measure === WITHIN },
+    });
+    return [
+      aim('RMSE', RMSE.triangles, 64, aims[64]),
+      aim('RMSE', RMSE.triangles, 256, aims[256]),
+      ...('round' in aims ? [aim('RMSE to the round shape', RMSE.round, 64, aims.round)] : []),
+      aim('% of pixels within one code', WITHIN, 64, aims.within),
+    ];
+  });
+  const subjects = Object.keys(PICTURES).map((picture) =>
+    pictureSubject(/** @type {keyof typeof PICTURES} */ (picture)),
+  );
+  /** @param {string} label @param {string} side @param {readonly string[]} passes @returns {Aim} */
+  const against = (label, side, passes) => ({
+    ...{
+      label: `RMSE to three.js’s best pass, worst picture: ${label}`,
+      subject: subjects[0] ?? '',
+      subjects,
+    },
+    ...{ measure: RMSE.triangles, side, most: both(1) },
+    against: passes.flatMap((pass) => [pass, pass + CODES]),
+  });
+  return [
+    ...ofOne,
+    against('first one', PLAIN, [ssaa(1), taa(0)]),
+    against('16 samples', full(16), [ssaa(16), taa(16)]),
+    against('64 samples to all of theirs', full(64), [...SSAA.map(ssaa), ...TAA.map(taa)]),
+  ];
+}
 
 /** @type {readonly Aim[]} */
 export const AIMS = [
@@ -136,6 +192,7 @@ export const AIMS = [
     measure: 'first picture',
     most: both(0.6),
   })),
+  ...pictureAims(),
   { label: 'bytes, standalone', subject: 'bytes', measure: 'brotli', side: 'standalone', most: both(0.8) },
 ];
 
@@ -155,8 +212,23 @@ export function judge(aim, result) {
   return { measured, most, met };
 }
 
+/**
+ * The largest ratio of a side's figure to the least of those that it is held against, over the subjects that were measured.
+ * @param {Aim} aim @param {import('./results.mjs').BenchResult} result
+ */
+function worstRatio({ subjects = [], against = [], measure, side = '' }, result) {
+  const ratios = subjects.flatMap((subject) => {
+    const ours = pictureValue(result, subject, measure, side);
+    const theirs = against.flatMap((other) => pictureValue(result, subject, measure, other) ?? []);
+    return ours === undefined || theirs.length === 0 ? [] : [ours / Math.min(...theirs)];
+  });
+  return ratios.length === 0 ? undefined : spread([Math.max(...ratios)]);
+}
+
 /** @param {Aim} aim @param {import('./results.mjs').BenchResult} result */
-function figureOf({ subject, subjects, measure, side, figure = 'ratio' }, result) {
+function figureOf(aim, result) {
+  const { subject, subjects, measure, side, figure = 'ratio' } = aim;
+  if (aim.against !== undefined) return worstRatio(aim, result);
   if (subjects !== undefined) return ratioOverSubjects(result, subjects, measure);
   const { measures } = result;
   /** @param {string} name */

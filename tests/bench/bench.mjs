@@ -2,7 +2,7 @@
 // `npm run bench`: measures real scenes with the element and with plain three.js, in turns, over fresh launches of a browser, and
 // writes one result for the stack. See options.mjs for its options and subjects.mjs for what it measures.
 
-import { existsSync, mkdirSync, mkdtempSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,9 +11,11 @@ import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
+import { keepTruths, measurePicture } from './measure/pictures.mjs';
 import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { readOptions } from './options.mjs';
+import { pictureTime, RMSE } from './pictures.mjs';
 import { Progress } from './progress.mjs';
 import { addSamples, ratioOf, valueOf } from './results.mjs';
 import { chosenSubjects, SUBJECTS } from './subjects.mjs';
@@ -21,7 +23,13 @@ import { chosenSubjects, SUBJECTS } from './subjects.mjs';
 const here = fileURLToPath(new URL('.', import.meta.url));
 /** Longest time of one launch of a subject, in milliseconds. */
 const PATIENCE = 240_000;
+/** The same where a float64 ray caster has to draw the exact pictures first. */
+const PATIENCE_WITH_TRUTH = 2_400_000;
+/** Pixels of a whole picture whose error is measured, unless asked otherwise. */
+const PICTURE_SIZE = /** @type {const} */ ([400, 300]);
 const ROUNDS = 3;
+/** Of whole pictures, which take seconds each in software. */
+const PICTURE_ROUNDS = 2;
 /** More lights than these are drawn with fewer pixels in software, where a frame would last seconds. */
 const MOST_LIGHTS_AT_SIZE = 32;
 
@@ -43,27 +51,41 @@ async function main(options) {
   }
   const lab = new Lab(folder, await launchOptions(options));
   await lab.open();
+  if (options.truths) {
+    for (const name of names) {
+      const subject = SUBJECTS[name];
+      if (subject?.kind === 'picture') await keepTruths(lab, subject, options.size ?? PICTURE_SIZE);
+    }
+    return lab.close();
+  }
   const machine = await lab.machine();
   console.log(
     Object.entries(machine)
       .map(([key, value]) => `${key}: ${value}`)
       .join('\n'),
   );
+  const out =
+    options.out ||
+    (!options.add && (options.quick || options.only.length > 0)
+      ? ''
+      : join(here, 'results', `${options.stack}.json`));
+  const date = new Date(begun).toISOString().slice(0, 10);
   /** @type {import('./results.mjs').BenchResult} */
-  const result = {
-    stack: options.stack,
-    machine,
-    date: new Date(begun).toISOString().slice(0, 10),
-    launches: options.launches,
+  const result = (options.add ? readWithout(out, names) : undefined) ?? {
+    ...{ stack: options.stack, machine, date, launches: options.launches },
     size: options.size ?? (isSoftware(machine.renderer) ? [480, 360] : [1920, 1080]),
     measures: [],
     fronts: [],
     failures: [],
   };
-  const out =
-    options.out ||
-    (options.quick || options.only.length > 0 ? '' : join(here, 'results', `${options.stack}.json`));
-  await measureAll(lab, names, options, result, begun, () => write(out, result));
+  /** @type {string[]} */
+  const subjects = [];
+  const { launches, note } = options;
+  if (options.add) (result.added ??= []).push({ subjects, machine, date, launches, note });
+  await measureAll(lab, names, options, result, begun, (name) => {
+    if (!subjects.includes(name)) subjects.push(name);
+    write(out, result);
+  });
   await lab.close();
   if (out !== '') console.log(`\n${out}`);
   if (result.failures.length > 0) {
@@ -75,9 +97,9 @@ async function main(options) {
 /**
  * All subjects once, then all of them again, so that a run that ends early has launches of each.
  * @param {Lab} lab @param {readonly string[]} names @param {import('./options.mjs').Options} options
- * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {() => void} save
+ * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {(name: string) => void} save a subject has been measured once more
  */
-async function measureAll(lab, names, { launches, minutes }, result, begun, save) {
+async function measureAll(lab, names, { launches, minutes, size }, result, begun, save) {
   const parts = Array.from({ length: launches }, () => names).flat();
   const progress = new Progress(parts);
   for (const [i, name] of parts.entries()) {
@@ -86,14 +108,15 @@ async function measureAll(lab, names, { launches, minutes }, result, begun, save
       return void console.log(`${progress} Stopped: ${minutes} minutes are over.`);
     const launch = Math.floor(i / names.length);
     try {
-      await withPatience(measure(lab, name, launch, result));
+      const patience = SUBJECTS[name]?.kind === 'picture' ? PATIENCE_WITH_TRUTH : PATIENCE;
+      await withPatience(measure(lab, name, launch, result, size), patience);
     } catch (error) {
       const message = error instanceof Error ? (error.message.split('\n')[0] ?? '') : String(error);
       result.failures.push({ subject: name, message });
     }
     progress.finish(Date.now() - start);
     console.log(`${progress} ${name}: ${summary(result, name)}`);
-    save();
+    save(name);
   }
 }
 
@@ -105,12 +128,12 @@ function sizeOf({ scene }, { machine, size }) {
   return [Math.round(size[0] * shrink), Math.round(size[1] * shrink)];
 }
 
-/** @param {Promise<void>} work */
-async function withPatience(work) {
+/** @param {Promise<void>} work @param {number} patience milliseconds */
+async function withPatience(work, patience) {
   /** @type {NodeJS.Timeout | undefined} */
   let timer;
   const late = new Promise((_, reject) => {
-    timer = setTimeout(() => reject(new Error(`took longer than ${PATIENCE / 1000} s`)), PATIENCE);
+    timer = setTimeout(() => reject(new Error(`took longer than ${patience / 1000} s`)), patience);
   });
   work.catch(() => {}); // it may fail once it is too late
   try {
@@ -120,8 +143,8 @@ async function withPatience(work) {
   }
 }
 
-/** One launch of a subject. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result */
-async function measure(lab, name, launch, result) {
+/** One launch of a subject. `size`: of pictures, if asked for. @param {Lab} lab @param {string} name @param {number} launch @param {import('./results.mjs').BenchResult} result @param {readonly [number, number] | null} size */
+async function measure(lab, name, launch, result, size) {
   const subject = SUBJECTS[name];
   const options = {
     size: result.size,
@@ -138,6 +161,11 @@ async function measure(lab, name, launch, result) {
       return measureStart(lab, subject, launch, options);
     case 'model':
       return measureModel(lab, subject, launch, options);
+    case 'picture':
+      return measurePicture(lab, subject, launch, {
+        ...options,
+        ...{ rounds: PICTURE_ROUNDS, size: size ?? PICTURE_SIZE },
+      });
     case 'viewers':
       return measureViewers(lab, { ...options, rounds: 1 });
     case 'connect':
@@ -159,6 +187,7 @@ function summary(result, name) {
   const failure = result.failures.findLast(({ subject }) => subject === name);
   if (failure !== undefined) return `failed: ${failure.message}`;
   const rows = result.measures.filter(({ subject }) => subject === name);
+  if (SUBJECTS[name]?.kind === 'picture') return pictureSummary(result, name);
   const front = result.fronts.find(({ subject }) => subject === name);
   if (front !== undefined) {
     const base = valueOf({
@@ -186,6 +215,36 @@ function summary(result, name) {
       return `${row.measure} ${ratios.join(', ')} : 1 (${base} ${row.unit})`;
     })
     .join('; ');
+}
+
+/** Error and time of each picture. @param {import('./results.mjs').BenchResult} result @param {string} subject */
+function pictureSummary(result, subject) {
+  const errors = result.measures.find((row) => row.subject === subject && row.measure === RMSE.triangles);
+  return Object.keys(errors?.samples ?? {})
+    .map((side) => {
+      const time = pictureTime(result, subject, side);
+      return `${side} ${errors && valueOf(errors, side).median.toPrecision(2)} in ${time?.toPrecision(3)}`;
+    })
+    .join('; ');
+}
+
+/**
+ * A result without these subjects, to be measured again; undefined where there is none.
+ * @param {string} file @param {readonly string[]} names @returns {import('./results.mjs').BenchResult | undefined}
+ */
+function readWithout(file, names) {
+  if (!existsSync(file)) return undefined;
+  /** @type {import('./results.mjs').BenchResult} */
+  const result = JSON.parse(readFileSync(file, 'utf8'));
+  const isOther = (/** @type {{ subject: string }} */ { subject }) => !names.includes(subject);
+  result.measures = result.measures.filter(isOther);
+  result.fronts = result.fronts.filter(isOther);
+  result.failures = result.failures.filter(isOther);
+  result.added = (result.added ?? []).flatMap(({ subjects, ...one }) => {
+    const others = subjects.filter((subject) => !names.includes(subject));
+    return others.length === 0 ? [] : [{ ...one, subjects: others }];
+  });
+  return result;
 }
 
 /** @param {string} file @param {import('./results.mjs').BenchResult} result */

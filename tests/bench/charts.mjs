@@ -1,10 +1,12 @@
 // @ts-check
-// The charts of the report, drawn by Observable Plot as SVG files: four for each stack. Text of fixed size and colour, on white,
+// The charts of the report, drawn by Observable Plot as SVG files: five at most for each stack. Text of fixed size and colour, on white,
 // so that they are readable wherever the report is shown.
 
 import * as Plot from '@observablehq/plot';
 import { parseHTML } from 'linkedom';
 import { AIMS, SCRIPT_MOST, stackKind, TAKE_OVER_MS } from './aims.mjs';
+import { panelMarks, panelPoints, panelScales } from './picture-chart.mjs';
+import { SERIES } from './pictures.mjs';
 import { ratioOf, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
 import { SCRIPT_LIGHTS, SPHERE_LIGHTS } from './subjects.mjs';
@@ -25,6 +27,7 @@ export function chartsOf(result) {
   add('longest-frame', longestChart(result));
   add('script', scriptChart(result));
   add('fronts', frontsChart(result));
+  add('pictures', picturesChart(result));
   return charts;
 }
 
@@ -132,6 +135,32 @@ function frontsChart({ fronts }) {
   });
 }
 
+/** @param {BenchResult} result */
+function picturesChart(result) {
+  const points = panelPoints(result);
+  if (points.length === 0) return undefined;
+  const titles = [...new Map(points.map((point) => [point.picture, point])).values()];
+  const { x, y, color } = panelScales(points, COLORS);
+  return svgOf(
+    {
+      ...frame('RMSE in codes over time, plain picture = 1 (dashed: average of codes)'),
+      height: 530,
+      marginTop: 80,
+      fx: { axis: null, padding: 0.06 },
+      fy: { axis: null, padding: 0.16 },
+      ...{ x: { ...x, inset: 4 }, y, color },
+      marks: [
+        Plot.frame({ stroke: '#ccc' }),
+        ...panelMarks(points, { fx: 'column', fy: 'row' }),
+        Plot.text(titles, {
+          ...{ fx: 'column', fy: 'row', text: 'picture', frameAnchor: 'top', dy: -14, fontWeight: 'bold' },
+        }),
+      ],
+    },
+    SERIES.map(({ series }) => series),
+  );
+}
+
 const HALO = { stroke: 'white', strokeWidth: 4 };
 
 /**
@@ -202,7 +231,8 @@ function svgOf(options, series = []) {
     svg.append(element);
   };
   write(options.ariaLabel ?? '', 10, 20, '#222');
-  series.forEach((name, i) => write(name, 10 + 170 * i, 42, COLORS[i] ?? '#222'));
+  const step = Math.min(170, (WIDTH - 20) / series.length);
+  series.forEach((name, i) => write(name, 10 + step * i, 42, COLORS[i] ?? '#222'));
   svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   return svg.outerHTML;
 }

@@ -22,12 +22,17 @@ export const MODELS = /** @type {const} */ ({
   engine: '2CylinderEngine.gltf',
 });
 
+/** The model of a whole picture, whose error is measured. */
+const CHECKS = 'checks.glb';
+
 const FLOAT = 5126;
+const LINEAR = 9729;
 const SHORT = 5122;
 const BYTE = 5120;
 const UNSIGNED_SHORT = 5123;
 const UNSIGNED_INT = 5125;
 const TEXTURE_SIZE = 1024;
+const CHECKS_SIZE = 64;
 const PARTS = 500;
 
 const assets = fileURLToPath(new URL('../../demo/assets/models/', import.meta.url));
@@ -52,6 +57,7 @@ export function writeModels(folder) {
   write(MODELS['400 k triangles'], quantizedPatches().glb());
   write(MODELS['four textures'], texturedSpheres().glb());
   write(MODELS['500 parts'], manyParts().glb());
+  write(CHECKS, checkedSphere().glb());
 }
 
 /**
@@ -226,6 +232,23 @@ function texturedSpheres() {
   return gltf;
 }
 
+/** A texture so small that each texel covers several pixels: its sampling is exact without smaller levels. */
+function checkedSphere() {
+  const gltf = new Gltf();
+  const bufferView = gltf.view(png(CHECKS_SIZE, checks));
+  Object.assign(gltf.json, {
+    images: [{ mimeType: 'image/png', bufferView }],
+    samplers: [{ magFilter: LINEAR, minFilter: LINEAR }],
+    textures: [{ source: 0, sampler: 0 }],
+    materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } }],
+  });
+  gltf.node(gltf.mesh(bumpySphere(64, 32), { material: 0 }));
+  return gltf;
+}
+
+/** Two colours in squares of 4 texels. @param {number} x @param {number} y */
+const checks = (x, y) => (((x >> 2) + (y >> 2)) % 2 === 0 ? [230, 200, 120] : [60, 90, 150]);
+
 function manyParts() {
   const gltf = new Gltf();
   Object.assign(gltf.json, {
@@ -245,18 +268,19 @@ function manyParts() {
 
 /** An RGB picture of stripes under noise of 8 levels, so that it shrinks to about a third as photographs do. @param {number} size @param {number} seed */
 function noisePng(size, seed) {
-  const rows = Buffer.alloc(size * (3 * size + 1));
   let state = seed;
-  for (let y = 0; y < size; y++) {
-    for (let x = 0; x < size; x++) {
-      state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
-      const light = 96 + 64 * ((x >> 6) % 2) + 8 * (state >>> 29);
-      const at = y * (3 * size + 1) + 1 + 3 * x;
-      rows[at] = light;
-      rows[at + 1] = light - 10 * seed;
-      rows[at + 2] = light - 40;
-    }
-  }
+  return png(size, (x) => {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    const light = 96 + 64 * ((x >> 6) % 2) + 8 * (state >>> 29);
+    return [light, light - 10 * seed, light - 40];
+  });
+}
+
+/** A square RGB picture. @param {number} size @param {(x: number, y: number) => number[]} colorAt row by row */
+function png(size, colorAt) {
+  const rows = Buffer.alloc(size * (3 * size + 1));
+  for (let y = 0; y < size; y++)
+    for (let x = 0; x < size; x++) rows.set(colorAt(x, y), y * (3 * size + 1) + 1 + 3 * x);
   const header = Buffer.alloc(13);
   header.writeUInt32BE(size, 0);
   header.writeUInt32BE(size, 4);

@@ -10,16 +10,21 @@ Measures the built package in Chromium and writes tests/bench/results/STACK.json
 
   --quick             one launch of each subject; prints, and writes only with --out
   --only TEXT         subjects whose name contains TEXT; separate several by semicolons
+  --add               replaces these subjects in the stack's result and keeps the others
+  --note TEXT         with --add: what the report has to say about that run
   --list              prints the subjects' names
   --launches N        fresh browsers for each subject (default 5)
   --minutes N         stops after the subject that reaches N minutes, with what it has
   --browser PATH      another Chromium
   --flags "A B"       its flags, separated by spaces (default: software rendering)
   --stack NAME        name of the result (default software): software, h200-vulkan, h200-opengl
-  --size WxH          pixels of a picture (default: 480x360 in software, 1920x1080 on a GPU)
+  --size WxH          pixels of a picture (default: 480x360 in software, 1920x1080 on a GPU;
+                      whole pictures, whose error is measured: 400x300)
   --out FILE          result file
   --build DIR         only builds the pages into DIR
   --built DIR         uses pages built before; needs only Node, playwright-core and a browser
+  --truths            only keeps the exact whole pictures beside the pages of --built: measuring on a machine
+                      without Vite needs them
   --help              prints this
 
 npm run bench:report writes tests/bench/REPORT.md and its charts from all results.
@@ -27,11 +32,11 @@ npm run bench:report writes tests/bench/REPORT.md and its charts from all result
 
 /**
  * @typedef {object} Options
- * @property {boolean} quick @property {boolean} list
+ * @property {boolean} quick @property {boolean} add @property {boolean} truths @property {boolean} list
  * @property {string[]} only @property {number} launches @property {number} minutes
  * @property {string} browser @property {string[]} flags @property {string} stack
  * @property {readonly [number, number] | null} size
- * @property {string} out @property {string} build @property {string} built
+ * @property {string} out @property {string} note @property {string} build @property {string} built
  */
 
 /** Refuses what it cannot understand. @param {readonly string[]} args @returns {Options} */
@@ -40,7 +45,9 @@ export function readOptions(args = process.argv.slice(2)) {
     HELP,
     {
       quick: { type: 'boolean', default: false },
+      add: { type: 'boolean', default: false },
       list: { type: 'boolean', default: false },
+      truths: { type: 'boolean', default: false },
       only: { type: 'string', default: '' },
       launches: { type: 'string', default: '' },
       minutes: { type: 'string', default: 'Infinity' },
@@ -49,6 +56,7 @@ export function readOptions(args = process.argv.slice(2)) {
       stack: { type: 'string', default: 'software' },
       size: { type: 'string', default: '' },
       out: { type: 'string', default: '' },
+      note: { type: 'string', default: '' },
       build: { type: 'string', default: '' },
       built: { type: 'string', default: '' },
     },

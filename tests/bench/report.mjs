@@ -8,10 +8,23 @@ import { readCommandLine } from '../support/command-line.mjs';
 import { AIMS, judge, stackKind } from './aims.mjs';
 import { chartsOf } from './charts.mjs';
 import { MODELS } from './models.mjs';
+import {
+  PLAIN,
+  FULL,
+  full,
+  MULTISAMPLED,
+  pictureTime,
+  pictureValue,
+  CODES,
+  RMSE,
+  ssaa,
+  taa,
+  WITHIN,
+} from './pictures.mjs';
 import { writeFigures } from './readme.mjs';
 import { ratioOf, ratioOverSubjects, ratioToBest, readResults, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
-import { modelSubject, modelSubjects, NETWORKS, SUBJECTS } from './subjects.mjs';
+import { modelSubject, modelSubjects, NETWORKS, PICTURES, pictureSubject, SUBJECTS } from './subjects.mjs';
 
 /** @typedef {import('./results.mjs').BenchResult} BenchResult */
 
@@ -62,6 +75,17 @@ from their end to the screen; both, like task and memory, without the slow line.
 
 ${modelTables(results).join('\n\n') || 'Not measured yet.'}
 
+## Whole pictures: time against error
+
+Each cell: the RMSE in codes (0 to 255) against the exact mean over each pixel, by a float64 ray caster with 1,024 samples per pixel
+on the same triangles; then the time from a change to the picture, the plain one = 1. 400 × 300 pixels; the nine viewers share them.
+Frames follow one another without waiting for a display, and each is finished before the next. three.js draws the element's
+triangles under a ShaderMaterial of the same equation: with 4 samples those of the plain picture, in its passes those of the
+samples. Its passes average linear light, which OutputPass encodes; the second RMSE is theirs when they average the codes, as the
+element does. TAARenderPass shows a picture after each accumulation; 0 is that of the change itself.
+
+${pictureTables(results).join('\n\n') || 'Not measured yet.'}
+
 ## Light loops: time against error
 
 Time is relative to the equation as specified. Errors are the largest in 1/255 over a picture, against float64.
@@ -75,7 +99,7 @@ ${pictures.join('\n\n')}
 ## Machines
 
 ${machinesTable(results)}
-${failures(results)}
+${additions(results)}${failures(results)}
 \`npm run bench -- --help\` explains how to measure again.
 `;
   return { report, charts };
@@ -172,7 +196,7 @@ function otherTable(results) {
   const keys = new Map(
     results
       .flatMap(({ measures }) => measures)
-      .filter(({ subject }) => !['frames', 'model'].includes(SUBJECTS[subject]?.kind ?? ''))
+      .filter(({ subject }) => !['frames', 'model', 'picture'].includes(SUBJECTS[subject]?.kind ?? ''))
       .flatMap(({ subject, measure, unit, samples }) =>
         Object.keys(samples).map((side) => [
           `${subject}, ${measure}, ${side}, ${unit}`,
@@ -188,6 +212,45 @@ function otherTable(results) {
     }),
   ]);
   return table(['', ...stacks(results)], rows);
+}
+
+/** Rows of the pictures' table. */
+const PICTURE_SIDES = [
+  ...[PLAIN, 'highlights', ...FULL.map(full), MULTISAMPLED],
+  ...[4, 16, 32].map(ssaa),
+  ...[0, 1, 4, 16, 32].map(taa),
+];
+
+/** @param {readonly BenchResult[]} results */
+function pictureTables(results) {
+  const names = /** @type {(keyof typeof PICTURES)[]} */ (Object.keys(PICTURES));
+  return results.flatMap((result) => {
+    const subjects = names.map(pictureSubject);
+    if (subjects.every((subject) => pictureTime(result, subject, PLAIN) === undefined)) return [];
+    /** @param {string} label @param {string} measure @param {string} side */
+    const values = (label, measure, side) => [
+      label,
+      ...subjects.map((subject) => {
+        const value = pictureValue(result, subject, measure, side);
+        return value === undefined ? '–' : digits(value);
+      }),
+    ];
+    const rows = PICTURE_SIDES.map((side) => [
+      side,
+      ...subjects.map((subject) => {
+        const time = pictureTime(result, subject, side);
+        const error = pictureValue(result, subject, RMSE.triangles, side);
+        if (time === undefined || error === undefined) return '–';
+        const ofCodes = pictureValue(result, subject, RMSE.triangles, side + CODES);
+        return `${digits(error)}${ofCodes === undefined ? '' : ` or ${digits(ofCodes)}`} in ${digits(time)}`;
+      }),
+    ]);
+    const more = [PLAIN, full(64)].flatMap((side) => [
+      values(`${side}: % of pixels within one code`, WITHIN, side),
+      values(`${side}: RMSE to the round shape`, RMSE.round, side),
+    ]);
+    return [`**${result.stack}**\n\n${table(['RMSE in time', ...names], [...rows, ...more])}`];
+  });
 }
 
 /** @param {readonly BenchResult[]} results */
@@ -219,6 +282,17 @@ function machinesTable(results) {
       ...keys.map((key) => [key, ...results.map(({ machine }) => machine[key] ?? '–')]),
     ],
   );
+}
+
+/** @param {readonly BenchResult[]} results */
+function additions(results) {
+  const lines = results.flatMap(({ stack, added = [] }) =>
+    added.map(({ subjects, machine, date, launches, note }) => {
+      const facts = [date, `launches: ${launches}`, ...Object.values(machine).slice(0, 5), note];
+      return `- ${stack}, ${subjects.join('; ')}: ${escaped(facts.filter((fact) => fact !== '').join(', '))}`;
+    }),
+  );
+  return lines.length === 0 ? '' : `\nMeasured on their own:\n\n${lines.join('\n')}\n`;
 }
 
 /** @param {readonly BenchResult[]} results */

@@ -29,6 +29,8 @@ import { median, pairedRatios, spread } from './statistics.mjs';
  * @property {Measure[]} measures
  * @property {FrontResult[]} fronts
  * @property {{ subject: string, message: string }[]} failures
+ * @property {{ subjects: string[], machine: Record<string, string>, date: string, launches: number, note: string }[]} [added]
+ *   subjects that were measured on their own, with `--add`
  */
 
 /**

@@ -27,9 +27,14 @@ import { MODELS } from './models.mjs';
  * @property {boolean} slow over 10 Mbit/s; otherwise from this machine
  * @property {Readonly<Record<string, string>>} pages by side
  *
+ * @typedef {object} PictureSubject error of a whole picture over the time it takes
+ * @property {'picture'} kind
+ * @property {import('./pages/picture-scenes.js').PictureName} scene
+ * @property {boolean} round it is compared with its round shape too
+ *
  * @typedef {{ kind: 'viewers' } | { kind: 'connect' } | { kind: 'bytes' }} SingleSubject
  * @typedef {{ kind: 'front', front: string }} FrontSubject
- * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | SingleSubject | FrontSubject} Subject
+ * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject | SingleSubject | FrontSubject} Subject
  */
 
 /** @type {readonly SideName[]} */
@@ -39,6 +44,18 @@ const PAIR = ['element', 'three'];
 const frames = (scene, sides = PAIR) => ({ kind: 'frames', scene, sides });
 /** @param {string} scene @param {readonly SideName[]} [sides] @returns {ScriptSubject} */
 const script = (scene, sides = PAIR) => ({ kind: 'script', scene, sides });
+
+/** Whole pictures by the end of their subject's name: the scene, and whether it has a round shape to compare with. */
+export const PICTURES = /** @type {const} */ ({
+  sphere: ['sphere', true],
+  torus: ['torus', true],
+  'torus, shininess 2,000': ['shiny-torus', false],
+  'teapot on a floor': ['teapot', false],
+  'textured GLB': ['glb', false],
+  'nine viewers': ['nine', false],
+});
+/** @param {keyof typeof PICTURES} picture */
+export const pictureSubject = (picture) => `whole picture, ${picture}`;
 
 /** @param {number} count */
 const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
@@ -100,6 +117,12 @@ export const SUBJECTS = {
         /** @type {ModelSubject} */ ({ kind: 'model', file, pages: MODEL_PAGES, slow: network !== 'local' }),
       ]),
     ),
+  ),
+  ...Object.fromEntries(
+    Object.entries(PICTURES).map(([picture, [scene, round]]) => [
+      pictureSubject(/** @type {keyof typeof PICTURES} */ (picture)),
+      /** @type {PictureSubject} */ ({ kind: 'picture', scene, round }),
+    ]),
   ),
   bytes: { kind: 'bytes' },
   'front, 8 lights': { kind: 'front', front: '8 lights' },

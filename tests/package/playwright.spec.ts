@@ -37,9 +37,33 @@ const spoil = (viewer: Locator, x: number, y: number, channel: number, by: numbe
     { x, y, channel, by },
   );
 
+/** What a still picture can have wrong: where its outlines are, and their colours. */
+type Fault = 'shifted by half a pixel' | 'dark along outlines';
+
+/** Gives every later picture this fault in place of an earlier one. */
+const giveFault = (viewer: Locator, fault: Fault | null): Promise<void> =>
+  viewer.evaluate((element: PhongViewer, kind) => {
+    Reflect.deleteProperty(element, 'toBlob');
+    if (kind === null) return;
+    const draw = element.toBlob.bind(element);
+    element.toBlob = async (options) => {
+      const bitmap = await createImageBitmap(await draw(options));
+      const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+      const context = canvas.getContext('2d')!;
+      context.drawImage(bitmap, kind === 'dark along outlines' ? 0 : 0.5, 0);
+      const picture = context.getImageData(0, 0, bitmap.width, bitmap.height);
+      for (let i = 0; i < picture.data.length && kind === 'dark along outlines'; i++)
+        if (i % 4 !== 3) picture.data[i]! *= picture.data[i - (i % 4) + 3]! / 255;
+      context.putImageData(picture, 0, 0);
+      return canvas.convertToBlob();
+    };
+  }, fault);
+
 test.describe('toShowTheEquation', () => {
   for (const [what, markup] of Object.entries({
     'a box': `<phong-viewer geometry="box" radius="2">${LIGHTS}</phong-viewer>`,
+    'highlights and cones with hard edges, averaged': `<phong-viewer geometry="plane" radius="1.2" antialias="full" samples="16" shininess="500">
+      <phong-light position="0.1 0.3 0 1" axis="0 -1 0.2" aperture="40" specular="255"></phong-light></phong-viewer>`,
     'a sphere without lights': '<phong-viewer geometry="sphere" segments="16"></phong-viewer>',
     'Gouraud shading in linear light': `<phong-viewer geometry="sphere" segments="16" shading="gouraud" color-interpolation="linear">${LIGHTS}</phong-viewer>`,
     'flat shading with Blinn’s highlights': `<phong-viewer geometry="sphere" segments="16" shading="flat" reflection="blinn-phong">${LIGHTS}</phong-viewer>`,
@@ -78,6 +102,32 @@ test.describe('toShowTheEquation', () => {
     expect(judged).toBeGreaterThan(0.7 * surface);
     expect(judged).toBeLessThan(surface);
     expect(surface).toBeGreaterThan(1000);
+  });
+
+  test('judges outlines where `antialias="full"` averages samples, and finds wrong ones', async ({
+    mount,
+  }, info) => {
+    const viewer = await mount(
+      `<phong-viewer geometry="box" antialias="full" samples="16" radius="3">${LIGHTS}
+        <phong-mesh geometry="cone" position="0 0.6 0.9"></phong-mesh></phong-viewer>`,
+      SIZE,
+    );
+    await expect(viewer).toShowTheEquation();
+    expect(info.annotations.at(-1)?.description).toMatch(
+      /^\d+ of \d+ pixels of surfaces were judged \(\d+ %\), and \d\d\d of \d+ in outlines, by the mean of 16 samples \(at most \d codes? off\)\.$/,
+    );
+    for (const fault of ['shifted by half a pixel', 'dark along outlines'] as const) {
+      await giveFault(viewer, fault);
+      const message = await refusal(viewer);
+      expect(message, fault).toMatch(/ differ by more than 1 code, or \d+ codes in outlines\.\n/);
+      expect(message, fault).toMatch(
+        /pixel \d+, \d+, in an outline: (\d+ ){4}is drawn, ([\d.]+ ){4}is the equation's/,
+      );
+    }
+    await giveFault(viewer, null);
+    await spoil(viewer, 56, 48, 1, -2);
+    expect(await refusal(viewer)).toContain('pixel 56, 48: ');
+    await expect(viewer).toShowTheEquation({ codes: 2 });
   });
 
   test('judges a sample of 10,000 pixels by default, and every pixel on request', async ({ mount }, info) => {
@@ -154,6 +204,7 @@ test.describe('toShowTheEquation', () => {
     const averaged = await mount('<phong-viewer geometry="box" antialias="highlights"></phong-viewer>', SIZE);
     expect(await refusal(averaged)).toContain('antialias="highlights" averages');
     expect(await refusal(averaged, { codes: 0.5 })).toContain('codes must be a whole number');
+    expect(await refusal(averaged, { outlineCodes: 256 })).toContain('outlineCodes must be a whole number');
     expect(await refusal(averaged, { share: 2 })).toContain('share must be from 0 to 1');
     expect(await refusal(averaged, { pixels: 0 })).toContain(
       "pixels must be a whole number from 1 on, or 'all'",

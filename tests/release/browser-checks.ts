@@ -58,6 +58,7 @@ export const allReady = (tab: Tab): Promise<null> =>
 async function showsTheEquation(tab: Tab, what: string, share: number): Promise<void> {
   const judgement = await tab.onViewer(judgeInPage, {
     codes: 1,
+    outlineCodes: 1,
     pixels: null,
     seed: 1,
     most: 500,

@@ -6,9 +6,29 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { describe, expect, test } from 'vitest';
 import { AIMS, judge } from '../bench/aims.mjs';
+import {
+  CODES,
+  full,
+  MULTISAMPLED,
+  PLAIN,
+  RMSE,
+  SSAA,
+  ssaa,
+  TAA,
+  taa,
+  TIME,
+  WITHIN,
+} from '../bench/pictures.mjs';
 import { reportOf } from '../bench/report.mjs';
 import { addSamples, type BenchResult } from '../bench/results.mjs';
-import { modelSubjects, NETWORKS, SPHERE_LIGHTS, SUBJECTS } from '../bench/subjects.mjs';
+import {
+  modelSubjects,
+  NETWORKS,
+  pictureSubject,
+  PICTURES,
+  SPHERE_LIGHTS,
+  SUBJECTS,
+} from '../bench/subjects.mjs';
 
 function resultOf(stack: string): BenchResult {
   const result: BenchResult = {
@@ -36,6 +56,7 @@ function resultOf(stack: string): BenchResult {
         addSamples(result, subject, measure, 'ms', {
           ...{ element: 10, 'model-viewer': 40, 'babylon-viewer': network === 'local' ? 20 : 12.5 },
         });
+  addPictures(result);
   result.fronts.push({
     ...{ subject: 'front, 8 lights', title: '8 lights', variants: ['as specified', 'shipped'], base: 0 },
     errors: [
@@ -48,6 +69,28 @@ function resultOf(stack: string): BenchResult {
     ],
   });
   return result;
+}
+
+/** Errors of the passes: 3 as shipped and 2 of codes with any number of samples. */
+function addPictures(result: BenchResult): void {
+  const ours = { [full(16)]: 1, [full(64)]: 0.5, [full(256)]: 0.4, highlights: 2.5 };
+  const theirs = [...SSAA.map(ssaa), ...TAA.map(taa)];
+  const all = (error: (side: string) => number): Record<string, number> =>
+    Object.fromEntries(theirs.map((side) => [side, error(side)]));
+  for (const picture of Object.keys(PICTURES) as (keyof typeof PICTURES)[]) {
+    const subject = pictureSubject(picture);
+    const codes = Object.fromEntries(theirs.map((side) => [side + CODES, 2]));
+    const first = picture === 'torus' ? 2.2 : 1.8;
+    const errors = { ...ours, [MULTISAMPLED]: 2.4, ...all(() => 3), ...codes, [PLAIN]: first };
+    addSamples(result, subject, RMSE.triangles, 'codes', errors);
+    addSamples(result, subject, WITHIN, '%', { [full(64)]: 97.5, [PLAIN]: 90 });
+    if (PICTURES[picture][1]) addSamples(result, subject, RMSE.round, 'codes', { ...ours, [PLAIN]: 3.8 });
+    for (const ms of [10, 12])
+      addSamples(result, subject, TIME, 'ms', {
+        ...{ [full(16)]: 8 * ms, [full(64)]: 20 * ms, [full(256)]: 70 * ms, highlights: 2 * ms },
+        ...{ [MULTISAMPLED]: ms, ...all((side) => ms * Number(side.split(', ')[1]) + ms), [PLAIN]: ms },
+      });
+  }
 }
 
 const { report, charts } = reportOf([resultOf('h200-vulkan'), resultOf('software')]);
@@ -92,6 +135,22 @@ describe('an aim', () => {
     });
   });
 
+  test('may be the error of a whole picture, or its ratio to three.js in the worst one', () => {
+    expect(verdict('teapot on a floor, RMSE, 256 samples', 'software')).toMatchObject({ met: true });
+    expect(verdict('sphere, RMSE, 256 samples', 'software')).toMatchObject({ most: 0.35, met: false });
+    const within = 'textured GLB, % of pixels within one code, 64 samples';
+    expect(verdict(within, 'h200-vulkan')).toMatchObject({ measured: { median: 97.5 }, met: false });
+    const label = 'RMSE to three.js’s best pass, worst picture';
+    expect(verdict(`${label}: first one`, 'software')).toMatchObject({
+      measured: { median: 1.1, count: 1 },
+      met: false,
+    });
+    expect(verdict(`${label}: 16 samples`, 'software')).toMatchObject({
+      measured: { median: 0.5 },
+      met: true,
+    });
+  });
+
   test('names subjects and a measure that exist', () => {
     for (const { label, subject, subjects = [] } of AIMS)
       for (const name of [subject, ...subjects]) expect(Object.keys(SUBJECTS), label).toContain(name);
@@ -116,6 +175,9 @@ describe('the report', () => {
     expect(row('pmndrs')).toContain('| 0.5 = 10 : 40 : 20 | 0.8 = 10 : 40 : 12.5 |');
     expect(row('median ratio')).toContain('| 0.5 (0.5–0.5) | 0.8 (0.8–0.8) |');
     expect(row('8 lights: shipped')).toContain('0.50, error 0.3');
+    expect(row('full, 64 samples | ')).toMatch(/^\| full, 64 samples( \| 0\.5 in 20){6} \|$/);
+    expect(row('SSAARenderPass, 16')).toContain('| 3 or 2 in 17 |');
+    expect(row('edges: RMSE to the round shape')).toContain('| 3.8 | 3.8 | – |');
     expect(report).toContain('- software, bunny: no \\| model');
   });
 
@@ -130,8 +192,8 @@ describe('the report', () => {
 
   test('stays short for three stacks', () => {
     const three = reportOf(['h200-opengl', 'h200-vulkan', 'software'].map(resultOf));
-    expect(three.report.split('\n').length).toBeLessThan(300);
-    expect(three.charts.size).toBeLessThanOrEqual(12);
+    expect(three.report.split('\n').length).toBeLessThan(380);
+    expect(three.charts.size).toBeLessThanOrEqual(15);
   });
 });
 
@@ -159,6 +221,8 @@ test('every chart is an SVG with a title, its series named in it, and is shown i
   }
   expect(charts.get('software-sphere.svg')).toContain('>first frames</text>');
   expect(charts.get('software-fronts.svg')).toContain('>shipped</text>');
+  for (const text of ['TAARenderPass', 'nine viewers'])
+    expect(charts.get('software-pictures.svg')).toContain(`>${text}</text>`);
 });
 
 test('a chart writes figures that two series share once, and names its series away from the lines', () => {

@@ -8,6 +8,8 @@ import { glbOf } from '../bench/glb.mjs';
 import { endOfUploads, readTrace } from '../bench/measure/model.mjs';
 import { MODELS, writeModels } from '../bench/models.mjs';
 import { mixedLights, sceneOf } from '../bench/pages/scenes.js';
+import { pictureError } from '../bench/picture-error.mjs';
+import { PICTURE_SCENES } from '../bench/pages/picture-scenes.js';
 import { readOptions } from '../bench/options.mjs';
 import { Progress } from '../bench/progress.mjs';
 import {
@@ -19,7 +21,7 @@ import {
   valueOf,
 } from '../bench/results.mjs';
 import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
-import { chosenSubjects, SUBJECTS } from '../bench/subjects.mjs';
+import { chosenSubjects, PICTURES, SUBJECTS } from '../bench/subjects.mjs';
 
 describe('statistics', () => {
   test('interpolate between neighbours where no sample lies at the quantile', () => {
@@ -93,7 +95,7 @@ describe('models', () => {
     try {
       writeModels(folder);
       const names = readdirSync(folder);
-      expect(names.sort()).toEqual([...Object.values(MODELS), '2CylinderEngine.bin'].sort());
+      expect(names.sort()).toEqual([...Object.values(MODELS), '2CylinderEngine.bin', 'checks.glb'].sort());
       for (const name of names) {
         const file = readFileSync(join(folder, name));
         expect(file.length, name).toBeLessThan(5e6);
@@ -184,7 +186,8 @@ describe('subjects', () => {
 
   test('name scenes that exist', () => {
     for (const subject of Object.values(SUBJECTS))
-      if ('scene' in subject) expect(sceneOf(subject.scene).meshes.length).toBeGreaterThan(0);
+      if (subject.kind === 'picture') expect(Object.keys(PICTURE_SCENES)).toContain(subject.scene);
+      else if ('scene' in subject) expect(sceneOf(subject.scene).meshes.length).toBeGreaterThan(0);
     expect(() => sceneOf('teapot:1')).toThrow('no scene is called teapot:1');
   });
 });
@@ -215,6 +218,32 @@ describe('errors', () => {
     expect(() => errorOf(new Float64Array(3), new Float64Array(6))).toThrow(RangeError);
     expect(() => errorOf(Float64Array.from([NaN]), new Float64Array(1))).toThrow('not a number');
   });
+});
+
+describe('the error of a whole picture', () => {
+  const means = Float64Array.from([10, 20.4, 30, 255, 0, 0, 0, 0]);
+
+  test('is taken over the three colours of each pixel, whatever their alpha', () => {
+    const { rmse, within } = pictureError(Uint8Array.from([10, 20, 30, 0, 0, 0]), means);
+    expect(rmse).toBeCloseTo(Math.sqrt(0.4 ** 2 / 6), 12);
+    expect(within).toBe(1);
+  });
+
+  test('counts a pixel as within one code if all its channels are', () => {
+    expect(pictureError(Uint8Array.from([11, 21, 29, 0, 2, 0]), means).within).toBe(0.5);
+    expect(pictureError(Uint8Array.from([12, 20, 30, 0, 0, 0]), means).within).toBe(0.5);
+  });
+
+  test('refuses a picture of another size', () => {
+    expect(() => pictureError(new Uint8Array(3), means)).toThrow(RangeError);
+  });
+});
+
+test('every whole picture has markup for each of its cells', () => {
+  for (const [scene] of Object.values(PICTURES)) {
+    const { columns, rows, viewers } = PICTURE_SCENES[scene];
+    expect(viewers, scene).toHaveLength(columns * rows);
+  }
 });
 
 test('a binary glTF states its own length and holds its triangles', () => {

@@ -1,5 +1,5 @@
 // What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its numbers.
-import { vi } from 'vitest';
+import { afterEach, beforeEach, vi } from 'vitest';
 import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
 
@@ -19,6 +19,20 @@ function bytesOf(content: FileContent): Uint8Array<ArrayBuffer> | ReadableStream
       sent = true;
     },
   });
+}
+
+/** The texts of the running test's warnings, which are not shown. Ends the test's stand-ins and spies after it. */
+export function heardWarnings(): readonly string[] {
+  const warnings: string[] = [];
+  beforeEach(() => {
+    warnings.length = 0;
+    vi.spyOn(console, 'warn').mockImplementation((line: unknown) => void warnings.push(String(line)));
+  });
+  afterEach(() => {
+    vi.unstubAllGlobals();
+    vi.restoreAllMocks();
+  });
+  return warnings;
 }
 
 /** Loads the first of these files; the others are beside it. */

@@ -1,6 +1,6 @@
 // Is a model shown without the images and material libraries that are missing or broken, with one warning that names them? The same for every
 // format, and for files from a server, from the user's disk and inside the model.
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeEach, describe, expect, it } from 'vitest';
 import { setFileGroup } from '../../src/model/file-group.js';
 import { modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
@@ -9,23 +9,14 @@ import {
   BREAKS_OFF,
   failureOf,
   type FileContent,
+  heardWarnings,
   loadFiles,
   png,
   pngHeader,
   standInImages,
 } from './model-files.js';
 
-let warnings: string[] = [];
-
-beforeEach(() => {
-  warnings = [];
-  vi.spyOn(console, 'warn').mockImplementation((line: unknown) => void warnings.push(String(line)));
-});
-
-afterEach(() => {
-  vi.unstubAllGlobals();
-  vi.restoreAllMocks();
-});
+const warnings = heardWarnings();
 
 type Json = Record<string, unknown>;
 
@@ -65,12 +56,12 @@ const mapsOf = ({ parts }: Content): boolean[] => parts.map(({ look }) => look.m
 
 /** Loads a model whose one image does not come, and gives the warning. */
 async function warningFor(files: Parameters<typeof loadFiles>[0], missing: string): Promise<string> {
-  warnings = [];
+  const before = warnings.length;
   const model = await loadFiles(files);
   expect(mapsOf(model)).toEqual([false]);
   expect(model.missing).toEqual([missing]);
-  expect(warnings).toHaveLength(1);
-  return warnings[0] ?? '';
+  expect(warnings).toHaveLength(before + 1);
+  return warnings[before] ?? '';
 }
 
 const broken: readonly (readonly [what: string, content: FileContent | undefined, reason: RegExp])[] = [

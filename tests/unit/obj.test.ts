@@ -1,27 +1,26 @@
 // Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the materials' coefficients?
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
-import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { describe, expect, it } from 'vitest';
 import { modelContent } from '../../src/model/model-content.js';
 import type { Content } from '../../src/model/model.js';
 import type { BaseLook } from '../../src/material/file-surface.js';
 import type { SurfaceValues } from '../../src/material/material-values.js';
 import { scale, type Vec3 } from '../../src/math/vector.js';
-import { cornersOf, failureOf, indexOf, loadFiles, numbersOf, png, standInImages } from './model-files.js';
+import {
+  cornersOf,
+  failureOf,
+  heardWarnings,
+  indexOf,
+  loadFiles,
+  numbersOf,
+  png,
+  standInImages,
+} from './model-files.js';
 
 const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
 const obj = (text: string): Promise<Content> => loadFiles({ 'a.obj': text });
 
-let warnings: string[] = [];
-
-beforeEach(() => {
-  warnings = [];
-  vi.spyOn(console, 'warn').mockImplementation((line: unknown) => void warnings.push(String(line)));
-});
-
-afterEach(() => {
-  vi.unstubAllGlobals();
-  vi.restoreAllMocks();
-});
+const warnings = heardWarnings();
 
 describe('the geometry of an OBJ file', () => {
   it('splits a polygon into triangles in its own order', async () => {

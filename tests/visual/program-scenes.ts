@@ -3,6 +3,7 @@
 import type { Page } from '@playwright/test';
 import { expect } from '../support/test.js';
 import type { LightValues } from '../../src/light/light-state.js';
+import { lightWith } from '../stress/case.js';
 import { compareWithReference } from './against-reference.js';
 import { compareWithTriangles } from './against-triangles.js';
 import { A_PAGE, betweenPrograms, bothPictures, DifferenceSum } from './between-programs.js';
@@ -12,35 +13,20 @@ import type { CastMesh, CastScene } from './ray-cast.js';
 export const SIZE = { width: 84, height: 60 };
 
 const LIGHTS: readonly LightValues[] = [
-  {
-    name: '',
-    active: true,
+  lightWith({
     ambient: [20, 25, 30],
     diffuse: [120, 110, 100],
     specular: [90, 90, 90],
     position: [1, 2, 1, 0],
-    axis: [0, 0, -1],
-    aperture: 180,
-    cutoff: 0,
-    attenuation: [1, 0, 0],
-    space: 'world',
-  },
-  {
-    name: '',
-    active: true,
+  }),
+  lightWith({
     ambient: [5, 0, 0],
     diffuse: [90, 120, 160],
     specular: [120, 60, 60],
     position: [-1.5, 1.2, 1, 1],
-    axis: [0, 0, -1],
-    aperture: 180,
-    cutoff: 0,
     attenuation: [0.8, 0.1, 0.05],
-    space: 'world',
-  },
-  {
-    name: '',
-    active: true,
+  }),
+  lightWith({
     ambient: [0, 10, 0],
     diffuse: [160, 90, 60],
     specular: [80, 160, 80],
@@ -48,9 +34,7 @@ const LIGHTS: readonly LightValues[] = [
     axis: [-0.2, -1, -0.2],
     aperture: 35,
     cutoff: 3,
-    attenuation: [1, 0, 0],
-    space: 'world',
-  },
+  }),
 ];
 
 const SPHERE: CastMesh = {

@@ -7,7 +7,7 @@ import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
-import { CORNERS, PictureCorners } from '../page/picture-box.js';
+import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
 import { OPEN_PANEL } from '../viewer/viewer-panel.js';
@@ -46,6 +46,7 @@ export class Comparison implements DividerHost, ReactiveController {
   hostConnected(): void {
     const root = this.#element.shadowRoot!;
     addStyles(root, styles);
+    addStyles(root, CORNER_STYLES);
     this.#observe();
     useTexts(this.#textUser);
     const { signal } = (this.#listeners = new AbortController());
@@ -169,7 +170,7 @@ export class Comparison implements DividerHost, ReactiveController {
     this.#observer.disconnect();
     this.#observer.observe(this.#element, { childList: true });
     for (const viewer of this.#viewers) {
-      // The surface has the name in whatever way it was given, by attribute or property.
+      // The surface carries the name, whether it was given by attribute or property.
       const surface = viewer.shadowRoot?.querySelector('[part=surface]') ?? viewer;
       this.#observer.observe(surface, { attributeFilter: ['aria-label'] });
       const panel = panelPlace(viewer);

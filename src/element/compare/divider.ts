@@ -108,7 +108,7 @@ export class Divider {
   readonly #onDoubleClick = (): void => this.#host.reset();
 
   /**
-   * Percent of the box that a pointer has moved along it, whatever turns or scales the page. Null while the box is
+   * Percent of the box that a pointer has moved along it, also on a rotated or scaled page. Null while the box is
    * hidden.
    */
   #travel(x: number, y: number): number | null {

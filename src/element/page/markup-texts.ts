@@ -1,5 +1,5 @@
-// Reads the texts of a page from its scripts, and explains what is wrong with them: one warning for each script. Fetched
-// by pages that have such a script.
+// Reads the texts of a page from its scripts, and explains what is wrong with them: one warning for each script.
+// Fetched by pages that have such a script.
 import { clip } from '../../fields/clip.js';
 import { nearest } from '../../fields/nearest.js';
 import { ERROR_TEXTS, VIEWER_TEXTS } from '../fields/text-list.js';

@@ -1,5 +1,5 @@
-// The texts of a whole page, in place of those of its viewers and comparisons: by `PhongViewer.texts`, and in scripts of
-// JSON in the markup. Reading the markup is a chunk.
+// The texts of a whole page, in place of those of its viewers and comparisons: by `PhongViewer.texts`, and in scripts
+// of JSON in the markup. Reading the markup is a chunk.
 import { lazyCode } from '../../model/lazy-code.js';
 import { checkedTexts, type ViewerTexts } from '../fields/texts.js';
 

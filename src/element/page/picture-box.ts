@@ -2,12 +2,15 @@
 // that moves or turns an element counts: transforms of any ancestor, zoom, scrolling.
 import { html } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
+import styles from './picture-box.css?inline';
 
 /**
- * Elements without size in the top left, top right and bottom left corner of the element around them; its style sheet
- * places them.
+ * Elements without size in the top left, top right and bottom left corner of the element around them, whose root has
+ * {@link CORNER_STYLES}.
  */
 export const CORNERS = html`<i class="corner"></i><i class="corner right"></i><i class="corner low"></i>`;
+
+export const CORNER_STYLES = styles;
 
 export class PictureCorners {
   readonly #surface: HTMLElement;

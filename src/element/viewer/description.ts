@@ -76,7 +76,10 @@ const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?
 /** Not as a literal: browsers would keep the whole first file at two bytes for each character instead of one. */
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
-/** In the page's language. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is used. */
+/**
+ * In the page's language. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is
+ * used.
+ */
 const numbers = (values: readonly number[]): string =>
   values
     .map((value) => localNumber(String(Number(value.toPrecision(3)))))

@@ -156,7 +156,9 @@ export class ViewerDisplay {
   }
 }
 
-/** Text size around a viewer and the comparison that it is in, which have sizes of their own. CSS pixels with a unit. */
+/**
+ * Text size around a viewer and the comparison that it is in, which have sizes of their own. CSS pixels with a unit.
+ */
 function pageText(viewer: HTMLElement): string {
   const outermost = viewer.closest('phong-compare') ?? viewer;
   const around = outermost.parentElement ?? (outermost.getRootNode() as Partial<ShadowRoot>).host;

@@ -14,9 +14,9 @@ export interface PictureOptions {
    */
   readonly helpers?: boolean;
   /**
-   * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes a while, during which
-   * the page goes on; the scene is that of the call. Default: the picture as the page shows it, where it has this size;
-   * otherwise one with smooth edges only.
+   * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes a while, during
+   * which the page goes on; the scene is that of the call. Default: the picture as the page shows it, where it has this
+   * size; otherwise one with smooth edges only.
    */
   readonly samples?: number;
 }

@@ -8,7 +8,7 @@ import { lazyCode } from '../../model/lazy-code.js';
 import { cornersOf } from '../../scene/snapshot/corners.js';
 import { type Hit, pick } from '../../scene/snapshot/pick.js';
 import { type SurfaceHere, surfaceAt } from '../../scene/snapshot/surface-at.js';
-import type { FragmentExplanation } from '../explanation.js';
+import type { FragmentExplanation, ShadeOptions } from '../explanation.js';
 import type { ViewerSnapshot } from './viewer-snapshot.js';
 import { type Equation, relative, shadeHit } from './shade-hit.js';
 
@@ -19,9 +19,10 @@ export async function shadeAt(
   { scene, width, height, lights }: ViewerSnapshot,
   x: number,
   y: number,
+  { exact = false }: ShadeOptions = {},
 ): Promise<FragmentExplanation | null> {
-  const column = pixel('x', x, width, scene?.width ?? 0);
-  const row = pixel('y', y, height, scene?.height ?? 0);
+  const column = pixel('x', x, width, scene?.width ?? 0, exact);
+  const row = pixel('y', y, height, scene?.height ?? 0, exact);
   const hit = scene === null ? null : pick(scene, column, row);
   if (hit === null) return null;
   const { object, owner, phong } = hit.drawn;
@@ -73,12 +74,13 @@ export function shadedAt(
 
 export { pick, relative };
 
-/** The device pixel at CSS pixel `at`. The GPU draws the fragment at its centre. */
-function pixel(name: string, at: unknown, size: number, pixels: number): number {
+/** The device pixel at CSS pixel `at`; the GPU draws the fragment at its centre. `exact`: the place from there. */
+function pixel(name: string, at: unknown, size: number, pixels: number, exact: boolean): number {
   if (typeof at !== 'number')
     throw new TypeError(`shadeAt: ${name} must be a number of CSS pixels, got ${String(at)}`);
   if (!Number.isFinite(at)) throw new RangeError(`shadeAt: ${name} must be finite, got ${String(at)}`);
-  return Math.floor((at * pixels) / size);
+  const place = (at * pixels) / size;
+  return exact ? place - 0.5 : Math.floor(place);
 }
 
 /** Adding 0 turns -0 into 0, so that equal vectors print alike. */

@@ -43,8 +43,8 @@ export class Accessors {
   }
 
   /**
-   * Counts the memory that the elements take when they are read, once for all readers. What a reader makes of them it
-   * counts itself.
+   * Counts the memory that the elements take when they are read, once for all readers. A reader that converts them
+   * counts its own copy.
    * @throws ModelError `too-large` past a limit, a plain Error if its views hold fewer bytes than it claims.
    */
   read({ index }: Accessor): void {

@@ -24,26 +24,29 @@ export const floatPositions: Conversion = async (source, slices) => {
   return positions;
 };
 
-/**
- * Unit vectors, normalised in float64. A normal without direction (zero, NaN, Infinity) becomes zero: only ambient
- * light.
- */
+/** Unit vectors. A normal without direction becomes zero: only ambient light. */
 export const unitNormals: Conversion = async (source, slices) => {
   const values = new Float32Array(source.count * 3);
   await slices.over(source.count, (from, to) => {
-    for (let i = from; i < to; i += 1) {
-      const x = source.getX(i);
-      const y = source.getY(i);
-      const z = source.getZ(i);
-      const length = Math.hypot(x, y, z);
-      if (!(length > 0 && length < Infinity)) continue;
-      values[i * 3] = x / length;
-      values[i * 3 + 1] = y / length;
-      values[i * 3 + 2] = z / length;
-    }
+    for (let i = from; i < to; i += 1) setUnit(values, i * 3, source, i);
   });
   return new BufferAttribute(values, 3);
 };
+
+/**
+ * Writes the vector of vertex `i` to `values` from index `at`, normalised in float64. Leaves them where it has no
+ * direction (zero, NaN, Infinity).
+ */
+export function setUnit(values: Float32Array, at: number, source: Attribute, i: number): void {
+  const x = source.getX(i);
+  const y = source.getY(i);
+  const z = source.getZ(i);
+  const length = Math.hypot(x, y, z);
+  if (!(length > 0 && length < Infinity)) return;
+  values[at] = x / length;
+  values[at + 1] = y / length;
+  values[at + 2] = z / length;
+}
 
 /** Texture coordinates; values that are not finite become 0. */
 export const floatUvs: Conversion = async (source, slices) => {
@@ -71,7 +74,7 @@ export const encodedColors: Conversion = async (source, slices) => {
   return new BufferAttribute(values, items);
 };
 
-/** Numbers as they are, of the vertices that the corners name. */
+/** The unconverted numbers of the vertices that the corners refer to. */
 export async function gathered(
   source: Attribute,
   corners: ArrayLike<number>,

@@ -11,7 +11,7 @@ import type { Primitive } from './primitives.js';
  */
 const DEPTH_LIMIT = 1000;
 
-/** What a document's nodes are counted with. */
+/** Shared by all nodes of one document while they are counted. */
 export interface ClaimContext {
   readonly accessors: Accessors;
   readonly budget: ModelBudget;
@@ -58,7 +58,7 @@ export function countClaims(
       budget.add({ values: ownValues(primitive, skin !== undefined) });
       for (const { name, accessor, items } of primitive.attributes) {
         const sources = converted.get(name) ?? new Set();
-        // What is unpacked belongs to one geometry, whatever its accessors are shared with.
+        // Unpacked data belongs to one geometry, even if its accessors are shared.
         const source = primitive.packed === undefined ? accessor : primitive.key;
         if (sources.has(source)) continue;
         converted.set(name, sources.add(source));

@@ -55,13 +55,6 @@ declare module 'three/examples/jsm/libs/draco/gltf/draco_decoder.js' {
 
 declare module 'three/examples/jsm/libs/draco/gltf/draco_wasm_wrapper.js' {
   import type { Draco } from 'three/examples/jsm/libs/draco/gltf/draco_decoder.js';
-  const createDraco: (options: {
-    readonly instantiateWasm: (
-      imports: WebAssembly.Imports,
-      done: (instance: WebAssembly.Instance) => void,
-    ) => object;
-    readonly print: (text: string) => void;
-    readonly printErr: (text: string) => void;
-  }) => Promise<Draco>;
+  const createDraco: (options: import('../decoders/start-wasm.js').WasmOptions) => Promise<Draco>;
   export default createDraco;
 }

@@ -28,7 +28,7 @@ export interface MotionSource {
 /**
  * Null if nothing can be animated.
  * @param file its name, for warnings.
- * @param dropped gets the animations whose times or values are no numbers.
+ * @param dropped receives the animations with times or values that are not numbers.
  */
 export async function readMotion(
   file: string,

@@ -24,7 +24,7 @@ export function mapsOf(material: MeshStandardMaterial, geometry: BufferGeometry)
 /** The attribute of a map's texture coordinates. */
 export const uvNameOf = ({ channel }: Texture): string => (channel === 0 ? 'uv' : `uv${String(channel)}`);
 
-/** What is no map. */
+/** The values of a material that are not maps. */
 export function surfaceOf(
   material: MeshStandardMaterial,
 ): Pick<BaseLook, 'unlit' | 'emissive' | 'metalness' | 'roughness' | 'normalScale'> {

@@ -2,7 +2,7 @@
 // Space Basis Vectors for an Arbitrary Mesh").
 import { BufferAttribute, type BufferGeometry } from 'three';
 import type { Slices } from '../slices.js';
-import type { Conversion } from './attributes.js';
+import { type Conversion, setUnit } from './attributes.js';
 
 /**
  * The file's tangents: unit vectors with w ±1, or zero where there is no direction, which leaves the normal as it is.
@@ -11,15 +11,7 @@ export const unitTangents: Conversion = async (source, slices) => {
   const values = new Float32Array(source.count * 4);
   await slices.over(source.count, (from, to) => {
     for (let i = from; i < to; i += 1) {
-      const x = source.getX(i);
-      const y = source.getY(i);
-      const z = source.getZ(i);
-      const length = Math.hypot(x, y, z);
-      if (length > 0 && length < Infinity) {
-        values[i * 4] = x / length;
-        values[i * 4 + 1] = y / length;
-        values[i * 4 + 2] = z / length;
-      }
+      setUnit(values, i * 4, source, i);
       values[i * 4 + 3] = source.getW(i) < 0 ? -1 : 1;
     }
   });

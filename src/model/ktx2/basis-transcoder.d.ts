@@ -25,14 +25,7 @@ declare module 'three/examples/jsm/libs/basis/basis_transcoder.js' {
     initializeBasis(): void;
     readonly KTX2File: new (bytes: Uint8Array) => Ktx2File;
   }
-  const createBasis: (options: {
-    readonly instantiateWasm: (
-      imports: WebAssembly.Imports,
-      done: (instance: WebAssembly.Instance) => void,
-    ) => object;
-    readonly print: (text: string) => void;
-    readonly printErr: (text: string) => void;
-  }) => Promise<Basis>;
+  const createBasis: (options: import('../decoders/start-wasm.js').WasmOptions) => Promise<Basis>;
   export default createBasis;
 }
 

@@ -1,5 +1,5 @@
 // Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they
-// are written, but for an Ns of 0: encoded sRGB, no conversion. Other statements are skipped.
+// are written (encoded sRGB, no conversion), except an Ns of 0. Other statements are skipped.
 import type { Vec3 } from '../../math/vector.js';
 import { LIMITS } from '../../light/light-state.js';
 import { TextScanner } from '../text/text-scanner.js';

@@ -274,7 +274,7 @@ const NAME_LENGTH = 256;
 
 function smoothingOf(word: string): number {
   const group = Number(word);
-  // `off`, `0` and whatever else is no group.
+  // `off`, `0` and anything that is not a number mean no group.
   return Number.isInteger(group) && group > 0 && group <= 0x7fffffff ? group : FACETED;
 }
 

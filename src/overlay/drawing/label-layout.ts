@@ -37,7 +37,7 @@ const SIDES: readonly (readonly [across: -1 | 0 | 1, down: -1 | 0 | 1])[] = [
   [-1, 1],
 ];
 
-/** Where a label goes if something is in its way: farther from its centre by so many font sizes. */
+/** Font sizes by which a label moves away from its centre if something is in its way, in the order tried. */
 const FARTHER = [0, 0.7];
 
 /**
@@ -142,7 +142,7 @@ const MEASURED = 12;
 
 const LABEL = labelFont(`${String(MEASURED)}px`);
 
-/** Of a table. */
+/** The font of a table. */
 export const PLAIN = `${String(MEASURED)}px system-ui, sans-serif`;
 
 const widths = new Map<string, number>();

@@ -36,10 +36,7 @@ export interface Ray {
  */
 const NEAREST = 1e-4;
 
-/**
- * Lines are cut where they are farther outside than so many widths and heights. Far ends would make dashes slow to
- * draw.
- */
+/** Widths and heights outside the picture at which lines are cut. Far ends would make dashes slow to draw. */
 const OUTSIDE = 1;
 
 export class Projection {
@@ -189,7 +186,7 @@ export class Projection {
       else to = Math.min(to, room / step);
     }
     if (!(from <= to)) return null;
-    // Of an end far away rounding may leave hundreds of pixels.
+    // Rounding moves an end that is far away by up to hundreds of pixels.
     const at = (share: number): Point => ({
       x: clamp(a.x + share * dx, -OUTSIDE * this.width, (1 + OUTSIDE) * this.width),
       y: clamp(a.y + share * dy, -OUTSIDE * this.height, (1 + OUTSIDE) * this.height),

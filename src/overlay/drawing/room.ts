@@ -1,6 +1,5 @@
-// What of the layer is free, which boxes lie there, and how large its text is. The style sheet lays the room out
-// (phong-viewer.css, and panel.css for the panel): this follows it by observers, after layout, so that no frame has to
-// ask for one.
+// The free rectangle of the layer over the picture, the boxes in it, and its text size. The style sheets lay it out
+// (phong-viewer.css, and panel.css for the panel). Observers follow them after layout, so that no frame forces one.
 import { create } from '../../element/dom.js';
 import type { ViewerTree } from '../../element/viewer/template.js';
 import type { Box } from './label-layout.js';

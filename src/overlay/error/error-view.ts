@@ -21,7 +21,7 @@ const pixelCode = lazyCode(() => import('../../element/viewer/shade-at.js'), 'th
 export interface ErrorViewHost extends ExtraHost {
   /** The lights that the picture is drawn with. */
   lights(): readonly Readonly<LightValues>[];
-  /** Differences of so many steps of 1/255 have the scale's last colour. */
+  /** The difference that has the scale's last colour, in steps of 1/255. */
   readonly end: number;
   /** `done`: share of the pixels that are measured; null while the picture moves. `largest` is NaN until all are. */
   progress(done: number | null, largest: number): void;

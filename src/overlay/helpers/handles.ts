@@ -199,7 +199,7 @@ export class Handles {
     return this.#focus(arrow[0] * (isRtl ? -1 : 1) + arrow[1]);
   }
 
-  /** Moves the focus by so many handles; past the ends to the last or first one in that direction. */
+  /** Moves the focus by `by` handles and stops at the first and the last. */
   #focus(by: number): boolean {
     const all = [...this.#list.children];
     const from = this.#current === null ? 0 : all.indexOf(this.#current.element);

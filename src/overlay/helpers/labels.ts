@@ -27,8 +27,12 @@ export const NO_DRAWING: Drawing = { list: [], names: [], covered: [] };
 const COLOR = '#fff';
 
 /**
- * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last. Names
- * keep to `room`, outside the boxes in it.
+ * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last.
+<<<<<<< HEAD
+ * Names keep to `room`.
+=======
+ * Names keep to `room`, outside the boxes in it.
+>>>>>>> main
  */
 export function listOf(
   drawings: readonly Drawing[],

@@ -49,7 +49,9 @@ const DIMMED = 0.55;
 /** Colours of 255 are full. */
 const FULL = 255;
 
-/** `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first surface; Infinity for none. */
+/**
+ * `hidden`: a shape is in front of it. `surface`: distance along a spot's axis to the first surface; Infinity for none.
+ */
 export function lightMarks(
   values: Readonly<LightValues>,
   view: Projection,
@@ -122,7 +124,11 @@ type Cone = Parameters<typeof onCone>[0];
 const rim = (cone: Cone, spot: PlacedSpot, degrees: number): Vec3[] =>
   circle((around) => onCone(cone, degrees, coneSide(spot.reach, spot, degrees), around));
 
-/** A circle that faces the eye: the outline of a sphere, but for the perspective. */
+<<<<<<< HEAD
+/** A circle that faces the eye: the outline of a sphere, without its perspective. */
+=======
+/** A circle that faces the eye: the outline of a sphere without perspective. */
+>>>>>>> main
 function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3[] {
   const { right, up } = basis;
   return circle((t) => add(center, add(scale(right, radius * Math.cos(t)), scale(up, radius * Math.sin(t)))));

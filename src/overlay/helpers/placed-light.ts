@@ -51,10 +51,14 @@ export const DIRECTIONAL_AT = 1.2;
 const LONGEST_ARROW = 0.6;
 const LEAST_GRIP = 0.25;
 
-/** In radii of the scene: circles of wider cones than this are nearer to the light, so that they stay in the picture. */
+/**
+ * In radii of the scene: circles of wider cones than this are nearer to the light, so that they stay in the picture.
+ */
 const WIDEST = 2;
 
-/** `surface`: distance along a spot's axis to the first surface; Infinity if there is none, or while that is not known. */
+/**
+ * `surface`: distance along a spot's axis to the first surface; Infinity if there is none, or while that is not known.
+ */
 export function placedLight(
   values: Readonly<LightValues>,
   view: Projection,

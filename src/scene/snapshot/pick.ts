@@ -33,13 +33,13 @@ export type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
 };
 
 /**
- * The point seen through the centre of a device pixel, counted from the top left corner. Null if there is none, or if a
- * page author's own mesh or sprite is nearer; lines, points and culled back faces are ignored. Of blended surfaces the
- * nearest counts, whatever its opacity.
+ * The point seen through the centre of a device pixel, counted from the top left corner; fractions are places beside
+ * the centre. Null if there is none, or if a page author's own mesh or sprite is nearer; lines, points and culled back
+ * faces are ignored. Of blended surfaces the nearest counts, whatever its opacity.
  */
 export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row: number): Hit<Owner> | null {
   const { width, height, camera } = snapshot;
-  if (!(column >= 0 && column < width && row >= 0 && row < height)) return null;
+  if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
   const ray = viewRay(snapshot, (column + 0.5) / width, (row + 0.5) / height);
   let nearest: Hit<Owner> | null = null;
   let depth = Infinity;

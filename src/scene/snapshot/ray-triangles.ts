@@ -59,7 +59,7 @@ export function forEachHit(
       const ay = along(rowY, a);
       const by = along(rowY, b);
       const cy = along(rowY, c);
-      // The areas below cannot tell: of a triangle seen edge-on they may be less than the smallest number.
+      // Needed besides the areas below, which can underflow to 0 for a triangle seen edge-on.
       if ((ay > 0 && by > 0 && cy > 0) || (ay < 0 && by < 0 && cy < 0)) continue;
       // Twice the signed areas between the ray and each side; their sum is twice the triangle's area.
       const atA = bx * cy - by * cx;

@@ -4,6 +4,7 @@
 import type { Locator } from '@playwright/test';
 import { HEADER, ROWS } from '../../../src/light/light-layout.js';
 import type { LightValues } from '../../../src/light/light-state.js';
+import { lightWith } from '../../stress/case.js';
 import { expect, pixels, test } from '../../support/test.js';
 import { compareWithReference } from '../../visual/against-reference.js';
 import { sceneMarkup } from '../../visual/random-scene.js';
@@ -14,19 +15,7 @@ import { nextFrame, type PhongViewer } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
 
-const LAMP: LightValues = {
-  name: '',
-  active: true,
-  ambient: [0, 0, 0],
-  diffuse: [150, 120, 90],
-  specular: [60, 60, 60],
-  position: [0.4, 1.5, 0.3, 1],
-  axis: [0, 0, -1],
-  aperture: 180,
-  cutoff: 0,
-  attenuation: [1, 0, 0],
-  space: 'world',
-};
+const LAMP = lightWith({ diffuse: [150, 120, 90], specular: [60, 60, 60], position: [0.4, 1.5, 0.3, 1] });
 const SUN: LightValues = { ...LAMP, position: [1, 2, 1, 0] };
 const SPOT: LightValues = { ...LAMP, axis: [0, -1, 0], aperture: 30 };
 

@@ -77,15 +77,16 @@ const scripts = {
   ownLit: '<script type="module" src="/node_modules/lit-html/lit-html.js"></script>',
 } as const;
 
+/** What the browser and the package say where a policy is refused. */
+const REFUSED = /TrustedTypePolicy|createPolicy|refused trusted-types|Allow it by trusted-types lit-html/;
+
 for (const usage of ['standalone', 'modules', 'classic'] as const)
   test(`where Lit's policy is refused, one sentence says what to allow (${usage})`, async ({
     page,
     site,
     consoleGuard,
   }) => {
-    consoleGuard.allow(
-      /TrustedTypePolicy|createPolicy|refused trusted-types|Allow it by trusted-types lit-html/,
-    );
+    consoleGuard.allow(REFUSED);
     const { said, defined } = await loaded({ page, site }, "'none'", scripts[usage]);
     expect(defined).toBe(false);
     expect(said).toHaveLength(1);
@@ -100,9 +101,7 @@ test("two copies of Lit need 'allow-duplicates', in whichever order they come", 
   site,
   consoleGuard,
 }) => {
-  consoleGuard.allow(
-    /TrustedTypePolicy|createPolicy|refused trusted-types|Allow it by trusted-types lit-html/,
-  );
+  consoleGuard.allow(REFUSED);
   const copies = [
     ['standalone', 'classic'],
     ['classic', 'standalone'],

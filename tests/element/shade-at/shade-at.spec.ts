@@ -212,6 +212,18 @@ test.describe('shadeAt returns', () => {
     expect(found).toBe(true);
   });
 
+  test('the fragment at a pixel’s centre, or with `exact` the very point', async ({ mount }) => {
+    const viewer = await mount(floor(LIGHTS()), FLOOR);
+    const places = await viewer.evaluate(async (element: PhongViewer) => {
+      const place = async (x: number, exact?: boolean): Promise<number> =>
+        (await element.shadeAt(x, 50.5, exact === undefined ? {} : { exact }))!.p[0];
+      return [await place(40.9), await place(40.5, true), await place(40.9, true), await place(41.5)];
+    });
+    const [centre, exact, beside, next] = places as [number, number, number, number];
+    expect(exact).toBe(centre);
+    expect((beside - centre) / (next - centre)).toBeCloseTo(0.4, 10);
+  });
+
   test('frozen values', async ({ mount }) => {
     const viewer = await mount(floor(LIGHTS()), FLOOR);
     const loose = await viewer.evaluate(async (element: PhongViewer) => {

@@ -1,4 +1,5 @@
-// The demo's bench page: it measures in the visitor's browser, shows its progress, and copies the result.
+// The demo's bench page: it shows the recorded figures of whole pictures, measures in the visitor's browser, shows its
+// progress, and copies the result.
 import { expect, test } from '../../support/test.js';
 
 interface Copied {
@@ -15,6 +16,14 @@ test('measures every front, shows a table for each and copies the result as JSON
   await expect(page.locator('#renderer')).toContainText(/SwiftShader|llvmpipe|ANGLE/);
   const copy = page.getByRole('button', { name: 'Copy the result as JSON' });
   await expect(copy).toBeDisabled();
+  const recorded = page.locator('.recorded');
+  await expect(recorded.first()).toContainText('Software rendering');
+  for (const section of await recorded.all()) {
+    await expect(section.getByRole('img', { name: 'torus: error over time' })).toBeVisible();
+    const cells = section.getByRole('row', { name: /^TAARenderPass, 32/ }).getByRole('cell');
+    await expect(cells).toHaveCount(await section.getByRole('img').count());
+    await expect(section).not.toContainText(/–|NaN/);
+  }
   await page.getByRole('button', { name: 'Measure' }).click();
   await expect(page.getByRole('progressbar')).toBeVisible();
   await expect(page.locator('#state')).toContainText('Done in', { timeout: 50_000 });
@@ -24,7 +33,7 @@ test('measures every front, shows a table for each and copies the result as JSON
 
   const result = JSON.parse(await page.evaluate(() => navigator.clipboard.readText())) as Copied;
   expect(result.renderer).toBe(await page.locator('#renderer').textContent());
-  await expect(page.locator('.front')).toHaveCount(result.tables.length);
+  await expect(page.locator('#fronts .front')).toHaveCount(result.tables.length);
   for (const { rows } of result.tables) {
     for (const { label, ms } of rows) expect(ms, label).toBeGreaterThan(0);
     expect(new Set(rows.map(({ label }) => label)).size).toBe(rows.length);
@@ -34,7 +43,7 @@ test('measures every front, shows a table for each and copies the result as JSON
 test('keeps its canvas on screen while the reader scrolls, and stops on request', async ({ page }) => {
   await page.goto('/demo/bench/?seconds=100');
   await page.getByRole('button', { name: 'Measure' }).click();
-  await expect(page.getByRole('table')).toBeVisible({ timeout: 50_000 });
+  await expect(page.locator('#fronts').getByRole('table')).toBeVisible({ timeout: 50_000 });
   await page.evaluate(() => {
     scrollTo(0, document.body.scrollHeight);
   });

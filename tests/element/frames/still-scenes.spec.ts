@@ -1,0 +1,118 @@
+// `antialias="full"`: does whatever a picture can show converge to its mean over each pixel? Against the mean of a plain
+// picture with four times as many pixels along each side, which the code of samples has no part in.
+
+import type { Locator } from '@playwright/test';
+import { VIEWS } from '../../../src/material/views.js';
+import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
+import { countEverything, NOTHING, spentIn } from '../support/counting.js';
+import { assign, nextFrame, type PhongViewer } from '../support/viewer.js';
+
+const SIZE = { width: 48, height: 36 };
+const TIMES = 4;
+const light = '<phong-light name="a" position="1 2 3 0" ambient="40" attenuation="1 0.2 0"></phong-light>';
+const spot =
+  '<phong-light name="b" position="1 1 2 1" axis="-1 -1 -2" aperture="25" cutoff="4" diffuse="#f84" attenuation="1 0.2 0"></phong-light>';
+const full = 'alt="" antialias="full" samples="64"';
+
+const samplesOf = (viewer: Locator): Promise<number> =>
+  viewer.evaluate((element: PhongViewer) => element.stats.samples);
+
+type Means = readonly number[];
+
+/** Codes, premultiplied: channels of each pixel, the mean of a square of `times` pixels. */
+function meansOf({ width, height, data }: Picture, times: number): Means {
+  const means = new Array<number>((4 * width * height) / times ** 2).fill(0);
+  for (let y = 0; y < height; y++) {
+    for (let x = 0; x < width; x++) {
+      const from = 4 * (y * width + x);
+      const to = 4 * (Math.floor(y / times) * (width / times) + Math.floor(x / times));
+      const alpha = data[from + 3]!;
+      for (const k of [0, 1, 2]) means[to + k]! += (data[from + k]! * alpha) / 255 / times ** 2;
+      means[to + 3]! += alpha / times ** 2;
+    }
+  }
+  return means;
+}
+
+const rmse = (a: Means, b: Means): number =>
+  Math.sqrt(a.reduce((sum, code, i) => sum + (code - b[i]!) ** 2, 0) / a.length);
+
+/** Views whose picture depends on the size of a pixel: lines of a pixel's width, and errors of float32. */
+const BY_PIXEL: readonly string[] = ['triangles', 'error'];
+
+/** Waits for all samples and holds the picture against the mean of a larger one. */
+async function showsTheMean(viewer: Locator, what: string): Promise<void> {
+  await viewer.evaluate((element: PhongViewer) => element.ready);
+  expect(await samplesOf(viewer), what).toBe(64);
+  const shown = meansOf(await pixels(viewer), 1);
+  const { width, height } = SIZE;
+  const mean = BY_PIXEL.includes(what)
+    ? meansOf(await pixels(viewer, { ...SIZE, samples: 64 }), 1)
+    : meansOf(await pixels(viewer, { width: TIMES * width, height: TIMES * height }), TIMES);
+  expect(rmse(shown, mean), what).toBeLessThan(2);
+}
+
+test('every view and every term converges to its mean', async ({ mount }) => {
+  const viewer = await mount(
+    `<phong-viewer ${full} geometry="torus" segments="24" phi="60">${light}${spot}
+      <phong-mesh geometry="plane" position="0 -0.4 0" scale="2"></phong-mesh></phong-viewer>`,
+    SIZE,
+  );
+  for (const view of VIEWS) {
+    await assign(viewer, { view });
+    await showsTheMean(viewer, view);
+  }
+  await assign(viewer, { view: 'shaded' });
+  for (const terms of [[], ['ambient'], ['diffuse', 'specular']]) {
+    await assign(viewer, { terms });
+    await showsTheMean(viewer, `terms ${terms.join(' ')}`);
+  }
+});
+
+test('linear and flat shading, textures, blended surfaces and a background converge to their means', async ({
+  page,
+  mount,
+}) => {
+  const viewers: Readonly<Record<string, string>> = {
+    linear: 'geometry="box" color-interpolation="linear" shininess="200"',
+    flat: 'geometry="sphere" segments="12" shading="flat" reflection="blinn-phong"',
+    gouraud: 'geometry="sphere" segments="12" shading="gouraud"',
+    textured: 'src="/fixtures/models/textured.glb"',
+  };
+  const markup = Object.values(viewers).map((attributes) => `<phong-viewer ${full} ${attributes}>${light}</phong-viewer>`); // prettier-ignore
+  await mount(markup.join(''), { ...SIZE, css: 'phong-viewer { background: red }' });
+  await allReady(page);
+  for (const [i, what] of Object.keys(viewers).entries())
+    await showsTheMean(page.locator('phong-viewer').nth(i), what);
+});
+
+test('both sides of a comparison converge, and moving its divider samples nothing again', async ({
+  page,
+  mount,
+}) => {
+  await countEverything(page);
+  const side = (shading: string): string =>
+    `<phong-viewer ${full} geometry="sphere" segments="12" shading="${shading}">${light}</phong-viewer>`;
+  await mount(`<phong-compare>${side('phong')}${side('gouraud')}</phong-compare>`, {
+    css: `phong-compare { display: block; width: ${String(SIZE.width)}px; height: ${String(SIZE.height)}px }`,
+  });
+  const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  await showsTheMean(first, 'left');
+  await showsTheMean(second, 'right');
+  const frames = (): Promise<readonly number[]> =>
+    page.evaluate(() =>
+      [...document.querySelectorAll<PhongViewer>('phong-viewer')].map(({ stats }) => stats.frames),
+    );
+  const before = await frames();
+  for (const at of [20, 80]) {
+    await page.evaluate((place) => (document.querySelector('phong-compare')!.at = [place]), at);
+    await nextFrame(page);
+    expect([await samplesOf(first), await samplesOf(second)], String(at)).toEqual([64, 64]);
+  }
+  expect(await frames()).toEqual(before);
+  await assign(first, { theta: 70 });
+  await showsTheMean(first, 'turned');
+  await showsTheMean(second, 'turned with it');
+  await nextFrame(page);
+  expect(await spentIn(page, 200)).toEqual(NOTHING);
+});

@@ -1,0 +1,91 @@
+// @ts-check
+// Casts pictures on all cores, and keeps them on disk. Plain JavaScript, so that the bench's commands can import it.
+
+import { createHash, randomUUID } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { availableParallelism } from 'node:os';
+import { join } from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { serialize } from 'node:v8';
+import { Worker } from 'node:worker_threads';
+import { outputFolder } from '../../../.ci/output-folder.mjs';
+
+/** @import { CastOptions, CastScene } from './scene.js' */
+
+/** Rows that a thread casts at a time: small enough that all end together. */
+const BAND = 4;
+
+/** @type {Map<string, Promise<string>>} */
+const bundled = new Map();
+
+/** The mean over each pixel's square of what the equation writes there, clamped and encoded but not rounded: r, g, b, a of each pixel, rows from the top, codes 0–255, premultiplied. Kept on disk. @param {CastScene} scene @param {CastOptions} options @returns {Promise<Float64Array>} */
+export async function castPicture(scene, options) {
+  const code = await bundle('worker.ts');
+  const key = createHash('sha256')
+    .update(code)
+    .update(serialize([scene, options]))
+    .digest('hex');
+  const folder = outputFolder('truths');
+  const file = join(folder, key.slice(0, 32));
+  if (existsSync(file)) return new Float64Array(new Uint8Array(readFileSync(file)).buffer);
+  const picture = await castNow(code, scene, options);
+  mkdirSync(folder, { recursive: true });
+  const draft = `${file}.${randomUUID()}`; // another process may be writing the same one
+  writeFileSync(draft, picture);
+  renameSync(draft, file);
+  return picture;
+}
+
+/** @param {string} code @param {CastScene} scene @param {CastOptions} options @returns {Promise<Float64Array>} */
+async function castNow(code, scene, options) {
+  const { width, height } = options;
+  const picture = new Float64Array(4 * width * height);
+  let next = 0;
+  const thread = () =>
+    new Promise((resolve, reject) => {
+      const worker = new Worker(moduleUrl(code), { workerData: { scene, options } });
+      const order = () => {
+        if (next >= height) {
+          void worker.terminate().then(resolve);
+          return;
+        }
+        const from = next;
+        next = Math.min(height, from + BAND);
+        worker.postMessage({ from, to: next });
+      };
+      worker.on('error', reject);
+      worker.on('message', ({ from, means }) => {
+        picture.set(means, 4 * width * from);
+        order();
+      });
+      order();
+    });
+  await Promise.all(Array.from({ length: availableParallelism() }, thread));
+  return picture;
+}
+
+/** One of this folder's modules as a module without imports. @param {string} file */
+function bundle(file) {
+  let code = bundled.get(file);
+  if (code === undefined) bundled.set(file, (code = build(file)));
+  return code;
+}
+
+/** @param {string} file */
+async function build(file) {
+  const { build: viteBuild } = await import('vite');
+  const result = await viteBuild({
+    configFile: false,
+    logLevel: 'error',
+    build: {
+      ssr: fileURLToPath(new URL(file, import.meta.url)),
+      write: false,
+      target: 'node20',
+    },
+  });
+  const [{ output }] = /** @type {[import('vite').Rolldown.RolldownOutput]} */ ([result].flat());
+  return output[0].code;
+}
+
+/** @param {string} code */
+const moduleUrl = (code) => new URL(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);

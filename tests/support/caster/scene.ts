@@ -1,0 +1,95 @@
+// What the ray caster casts: a scene as plain data, so that a page can send it to Node, and Node to its threads. World
+// space unless a field says otherwise; colours as in the reference: 255 is full for Ka, Kd, Ks and lights.
+import type { LightValues, ReferenceOptions, Vec3 } from '../../../src/reference/index.js';
+
+/** A perspective camera. `right`, `up` and `back` are unit vectors; `back` points from the target to the eye. */
+export interface CastCamera {
+  readonly eye: Vec3;
+  readonly right: Vec3;
+  readonly up: Vec3;
+  readonly back: Vec3;
+  /** Vertical angle of view in degrees. */
+  readonly fov: number;
+}
+
+/** Base colour; encoded sRGB, read undecoded. Level 0, bilinear. The first row is v = 0. */
+export interface CastTexture {
+  readonly width: number;
+  readonly height: number;
+  /** r, g, b, a of each texel, 0–255. Alpha is not read. */
+  readonly data: ArrayLike<number>;
+  /** Default `repeat`. */
+  readonly wrapS?: Wrap;
+  readonly wrapT?: Wrap;
+}
+
+export type Wrap = 'repeat' | 'clamp' | 'mirror';
+
+/** An opaque surface. */
+export interface CastMaterial {
+  readonly ka: Vec3;
+  readonly kd: Vec3;
+  readonly ks: Vec3;
+  readonly shininess: number;
+  /** Multiplies Ka and Kd, and the texture; encoded sRGB, 0–1. Default white. */
+  readonly baseColor?: Vec3;
+  /** 0–1; default 0. */
+  readonly metalness?: number;
+  /** As in the reference's `Surface`; default 1. */
+  readonly lobeScale?: number;
+  /** Encoded sRGB; default black. */
+  readonly emissive?: Vec3;
+  readonly unlit?: boolean;
+  readonly texture?: CastTexture;
+}
+
+/**
+ * Triangles as the shader draws them: the corners' unit normals are interpolated, and made unit per sample. The arrays
+ * are in the mesh's own space.
+ */
+export interface TrianglesShape {
+  readonly kind: 'triangles';
+  readonly positions: ArrayLike<number>;
+  readonly normals: ArrayLike<number>;
+  readonly uvs?: ArrayLike<number>;
+  /** Default: corners in order. */
+  readonly index?: ArrayLike<number>;
+}
+
+/**
+ * The true shapes of `geometry`, in their own space. `sphere`: radius 1/2. `cylinder` and `cone`: radius 1/2, y from
+ * −1/2 to 1/2, with their flat ends. `torus`: a tube of radius `tube` (default 0.15) around a circle of radius `ring`
+ * (default 0.35) in the plane of x and y.
+ */
+export type TrueShape =
+  | { readonly kind: 'sphere' | 'cylinder' | 'cone' }
+  | { readonly kind: 'torus'; readonly ring?: number; readonly tube?: number };
+
+export type CastShape = TrianglesShape | TrueShape;
+
+export interface CastObject {
+  readonly shape: CastShape;
+  /** To world space: 16 numbers by columns, as three.js has them, not singular. Default: the identity. */
+  readonly matrix?: ArrayLike<number>;
+  readonly material: CastMaterial;
+  /** Back faces are not there. Default false: they are shaded with their normal flipped. */
+  readonly culled?: boolean;
+}
+
+export interface CastScene extends Omit<ReferenceOptions, 'camera'> {
+  readonly camera: CastCamera;
+  readonly lights: readonly Readonly<LightValues>[];
+  readonly objects: readonly CastObject[];
+}
+
+export interface CastOptions {
+  readonly width: number;
+  readonly height: number;
+  /**
+   * Samples of a pixel in which something varies: the square of a whole number. Default 1,024. See `picture.ts` for
+   * the pixels that need fewer.
+   */
+  readonly samples?: number;
+  /** True: every pixel gets all samples. Default false. */
+  readonly everywhere?: boolean;
+}

@@ -1,0 +1,243 @@
+// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known shapes, means of ramps.
+import { existsSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { LightState, type Vec3 } from '../../src/reference/index.js';
+import { add, dot, normalize, scale, subtract } from '../../src/math/vector.js';
+import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
+import { castPicture } from '../support/caster/cast.mjs';
+import { castHere } from '../support/caster/picture.js';
+import type { CastCamera, CastMaterial, CastObject, CastScene, TrueShape } from '../support/caster/scene.js';
+import { type Sample, Tracer } from '../support/caster/tracer.js';
+
+const FOV = 45;
+const camera = (distance: number): CastCamera => ({
+  ...{ eye: [0, 0, distance], right: [1, 0, 0], up: [0, 1, 0], back: [0, 0, 1] },
+  fov: FOV,
+});
+const WHITE: CastMaterial = { ka: [0, 0, 0], kd: [255, 255, 255], ks: [0, 0, 0], shininess: 32 };
+const UNLIT: CastMaterial = { ...WHITE, unlit: true };
+
+const sceneOf = (distance: number, ...objects: readonly CastObject[]): CastScene => ({
+  ...{ camera: camera(distance), lights: [], objects },
+});
+const solid = (kind: TrueShape['kind'], material = UNLIT): CastObject => ({ shape: { kind }, material });
+
+/** A quadrangle in the plane of x and y, with u and v along them from 0 to 1. */
+const quad = (corners: readonly (readonly [number, number])[], material: CastMaterial): CastObject => ({
+  shape: {
+    kind: 'triangles',
+    positions: corners.flatMap(([x, y]) => [x, y, 0]),
+    normals: corners.flatMap(() => [0, 0, 1]),
+    uvs: [0, 0, 1, 0, 1, 1, 0, 1],
+    index: [0, 1, 2, 0, 2, 3],
+  },
+  material,
+});
+
+async function triangles(name: 'sphere' | 'torus', segments: number): Promise<CastObject> {
+  const geometry = await createGeometry(name, segments);
+  const array = (key: string) => geometry.getAttribute(key).array;
+  return {
+    shape: {
+      ...{ kind: 'triangles', positions: array('position'), normals: array('normal') },
+      index: geometry.index!.array,
+    },
+    material: UNLIT,
+  };
+}
+
+/** Covered area in pixels. */
+const areaOf = (picture: Float64Array): number =>
+  picture.reduce((sum, value, i) => (i % 4 === 3 ? sum + value / 255 : sum), 0);
+
+/** Pixels of a unit of slope. */
+const pixelsOf = (height: number): number => height / (2 * Math.tan((FOV * Math.PI) / 360));
+
+describe('a picture by the ray caster', () => {
+  it('covers each pixel as far as a half plane does', () => {
+    const [width, height] = [12, 10];
+    // Left of the line that leans by a third, in pixels from the picture's middle.
+    const line = (y: number): number => 0.3 + y / 3;
+    const unit = 10 / pixelsOf(height);
+    const far = 40;
+    const corners = [[-far, -far], [line(-far), -far], [line(far), far], [-far, far]] as const; // prettier-ignore
+    const object = quad(
+      corners.map(([x, y]) => [x * unit, y * unit] as const),
+      UNLIT,
+    );
+    const picture = castHere(sceneOf(10, object), { width, height });
+    for (let row = 0; row < height; row++) {
+      for (let column = 0; column < width; column++) {
+        let share = 0;
+        const steps = 4000;
+        for (let k = 0; k < steps; k++) {
+          const y = height / 2 - row - (k + 0.5) / steps;
+          share += Math.min(1, Math.max(0, line(y) - (column - width / 2))) / steps;
+        }
+        // Ten standard errors of 32 squares that the edge passes.
+        const found = picture[4 * (row * width + column) + 3]! / 255;
+        expect(Math.abs(found - share), `${String(column)}, ${String(row)}`).toBeLessThan(0.025);
+      }
+    }
+  });
+
+  it('covers the area of a sphere’s outline, and of a torus’s with its hole', () => {
+    const size = 60;
+    const distance = 1.6;
+    const pixels = pixelsOf(size) ** 2 * Math.PI;
+    const options = { width: size, height: size };
+    const sphere = areaOf(castHere(sceneOf(distance, solid('sphere')), options));
+    expect(sphere / (pixels / ((distance / 0.5) ** 2 - 1))).toBeCloseTo(1, 4);
+    // Both lines from the eye that touch the tube's circle.
+    const middle = Math.atan2(0.35, distance);
+    const half = Math.asin(0.15 / Math.hypot(0.35, distance));
+    const ring = pixels * (Math.tan(middle + half) ** 2 - Math.tan(middle - half) ** 2);
+    expect(areaOf(castHere(sceneOf(distance, solid('torus')), options)) / ring).toBeCloseTo(1, 4);
+  });
+
+  it('has the mean of a linear ramp, and of one that wraps', () => {
+    const [width, height] = [16, 4];
+    const unit = 10 / pixelsOf(height);
+    const corners = [[-8, -2], [8, -2], [8, 2], [-8, 2]] as const; // prettier-ignore
+    const data = [0, 0, 0, 255, 255, 255, 255, 255];
+    const ramp = quad(
+      corners.map(([x, y]) => [x * unit, y * unit] as const),
+      { ...UNLIT, texture: { width: 2, height: 1, data } },
+    );
+    const picture = castHere(sceneOf(10, ramp), { width, height });
+    // Texel centres are at a quarter and three quarters: up between them, down again through the ends.
+    const mean = (column: number): number => 255 * (1 - Math.abs((column + 0.5) / 8 - 1.5));
+    for (let column = 4; column < 12; column++)
+      expect(Math.abs(picture[4 * column]! - mean(column)), String(column)).toBeLessThan(0.05);
+    expect(picture[4 * 15]).toBeCloseTo(255 * ((0.5 / 16 + 0.25) / 0.5), 0);
+  });
+
+  it('gives few samples to quiet pixels, within 0.05 codes of all samples', () => {
+    const shiny = { ...WHITE, kd: [120, 80, 40], ks: [200, 200, 200], shininess: 60 } as const;
+    const lights = [
+      new LightState({ position: [1, 2, 3, 0] }).values,
+      new LightState({ position: [-2, 1, 2, 1], axis: [2, -1, -2], aperture: 9 }).values,
+    ];
+    const scene = { ...sceneOf(1.6, solid('torus', shiny)), lights };
+    const options = { width: 40, height: 40, samples: 256 };
+    const few = castHere(scene, options);
+    const all = castHere(scene, { ...options, everywhere: true });
+    let [squares, different] = [0, 0];
+    few.forEach((value, i) => {
+      if (value === all[i]) return;
+      different++;
+      squares += (value - all[i]!) ** 2;
+    });
+    expect(different).toBeGreaterThan(100);
+    expect(Math.sqrt(squares / different)).toBeLessThan(0.05);
+  });
+
+  it('is the same from threads and from disk', async () => {
+    const scene = sceneOf(1.6, solid('cone'), await triangles('torus', 16));
+    const options = { width: 24, height: 18, samples: 16 };
+    const here = castHere(scene, options);
+    expect(await castPicture(scene, options)).toEqual(here);
+    expect(await castPicture(scene, options)).toEqual(here);
+    expect(existsSync(new URL('../../truths', import.meta.url))).toBe(true);
+  });
+});
+
+describe('a ray of the ray caster', () => {
+  const lights = [new LightState({ position: [1, 2, 3, 0], specular: [0, 0, 0] }).values];
+  const L = normalize([1, 2, 3]);
+
+  it('sees N·L at known points of spheres that are moved, stretched and mirrored', () => {
+    for (const stretch of [
+      [1, 1, 1],
+      [1, 0.5, 2],
+      [-1, 1, 0.3],
+    ] as const) {
+      const [a, b, c] = stretch;
+      const matrix = [a, 0, 0, 0, 0, b, 0, 0, 0, 0, c, 0, 0.2, 0.1, 0, 1];
+      const scene = { ...sceneOf(4, { ...solid('sphere', WHITE), matrix }), lights };
+      const tracer = new Tracer(scene, 100, 100);
+      for (const direction of [
+        [0, 0, 1],
+        [0.6, 0, 0.8],
+        [-0.36, 0.48, 0.8],
+      ] as const) {
+        // On the side toward the eye, whichever way the shape is mirrored.
+        const local = scale([a < 0 ? -direction[0] : direction[0], direction[1], direction[2]], 0.5);
+        const place: Vec3 = [a * local[0] + 0.2, b * local[1] + 0.1, c * local[2]];
+        const N = normalize([local[0] / a, local[1] / b, local[2] / c]);
+        const { x, y } = tracer.screen.project(subtract(place, scene.camera.eye));
+        const sample: Sample = { color: [0, 0, 0, 0], piece: 0 };
+        tracer.sampleAt(x, y, sample);
+        expect(sample.color[0]).toBeCloseTo(255 * Math.max(dot(N, L), 0), 9);
+      }
+    }
+  });
+
+  it('ends on the true surfaces, near their outlines too', () => {
+    const implicit: Readonly<Record<TrueShape['kind'], (p: Vec3) => number>> = {
+      sphere: (p) => Math.hypot(...p) - 0.5,
+      torus: ([x, y, z]) => Math.hypot(Math.hypot(x, y) - 0.35, z) - 0.15,
+      cylinder: ([x, y, z]) => Math.max(Math.hypot(x, z) - 0.5, Math.abs(y) - 0.5),
+      cone: ([x, y, z]) => Math.max(Math.hypot(x, z) - (0.5 - y) / 2, Math.abs(y) - 0.5),
+    };
+    for (const kind of ['sphere', 'torus', 'cylinder', 'cone'] as const) {
+      // From above and the side, and turned about the view.
+      const back = normalize([0.5, 0.4, 1.3]);
+      const right = normalize([1.3, 0, -0.5]);
+      const up: Vec3 = normalize([-0.4 * 0.5, 0.25 + 1.69, -0.4 * 1.3]);
+      const scene = { ...sceneOf(4, solid(kind)), camera: { eye: scale(back, 3), right, up, back, fov: 30 } };
+      const tracer = new Tracer(scene, 200, 200);
+      let [hits, most, inside] = [0, 0, 0];
+      for (let y = 1; y < 200; y += 2) {
+        for (let x = 1; x < 200; x += 2) {
+          const { t } = tracer.hitAt(x, y);
+          const along = tracer.screen.direction(x, y);
+          const at = (depth: number): number => implicit[kind](add(scene.camera.eye, scale(along, depth)));
+          if (t < Infinity) most = Math.max(most, Math.abs(at(t)));
+          if (t < Infinity) hits++;
+          // Nothing on the way is inside the shape.
+          for (let depth = 2.2; depth < Math.min(t, 3.8); depth += 0.1) inside = Math.min(inside, at(depth));
+        }
+      }
+      expect(most, kind).toBeLessThan(1e-12);
+      expect(inside, kind).toBeGreaterThan(-1e-12);
+      expect(hits, kind).toBeGreaterThan(800);
+    }
+  });
+});
+
+describe('triangles under the ray caster', () => {
+  it.each(['sphere', 'torus'] as const)('near the true %s by the square of their number', async (name) => {
+    const off = async (segments: number): Promise<number> => {
+      const round = new Tracer(sceneOf(1.6, solid(name)), 60, 60);
+      const edged = new Tracer(sceneOf(1.6, await triangles(name, segments)), 60, 60);
+      let [sum, count] = [0, 0];
+      for (let y = 0.5; y < 60; y++) {
+        for (let x = 0.5; x < 60; x++) {
+          const [a, b] = [round.hitAt(x, y).t, edged.hitAt(x, y).t];
+          // Away from the outline, where depths change without limit.
+          if (!(a < (name === 'sphere' ? 1.25 : 1.5))) continue;
+          sum += Math.abs(a - b);
+          count++;
+        }
+      }
+      return sum / count;
+    };
+    const [coarse, fine, finest] = [await off(32), await off(64), await off(128)];
+    expect(coarse / fine).toBeGreaterThan(3.3);
+    expect(coarse / fine).toBeLessThan(4.8);
+    expect(fine / finest).toBeGreaterThan(3.3);
+    expect(fine / finest).toBeLessThan(4.8);
+    expect(finest).toBeGreaterThan(0);
+  });
+
+  it('have no gaps between them', async () => {
+    const tracer = new Tracer(sceneOf(1.6, await triangles('sphere', 32)), 40, 40);
+    const random = (i: number): number => (i * 0.6180339887498949) % 1;
+    for (let i = 0; i < 20_000; i++) {
+      const [x, y] = [15 + 10 * random(i), 15 + 10 * random(i * 7 + 3)];
+      expect(tracer.hitAt(x, y).front).toBe(true);
+      expect(tracer.hitAt(x, y).t).toBeLessThan(1.2);
+    }
+  });
+});
