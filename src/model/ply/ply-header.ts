@@ -141,11 +141,7 @@ function afterLineEnd(bytes: Uint8Array, at: number): number {
 function requireBytes({ encoding, elements }: PlyHeader, available: number): void {
   let needed = 0;
   for (const { count, properties } of elements) {
-<<<<<<< HEAD
     // In text, a value takes at least a digit and a blank; the last has no blank.
-=======
-    // In text, each value takes at least a digit and a blank; only the last needs no blank.
->>>>>>> main
     const sizes = properties.map(({ type, countType }) =>
       encoding === 'text' ? 2 : PLY_TYPE_SIZES[countType ?? type],
     );

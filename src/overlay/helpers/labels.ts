@@ -28,11 +28,7 @@ const COLOR = '#fff';
 
 /**
  * One list of several drawings, with their names on top. The first drawings are lowest, and their names come last.
-<<<<<<< HEAD
- * Names keep to `room`.
-=======
  * Names keep to `room`, outside the boxes in it.
->>>>>>> main
  */
 export function listOf(
   drawings: readonly Drawing[],

@@ -124,11 +124,7 @@ type Cone = Parameters<typeof onCone>[0];
 const rim = (cone: Cone, spot: PlacedSpot, degrees: number): Vec3[] =>
   circle((around) => onCone(cone, degrees, coneSide(spot.reach, spot, degrees), around));
 
-<<<<<<< HEAD
 /** A circle that faces the eye: the outline of a sphere, without its perspective. */
-=======
-/** A circle that faces the eye: the outline of a sphere without perspective. */
->>>>>>> main
 function facingCircle(center: Vec3, radius: number, { basis }: Projection): Vec3[] {
   const { right, up } = basis;
   return circle((t) => add(center, add(scale(right, radius * Math.cos(t)), scale(up, radius * Math.sin(t)))));
