@@ -2,11 +2,11 @@
 // Slow tests are in tests/release, tagged @release, and run with PHONG_VIEWER_RELEASE set.
 
 import { defineConfig } from '@playwright/test';
-import { findBrowser, softwareGl } from './.ci/browser.mjs';
+import { findTestBrowser, softwareGl } from './.ci/browser.mjs';
 import { outputFolder } from './.ci/output-folder.mjs';
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const executablePath = await findBrowser();
+const executablePath = await findTestBrowser();
 
 export default defineConfig({
   testDir: 'tests',

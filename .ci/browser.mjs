@@ -1,6 +1,6 @@
 // @ts-check
 // Finds the Chromium that runs the browser tests: PHONG_VIEWER_BROWSER, then the usual places, then Playwright's own. If there
-// is none, it installs one: Debian's package when run by root, otherwise Playwright's download. Logs each step.
+// is none, it installs one: Debian's packages when run by root, otherwise Playwright's download. Logs each step.
 
 import { spawnSync } from 'node:child_process';
 import { accessSync, constants, existsSync } from 'node:fs';
@@ -34,9 +34,7 @@ export async function findBrowser() {
     if (!isExecutable(asked)) throw new Error(`PHONG_VIEWER_BROWSER is no program that can be run: ${asked}`);
     return asked;
   }
-  const folders = (process.env['PATH'] ?? '').split(delimiter).concat('/usr/bin', '/usr/local/bin');
-  const installed = folders.flatMap((folder) => names.map((name) => join(folder, name))).concat(places);
-  const found = installed.find(isExecutable);
+  const found = firstOnPath(names) ?? places.find(isExecutable);
   if (found) return found;
   const { chromium } = await import('@playwright/test');
   const own = chromium.executablePath();
@@ -44,7 +42,23 @@ export async function findBrowser() {
 }
 
 /**
- * The same, but installs a browser if there is none. Throws with advice if that fails.
+ * The same for tests: a headless shell where there is one. It draws the same pixels, and most tests take a fifth less CPU
+ * time in it than in a browser with windows. It has no PDF viewer.
+ * @returns {Promise<string | undefined>}
+ */
+export async function findTestBrowser() {
+  const shell = process.env['PHONG_VIEWER_BROWSER'] ? undefined : firstOnPath(['chromium-headless-shell']);
+  return shell ?? findBrowser();
+}
+
+/** @param {readonly string[]} programs */
+function firstOnPath(programs) {
+  const folders = (process.env['PATH'] ?? '').split(delimiter).concat('/usr/bin', '/usr/local/bin');
+  return folders.flatMap((folder) => programs.map((name) => join(folder, name))).find(isExecutable);
+}
+
+/**
+ * As {@link findBrowser}, but installs a browser if there is none. Throws with advice if that fails.
  * @returns {Promise<string>}
  */
 export async function ensureBrowser() {
@@ -52,9 +66,10 @@ export async function ensureBrowser() {
   if (present) return present;
   console.log('No browser found in the usual places.');
   if (process.getuid?.() === 0 && existsSync('/etc/debian_version')) {
-    run(
-      'apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends chromium',
-    );
+    const install = 'DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends';
+    run(`apt-get update && ${install} chromium`);
+    // Not every release of Debian has it.
+    run(`${install} chromium-headless-shell`);
     const debian = await findBrowser();
     if (debian) return debian;
   }

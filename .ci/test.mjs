@@ -133,10 +133,11 @@ async function unit() {
 
 async function browser() {
   const report = join(reports, 'browser.json');
-  const { browserVersion, ensureBrowser } = await import('./browser.mjs');
+  const { browserVersion, ensureBrowser, findTestBrowser } = await import('./browser.mjs');
   let path = '';
   try {
-    path = await ensureBrowser();
+    const installed = await ensureBrowser();
+    path = (await findTestBrowser()) ?? installed;
   } catch (error) {
     console.error(String(error));
   }

@@ -1,7 +1,7 @@
 /**
  * `phong-viewer/react`: the elements as typed components for React 18 and later, on the server and on the client.
  * Values are written as the text of attributes: React omits arrays and `false` from a server's markup and does not set
- * them when it hydrates. Knows neither the values' names nor their domains.
+ * them when it hydrates.
  */
 import {
   createElement,

@@ -18,7 +18,7 @@ import {
   taa,
 } from '../../tests/bench/pictures.mjs';
 import type { BenchResult } from '../../tests/bench/results.mjs';
-import { PICTURES, pictureSubject } from '../../tests/bench/subjects.mjs';
+import { type PICTURES, pictureSubject } from '../../tests/bench/subjects.mjs';
 import { escapeHtml } from './markdown.js';
 
 const STACKS: Readonly<Record<string, string>> = {

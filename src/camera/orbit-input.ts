@@ -230,7 +230,7 @@ export class OrbitInput {
 
   #focused(): boolean {
     const area = this.#host.focusArea ?? this.#surface;
-    // Of the area's own tree: an element with the focus in its shadow tree is the active element there.
+    // Asks the area's own tree, where an element with the focus in its shadow tree is the active one.
     const { activeElement } = area.getRootNode() as Document | ShadowRoot;
     return area.contains(activeElement);
   }

@@ -13,6 +13,7 @@ import type {
 import type { ViewerTexts } from './fields/texts.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import type { Vec3 } from '../math/vector.js';
+import type { ViewportStats } from '../scene/painter.js';
 
 /** The class of an element. */
 export interface ElementClass<E extends HTMLElement> {
@@ -53,8 +54,8 @@ export interface PhongViewer extends LitElement, ViewerProperties {
   readonly loaded: boolean;
   /**
    * Texts in place of the element's own, by the English text: `{ 'Try again': 'Nochmal' }`. Texts that are left out are
-   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in use,
-   * the page's included; null if all are English. Throws TypeError for anything but an object of strings.
+   * the page's ({@link ViewerClass.texts}), or English. Null, the default, restores all. Reading gives the texts in
+   * use, the page's included; null if all are English. Throws TypeError for anything but an object of strings.
    */
   get texts(): ViewerTexts | null;
   set texts(texts: ViewerTexts | null | undefined);
@@ -129,27 +130,8 @@ export interface PhongCompare extends LitElement, CompareProperties {
 }
 
 /** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */
-export interface ViewerStats {
-  readonly frames: number;
-  /**
-   * Samples per pixel of the picture that is shown now: with `antialias="full"` up to `samples`, 0 before its first
-   * ones are shown. Stays 0 where the GPU has no float targets: `full` is like `edges` there.
-   */
-  readonly samples: number;
+export interface ViewerStats extends ViewportStats {
   readonly lightsDeclared: number;
-  readonly lightsActive: number;
-  /** Lights that the shader loops over for at least one mesh; the others add ambient light only, or nothing. */
-  readonly lightsSent: number;
-  /** The same for each mesh: the viewer's own, if it has one, then `meshes` in the order they were added. */
-  readonly lightsSentByMesh: readonly number[];
-  /** Programs of the page's WebGL context. */
-  readonly programs: number;
-  /** In the last frame. */
-  readonly drawCalls: number;
-  /** Uploads of light data. */
-  readonly uploads: number;
-  /** Viewers that the page's last frame has drawn: those in view that had changed. */
-  readonly viewersDrawn: number;
 }
 
 /** What moved the camera. */

@@ -2,7 +2,12 @@
 // only and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
 import type { ViewerTexts } from '../element/fields/texts.js';
-import type { CreatePanel, Panel, PanelChange } from '../element/viewer/viewer-panel.js';
+import {
+  type CreatePanel,
+  OPEN_PANEL,
+  type Panel,
+  type PanelChange,
+} from '../element/viewer/viewer-panel.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
@@ -81,10 +86,12 @@ class ControlPanel implements Panel {
       // lil-gui calls before it has marked the folder as open.
       queueMicrotask(() => {
         this.#refreshVisible();
+        markOpen(place, gui);
       });
     });
     viewer.addEventListener('load', this.#loaded);
     this.#stopWaiting = openIfWide(gui, viewer);
+    markOpen(place, gui);
   }
 
   #folder(title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> {
@@ -147,6 +154,7 @@ class ControlPanel implements Panel {
     this.#stopHistory();
     this.#copy.dispose();
     this.#fullScreen.dispose();
+    this.#gui.$title.closest('.panel')?.removeAttribute(OPEN_PANEL);
     this.#gui.destroy();
     removeStyles(this.#root, STYLES);
   }
@@ -188,6 +196,9 @@ function newRoot(place: HTMLElement): GUI {
   return gui;
 }
 
+/** A comparison makes room for it. */
+const markOpen = (place: HTMLElement, gui: GUI): boolean => place.toggleAttribute(OPEN_PANEL, !gui._closed);
+
 /**
  * Opens or closes the panel by the viewer's width. A viewer without a size, such as one in a closed dialog, decides
  * when it first has one; until then the panel is closed. The returned function stops waiting for that.
@@ -195,7 +206,9 @@ function newRoot(place: HTMLElement): GUI {
 function openIfWide(gui: GUI, viewer: HTMLElement): () => void {
   const hasDecided = (): boolean => {
     const fontSize = parseFloat(getComputedStyle(viewer).fontSize);
-    gui.open(viewer.clientWidth >= Math.min(WIDE.text * fontSize, WIDE.column));
+    // In a comparison it would cover most of what the dividers leave, unless it stands beside it.
+    const beside = getComputedStyle(viewer).getPropertyValue('--phong-dock') !== '';
+    gui.open(viewer.clientWidth >= Math.min(beside ? Infinity : WIDE.text * fontSize, WIDE.column));
     return viewer.clientWidth > 0 && viewer.clientHeight > 0;
   };
   const view = viewer.ownerDocument.defaultView;

@@ -76,8 +76,8 @@ export async function judgeMeans(
   const { counts, sampled, suspects, outlines } = await survey(subject, options);
   for (const list of outlines) shuffle(list, seed);
   const found = [...inTurn(outlines)];
-  const most = Math.max(FEWEST_OUTLINES, Math.round(OUTLINE_SAMPLES / samples));
-  const chosen = pixels === null ? found : found.slice(0, most);
+  const enough = Math.max(FEWEST_OUTLINES, Math.round(OUTLINE_SAMPLES / samples));
+  const chosen = pixels === null ? found : found.slice(0, enough);
   const offsets = Array.from({ length: samples }, (_, i) => pixelOffset(i));
   const limit = options.outlineCodes ?? Math.ceil(255 / samples) + TURNED;
   const wrong: WrongMean[] = [];
@@ -85,12 +85,13 @@ export async function judgeMeans(
   let largest = 0;
   for (const place of [...chosen, ...suspects]) {
     if (wrong.length === MOST_WRONG) break;
-    const off = await offOf(subject, place, offsets);
+    const isOutline = place.kind === 'contour' || place.kind === 'crease';
+    const most = isOutline ? limit : options.codes;
+    const off = await offOf(subject, place, offsets, most);
     if (off === null) continue;
     if (place.kind !== 'inside') judged += 1;
-    const isOutline = place.kind === 'contour' || place.kind === 'crease';
     if (isOutline) largest = Math.max(largest, off.codes);
-    if (off.codes > (isOutline ? limit : options.codes)) wrong.push({ ...place, ...off });
+    if (off.codes > most) wrong.push({ ...place, ...off });
   }
   const ended = wrong.length === MOST_WRONG;
   const means = { samples, outlines: judged, outlinesFound: found.length, largest, limit, wrong, ended };
@@ -184,13 +185,14 @@ function faultOf(around: Row, subpixelBits: number): 'translucent' | 'minified' 
 }
 
 /**
- * How many codes a pixel is from the means of the equation within one step of the device's subpixel grid. Null where a
- * sample meets what cannot be judged.
+ * How many codes a pixel is from the means of the equation: at its place, or if that is more than the limit or one code,
+ * within one step of the device's subpixel grid. Null where a sample meets what cannot be judged.
  */
 async function offOf(
   { viewer, picture, explain, subpixelBits }: Subject,
   { x, y }: Place,
   offsets: readonly Offset[],
+  limit: number,
 ): Promise<{ codes: number; drawn: readonly number[]; expected: readonly number[] } | null> {
   const ownObjects = hasOwnObjects(viewer);
   const drawn = premultiplied(drawnAt(picture, x, y));
@@ -210,7 +212,8 @@ async function offOf(
         return Math.max(Math.min(...codes) - code, code - Math.max(...codes), 0);
       }),
     );
-  if (off([expected]) <= 1) return { codes: off([expected]), drawn, expected };
+  const codes = off([expected]);
+  if (codes <= Math.min(limit, 1)) return { codes, drawn, expected };
   const step = 2 ** -subpixelBits;
   const means = [expected];
   for (const dx of [-step, step])

@@ -1,6 +1,5 @@
 // Tests whether a pixel is right if the device has moved the face by one subpixel step. Evaluates the equation in
-// float64 around the pixel's centre, from what shadeAt gives there and one pixel to the right and below. World space;
-// knows neither pages nor Playwright.
+// float64 around the pixel's centre, from what shadeAt gives there and one pixel to the right and below. World space.
 import { LightState } from '../light/light-state.js';
 import { srgbDecode, srgbEncode } from '../math/color.js';
 import { add, cross, dot, map, normalize, scale, subtract, type Vec3 } from '../math/vector.js';

@@ -1,4 +1,4 @@
-// Which parts of a picture are judged, and in which order. Knows neither pages nor viewers.
+// Which parts of a picture are judged, and in which order.
 
 /** A rectangle of pixels. `right` and `bottom` are excluded. */
 export interface Tile {
@@ -9,8 +9,8 @@ export interface Tile {
 }
 
 /**
- * Sides of a tile, in pixels. A tile also needs the explanations of the pixels around it, half of its own number at this
- * size. Larger tiles need fewer, but spread the same number of pixels over fewer places of the picture.
+ * Sides of a tile, in pixels. A tile also needs the explanations of the pixels around it, half of its own number at
+ * this size. Larger tiles need fewer, but spread the same number of pixels over fewer places of the picture.
  */
 const TILE = 8;
 

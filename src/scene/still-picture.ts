@@ -76,8 +76,8 @@ export class StillPicture {
   }
 
   /**
-   * The mean of so many samples of the picture as it is when `begin` is called: once the code is there. `atOnce`: not in
-   * slices.
+   * The mean of so many samples of the picture as it is when `begin` is called: once the code is there. `atOnce`: not
+   * in slices.
    */
   async capture(
     size: Size,

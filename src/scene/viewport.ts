@@ -351,7 +351,7 @@ export class Viewport implements StageClient, Framed {
       const paint = this.#painter.sampler(view);
       return (renderer, part) => {
         this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
-        this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves, width);
+        this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
         paint(renderer);
       };
@@ -420,7 +420,7 @@ export class Viewport implements StageClient, Framed {
     this.lighting.places = this.#tree.moves;
     this.levels.outlineTolerance = tolerance;
     const view = this.#view.look(this.#fov, size.width / size.height);
-    this.levels.choose(view, size.height, atOnce, this.orbit.version, this.#tree.moves, size.width);
+    this.levels.choose(view, size.height, atOnce, this.orbit.version, this.#tree.moves);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

@@ -78,11 +78,14 @@ async function main(options) {
     fronts: [],
     failures: [],
   };
-  if (options.add) {
-    const { launches, note } = options;
-    (result.added ??= []).push({ subjects: names, machine, date, launches, note });
-  }
-  await measureAll(lab, names, options, result, begun, () => write(out, result));
+  /** @type {string[]} */
+  const subjects = [];
+  const { launches, note } = options;
+  if (options.add) (result.added ??= []).push({ subjects, machine, date, launches, note });
+  await measureAll(lab, names, options, result, begun, (name) => {
+    if (!subjects.includes(name)) subjects.push(name);
+    write(out, result);
+  });
   await lab.close();
   if (out !== '') console.log(`\n${out}`);
   if (result.failures.length > 0) {
@@ -94,7 +97,7 @@ async function main(options) {
 /**
  * All subjects once, then all of them again, so that a run that ends early has launches of each.
  * @param {Lab} lab @param {readonly string[]} names @param {import('./options.mjs').Options} options
- * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {() => void} save
+ * @param {import('./results.mjs').BenchResult} result @param {number} begun @param {(name: string) => void} save a subject has been measured once more
  */
 async function measureAll(lab, names, { launches, minutes, size }, result, begun, save) {
   const parts = Array.from({ length: launches }, () => names).flat();
@@ -113,7 +116,7 @@ async function measureAll(lab, names, { launches, minutes, size }, result, begun
     }
     progress.finish(Date.now() - start);
     console.log(`${progress} ${name}: ${summary(result, name)}`);
-    save();
+    save(name);
   }
 }
 

@@ -64,7 +64,7 @@ class Picture {
     const slopeY = Math.tan(Math.PI / 8);
     const frame = { origin: [0, 0, 0] as const, eye: [0, 0, this.distance] as const, right, up, back };
     const view = { frame, slopeX: slopeY, slopeY, radius: this.distance };
-    this.levels.choose(view, this.height, this.atOnce, this.distance);
+    this.levels.choose(view, this.height, this.atOnce, this.distance, 0);
   }
 
   async settle(): Promise<void> {

@@ -10,6 +10,7 @@ import { leaveTexts, useTexts } from '../page/page-texts.js';
 import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
+import { OPEN_PANEL } from '../viewer/viewer-panel.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './divider-positions.js';
@@ -116,36 +117,45 @@ export class Comparison implements DividerHost, ReactiveController {
     const rtl = this.isRtl();
     const dividers = split ? Math.max(viewers.length - 1, 0) : 0;
     this.#dividers = Array.from({ length: dividers }, (_, i) => this.#dividers[i] ?? new Divider(this));
-    return html`<div class=${`box ${layout} ${direction}`}>
+    const open = split ? viewers.filter(hasOpenPanel) : [];
+    const kinds = `${open.length > 0 ? ' docked' : ''}${rtl ? ' rtl' : ''}`;
+    return html`<div class=${`box ${layout} ${direction}${kinds}`}>
       ${CORNERS}
       ${viewers.map((viewer, i) => {
         const divider = this.#dividers[i];
         const range = split ? ([places[i - 1] ?? 0, places[i] ?? 100] as const) : null;
         return [
-          this.#paneTemplate(i, labels[i] ?? NO_LABEL, range, rtl),
+          this.#paneTemplate(i, labels[i] ?? NO_LABEL, range, rtl, [open.indexOf(viewer), open.length]),
           divider?.template(dividerLabel(viewer, labels[i], labels[i + 1]), `${paneId(i)} ${paneId(i + 1)}`),
         ];
       })}
     </div>`;
   }
 
-  /** `range`: what the dividers leave of the pane, in percent; null for all, beside the others. */
+  /**
+   * `range`: what the dividers leave of the pane, in percent; null for all, beside the others. `panel`: the place of the
+   * viewer's open panel among `panels`; -1 while it is not open.
+   */
   #paneTemplate(
     index: number,
     { text, isName }: Label,
     range: readonly [from: number, to: number] | null,
     rtl: boolean,
+    [panel, panels]: readonly [index: number, count: number],
   ): TemplateResult {
+    const isOpen = panel >= 0;
+    const clip = range === null ? '' : this.#clip(...range, rtl, isOpen);
+    const share = isOpen ? `--index: ${String(panel)}; --count: ${String(panels)}; ` : '';
     // A viewer says its own name.
     const name = text === '' || isName ? nothing : text;
     // Read as the viewer's name, or as that of the group around it. Styles as properties: a strict CSP refuses style
     // attributes.
     return html`<div
-      class="pane"
+      class=${isOpen ? 'pane open' : 'pane'}
       id=${paneId(index)}
       role=${name === nothing ? nothing : 'group'}
       aria-label=${name}
-      .style=${`${this.#room(...(range ?? [0, 100]), text)}; ${range === null ? '' : this.#clip(...range, rtl)}`}
+      .style=${`${this.#room(...(range ?? [0, 100]), text)}; ${share}${clip}`}
     >
       <slot></slot>
       <div class="label" part="label" aria-hidden="true" ?hidden=${text === ''} .textContent=${text}></div>
@@ -163,6 +173,8 @@ export class Comparison implements DividerHost, ReactiveController {
       // The surface carries the name, whether it was given by attribute or property.
       const surface = viewer.shadowRoot?.querySelector('[part=surface]') ?? viewer;
       this.#observer.observe(surface, { attributeFilter: ['aria-label'] });
+      const panel = panelPlace(viewer);
+      if (panel !== null) this.#observer.observe(panel, { attributeFilter: [OPEN_PANEL] });
     }
   }
 
@@ -176,11 +188,19 @@ export class Comparison implements DividerHost, ReactiveController {
       .join('; ');
   }
 
-  #clip(from: number, to: number, rtl: boolean): string {
+  /** `more`: also what the style sheet leaves beside the picture, for the panel. */
+  #clip(from: number, to: number, rtl: boolean, more: boolean): string {
     const [before, after] = [`${String(from)}%`, `${String(100 - to)}%`];
     const sides = this.vertical ? [before, 0, after, 0] : rtl ? [0, before, 0, after] : [0, after, 0, before];
     // A viewer that is clipped away draws nothing.
-    return `clip-path: inset(${sides.join(' ')})${from === to ? '; visibility: hidden' : ''}`;
+    const rest = from === to ? '; visibility: hidden' : '';
+    if (!more) return `clip-path: inset(${sides.join(' ')})${rest}`;
+    const [top, right, bottom, left] = sides.map((side, i) =>
+      i % 3 === 0 ? length(side) : `calc(100% - ${length(side)})`,
+    );
+    const own = corners(left!, top!, right!, bottom!);
+    const panel = corners('var(--x0)', 'var(--y0)', 'var(--x1)', 'var(--y1)');
+    return `clip-path: polygon(${own}, ${panel})`;
   }
 
   #labelsOf(viewers: readonly PhongViewer[]): readonly Label[] {
@@ -191,6 +211,17 @@ export class Comparison implements DividerHost, ReactiveController {
     }));
   }
 }
+
+const panelPlace = (viewer: PhongViewer): Element | null =>
+  viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
+
+const hasOpenPanel = (viewer: PhongViewer): boolean => panelPlace(viewer)?.hasAttribute(OPEN_PANEL) === true;
+
+/** A closed rectangle as points of a polygon. */
+const corners = (left: string, top: string, right: string, bottom: string): string =>
+  `${left} ${top}, ${right} ${top}, ${right} ${bottom}, ${left} ${bottom}, ${left} ${top}`;
+
+const length = (side: string | number): string => (side === 0 ? '0px' : String(side));
 
 const paneId = (index: number): string => `pane-${String(index + 1)}`;
 

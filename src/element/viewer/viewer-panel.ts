@@ -54,6 +54,9 @@ export class ViewerPanel {
   };
 }
 
+/** Attribute of the panel's place while the panel is open. */
+export const OPEN_PANEL = 'data-open';
+
 /** What has changed, so that a panel updates only that. */
 export type PanelChange = 'camera' | 'light' | 'lights' | 'mesh' | 'meshes' | 'viewer';
 

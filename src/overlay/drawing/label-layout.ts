@@ -142,7 +142,7 @@ const MEASURED = 12;
 
 const LABEL = labelFont(`${String(MEASURED)}px`);
 
-/** Of a table. */
+/** The font of a table. */
 export const PLAIN = `${String(MEASURED)}px system-ui, sans-serif`;
 
 const widths = new Map<string, number>();

@@ -186,7 +186,7 @@ export class Projection {
       else to = Math.min(to, room / step);
     }
     if (!(from <= to)) return null;
-    // Of an end far away rounding may leave hundreds of pixels.
+    // Rounding moves an end that is far away by up to hundreds of pixels.
     const at = (share: number): Point => ({
       x: clamp(a.x + share * dx, -OUTSIDE * this.width, (1 + OUTSIDE) * this.width),
       y: clamp(a.y + share * dy, -OUTSIDE * this.height, (1 + OUTSIDE) * this.height),

@@ -37,7 +37,7 @@ export class LightHelpers {
   readonly #host: ExtraHost;
   readonly #handles: Handles;
   readonly #occlusion: Occlusion<PhongLight>;
-  /** Of the axes of spots. */
+  /** Where the axes of spots meet a surface. */
   readonly #surfaces: FirstSurfaces<PhongLight>;
   readonly #known = new Map<PhongLight, KnownLight>();
 

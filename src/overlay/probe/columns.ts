@@ -41,9 +41,9 @@ const SIZES = {
   decimals: 50,
   /** Between two columns; see probe.css. */
   gap: 0.6,
-  /** Of a name: a few letters. */
+  /** A name: a few letters. */
   name: 2.5,
-  /** Of a name with a note below it. */
+  /** A name with a note below it. */
   note: 6,
 } as const;
 

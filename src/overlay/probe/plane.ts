@@ -15,7 +15,7 @@ import {
 import type { Point } from '../drawing/projection.js';
 import { degreesText, type SumRow } from './sum.js';
 
-/** Of the diagram, in pixels for text of 12 pixels: probe.css scales it with its text. */
+/** The diagram's size in pixels for text of 12 pixels: probe.css scales it with its text. */
 export const PLANE = { width: 140, height: 104 } as const;
 
 const FONT_SIZE = 12;

@@ -57,7 +57,7 @@ const SPACE = { roomy: 36, small: 22, scrollBar: 12 } as const;
 /** The least room beside the table for the angles side on; see probe.css. In font sizes. */
 const BESIDE = { width: 58, height: 33 } as const;
 
-/** Of the lines of a table, and of head and steps around it, at most. In font sizes. */
+/** Largest height of a table's line, and of head and steps around the table. In font sizes. */
 const LINES = { row: 1.6, around: 6 } as const;
 
 export class ProbeBox {

@@ -12,7 +12,7 @@ import {
   shapeKey,
   shapeNeeds,
 } from './shapes/shared-shapes.js';
-import { CLOSED, type GeometryName } from './shapes/shapes.js';
+import { CLOSED, type GeometryName, type LoadedShape } from './shapes/shapes.js';
 import {
   type Claim,
   type Claimant,
@@ -188,6 +188,8 @@ function addressOf(src: string | Blob): URL | null {
 }
 
 /** A built-in shape: at once if its code is loaded, else a promise. */
+export function shapeContent(key: ShapeKey & { readonly name: LoadedShape }): Content;
+export function shapeContent(key: ShapeKey): Content | Promise<Content>;
 export function shapeContent(key: ShapeKey): Content | Promise<Content> {
   const geometry = acquireGeometry(key);
   const content = (ready: BufferGeometry): Content => {

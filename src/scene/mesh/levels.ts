@@ -1,6 +1,5 @@
 // Gives the round shapes of a picture as many segments as its pixels show. The choice follows from camera, transforms
 // and size alone: the same scene at the same size has the same triangles.
-import { sameValue } from '../../fields/field-store.js';
 import { lazyCode } from '../../model/lazy-code.js';
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
@@ -48,8 +47,8 @@ export class Levels {
   /** As {@link shared} was last told. */
   #wasFixed = false;
   #stale = true;
-  /** What the last choice was made for. */
-  #chosenFor: readonly unknown[] = [];
+  /** What the last choice was made for, as {@link #compare} was given it. */
+  readonly #chosenFor: number[] = [];
   // The round shapes and their levels in the present choice, and the levels that are being built for them.
   readonly #round: SceneMesh[] = [];
   readonly #levels: number[] = [];
@@ -105,21 +104,34 @@ export class Levels {
   }
 
   /**
-   * Chooses for a picture of `height` device pixels, and shows what is chosen as far as it is built. `state`: whatever
-   * else the choice depends on, but for meshes: see {@link changed}. `atOnce`: builds all that is missing now. World
-   * matrices must be up to date.
+   * Chooses for a picture of `height` device pixels, and shows what is chosen as far as it is built. `camera` and
+   * `moves`: the versions of the camera and of the meshes' places; for other changes see {@link changed}. `atOnce`:
+   * builds all that is missing now. World matrices must be up to date.
    */
-  choose(view: View, height: number, atOnce: boolean, ...state: readonly unknown[]): void {
+  choose(view: View, height: number, atOnce: boolean, camera: number, moves: number): void {
     const { used, limit } = this.#budget;
     const isFixed = this.#shared?.isFixed ?? false;
-    const chosenFor = [...state, view.slopeY, height, used, limit, isFixed, atOnce];
-    if (!this.#stale && sameValue(chosenFor, this.#chosenFor)) return;
+    this.#compare(0, camera);
+    this.#compare(1, moves);
+    this.#compare(2, view.slopeX);
+    this.#compare(3, view.slopeY);
+    this.#compare(4, height);
+    this.#compare(5, used);
+    this.#compare(6, limit);
+    this.#compare(7, Number(isFixed));
+    this.#compare(8, Number(atOnce));
+    if (!this.#stale) return;
     this.#stale = false;
-    this.#chosenFor = chosenFor;
     this.#list(view, height / (2 * view.slopeY), isFixed);
     while (this.#triangles() > limit - used && this.#coarsen());
     this.#mayBuild = atOnce ? Infinity : this.#inFrames;
     this.#round.forEach((mesh, i) => this.#show(mesh, this.#levels[i]!));
+  }
+
+  /** In place: every frame, and every sample of a still picture, comes by. */
+  #compare(at: number, value: number): void {
+    this.#stale ||= value !== this.#chosenFor[at];
+    this.#chosenFor[at] = value;
   }
 
   /** `pixels`: of a unit of length at depth 1. */
@@ -228,8 +240,8 @@ export function levelFor(segments: number, name: GeometryName): number {
 const coarserThan = (level: number, name: GeometryName): number => levelFor(level / 1.5, name);
 
 /**
- * Segments that keep the outline of a round shape within a distance of the true one, of which a unit of length at depth
- * 1 has `finest`. Null where the shape is out of view.
+ * Segments that keep the outline of a round shape close enough to the true one. `finest`: how many times the allowed
+ * distance goes into a unit of length at depth 1. Null where the shape is out of view.
  */
 export function segmentsIn(
   { frame, slopeX, slopeY }: View,

@@ -15,7 +15,7 @@ import { flatNeedsOf, shapeContent } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey } from './shapes/shared-shapes.js';
-import type { GeometryName } from './shapes/shapes.js';
+import type { LoadedShape } from './shapes/shapes.js';
 import type { Claim } from './triangle-budget.js';
 
 export interface Part {
@@ -30,7 +30,7 @@ export interface Part {
 export interface ShownContent {
   readonly content: Content;
   /** A round shape that has as many segments as the screen needs; null for anything else. */
-  readonly round: GeometryName | null;
+  readonly round: LoadedShape | null;
   /** Its segments, or `FIXED`. */
   readonly level: number;
   /** What the content holds of its viewer's triangles. */
@@ -96,11 +96,16 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
 }
 
 /**
- * Shows a shape, whose code is here, as another level of it. Its bounds are the same. Throws if there is no memory for
- * it.
+ * Shows `round`, the shape that is shown, as another level of it. Its bounds are the same. Throws if there is no memory
+ * for it.
  */
-export function showLevel(shown: ShownContent, level: number, flat: boolean): ShownContent {
-  const content = shapeContent(levelKey(shown.round!, level)) as Content;
+export function showLevel(
+  shown: ShownContent,
+  round: LoadedShape,
+  level: number,
+  flat: boolean,
+): ShownContent {
+  const content = shapeContent(levelKey(round, level));
   let geometries: readonly BufferGeometry[];
   try {
     geometries = geometriesOf(content, flat, null);

@@ -25,7 +25,7 @@ import {
 } from './parts.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
-import { effectiveSegments, type GeometryName, roundOf } from './shapes/shapes.js';
+import { effectiveSegments, type GeometryName, type LoadedShape, roundOf } from './shapes/shapes.js';
 import type { Claim, Need } from './triangle-budget.js';
 
 /** The picture that shows a mesh. */
@@ -86,7 +86,7 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   /** The round shape that has as many segments as the screen needs; null where it shows anything else. */
-  get round(): GeometryName | null {
+  get round(): LoadedShape | null {
     return this.#shown.round;
   }
 
@@ -108,10 +108,12 @@ export class SceneMesh implements Animated, ContentOwner {
     return this.#shown.level;
   }
 
-  /** Shows another level of {@link round}, whose code is here. Where there is no memory for it the level stays. */
+  /** Shows another level of {@link round}. Where there is no memory for it the level stays. */
   set level(level: number) {
+    const { round } = this;
+    if (round === null) return;
     try {
-      this.#shown = showLevel(this.#shown, level, this.#effective === 'flat');
+      this.#shown = showLevel(this.#shown, round, level, this.#effective === 'flat');
     } catch (error) {
       if (!isOutOfMemory(error)) throw error;
     }
@@ -286,10 +288,10 @@ export class SceneMesh implements Animated, ContentOwner {
   #regroup(flat: boolean): void {
     const { round, claim } = this.#shown;
     const needs = round === null ? null : this.needsOf(round, 'auto');
-    if (needs !== null) {
+    if (round !== null && needs !== null) {
       claim?.add(needs);
       // Before a flat copy is made of a finer level.
-      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, FIXED, false);
+      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, round, FIXED, false);
       this.#host.reshaped(); // another level may be needed
     }
     const { content, parts } = this.#shown;
@@ -351,8 +353,8 @@ export class SceneMesh implements Animated, ContentOwner {
     const { geometry, segments } = this.#values;
     const isRound =
       url === null && geometry !== null && segments === 'auto' && roundOf(geometry) !== undefined;
-    // Shapes are called as their geometry is. The values may already name another one.
-    const round = isRound && content.parts[0]?.name === geometry ? geometry : null;
+    // Shapes are called as their geometry is. The values may already name another one. Its code came with its content.
+    const round = isRound && content.parts[0]?.name === geometry ? (geometry as LoadedShape) : null;
     const level = round === null ? FIXED : shapeKey(round, 'auto').segments!;
     const geometries = geometriesOf(content, this.wantsFlat, round === null ? claim : null);
     const parts = partsOf(content, geometries, this.#host.materials, (source) =>

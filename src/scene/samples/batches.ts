@@ -1,5 +1,5 @@
-// How many samples are drawn at once: as many as the GPU finishes in 8 ms, so that input and the page's own frames never
-// wait longer for them. A batch begins in an animation frame, and the next one after it has ended.
+// How many samples are drawn at once: as many as the GPU finishes in 8 ms, so that input and the page's own frames
+// never wait longer for them. A batch begins in an animation frame, and the next one after it has ended.
 
 const BATCH_MS = 8;
 

@@ -21,7 +21,7 @@ export interface Sampled extends Size {
    * `atOnce` builds them now.
    */
   refine(atOnce: boolean): boolean;
-  /** What draws the samples of one batch, all of them in this task. */
+  /** Returns what draws the samples of one batch, all of them in this task. */
   sampler(): PaintPart;
   /** Shows the kept picture. `last`: it has all samples. */
   show(last: boolean): void;

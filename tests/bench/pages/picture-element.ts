@@ -13,6 +13,9 @@ const SETTLING = { frames: 30, betweenMs: 4, restMs: 400 } as const;
 /** What a change turns the camera by and back, in degrees: the levels of round shapes stay. */
 const NUDGE = 0.01;
 
+/** Enough to compile, and to build the levels that samples show. */
+export const WARM: Mode = { antialias: 'full', samples: 16 };
+
 export interface Mode {
   readonly antialias: 'edges' | 'highlights' | 'full';
   /** Samples per pixel of `full`; 0 otherwise. */
@@ -89,7 +92,10 @@ export const openElement =
     }
     await pause(SETTLING.restMs);
     await draw(0);
-    if (mode.antialias === 'full') await antialiasAll(viewers, mode);
+    if (mode.antialias === 'full') {
+      await antialiasAll(viewers, WARM);
+      for (const viewer of viewers) viewer.samples = mode.samples;
+    }
 
     return {
       methods: { element: { steps: 1 } },

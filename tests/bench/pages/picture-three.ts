@@ -17,7 +17,7 @@ import { CODES, MULTISAMPLED, SSAA, ssaa, TAA, TAA_PASS } from '../pictures.mjs'
 import type { Viewer } from './element-side.js';
 import { lightsOf, shownMeshes } from './cast-scene.js';
 import { equationMaterial } from './equation-material.js';
-import { antialiasAll, showViewers } from './picture-element.js';
+import { antialiasAll, showViewers, WARM } from './picture-element.js';
 import type { Cell, OpenPicture } from './picture.js';
 import type { PictureScene } from './picture-scenes.js';
 import { finish, pause, rendererName } from './timing.js';
@@ -43,7 +43,7 @@ async function canvases(
   multisamples: boolean,
 ): Promise<Canvas[]> {
   const viewers = await showViewers(holder, scene);
-  if (!multisamples) await antialiasAll(viewers, { antialias: 'full', samples: 16 });
+  if (!multisamples) await antialiasAll(viewers, WARM);
   const taken = viewers.map((viewer) => ({
     camera: cameraOf(viewer, width / height),
     scenes: { light: sceneOf(viewer, true), codes: sceneOf(viewer, false) },

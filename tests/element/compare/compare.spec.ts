@@ -6,7 +6,7 @@ import type { PhongCompare } from '../../../src/index.js';
 import { decodePng, type Picture, pixelAt } from '../../support/picture.js';
 import { allReady, expect, strictPolicy, test, type Mount } from '../../support/test.js';
 import { countEverything, countsOf } from '../support/counting.js';
-import { opened, panelOf } from '../panel/panel-rows.js';
+import { opened, panelOf, titleOf } from '../panel/panel-rows.js';
 import {
   assign,
   cameraOf,
@@ -502,28 +502,61 @@ test('a viewer that is moved without being disconnected joins the comparison, to
   await expect.poll(async () => (await cameraOf(page.locator('phong-viewer').nth(2))).theta).toBe(10);
 });
 
-test('an open panel in a split comparison does not shift one of the pictures', async ({ page, mount }) => {
-  const wide = 'phong-compare { width: 900px; height: 400px }';
-  const compare = await compared(
-    page,
-    mount,
-    comparison('at="60"', sphere('alt="A" gui') + sphere('alt="B"')),
-    wide,
-  );
-  const first = page.locator('phong-viewer').first();
+test('open panels of a split comparison stand beside all pictures, or below them on a phone', async ({
+  page,
+  mount,
+}) => {
+  const wide = 'phong-compare { width: 900px; height: 500px }';
+  const markup = comparison('at="60" labels="A, B"', sphere('alt="A" gui') + sphere('alt="B"'));
+  const compare = await compared(page, mount, markup, wide);
+  const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  const boxOf = async (target: Locator) => (await target.boundingBox())!;
+  const surfaceOf = (viewer: Locator) => boxOf(viewer.locator('[part=surface]'));
+  /** What the user would press in the middle of a part belongs to it. */
+  const isOnTop = (viewer: Locator): Promise<boolean> =>
+    panelOf(viewer).evaluate((panel) => {
+      const { x, y, width, height } = panel.getBoundingClientRect();
+      const root = panel.getRootNode() as ShadowRoot;
+      return panel.contains(root.elementFromPoint(x + width / 2, y + height / 2));
+    });
   await opened(first, 'Camera');
-  const surfaces = await Promise.all(
-    [0, 1].map((i) => page.locator('phong-viewer').nth(i).locator('[part=surface]').boundingBox()),
-  );
-  expect(surfaces[0]).toEqual(surfaces[1]);
-  const right = async (): Promise<number> => {
-    const { x, width } = (await panelOf(first).boundingBox())!;
-    return x + width;
-  };
-  expect(await right()).toBeLessThan(540);
-  await assign(compare, { at: 80 });
-  expect(await right()).toBeGreaterThan(600);
-  expect(await right()).toBeLessThan(720);
+  await assign(second, { gui: true });
+  await expect(titleOf(second, 'Controls')).toHaveAttribute('aria-expanded', 'false');
+  expect(await surfaceOf(first)).toEqual(await surfaceOf(second));
+  const { width } = await surfaceOf(first);
+  expect(width).toBeGreaterThan(450);
+  expect((await boxOf(panelOf(first))).x).toBeGreaterThanOrEqual(width);
+  expect(await isOnTop(first)).toBe(true);
+  expect((await boxOf(dividers(compare).first())).x + 12).toBeCloseTo(0.6 * width, 0);
+  await assign(compare, { at: 20 });
+  expect(await isOnTop(first), 'wherever the divider is').toBe(true);
+
+  await titleOf(second, 'Controls').click();
+  await expect.poll(async () => (await boxOf(panelOf(second))).x).toBeGreaterThanOrEqual(width);
+  const [above, below] = [await boxOf(panelOf(first)), await boxOf(panelOf(second))];
+  expect(above.y + above.height).toBeLessThanOrEqual(below.y);
+  expect(below.y + below.height).toBeLessThanOrEqual(500);
+  expect([await isOnTop(first), await isOnTop(second)]).toEqual([true, true]);
+  expect(await surfaceOf(first)).toEqual(await surfaceOf(second));
+
+  await page.emulateMedia({ media: 'print' });
+  expect((await surfaceOf(first)).width, 'on paper').toBeCloseTo(width, 0);
+  expect((await surfaceOf(second)).x).toBeCloseTo((900 - width) / 2, 0);
+  await page.emulateMedia({ media: null });
+
+  await titleOf(second, 'Controls').click();
+  await page.evaluate(() => (document.documentElement.dir = 'rtl'));
+  await nextFrame(page);
+  await page.locator('phong-compare').hover();
+  await expect.poll(async () => (await surfaceOf(first)).x - (await boxOf(compare)).x).toBeGreaterThan(250);
+  await expect.poll(() => isOnTop(first)).toBe(true);
+  await page.evaluate(() => (document.documentElement.dir = 'ltr'));
+  await page.locator('phong-compare').evaluate((element) => (element.style.width = '390px'));
+  await nextFrame(page);
+  expect((await surfaceOf(second)).height).toBeCloseTo(250, 0);
+  const sheet = await boxOf(panelOf(first));
+  expect([sheet.y, sheet.width]).toEqual([250, 390]);
+  expect(await isOnTop(first)).toBe(true);
 });
 
 test('comparisons that come and go leave nothing behind', async ({ page, mount }) => {

@@ -1,6 +1,6 @@
 // Does a removed viewer leave anything behind: in the heap, on the GPU, among the page's listeners and observers?
 
-import { findBrowser, softwareGl } from '../../../.ci/browser.mjs';
+import { findTestBrowser, softwareGl } from '../../../.ci/browser.mjs';
 import { expect, test } from '../../support/test.js';
 import { countEverything, countsOf } from '../support/counting.js';
 import { comeAndGo, Ledger } from './many-viewers.js';
@@ -18,7 +18,7 @@ const kinds = [
 test.beforeEach(({ page }) => countEverything(page));
 
 // On a page composed by WebGL: composed without, a specialised program may keep waiting for its next frame, with its shaders.
-const executablePath = await findBrowser();
+const executablePath = await findTestBrowser();
 test.use({
   launchOptions: { ...(executablePath === undefined ? {} : { executablePath }), args: softwareGl },
 });

@@ -1,6 +1,13 @@
 // Does a printed page show all pictures, also those below the fold, and their CSS backgrounds?
+import { type Browser, chromium, type Page } from '@playwright/test';
+import { findBrowser, softwareGl } from '../../../.ci/browser.mjs';
 import { expect, test } from '../../support/test.js';
 import { decodePng, type Picture } from '../../support/picture.js';
+
+/** Launched where the tests' own browser has no PDF viewer, as headless shells have none. */
+let launched: Browser | null = null;
+
+test.afterAll(async () => launched?.close());
 
 test('draws pictures below the fold before the page is printed', async ({ mount, page }) => {
   const viewer = await mount('<div id="above"></div><phong-viewer geometry="sphere"></phong-viewer>', {
@@ -42,9 +49,38 @@ test('prints the CSS background behind every picture, on every page', async ({ m
     height: 180,
     css: 'phong-viewer { background: #f00 } @page { size: 300px 400px; margin: 0 }',
   });
-  const pdf = await page.pdf({ printBackground: true, preferCSSPageSize: true });
-  // Chromium's own viewer shows the pages below each other.
-  const reader = await browser.newPage({ viewport: { width: 500, height: 1700 } });
+  const reader = await readPdf(browser, await page.pdf({ printBackground: true, preferCSSPageSize: true }));
+  await expect
+    .poll(async () => redBoxes(decodePng(await reader.screenshot())), { timeout: 30_000 })
+    .toBe(count);
+  await reader.close();
+});
+
+test('keeps round what is round where paper is narrower than the screen, with a panel open or not', async ({
+  mount,
+  page,
+  browser,
+}) => {
+  const ball = (attributes: string): string =>
+    `<phong-viewer geometry="sphere" ka="255 0 0" kd="0" ks="0" ${attributes}><phong-light ambient="255"></phong-light></phong-viewer>`;
+  await mount(ball('gui') + ball(''), {
+    css: `body { margin: 0 } phong-viewer { display: block; width: 100% !important; height: 300px }
+      @page { size: 420px 700px; margin: 0 }`,
+  });
+  await expect(page.locator('.lil-root')).toBeVisible();
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const reader = await readPdf(browser, await page.pdf({ printBackground: true, preferCSSPageSize: true }));
+  const shapes = async (): Promise<readonly number[]> => redShapes(decodePng(await reader.screenshot()));
+  await expect.poll(async () => (await shapes()).length, { timeout: 30_000 }).toBe(2);
+  for (const shape of await shapes()) expect(Math.abs(shape - 1)).toBeLessThan(0.05);
+  await reader.close();
+});
+
+/** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
+async function readPdf(own: Browser, pdf: Buffer): Promise<Page> {
+  const browser = await browserWithPdfViewer(own);
+  test.skip(browser === null, 'no browser on this machine shows a PDF');
+  const reader = await browser!.newPage({ viewport: { width: 500, height: 1700 } });
   await reader.setContent('<style>body { margin: 0 } embed { width: 500px; height: 1700px }</style>');
   await reader.evaluate((base64) => {
     const embed = document.createElement('embed');
@@ -52,21 +88,56 @@ test('prints the CSS background behind every picture, on every page', async ({ m
     embed.src = `data:application/pdf;base64,${base64}#toolbar=0`;
     document.body.append(embed);
   }, pdf.toString('base64'));
-  await expect
-    .poll(async () => redBoxes(decodePng(await reader.screenshot())), { timeout: 30_000 })
-    .toBe(count);
-  await reader.close();
-});
+  return reader;
+}
+
+async function browserWithPdfViewer(own: Browser): Promise<Browser | null> {
+  if (await showsPdf(own)) return own;
+  const executablePath = await findBrowser();
+  launched ??= await chromium.launch({
+    ...(executablePath === undefined ? {} : { executablePath }),
+    args: softwareGl,
+  });
+  return (await showsPdf(launched)) ? launched : null;
+}
+
+async function showsPdf(browser: Browser): Promise<boolean> {
+  const page = await browser.newPage();
+  const shows = await page.evaluate(() => navigator.pdfViewerEnabled);
+  await page.close();
+  return shows;
+}
+
+/** Width over height of what is red, from the top. */
+function redShapes(picture: Picture): number[] {
+  const { width, height } = picture;
+  const widths = Array.from({ length: height }, (_, y) => {
+    let count = 0;
+    for (let x = 0; x < width; x++) if (isRed(picture, 4 * (y * width + x))) count += 1;
+    return count;
+  });
+  const shapes: number[] = [];
+  for (let y = 0; y < height; y++) {
+    const from = y;
+    while (widths[y]! > 0) y += 1;
+    if (y - from > 20) shapes.push(Math.max(...widths.slice(from, y)) / (y - from));
+  }
+  return shapes;
+}
+
+const isRed = ({ data }: Picture, at: number): boolean =>
+  data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20;
 
 /** Runs of at least 100 red pixels, read down the column that has the most red. */
-function redBoxes({ width, height, data }: Picture): number {
+function redBoxes(picture: Picture): number {
+  const { width, height } = picture;
   let most = 0;
   for (let x = 0; x < width; x++) {
     let boxes = 0;
     let run = 0;
     for (let y = 0; y < height; y++) {
       const at = 4 * (y * width + x);
-      run = data[at]! > 240 && data[at + 1]! < 20 && data[at + 2]! < 20 ? run + 1 : 0;
+      run = isRed(picture, at) ? run + 1 : 0;
       if (run === 100) boxes += 1;
     }
     most = Math.max(most, boxes);

@@ -3,6 +3,7 @@
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';
+import de from '../../../src/element/texts/de.js';
 import { expect, test } from '../../support/test.js';
 import { field, listOf, opened, panelOf, titleOf } from './panel-rows.js';
 import { assign } from '../support/viewer.js';
@@ -100,6 +101,37 @@ for (const [width, height, of] of [
     });
   }
 }
+
+test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page, mount }) => {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  const css = 'phong-viewer { font-size: 24px }';
+  const viewer = await mount(scene, { width: 1280, height: 800, css });
+  for (const title of ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball', 'Order and copies'])
+    await opened(viewer, title);
+  for (const texts of [null, de]) {
+    await assign(viewer, { texts });
+    for (const width of [1280, 390]) {
+      await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);
+      await expectNothingCut(viewer);
+      expect(await cutChoices(viewer), `${width}`).toEqual([]);
+    }
+  }
+});
+
+/** Selects that are too narrow for their present choice. Only its width as text tells. */
+const cutChoices = (viewer: Locator): Promise<string[]> =>
+  listOf(viewer).evaluate((list) =>
+    [...list.querySelectorAll('select')]
+      .filter((select) => select.checkVisibility())
+      .flatMap((select) => {
+        const { font, paddingLeft, paddingRight } = getComputedStyle(select);
+        const context = new OffscreenCanvas(1, 1).getContext('2d')!;
+        context.font = font;
+        const text = select.selectedOptions[0]?.text ?? '';
+        const room = select.clientWidth - parseFloat(paddingLeft) - parseFloat(paddingRight);
+        return context.measureText(text).width > room + 1 ? [text] : [];
+      }),
+  );
 
 test('from right to left the picture stands to the right of the panel, and numbers keep their order', async ({
   page,

@@ -20,7 +20,8 @@ test('measures every front, shows a table for each and copies the result as JSON
   await expect(recorded.first()).toContainText('Software rendering');
   for (const section of await recorded.all()) {
     await expect(section.getByRole('img', { name: 'torus: error over time' })).toBeVisible();
-    await expect(section.getByRole('row', { name: /^TAARenderPass, 32/ }).getByRole('cell')).toHaveCount(6);
+    const cells = section.getByRole('row', { name: /^TAARenderPass, 32/ }).getByRole('cell');
+    await expect(cells).toHaveCount(await section.getByRole('img').count());
     await expect(section).not.toContainText(/–|NaN/);
   }
   await page.getByRole('button', { name: 'Measure' }).click();

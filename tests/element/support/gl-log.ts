@@ -18,6 +18,8 @@ export interface GlSpent {
   readonly bytes: number;
   /** Calls that allocate memory for a texture or buffer. */
   readonly allocations: number;
+  /** Bytes of buffers that were allocated: geometries. */
+  readonly bufferBytes: number;
   readonly uniforms: number;
 }
 
@@ -87,6 +89,7 @@ function wrapGl(limits: Limits): void {
     uploads: 0,
     bytes: 0,
     allocations: 0,
+    bufferBytes: 0,
     uniforms: 0,
   });
   let spent = none();
@@ -121,7 +124,10 @@ function wrapGl(limits: Limits): void {
     if (/^draw(?!ingBuffer|Buffers)/.test(name)) wrap(name, (_, self) => draw(self));
     if (/^tex(Image|Storage)/.test(name)) wrap(name, () => (spent.allocations += 1));
   }
-  wrap('bufferData', () => (spent.allocations += 1));
+  wrap('bufferData', ([, data]) => {
+    spent.allocations += 1;
+    spent.bufferBytes += typeof data === 'number' ? data : (data as ArrayBufferView).byteLength;
+  });
 
   const CHANNELS: Readonly<Record<number, number>> = { [gl.RED]: 1, [gl.RG]: 2, [gl.RGB]: 3, [gl.RGBA]: 4 };
   wrap('texSubImage2D', ([, , , , width, height, format, type]) => {

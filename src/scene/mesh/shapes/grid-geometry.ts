@@ -4,8 +4,17 @@ import { BufferAttribute, BufferGeometry } from 'three';
 /** A geometry that is built in steps, each of some hundred vertices; `return` gives it. */
 export type Steps = Generator<undefined, BufferGeometry, undefined>;
 
-/** Takes the next vertex: place, unit normal and texture coordinates. */
-export type Put = (
+/** Place, unit normal and texture coordinates of all vertices, one after the other. */
+export interface Vertices {
+  readonly position: Float32Array;
+  readonly normal: Float32Array;
+  readonly uv: Float32Array;
+}
+
+/** Writes a vertex. */
+export function put(
+  { position, normal, uv }: Vertices,
+  vertex: number,
   x: number,
   y: number,
   z: number,
@@ -14,7 +23,17 @@ export type Put = (
   nz: number,
   u: number,
   v: number,
-) => void;
+): void {
+  const at = 3 * vertex;
+  position[at] = x;
+  position[at + 1] = y;
+  position[at + 2] = z;
+  normal[at] = nx;
+  normal[at + 1] = ny;
+  normal[at + 2] = nz;
+  uv[2 * vertex] = u;
+  uv[2 * vertex + 1] = v;
+}
 
 /** Quadrangles in rows and columns, each cut into two triangles. */
 export interface Grid {
@@ -28,12 +47,14 @@ export interface Grid {
   /** All vertices of the first row, or of the last one, are in one place: they have one triangle for a quadrangle. */
   readonly closedFirst?: boolean;
   readonly closedLast?: boolean;
-  /** Puts the vertices of a row: one more than there are columns. Row 0 to `rows`. */
-  readonly row: (row: number, put: Put) => void;
+  /** Writes the vertices of a row from `first` on: one more than there are columns. Row 0 to `rows`. */
+  readonly row: (row: number, into: Vertices, first: number) => void;
 }
 
 /** Most vertices that 16-bit indices can tell apart. */
 const FEW = 2 ** 16;
+
+type Indices = Uint16Array | Uint32Array;
 
 /** One geometry of all these grids. */
 export function* gridGeometry(grids: readonly Grid[]): Steps {
@@ -47,33 +68,14 @@ export function* gridGeometry(grids: readonly Grid[]): Steps {
   const normal = new Float32Array(3 * vertices);
   const uv = new Float32Array(2 * vertices);
   const index = vertices > FEW ? new Uint32Array(3 * triangles) : new Uint16Array(3 * triangles);
-  let vertex = 0;
+  const into = { position, normal, uv };
+  let first = 0;
   let corner = 0;
-  const put: Put = (x, y, z, nx, ny, nz, u, v) => {
-    const at = 3 * vertex;
-    position[at] = x;
-    position[at + 1] = y;
-    position[at + 2] = z;
-    normal[at] = nx;
-    normal[at + 1] = ny;
-    normal[at + 2] = nz;
-    uv[2 * vertex] = u;
-    uv[2 * vertex + 1] = v;
-    vertex += 1;
-  };
   for (const grid of grids) {
-    const { columns, rows, corners } = grid;
-    for (let row = 0; row <= rows; row++) {
-      const first = vertex;
-      grid.row(row, put);
-      const from = row === 1 && grid.closedFirst === true ? 3 : 0;
-      const to = row === rows && grid.closedLast === true ? 3 : 6;
-      for (let column = 0; row > 0 && column < columns; column++)
-        for (let k = from; k < to; k++) {
-          const c = corners[k]!;
-          // Of the row before, or of this one.
-          index[corner++] = first + column + (c & 1) - (c < 2 ? columns + 1 : 0);
-        }
+    for (let row = 0; row <= grid.rows; row++) {
+      grid.row(row, into, first);
+      if (row > 0) corner = indexRow(index, corner, grid, row, first);
+      first += grid.columns + 1;
       yield;
     }
   }
@@ -83,6 +85,25 @@ export function* gridGeometry(grids: readonly Grid[]): Steps {
   geometry.setAttribute('normal', new BufferAttribute(normal, 3));
   geometry.setAttribute('uv', new BufferAttribute(uv, 2));
   return geometry;
+}
+
+/**
+ * Writes the indices of the triangles between a row, whose first vertex is `first`, and the row before. Begins at
+ * `corner`, and returns where the next row's begin.
+ */
+function indexRow(index: Indices, corner: number, grid: Grid, row: number, first: number): number {
+  const { columns, rows, corners, closedFirst, closedLast } = grid;
+  const from = row === 1 && closedFirst === true ? 3 : 0;
+  const to = row === rows && closedLast === true ? 3 : 6;
+  const step = to - from;
+  for (let k = from; k < to; k++) {
+    const c = corners[k]!;
+    // Of the row before, or of this one.
+    let vertex = first + (c & 1) - (c < 2 ? columns + 1 : 0);
+    const end = vertex + columns;
+    for (let at = corner + k - from; vertex < end; at += step) index[at] = vertex++;
+  }
+  return corner + step * columns;
 }
 
 /** All steps at once. */

@@ -5,7 +5,7 @@ import { scale, type Vec3 } from '../../../math/vector.js';
 import { declareExtremePoints, ExtremePoints } from '../../../model/extreme-points.js';
 import { lazyCode } from '../../../model/lazy-code.js';
 import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
-import { finish, gridGeometry, type Steps } from './grid-geometry.js';
+import { finish, gridGeometry, put, type Steps } from './grid-geometry.js';
 import type { SOLIDS } from './solids.js';
 
 /** The names that the `geometry` attribute takes, in the order in which menus show them. */
@@ -30,6 +30,11 @@ export type GeometryName = (typeof GEOMETRIES)[number];
 export const CLOSED: ReadonlySet<GeometryName> = new Set(
   GEOMETRIES.filter((name) => name !== 'plane' && name !== 'teapot'),
 );
+
+/** A shape whose code is here: its geometries are made at once. */
+export type LoadedShape = GeometryName & { readonly [loaded]: true };
+
+declare const loaded: unique symbol;
 
 /** A geometry, or a promise where the shape's code is a chunk of its own. */
 export type PendingGeometry = BufferGeometry | Promise<BufferGeometry>;
@@ -96,19 +101,37 @@ function flatFaced(geometry: BufferGeometry, normals: readonly Vec3[], distance:
 function sphere(columns: number, out: number): Steps {
   const rows = rowsOf(columns, 2);
   const radius = 0.5 + out;
-  const angles = Array.from({ length: columns + 1 }, (_, i) => (i / columns) * Math.PI * 2);
+  const cos = new Float64Array(columns + 1);
+  const sin = new Float64Array(columns + 1);
+  for (let i = 0; i <= columns; i++) {
+    const angle = (i / columns) * Math.PI * 2;
+    cos[i] = Math.cos(angle);
+    sin[i] = Math.sin(angle);
+  }
   return gridGeometry([
     {
       ...{ columns, rows, corners: [1, 0, 3, 0, 2, 3], closedFirst: true, closedLast: true },
-      row: (row, put) => {
+      row: (row, into, first) => {
         const polar = (row / rows) * Math.PI;
-        const [across, y] = [Math.sin(polar), Math.cos(polar)];
+        const across = Math.sin(polar);
+        const y = Math.cos(polar);
         // The texture's corner at a pole is over the middle of its triangle.
         const shift = row === 0 ? 0.5 / columns : row === rows ? -0.5 / columns : 0;
         for (let i = 0; i <= columns; i++) {
-          const x = -Math.cos(angles[i]!) * across;
-          const z = Math.sin(angles[i]!) * across;
-          put(radius * x, radius * y, radius * z, x, y, z, i / columns + shift, 1 - row / rows);
+          const x = -cos[i]! * across;
+          const z = sin[i]! * across;
+          put(
+            into,
+            first + i,
+            radius * x,
+            radius * y,
+            radius * z,
+            x,
+            y,
+            z,
+            i / columns + shift,
+            1 - row / rows,
+          );
         }
       },
     },
@@ -201,7 +224,7 @@ export function effectiveSegments(name: GeometryName, segments: number | undefin
 export const trianglesOf = (name: GeometryName, segments: number | undefined): number =>
   SHAPES[name].triangles(effectiveSegments(name, segments));
 
-/** Of flat copies, weighed by memory: each corner has 8 values, position, normal and uv. */
+/** What flat copies count as triangles, by their memory: each corner has 8 values, position, normal and uv. */
 export const flatTrianglesOf = (triangles: number): number =>
   Math.ceil((triangles * 3 * 8) / VALUES_PER_TRIANGLE);
 

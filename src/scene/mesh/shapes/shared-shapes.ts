@@ -31,7 +31,10 @@ export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKe
     : levelKey(name, roundOf(name) === undefined ? FIXED : COARSEST);
 
 /** A level by its segments, or the shape's {@link FIXED} number. */
-export const levelKey = (name: GeometryName, level: number): ShapeKey => ({
+export const levelKey = <Name extends GeometryName>(
+  name: Name,
+  level: number,
+): ShapeKey & { readonly name: Name } => ({
   name,
   segments: level === FIXED ? undefined : level,
   isLevel: level !== FIXED,

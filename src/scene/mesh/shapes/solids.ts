@@ -1,6 +1,6 @@
 // The less common shapes, in one chunk: separate chunks would be smaller than a request costs.
 import { ConeGeometry, CylinderGeometry } from 'three';
-import { gridGeometry, type Steps } from './grid-geometry.js';
+import { gridGeometry, put, type Steps } from './grid-geometry.js';
 import { pyramidGeometry } from './pyramid.js';
 import { torusKnot } from './torus-knot.js';
 
@@ -37,14 +37,15 @@ function torus(columns: number, out: number): Steps {
   return gridGeometry([
     {
       ...{ columns, rows, corners: [2, 0, 3, 0, 1, 3] },
-      row: (row, put) => {
+      row: (row, into, first) => {
         const v = (row / rows) * Math.PI * 2;
         const [outward, z] = [Math.cos(v), Math.sin(v)];
         for (let i = 0; i <= columns; i++) {
           const c = cos[i]!;
           const s = sin[i]!;
           const distance = TORUS_RING + tube * outward;
-          put(distance * c, distance * s, tube * z, outward * c, outward * s, z, i / columns, row / rows);
+          const [nx, ny] = [outward * c, outward * s];
+          put(into, first + i, distance * c, distance * s, tube * z, nx, ny, z, i / columns, row / rows);
         }
       },
     },

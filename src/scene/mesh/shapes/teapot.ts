@@ -1,7 +1,7 @@
 // The Utah teapot, spout toward +x, moved and scaled so that the round shape fits the unit box. In a chunk of its own
 // because of three.js's table of control points.
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
-import { type Grid, gridGeometry, type Put, type Steps } from './grid-geometry.js';
+import { type Grid, gridGeometry, put, type Steps, type Vertices } from './grid-geometry.js';
 
 const PATCHES = 32;
 /** Bézier patches that make one turn round the body. */
@@ -29,7 +29,7 @@ function patchGrid(patch: number, divisions: number): Grid {
   const sums = new Float64Array(9);
   return {
     ...{ columns: divisions, rows: divisions, corners: [0, 1, 3, 0, 3, 2], closedFirst: isClosed(patch) },
-    row: (row, put) => {
+    row: (row, into, first) => {
       const s = bases[row]!;
       for (let column = 0; column <= divisions; column++) {
         const t = bases[column]!;
@@ -43,14 +43,14 @@ function patchGrid(patch: number, divisions: number): Grid {
             sums[6 + axis]! += s.value[i]! * t.slope[j]! * place;
           }
         }
-        putVertex(sums, 1 - column / divisions, 1 - row / divisions, put);
+        putVertex(sums, 1 - column / divisions, 1 - row / divisions, into, first + column);
       }
     },
   };
 }
 
 /** `sums`: the place, and how it changes along the patch and across it. */
-function putVertex(sums: Float64Array, u: number, v: number, put: Put): void {
+function putVertex(sums: Float64Array, u: number, v: number, into: Vertices, vertex: number): void {
   const [x, y, z, ax, ay, az, bx, by, bz] = sums as unknown as number[] as [number, number, number, number, number, number, number, number, number]; // prettier-ignore
   let nx = by * az - bz * ay;
   let ny = bz * ax - bx * az;
@@ -61,7 +61,7 @@ function putVertex(sums: Float64Array, u: number, v: number, put: Put): void {
     ny /= length;
     nz /= length;
   } else [nx, ny, nz] = [0, y > 0 ? 1 : -1, 0];
-  put((x - CENTER) / EXTENT, y / EXTENT, z / EXTENT, nx, ny, nz, u, v);
+  put(into, vertex, (x - CENTER) / EXTENT, y / EXTENT, z / EXTENT, nx, ny, nz, u, v);
 }
 
 /** Vertices along the side of a patch that determine it: it is bicubic. */

@@ -1,6 +1,6 @@
 // The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box.
 import { cross, normalize, subtract, type Vec3 } from '../../../math/vector.js';
-import { gridGeometry, type Steps } from './grid-geometry.js';
+import { gridGeometry, put, type Steps } from './grid-geometry.js';
 
 // three.js's defaults: the strands do not touch.
 const RADIUS = 1;
@@ -23,7 +23,7 @@ export function torusKnot(rows: number, out: number): Steps {
   return gridGeometry([
     {
       ...{ columns, rows, corners: [0, 2, 1, 2, 3, 1] },
-      row: (row, put) => {
+      row: (row, into, first) => {
         const angle = (row / rows) * 4 * Math.PI;
         const [x, y, z] = curve(angle);
         const next = curve(angle + AHEAD);
@@ -38,7 +38,9 @@ export function torusKnot(rows: number, out: number): Steps {
           const ny = cx * N[1] + cy * B[1];
           const nz = cx * N[2] + cy * B[2];
           const px = (x - CENTER) / EXTENT + tube * nx;
-          put(px, y / EXTENT + tube * ny, z / EXTENT + tube * nz, nx, ny, nz, row / rows, i / columns);
+          const py = y / EXTENT + tube * ny;
+          const pz = z / EXTENT + tube * nz;
+          put(into, first + i, px, py, pz, nx, ny, nz, row / rows, i / columns);
         }
       },
     },
