@@ -351,7 +351,7 @@ export class Viewport implements StageClient, Framed {
       const paint = this.#painter.sampler(view);
       return (renderer, part) => {
         this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
-        this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves, width);
+        this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
         paint(renderer);
       };
