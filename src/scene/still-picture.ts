@@ -66,7 +66,7 @@ export class StillPicture {
 
   /** Draws the missing samples now, as far as `deadline` allows: a time as of `performance.now()`. */
   finish(deadline: number): void {
-    this.#converging?.finish(deadline);
+    if (this.startable) this.#converging?.finish(deadline);
     if (!this.pending) this.#settled();
   }
 
