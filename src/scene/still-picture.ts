@@ -6,6 +6,8 @@ import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
 import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
 
+export type { PaintPart };
+
 const sampling = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js'),
   'antialias="full" and toBlob({ samples })',
@@ -64,7 +66,7 @@ export class StillPicture {
 
   /** Draws the missing samples now, as far as `deadline` allows: a time as of `performance.now()`. */
   finish(deadline: number): void {
-    this.#converging?.finish(deadline);
+    if (this.startable) this.#converging?.finish(deadline);
     if (!this.pending) this.#settled();
   }
 

@@ -4,7 +4,6 @@ import type { Bounds } from '../camera/fit.js';
 import { Orbit } from '../camera/orbit.js';
 import type { LightSet } from '../light/light-set.js';
 import type { PhongLighting } from '../material/lighting.js';
-import type { PictureView } from '../material/views.js';
 import type { ShadingStyle } from '../material/material-values.js';
 import { Animations } from './mesh/animation.js';
 import { AutoFit, type Framing } from './auto-fit.js';
@@ -19,10 +18,8 @@ import { TriangleBudget } from './mesh/triangle-budget.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
 import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
-import type { PaintPart } from './samples/sampled-capture.js';
-import { StillPicture } from './still-picture.js';
+import { type PaintPart, StillPicture } from './still-picture.js';
 import { ViewCamera } from './view-camera.js';
-import type { View } from './view-cut.js';
 import type { ViewportSignals } from './viewport-signals.js';
 
 export class Viewport implements StageClient, Framed {
@@ -134,13 +131,6 @@ export class Viewport implements StageClient, Framed {
     this.reshaped();
   }
 
-  /** What is shown in place of the shaded colour; null, the default, for that. */
-  set view(view: PictureView | null) {
-    this.changing();
-    this.lighting.view = view;
-    this.style = { ...this.style }; // materials and geometries follow
-  }
-
   set linear(linear: boolean) {
     if (linear !== this.lighting.linear) this.invalidate();
     this.lighting.linear = linear;
@@ -184,13 +174,11 @@ export class Viewport implements StageClient, Framed {
   }
 
   add(mesh: SceneMesh): void {
-    this.changing();
     this.#tree.add(mesh);
     this.reshaped();
   }
 
   remove(mesh: SceneMesh): void {
-    this.changing();
     this.#tree.remove(mesh);
     this.reshaped();
   }
@@ -226,9 +214,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** What meshes show is about to change. Pictures that are being captured show the scene as it was when they began. */
-  changing(): void {
-    this.#still.finishCaptures();
-  }
+  readonly changing = (): void => this.#still.finishCaptures();
 
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
@@ -310,9 +296,8 @@ export class Viewport implements StageClient, Framed {
 
   sampler(): PaintPart {
     this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
-    const [{ width, height }, bounds] = [this, this.fit.depthBounds()];
     return (renderer, part) => {
-      this.#view.aim(this.#fov, this.scene, bounds, width, height, part);
+      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
       this.#painter.paintAgain(renderer, this.#view);
     };
   }
@@ -365,14 +350,8 @@ export class Viewport implements StageClient, Framed {
       const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
       const paint = this.#painter.sampler(view);
       return (renderer, part) => {
-        // The page may have shown its own since.
-        this.#chooseLevels(
-          { width, height },
-          view.look(fov, width / height),
-          version,
-          true,
-          SAMPLED_TOLERANCE,
-        );
+        this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
+        this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
         paint(renderer);
       };
@@ -439,14 +418,9 @@ export class Viewport implements StageClient, Framed {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
-    const view = this.#view.look(this.#fov, size.width / size.height);
-    this.#chooseLevels(size, view, this.orbit.version, atOnce, tolerance);
-  }
-
-  /** `view` is that of the orbit's `version`. */
-  #chooseLevels(size: Size, view: View, version: number, atOnce: boolean, tolerance: number): void {
     this.levels.outlineTolerance = tolerance;
-    this.levels.choose(view, size.height, atOnce, version, this.#tree.moves);
+    const view = this.#view.look(this.#fov, size.width / size.height);
+    this.levels.choose(view, size.height, atOnce, this.orbit.version, this.#tree.moves);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

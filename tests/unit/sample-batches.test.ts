@@ -103,7 +103,10 @@ describe('batches of samples', () => {
   it('leave no fence behind where one is sent before the last has ended', () => {
     const gpu = new Gpu();
     const batches = new Batches(gpu.gl);
-    for (let i = 0; i < 3; i++) batches.send(1, () => gpu.draw());
+    for (let i = 0; i < 3; i++)
+      batches.send(1, () => {
+        gpu.draw();
+      });
     expect(gpu.fences).toBe(1);
     batches.cancel();
     expect(gpu.fences).toBe(0);

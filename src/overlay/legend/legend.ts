@@ -53,7 +53,9 @@ class ViewExtra implements Extra {
     const shown = `${values.view} ${values.viewLight}`;
     if (shown !== this.#shown) {
       this.#shown = shown;
-      viewport.view = pictureView(values.view, () => chosenLights(this.#host));
+      viewport.changing();
+      viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
+      viewport.style = { ...viewport.style }; // materials and geometries follow
       viewport.holder.classList.toggle('outlined', OUTLINED.includes(values.view));
     }
     if (values.view !== 'error') this.#hideError();
@@ -89,7 +91,9 @@ class ViewExtra implements Extra {
     this.#legend.place.remove();
     viewport.holder.classList.remove('outlined');
     removeStyles(this.#root, styles);
-    viewport.view = null;
+    viewport.changing();
+    viewport.lighting.view = null;
+    viewport.style = { ...viewport.style };
   }
 
   async #showError(): Promise<void> {

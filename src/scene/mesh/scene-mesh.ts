@@ -150,6 +150,7 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Shows it below `parent`, whose world matrix is the identity. */
   attach(parent: Object3D): void {
+    this.#host.changing();
     this.#parent = parent;
     if (this.root !== null) parent.add(this.root);
   }
@@ -321,6 +322,7 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Ends any load and frees everything. */
   dispose(): void {
+    this.#host.changing();
     this.#load.drop();
     this.#host.removed(this);
     this.#parent = null;

@@ -49,7 +49,6 @@ export class Batches {
   send(left: number, draw: () => void): void {
     this.cancel();
     const gl = this.#gl;
-    this.cancel();
     const start = (this.#start = performance.now());
     const wanted = Math.min(this.#size, left);
     let drawn = 0;

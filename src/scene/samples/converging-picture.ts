@@ -91,11 +91,10 @@ export class ConvergingPicture {
   }
 
   /**
-   * Draws what is missing now, without waiting for turns and frames, as far as `deadline` allows: a time as of
+   * Call while it is pending. Draws what is missing now, without waiting for turns and frames, as far as `deadline` allows: a time as of
    * `performance.now()`.
    */
   finish(deadline: number): void {
-    if (!this.pending) return;
     seize(this);
     this.#subject.refine(true);
     const before = this.#samples;
@@ -150,7 +149,10 @@ export class ConvergingPicture {
 
   readonly #drawNow = (renderer: WebGLRenderer): void => {
     const run = (this.#run ??= this.#begin(renderer));
-    if (run === null) return this.#fail();
+    if (run === null) {
+      this.#fail();
+      return;
+    }
     // The deadline is the GPU's too: reading a pixel waits for it.
     if (run.sum.count % WAITS_AFTER === 0) run.sum.wait();
     this.#advance(renderer, run);
