@@ -3,7 +3,7 @@
 import { axeOn } from '../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';
-import { assign, nextFrame, type PhongViewer } from '../element/support/viewer.js';
+import { assign, nextFrame, type PhongViewer, pointerAway } from '../element/support/viewer.js';
 
 const scene = (attributes = 'probe'): string =>
   `<main><phong-viewer alt="A sphere" geometry="sphere" theta="0" phi="90" radius="1.6" target="0 0 0" ${attributes}>
@@ -31,9 +31,11 @@ async function announced(page: Page): Promise<() => Promise<[text: string, at: n
 }
 
 test('the cross-hair has a name, a role and a description of its keys, and its values are announced', async ({
+  page,
   mount,
 }) => {
   const viewer = await mount(scene());
+  await pointerAway(page);
   await expect(cursor(viewer)).toHaveAttribute('aria-roledescription', 'cross-hair');
   await expect(cursor(viewer)).toHaveAttribute('aria-description', /Arrow keys move it by a pixel/);
   await expect(region(viewer)).toBeEmpty();
@@ -49,6 +51,7 @@ test('announcements are at least a second apart, and the last one is of the last
   mount,
 }) => {
   const viewer = await mount(scene());
+  await pointerAway(page);
   const texts = await announced(page);
   await cursor(viewer).focus();
   for (let i = 0; i < 12; i++) {

@@ -3,7 +3,7 @@
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, drag, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
+import { assign, drag, nextFrame, type PhongViewer, pointerAway, settled } from '../support/viewer.js';
 
 const LIGHTS = `
   <phong-light name="sun" position="-1 1.4 1.2 0" ambient="26 28 36" diffuse="110 112 118" specular="150"></phong-light>
@@ -261,6 +261,7 @@ test.describe('the cross-hair', () => {
     mount,
   }) => {
     const viewer = await mount(scene());
+    await pointerAway(page);
     await page.keyboard.press('Tab');
     await page.keyboard.press('Tab');
     await expect(cursor(viewer)).toBeFocused();
@@ -282,6 +283,7 @@ test.describe('the cross-hair', () => {
     mount,
   }) => {
     const viewer = await mount(scene());
+    await pointerAway(page);
     await cursor(viewer).focus();
     for (let i = 0; i < 45; i++) await page.keyboard.press('Shift+ArrowLeft');
     await expect(box(viewer)).toHaveText(/No surface there\./);
@@ -293,6 +295,7 @@ test.describe('the cross-hair', () => {
 
   test('selects a light by its button in the table: only its vectors are drawn', async ({ page, mount }) => {
     const viewer = await mount(scene());
+    await pointerAway(page);
     await cursor(viewer).focus();
     for (const key of ['Shift+ArrowUp', 'Shift+ArrowUp', 'Enter']) await page.keyboard.press(key);
     await expect(box(viewer)).toHaveClass(/pinned/);

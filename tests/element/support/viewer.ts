@@ -79,6 +79,9 @@ export async function nextFrame(page: Page): Promise<void> {
 export const settled = (viewer: Locator): Promise<void> =>
   viewer.evaluate((element: PhongViewer) => element.ready);
 
+/** Moves the pointer off the viewers. A headless shell moves it to the corner of each page that has loaded. */
+export const pointerAway = (page: Page): Promise<void> => page.mouse.move(900, 650);
+
 export interface DragOptions {
   readonly button?: 'left' | 'right' | 'middle';
   readonly steps?: number;
