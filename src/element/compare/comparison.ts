@@ -7,6 +7,7 @@ import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
+import panelColumn from '../page/panel-column.css?inline';
 import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
@@ -45,6 +46,7 @@ export class Comparison implements DividerHost, ReactiveController {
 
   hostConnected(): void {
     const root = this.#element.shadowRoot!;
+    addStyles(root, panelColumn);
     addStyles(root, styles);
     addStyles(root, CORNER_STYLES);
     this.#observe();
