@@ -65,9 +65,10 @@ async function draw() {
     // The panel is fetched on its own, and the picture beside it converges anew.
     await viewer.getByText('copy HTML').waitFor();
     await page.waitForFunction(() => {
-      const { samples, stats } = /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
-        document.querySelector('phong-viewer')
-      );
+      const { samples, stats } =
+        /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
+          document.querySelector('phong-viewer')
+        );
       return stats.samples === samples;
     });
     const file = join(repository, README_PICTURE);

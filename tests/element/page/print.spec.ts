@@ -57,9 +57,9 @@ test('prints the viewers after one whose own object throws', async ({ mount, pag
   const thrown = consoleGuard.allow(/an object of the page throws/);
   await page.pdf();
   expect(thrown.length).toBeGreaterThan(0);
-  expect(await second.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => element.stats.frames)).toBe(
-    1,
-  );
+  expect(
+    await second.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => element.stats.frames),
+  ).toBe(1);
 });
 
 test('prints the CSS background behind every picture, on every page', async ({ mount, page, browser }) => {
