@@ -50,7 +50,7 @@ test('prints the viewers after one whose own object throws', async ({ mount, pag
   });
   const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
   await first.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => {
-    element.scene!.onBeforeRender = () => {
+    element.scene.onBeforeRender = () => {
       throw new Error('an object of the page throws');
     };
   });
