@@ -62,8 +62,15 @@ async function draw() {
       await customElements.whenDefined('phong-viewer');
       await /** @type {HTMLElement & { ready: Promise<void> }} */ (element).ready;
     });
-    // The panel is fetched on its own.
+    // The panel is fetched on its own, and the picture beside it converges anew.
     await viewer.getByText('copy HTML').waitFor();
+    await page.waitForFunction(() => {
+      const { samples, stats } =
+        /** @type {HTMLElement & { samples: number, stats: { samples: number } }} */ (
+          document.querySelector('phong-viewer')
+        );
+      return stats.samples === samples;
+    });
     const file = join(repository, README_PICTURE);
     await viewer.screenshot({ path: file });
     console.log(`${README_PICTURE}: ${String(Math.round(statSync(file).size / 1024))} KiB`);

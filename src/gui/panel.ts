@@ -14,6 +14,7 @@ import type { PhongViewer } from '../element/phong-viewer.js';
 import { addStyles, removeStyles } from '../element/page/style-sheets.js';
 import { ChildEditor } from './child-editor.js';
 import { ChildFolders } from './child-folders.js';
+import panelColumn from '../element/page/panel-column.css?inline';
 import controls from './controls.css?inline';
 import { addFiles, type CopyButton } from './files-row.js';
 import { FullScreenButton } from './full-screen.js';
@@ -36,7 +37,7 @@ import { VIEWER_ROWS } from './viewer-folders.js';
 const WIDE = { text: 40, column: 640 } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
-const STYLES = panelStyles + controls + targets;
+const STYLES = panelColumn + panelStyles + controls + targets;
 
 export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
 

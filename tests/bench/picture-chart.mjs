@@ -72,6 +72,8 @@ export function panelSvg(points, picture, colors) {
   svg.querySelector('style')?.remove(); // a strict policy allows no styles but the page's
   for (const name of ['style', 'class', 'width', 'height']) svg.removeAttribute(name);
   svg.setAttribute('role', 'img');
+  // Plot names its marks, which ARIA allows only where there is a role.
+  for (const mark of svg.querySelectorAll('g[aria-label]')) mark.removeAttribute('aria-label');
   return svg.outerHTML;
 }
 

@@ -7,6 +7,7 @@ import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
 import { fieldsOf } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
+import panelColumn from '../page/panel-column.css?inline';
 import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
@@ -45,6 +46,7 @@ export class Comparison implements DividerHost, ReactiveController {
 
   hostConnected(): void {
     const root = this.#element.shadowRoot!;
+    addStyles(root, panelColumn);
     addStyles(root, styles);
     addStyles(root, CORNER_STYLES);
     this.#observe();
@@ -145,7 +147,9 @@ export class Comparison implements DividerHost, ReactiveController {
   ): TemplateResult {
     const isOpen = panel >= 0;
     const clip = range === null ? '' : this.#clip(...range, rtl, isOpen);
-    const share = isOpen ? `--index: ${String(panel)}; --count: ${String(panels)}; ` : '';
+    const share = isOpen
+      ? `--index: ${String(panel)}; --count: ${String(panels)}; --phong-name: ${cssString(text)}; `
+      : '';
     // A viewer says its own name.
     const name = text === '' || isName ? nothing : text;
     // Read as the viewer's name, or as that of the group around it. Styles as properties: a strict CSP refuses style
@@ -222,6 +226,9 @@ const corners = (left: string, top: string, right: string, bottom: string): stri
   `${left} ${top}, ${right} ${top}, ${right} ${bottom}, ${left} ${bottom}, ${left} ${top}`;
 
 const length = (side: string | number): string => (side === 0 ? '0px' : String(side));
+
+/** As a string in a style sheet, in one line. */
+const cssString = (text: string): string => JSON.stringify(text.replace(/\s+/g, ' '));
 
 const paneId = (index: number): string => `pane-${String(index + 1)}`;
 

@@ -126,12 +126,23 @@ export class PageObservers {
 
   #printed(): void {
     const deadline = performance.now() + PRINT_MS;
-    for (const watcher of [...this.#watched.values()]) watcher.printed(deadline);
+    this.#each((watcher) => watcher.printed(deadline));
   }
 
   #notify(what: 'shown' | 'scaled' | 'closed'): void {
+    this.#each((watcher) => watcher[what]());
+  }
+
+  /** One broken viewer, as with objects of the page's own, must not stop the others. */
+  #each(action: (watcher: Watcher) => void): void {
     // A copy: watchers may come and go meanwhile.
-    for (const watcher of [...this.#watched.values()]) watcher[what]();
+    for (const watcher of [...this.#watched.values()]) {
+      try {
+        action(watcher);
+      } catch (error) {
+        reportError(error);
+      }
+    }
   }
 }
 

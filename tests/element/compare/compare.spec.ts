@@ -537,6 +537,10 @@ test('open panels of a split comparison stand beside all pictures, or below them
   expect(above.y + above.height).toBeLessThanOrEqual(below.y);
   expect(below.y + below.height).toBeLessThanOrEqual(500);
   expect([await isOnTop(first), await isOnTop(second)]).toEqual([true, true]);
+  const nameOf = (viewer: Locator) =>
+    titleOf(viewer, 'Controls').evaluate((title) => getComputedStyle(title, '::after').content);
+  expect(await nameOf(first), 'says whose it is').toContain('"A"');
+  expect(await nameOf(second)).toContain('"B"');
   expect(await surfaceOf(first)).toEqual(await surfaceOf(second));
 
   await page.emulateMedia({ media: 'print' });

@@ -41,6 +41,27 @@ test('prints the mean of all samples with `antialias="full"`, in view or not', a
   expect(await printed.jsonValue()).toEqual([64, 64]);
 });
 
+test('prints the viewers after one whose own object throws', async ({ mount, page, consoleGuard }) => {
+  const viewer = '<phong-viewer geometry="sphere"></phong-viewer>';
+  await mount(viewer + '<div id="above"></div>' + viewer, {
+    width: 60,
+    height: 40,
+    css: '#above { height: 5000px }',
+  });
+  const [first, second] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];
+  await first.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => {
+    element.scene.onBeforeRender = () => {
+      throw new Error('an object of the page throws');
+    };
+  });
+  const thrown = consoleGuard.allow(/an object of the page throws/);
+  await page.pdf();
+  expect(thrown.length).toBeGreaterThan(0);
+  expect(
+    await second.evaluate((element: HTMLElementTagNameMap['phong-viewer']) => element.stats.frames),
+  ).toBe(1);
+});
+
 test('prints the CSS background behind every picture, on every page', async ({ mount, page, browser }) => {
   const count = 8;
   const viewer = '<phong-viewer geometry="box"></phong-viewer>';

@@ -108,6 +108,10 @@ test('text of 24 pixels cuts nothing, in a column and as a sheet', async ({ page
   const viewer = await mount(scene, { width: 1280, height: 800, css });
   for (const title of ['lamp', 'Camera', 'Shading', 'Show', 'Material', 'Meshes', 'ball'])
     await opened(viewer, title);
+  const arrow = await titleOf(viewer, 'Controls').evaluate(
+    (title) => getComputedStyle(title, '::before').width,
+  );
+  expect(parseFloat(arrow), 'signs grow with the text').toBeGreaterThan(15);
   for (const texts of [null, de]) {
     await assign(viewer, { texts });
     for (const width of [1280, 390]) {
