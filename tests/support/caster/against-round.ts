@@ -11,7 +11,7 @@ import type { TrueShape } from './scene.js';
 const HEAD_LIGHT = new LightState({ space: 'camera', position: [0, 0, 1, 0] }).values;
 
 /**
- * Root of the mean squared error in codes, over red, green and blue on a black page. The viewer has one mesh, its own,
+ * Root of the mean squared error in codes, over red, green and blue on a white page. The viewer has one mesh, its own,
  * and no lights or materials but the default ones. `samples`: see `CastOptions`.
  */
 export async function errorAgainstRound(
@@ -34,7 +34,11 @@ export async function errorAgainstRound(
   const truth = await castPicture(scene, { width, height, samples });
   const { data } = await pixels(viewer, size);
   let squares = 0;
-  for (let i = 0; i < data.length; i++)
-    if (i % 4 < 3) squares += ((data[i]! * data[i | 3]!) / 255 - truth[i]!) ** 2;
+  for (let i = 0; i < data.length; i++) {
+    if (i % 4 === 3) continue;
+    const alpha = data[i | 3]!;
+    const drawn = (data[i]! * alpha) / 255 + 255 - alpha;
+    squares += (drawn - (truth[i]! + 255 - truth[i | 3]!)) ** 2;
+  }
   return Math.sqrt(squares / (3 * width * height));
 }
