@@ -11,7 +11,7 @@ import { isSoftware, Lab } from './browser.mjs';
 import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
-import { keepTruths, measurePicture } from './measure/pictures.mjs';
+import { measurePicture } from './measure/pictures.mjs';
 import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { readOptions } from './options.mjs';
@@ -51,13 +51,6 @@ async function main(options) {
   }
   const lab = new Lab(folder, await launchOptions(options));
   await lab.open();
-  if (options.truths) {
-    for (const name of names) {
-      const subject = SUBJECTS[name];
-      if (subject?.kind === 'picture') await keepTruths(lab, subject, options.size ?? PICTURE_SIZE);
-    }
-    return lab.close();
-  }
   const machine = await lab.machine();
   console.log(
     Object.entries(machine)

@@ -10,6 +10,7 @@ import { brotliCompressSync, constants } from 'node:zlib';
 import { outputFolder } from '../../.ci/output-folder.mjs';
 import { writeModels } from './models.mjs';
 import { copyPeers, installPeers } from './peers/install.mjs';
+import { buildCaster } from './truths.mjs';
 
 const here = fileURLToPath(new URL('.', import.meta.url));
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -44,6 +45,7 @@ export async function buildPages(folder) {
   const peers = installPeers();
   if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
   else copyPeers(join(folder, 'peers'));
+  await buildCaster(folder);
   compress(folder);
   /** @type {BuiltFrom} */
   const about = {

@@ -27,7 +27,7 @@ const DRAW_PLAIN = [PLAIN, 'highlights', 'multisampled'];
  * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').PictureSubject} subject @param {number} launch @param {Options} options
  */
 export async function measurePicture(lab, { scene, round }, launch, { size, rounds, add }) {
-  const { methods, cell, check } = await openSides(lab, scene, SIDES, size);
+  const { methods, cell, check } = await openSides(lab, scene, size);
   if (launch === 0) await addErrors(methods, await truthsOf(lab, methods, cell, round), add);
   const timed = methods.filter(({ name }) => !name.endsWith(CODES));
   for (const method of timed) if (method.name !== OURS) await time(method); // the first one compiles and allocates
@@ -45,25 +45,15 @@ export async function measurePicture(lab, { scene, round }, launch, { size, roun
   for (const values of samples) add(TIME, 'ms', baseLast(values));
 }
 
-/**
- * Keeps the exact pictures beside the built pages, and measures nothing.
- * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').PictureSubject} subject @param {readonly [number, number]} size
- */
-export async function keepTruths(lab, { scene, round }, size) {
-  const { methods, cell, check } = await openSides(lab, scene, [PLAIN, FINE], size);
-  await truthsOf(lab, methods, cell, round);
-  check();
-}
-
-/** @param {import('../browser.mjs').Lab} lab @param {string} scene @param {readonly string[]} sides @param {readonly [number, number]} size */
-async function openSides(lab, scene, sides, size) {
+/** @param {import('../browser.mjs').Lab} lab @param {string} scene @param {readonly [number, number]} size */
+async function openSides(lab, scene, size) {
   const browser = await lab.launch();
   /** @type {Method[]} */
   const methods = [];
   /** @type {(() => void)[]} */
   const checks = [];
   let cell = { width: size[0], height: size[1] };
-  for (const side of sides) {
+  for (const side of SIDES) {
     const query = new URLSearchParams({ scene, side, width: String(size[0]), height: String(size[1]) });
     const { page, check } = await openPage(browser, `${lab.origin}/picture.html?${query}`, size);
     const facts = await page.evaluate(() => window.openPicture());

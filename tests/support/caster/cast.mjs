@@ -15,12 +15,20 @@ import { outputFolder } from '../../../.ci/output-folder.mjs';
 /** Rows that a thread casts at a time: small enough that all end together. */
 const BAND = 4;
 
-/** @type {Map<string, Promise<string>>} */
-const bundled = new Map();
+/** @type {Promise<string> | undefined} */
+let bundled;
 
-/** The mean over each pixel's square of what the equation writes there, clamped and encoded but not rounded: r, g, b, a of each pixel, rows from the top, codes 0–255, premultiplied. Kept on disk. @param {CastScene} scene @param {CastOptions} options @returns {Promise<Float64Array>} */
-export async function castPicture(scene, options) {
-  const code = await bundle('worker.ts');
+/** The threads' code as one module, for machines that cannot bundle it. @returns {Promise<string>} */
+export const casterCode = () => (bundled ??= bundle());
+
+/**
+ * The mean over each pixel's square of what the equation writes there, clamped and encoded but not rounded: r, g, b, a of
+ * each pixel, rows from the top, codes 0–255, premultiplied. Kept on disk. `code`: see {@link casterCode}; bundled by
+ * default.
+ * @param {CastScene} scene @param {CastOptions} options @param {string} [code] @returns {Promise<Float64Array>}
+ */
+export async function castPicture(scene, options, code) {
+  code ??= await casterCode();
   const key = createHash('sha256')
     .update(code)
     .update(serialize([scene, options]))
@@ -64,21 +72,14 @@ async function castNow(code, scene, options) {
   return picture;
 }
 
-/** One of this folder's modules as a module without imports. @param {string} file */
-function bundle(file) {
-  let code = bundled.get(file);
-  if (code === undefined) bundled.set(file, (code = build(file)));
-  return code;
-}
-
-/** @param {string} file */
-async function build(file) {
-  const { build: viteBuild } = await import('vite');
-  const result = await viteBuild({
+/** The thread's module without imports. @returns {Promise<string>} */
+async function bundle() {
+  const { build } = await import('vite');
+  const result = await build({
     configFile: false,
     logLevel: 'error',
     build: {
-      ssr: fileURLToPath(new URL(file, import.meta.url)),
+      ssr: fileURLToPath(new URL('worker.ts', import.meta.url)),
       write: false,
       target: 'node20',
     },
