@@ -65,7 +65,7 @@ describe('a level', () => {
     'of the %s is a multiple of 8, at least as fine as needed, and at most a quarter finer',
     (name) => {
       const { most } = roundOf(name)!;
-      const least = name === 'torus-knot' ? 32 : 16;
+      const least = name === 'torus-knot' ? 32 : name === 'cone' ? 64 : 16;
       for (let segments = 0; segments < 2.5 * most; segments += 0.37) {
         const level = levelFor(segments, name);
         expect(level % 8).toBe(0);

@@ -6,9 +6,9 @@ import type { Vec3 } from '../../math/vector.js';
 import type { View } from '../view-cut.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
-import { COARSEST, FIXED, isBuilt, levelKey } from './shapes/shared-shapes.js';
+import { FIXED, isBuilt, levelKey } from './shapes/shared-shapes.js';
 import {
-  effectiveSegments,
+  coarsestOf,
   flatTrianglesOf,
   GEOMETRIES,
   type GeometryName,
@@ -159,7 +159,7 @@ export class Levels {
       const key = levelNumber(round!, level);
       if (level === FIXED || distinct.has(key)) return;
       distinct.add(key);
-      const more = trianglesOf(round!, level) - trianglesOf(round!, COARSEST);
+      const more = trianglesOf(round!, level) - trianglesOf(round!, coarsestOf(round!));
       total += wantsFlat ? more + flatTrianglesOf(more) : more;
     });
     return total;
@@ -228,7 +228,7 @@ const levelNumber = (name: GeometryName, level: number): number => GEOMETRIES.in
  * more than needed and a camera that comes near passes few levels.
  */
 export function levelFor(segments: number, name: GeometryName): number {
-  const least = effectiveSegments(name, COARSEST);
+  const least = coarsestOf(name);
   const { most } = roundOf(name)!;
   if (segments >= most) return most;
   const step = Math.max(8, 2 ** Math.ceil(Math.log2(segments)) / 8);

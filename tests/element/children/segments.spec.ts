@@ -1,17 +1,12 @@
-// Are round shapes as round as the screen shows, by default, in pictures, files and comparisons?
+// Are round shapes as round as the screen shows, by default, in pictures, files and comparisons? The long forms are in
+// release/round-films.spec.ts and round-shapes.spec.ts.
 
-import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
+import { countEverything } from '../support/counting.js';
 import { assign, type PhongViewer, settled } from '../support/viewer.js';
+import { expectSmooth, filmZoom, loadAgain, showThumbnails, triangles } from './round-levels.js';
 
 const SIZE = { width: 120, height: 120 };
-
-/** Triangles of the first mesh that is drawn. */
-const triangles = (viewer: Locator): Promise<number> =>
-  viewer.evaluate((element: PhongViewer) => {
-    const mesh = element.scene.children[0] as unknown as { geometry: { index: { count: number } | null } };
-    return (mesh.geometry.index?.count ?? 0) / 3;
-  });
 
 /** Of a sphere. */
 const sphereOf = (segments: number): number => 2 * segments * (segments / 2 - 1);
@@ -89,4 +84,21 @@ test('Gouraud and flat pictures keep the fixed number, and so does a Phong one b
   await settled(right);
   await settled(left);
   expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
+});
+
+test('the same markup gives the same picture of the same triangles at each load', async ({ mount }) => {
+  await loadAgain(mount, 5);
+});
+
+test('fifty thumbnails have the levels of their sizes, share them, and rest', async ({ page, mount }) => {
+  await countEverything(page);
+  await showThumbnails(page, mount, 50);
+});
+
+test('a zoom from a dot to the inside of a shape shows no jump and no blank frame', async ({
+  page,
+  mount,
+}) => {
+  for (const geometry of ['sphere', 'cone'])
+    expectSmooth(await filmZoom(page, mount, geometry, 24, { width: 60, height: 60 }), geometry);
 });

@@ -60,6 +60,8 @@ export interface Round {
   readonly gap: number;
   /** How far its vertices are outside the shape, times n². */
   readonly out: number;
+  /** Fewest segments of an `auto` level. Default {@link COARSEST}, or what the shape needs. */
+  readonly coarsest?: number;
   /** Most segments of an `auto` level: it has at most 131,072 triangles. */
   readonly most: number;
   /** Half the size of the round shape's box, and the distance of its farthest point from the origin. */
@@ -173,7 +175,8 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     least: 3,
     create: solid('cone'),
     triangles: (n) => 2 * n,
-    round: { gap: SAGITTA / 2, out: SAGITTA / 2, most: 1024, half: HALF, radius: Math.SQRT1_2 },
+    // Normals step from one segment to the next near the tip: by 42 codes where there are 24.
+    round: { gap: SAGITTA / 2, out: SAGITTA / 2, coarsest: 64, most: 1024, half: HALF, radius: Math.SQRT1_2 },
   },
   pyramid: { segments: 1, least: 1, create: solid('pyramid'), triangles: (n) => 6 * n * n },
   torus: {
@@ -210,6 +213,13 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     triangles: (n) => 2 * n * n,
   },
 };
+
+/** Fewest segments of an `auto` level of most shapes. */
+const COARSEST = 16;
+
+/** Fewest segments of an `auto` level of a round shape. */
+export const coarsestOf = (name: GeometryName): number =>
+  effectiveSegments(name, SHAPES[name].round?.coarsest ?? COARSEST);
 
 /** The shape's values as a round shape; undefined for one with flat faces. */
 export const roundOf = (name: GeometryName): Round | undefined => SHAPES[name].round;

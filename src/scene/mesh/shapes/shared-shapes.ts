@@ -4,6 +4,7 @@
 import { finish } from './grid-geometry.js';
 import {
   beginGeometry,
+  coarsestOf,
   effectiveSegments,
   flatTrianglesOf,
   type GeometryName,
@@ -28,7 +29,7 @@ export interface ShapeKey {
 export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKey =>
   segments !== 'auto'
     ? { name, segments, isLevel: false }
-    : levelKey(name, roundOf(name) === undefined ? FIXED : COARSEST);
+    : levelKey(name, roundOf(name) === undefined ? FIXED : coarsestOf(name));
 
 /** A level by its segments, or the shape's {@link FIXED} number. */
 export const levelKey = <Name extends GeometryName>(
@@ -42,8 +43,6 @@ export const levelKey = <Name extends GeometryName>(
 
 /** Stands for a shape's own number of segments where a level is expected. */
 export const FIXED = 0;
-/** Fewest segments of a level; raised to what the shape needs. */
-export const COARSEST = 16;
 
 interface Shared {
   /** A promise until its code is here. */
