@@ -52,8 +52,7 @@ void addColor(inout vec3 sum, inout float grey, vec3 color, float amount, bool t
 }
 
 /** Adds one light's diffuse and specular terms times `factor`. L unit, or zero where there is no direction. */
-void addLobes(inout LightSums sums, vec3 N, LOBE_VIEW view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor,
-              int features) {
+void addLobes(inout LightSums sums, vec3 N, LOBE_VIEW view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor, int features) {
   float NoL = dot(N, L);
   if (has(features, FEATURE_DIFFUSE)) {
     float amount = factor * diffuseLobe(NoL);
@@ -77,13 +76,11 @@ vec3 towardLight(vec3 position, vec3 p, out float d, out float squared) {
 /** Adds the directional light whose first row is `row`. All three functions take the same arguments. */
 void addDirectional(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, float n, int features) {
   vec3 L = lightRow(row + DIRECTIONAL_DIRECTION).xyz;
-  vec3 diffuse = lightRow(row + DIRECTIONAL_DIFFUSE).rgb;
-  addLobes(sums, N, view, L, n, diffuse, lightRow(row + DIRECTIONAL_SPECULAR).rgb, 1.0, features);
+  addLobes(sums, N, view, L, n, lightRow(row + DIRECTIONAL_DIFFUSE).rgb, lightRow(row + DIRECTIONAL_SPECULAR).rgb, 1.0, features);
 }
 
 /** Adds a positional light's lobes; `factor` is what its cone leaves. */
-void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, LOBE_VIEW view, float n,
-                   float factor, int features) {
+void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, LOBE_VIEW view, float n, float factor, int features) {
   vec4 diffuse = lightRow(row + POINT_DIFFUSE);
   vec4 specular = lightRow(row + POINT_SPECULAR);
   if (has(features, FEATURE_ATTENUATED)) {
@@ -140,9 +137,7 @@ LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
   ivec3 counts = ivec3(lightRow(HEADER_COUNTS).xyz);
   int row = HEADER_ROWS;
 #if (DECLARED_FEATURES & FEATURE_DIRECTIONAL) != 0
-  for (int i = 0; i < counts.x; i++, row += DIRECTIONAL_ROWS) {
-    addDirectional(sums, row, p, N, view, n, DIRECTIONAL_FEATURES);
-  }
+  for (int i = 0; i < counts.x; i++, row += DIRECTIONAL_ROWS) addDirectional(sums, row, p, N, view, n, DIRECTIONAL_FEATURES);
 #endif
 #if (DECLARED_FEATURES & FEATURE_POINT) != 0
   for (int i = 0; i < counts.y; i++, row += POINT_ROWS) addPoint(sums, row, p, N, view, n, POINT_FEATURES);
