@@ -70,7 +70,7 @@ const uses: readonly Use[] = [
   {
     what: 'a comparison',
     use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-compare'))),
-    chunks: ['comparison'],
+    chunks: ['comparison', 'panel-column'],
   },
   { what: 'the panel', use: set({ gui: true }), chunks: ['history', 'panel'] },
   {

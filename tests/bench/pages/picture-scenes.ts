@@ -33,7 +33,8 @@ export const PICTURE_SCENES: Readonly<Record<PictureName, PictureScene>> = {
     `<phong-mesh geometry="plane" position="0 -0.5 0" scale="1.6" kd="90 110 90"></phong-mesh>
      <phong-mesh geometry="teapot" kd="200 120 70"></phong-mesh>`,
   ),
-  glb: one('src="models/checks.glb"'),
+  // With an exponent of its own: the file's roughness would be another equation.
+  glb: one('src="models/checks.glb" shininess="32"'),
   nine: {
     columns: 3,
     rows: 3,

@@ -297,7 +297,7 @@ test('a screen reader finds the legend with its title, light and numbers', async
 });
 
 test('the markup keeps the view, and the panel writes and follows it', async ({ mount, consoleGuard }) => {
-  consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
+  const warnings = consoleGuard.allow(/view-light="lamp">: no light has this name/, 1);
   const viewer = await mount(scene('gui view="decay" view-light="lamp"'), { width: 900, height: 700 });
   const html = await viewer.evaluate((element: PhongViewer) => element.toHTML());
   expect(html).toContain(' view="decay" view-light="lamp"');
@@ -320,8 +320,7 @@ test('the markup keeps the view, and the panel writes and follows it', async ({ 
     'light 3',
     'lamp',
   ]);
-  // The warning comes with a timer of 0.
-  await viewer.evaluate(() => new Promise((resolve) => setTimeout(resolve)));
+  await expect.poll(() => warnings.length).toBe(1);
 });
 
 test.describe('the error', () => {
