@@ -161,6 +161,28 @@ describe('the number of segments that a shape needs', () => {
     expect(n).toBeLessThan(96);
   });
 
+  it('moves what a sphere shows by at most a pixel where it fills the view, with fewer than its outline needs', () => {
+    for (const distance of [0.51, 0.55, 0.6, 0.65]) {
+      const view = viewFrom(distance);
+      const pixels = 400 / (2 * view.slopeY);
+      const corner = Math.atan(Math.hypot(view.slopeX, view.slopeY));
+      expect(distance * Math.sin(corner), 'fills the view').toBeLessThan(0.5);
+      const n = segmentsIn(view, 8 * pixels, sphere, at(0, 0, 0, 1))!;
+      const forOutline = Math.sqrt(
+        (sphere.gap * 8 * pixels) / (Math.sqrt(distance ** 2 - 0.25) * Math.cos(corner) ** 2),
+      );
+      expect(n).toBeLessThan(forOutline * (1 + 1e-12));
+      if (distance > 0.55) expect(n).toBeLessThan(0.75 * forOutline);
+      for (let k = 1; k <= 40; k++) {
+        const angle = (k / 40) * corner;
+        const incidence = (distance * Math.sin(angle)) / 0.5; // its sine
+        const along = distance * Math.cos(angle) - Math.sqrt(0.25 - (distance * Math.sin(angle)) ** 2);
+        const moved = ((sphere.gap / n ** 2) * incidence * pixels) / (along * Math.cos(angle) ** 2);
+        expect(moved, `${String(distance)} ${String(angle)}`).toBeLessThan(1);
+      }
+    }
+  });
+
   it('is none out of view, and grows without bound where the eye is on the surface', () => {
     const view = viewFrom(3);
     expect(segmentsIn(view, 1000, sphere, at(0, 0, 4, 1))).toBeNull();
