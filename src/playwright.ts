@@ -22,7 +22,7 @@ export interface EquationOptions extends SettledOptions {
   readonly codes?: number;
   /**
    * The same in outlines and at edges of triangles, for `antialias="full"`, where a pixel is the mean of its samples.
-   * Whole, 0–255, default 8.
+   * Whole, 0–255. Default: what one sample can change, 255 / samples, and 4 more.
    */
   readonly outlineCodes?: number;
   /**

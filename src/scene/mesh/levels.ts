@@ -276,16 +276,12 @@ export function segmentsIn(
     const sinMiddle = Math.sqrt(across * across + upward * upward) / distance;
     cos = Math.max(cos, (depth / distance) * cosReach - sinMiddle * sinReach);
   }
-  const segments = Math.sqrt((gap * size * finest) / (outline * cos * cos));
   // The view's corner that is farthest from the middle of the shape.
   const corner = depth - slopeX * across - slopeY * upward;
-  const fillsView =
-    ball &&
-    (distance < reach ||
-      (corner > 0 && corner * corner >= (1 + slopeX * slopeX + slopeY * slopeY) * (squared - reach * reach)));
-  if (!fillsView) return segments;
-  const surface = Math.abs(distance - reach);
-  return Math.min(segments, Math.sqrt((gap * size * finest) / (FACES * surface * cos * cos)));
+  const cornerSquared = corner > 0 ? (corner * corner) / (1 + slopeX * slopeX + slopeY * slopeY) : 0;
+  const fillsView = ball && (distance < reach || cornerSquared >= squared - reach * reach);
+  const nearest = fillsView ? Math.max(outline, FACES * Math.abs(distance - reach)) : outline;
+  return Math.sqrt((gap * size * finest) / (nearest * cos * cos));
 }
 
 /**
