@@ -4,7 +4,7 @@ import { lazyCode } from '../model/lazy-code.js';
 import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
-import type { PaintPart, SampledCapture } from './samples/sampled-capture.js';
+import type { Captured, PaintPart, SampledCapture } from './samples/sampled-capture.js';
 
 export type { PaintPart };
 
@@ -12,6 +12,9 @@ const sampling = /* @__PURE__ */ lazyCode(
   () => import('./samples/converging-picture.js'),
   'antialias="full" and toBlob({ samples })',
 );
+
+/** What {@link sampling} has fetched. */
+let fetched: Awaited<ReturnType<typeof sampling>> | null = null;
 
 export class StillPicture {
   readonly #subject: Sampled;
@@ -75,20 +78,11 @@ export class StillPicture {
     this.#converging?.copy(renderer, part);
   }
 
-  /**
-   * The mean of so many samples of the picture as it is when `begin` is called: once the code is there. `atOnce`: not
-   * in slices.
-   */
-  async capture(
-    size: Size,
-    samples: number,
-    atOnce: boolean,
-    begin: () => PaintPart,
-  ): Promise<HTMLCanvasElement> {
-    const { SampledCapture } = await sampling();
+  /** The mean of so many samples of what `begin` returns. Calls it in this task if the code is there. */
+  async capture(size: Size, samples: number, begin: () => Captured): Promise<HTMLCanvasElement> {
+    const { SampledCapture } = (fetched ??= await sampling());
     const capture = new SampledCapture(size, samples, begin());
     this.#captures.add(capture);
-    if (atOnce) capture.finish();
     return capture.picture.finally(() => this.#captures.delete(capture));
   }
 

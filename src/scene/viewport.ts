@@ -101,6 +101,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   detach(): void {
+    this.changing(); // what is being captured needs the context, which may close
     this.#attached = false;
     this.#near = undefined;
     this.#loop?.cancel(this);
@@ -342,19 +343,20 @@ export class Viewport implements StageClient, Framed {
    * has no float targets it is the plain picture.
    */
   captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
-    // Nothing keeps the context open for a viewer that is on no page.
-    return this.#still.capture({ width, height }, samples, !this.#attached, () => {
+    return this.#still.capture({ width, height }, samples, () => {
       this.#bringInStep({ width, height }, true, SAMPLED_TOLERANCE);
       this.#releaseUnlessAttached();
       const view = new ViewCamera(new Orbit(this.orbit.pose));
       const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
-      const paint = this.#painter.sampler(view);
-      return (renderer, part) => {
+      const draw = this.#painter.sampler(view);
+      const paint: PaintPart = (renderer, part) => {
         this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
         this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
-        paint(renderer);
+        draw(renderer);
       };
+      // Nothing keeps the context open for a viewer that is on no page.
+      return { scene: this.scene, paint, atOnce: !this.#attached };
     });
   }
 

@@ -1,11 +1,12 @@
 // A picture for `toBlob({ samples })`: the mean of its samples at any size, tile by tile, in slices that leave the page
 // its frames. Works in hidden documents, where animation frames do not come.
-import type { WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { Scene, WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { newTarget } from '../gpu/capture-target.js';
 import { SAFE_SIDE } from '../gpu/context.js';
 import { contextLost, type Region, stage } from '../gpu/stage.js';
 import { Batches } from './batches.js';
+import { ObjectPlaces } from './object-places.js';
 import { copyPart } from './picture-copy.js';
 import { shifted } from './pixel-offsets.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
@@ -17,6 +18,14 @@ const PAUSE = 4;
 /** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
 export type PaintPart = (renderer: WebGLRenderer, part: Region) => void;
 
+export interface Captured {
+  /** What {@link paint} draws. All slices show its objects where they are at the start. */
+  readonly scene: Scene;
+  readonly paint: PaintPart;
+  /** In one slice. */
+  readonly atOnce: boolean;
+}
+
 export class SampledCapture {
   /** Rejects with RangeError if no canvas can hold the picture, and where the context is lost. */
   readonly picture: Promise<HTMLCanvasElement>;
@@ -27,13 +36,19 @@ export class SampledCapture {
   #hurried = false;
 
   /** Begins in this task. */
-  constructor(size: Size, samples: number, paint: PaintPart) {
-    this.#slices = this.#draw(size, samples, paint);
+  constructor(size: Size, samples: number, { scene, paint, atOnce }: Captured) {
+    const places = new ObjectPlaces(scene);
+    this.#slices = this.#draw(size, samples, (renderer, part) => {
+      places.during(() => {
+        paint(renderer, part);
+      });
+    });
     this.picture = new Promise((resolve, reject) => {
       this.#resolve = resolve;
       this.#reject = reject;
     });
-    void this.#run();
+    if (atOnce) this.finish();
+    else void this.#run();
   }
 
   /** Draws all that is left now, because the scene is about to be another. */
