@@ -39,6 +39,8 @@ export class Viewport implements StageClient, Framed {
   readonly #view = new ViewCamera(this.orbit);
   /** Requested size in device pixels. */
   #wanted: Size = { width: 0, height: 0 };
+  /** In view, and not only near it. Default false. */
+  visible = false;
   /** In view, or close enough to be drawn; undefined until the layout has been read. */
   #near: boolean | undefined = undefined;
   #attached = false;

@@ -65,8 +65,9 @@ export class ViewerContext {
     return this.store.values;
   }
 
-  #follow({ pixelWidth, pixelHeight, painted, near, printsAt }: ElementView): void {
+  #follow({ pixelWidth, pixelHeight, painted, near, visible, printsAt }: ElementView): void {
     this.viewport.resize(pixelWidth, pixelHeight);
+    this.viewport.visible = visible;
     this.viewport.near = this.values.loading === 'eager' ? painted : near;
     if (printsAt === null) return;
     this.signals.orderNeeded.emit();

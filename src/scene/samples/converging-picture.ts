@@ -16,6 +16,8 @@ export { SampledCapture } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size {
+  /** In view. */
+  readonly visible: boolean;
   /**
    * Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame.
    * `atOnce` builds them now.
@@ -78,9 +80,9 @@ export class ConvergingPicture {
     this.#stillFrames += 1;
     if (this.#stillFrames <= STILL_FRAMES) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
-    if (this.#run === null && !this.#subject.refine(false)) return true;
     const before = this.#samples;
     try {
+      if (this.#run === null && !this.#subject.refine(false)) return true;
       if (!stage.drawAside(this.#draw)) this.pause();
     } catch (error) {
       this.#fail();
@@ -91,14 +93,14 @@ export class ConvergingPicture {
   }
 
   /**
-   * Call while it is pending. Draws what is missing now, without waiting for turns and frames, as far as `deadline` allows: a time as of
-   * `performance.now()`.
+   * Call while it is pending. Draws what is missing now, without waiting for turns and frames, as far as `deadline`
+   * allows: a time as of `performance.now()`.
    */
   finish(deadline: number): void {
     seize(this);
-    this.#subject.refine(true);
     const before = this.#samples;
     try {
+      this.#subject.refine(true);
       while (this.pending && performance.now() < deadline && stage.drawAside(this.#drawNow));
       this.pause();
     } catch (error) {
@@ -121,6 +123,10 @@ export class ConvergingPicture {
     this.#run?.batches.cancel();
     this.#run = null;
     release(this);
+  }
+
+  get inView(): boolean {
+    return this.#subject.visible;
   }
 
   /** A turn is free. */

@@ -1,9 +1,12 @@
 // Pictures of a page converge one after the other: the first is finished sooner, and one set of float buffers serves
-// all of them. The set is made for the first picture of a queue and freed after the last.
+// all of them. The set is made for the first picture of a queue and freed after the last. Pictures in view come before
+// those that are only near it, and otherwise in the order in which they stood still: mostly that of the document.
 import type { WebGLRenderer } from 'three';
 import { SampleSum } from './sample-sum.js';
 
 export interface Waiting {
+  /** Now: scrolling changes it. */
+  readonly inView: boolean;
   /** A turn is free: take it in an animation frame, or give it up by {@link release}. */
   wake(): void;
   /** Another one takes the turn: release it. */
@@ -16,10 +19,23 @@ let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null
 
 /** Whether it is this one's turn. If not, it is woken once it may be. */
 export function take(one: Waiting): boolean {
-  active ??= one;
-  if (active === one) waiting.delete(one);
-  else waiting.add(one);
+  if (active !== one) waiting.add(one);
+  const next = nextWaiting();
+  if (active?.inView === false && next?.inView === true) {
+    active.pause();
+    waiting.add(one);
+  }
+  if (active === null && next === one) {
+    active = one;
+    waiting.delete(one);
+  } else if (active === null) next?.wake();
   return active === one;
+}
+
+function nextWaiting(): Waiting | undefined {
+  for (const one of waiting) if (one.inView) return one;
+  const [first] = waiting;
+  return first;
 }
 
 /** Takes the turn from whoever has it. */
@@ -35,7 +51,7 @@ export function release(one: Waiting): void {
   if (active !== one && !waited) return;
   if (active === one) active = null;
   if (active !== null) return;
-  const [next] = waiting;
+  const next = nextWaiting();
   if (next === undefined) shared?.sum.free();
   else next.wake();
 }
