@@ -1,7 +1,7 @@
 // How far is a picture from the equation? Channel by channel in 8-bit codes, inside faces and away from cones' edges.
 import type { Vec3 } from '../../src/math/vector.js';
 import type { Picture } from '../support/picture.js';
-import { caster, type CastScene, type Hit } from './ray-cast.js';
+import { caster, type DeclaredScene, type Hit } from './ray-cast.js';
 import { remembered } from './remembered.js';
 
 /** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
@@ -34,7 +34,7 @@ export interface InnerPixel {
 }
 
 /** Pixels whose neighbours all hit the same face, so that multisampling mixes nothing. */
-export const innerPixels = remembered((scene: CastScene, width: number, height: number) => {
+export const innerPixels = remembered((scene: DeclaredScene, width: number, height: number) => {
   const cast = caster(scene, width, height);
   const hits = Array.from({ length: width * height }, (_, i) => cast(i % width, Math.floor(i / width)));
   const inner: InnerPixel[] = [];
@@ -53,7 +53,7 @@ export const innerPixels = remembered((scene: CastScene, width: number, height: 
 /** `colorOf`: the expected colour of a hit, 0–1. Default: the shaded colour. */
 export function compareWithReference(
   picture: Picture,
-  scene: CastScene,
+  scene: DeclaredScene,
   colorOf: (hit: Hit) => Vec3 = ({ shaded }) => shaded.color,
 ): Errors {
   const { width, height } = picture;

@@ -3,7 +3,7 @@
 import type { Picture } from '../support/picture.js';
 import { length, cross, dot, type Vec3 } from '../../src/math/vector.js';
 import { around, CONE_EDGE, outside } from './against-reference.js';
-import { caster, type CastScene } from './ray-cast.js';
+import { caster, type DeclaredScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
 import { castTriangles } from './triangle-cast.js';
 
@@ -35,7 +35,7 @@ export interface TriangleErrors {
  */
 export function compareWithTriangles(
   picture: Picture,
-  scene: CastScene,
+  scene: DeclaredScene,
   shading: string,
   subpixelBits: number,
 ): TriangleErrors {
@@ -97,7 +97,7 @@ export interface TessellationErrors {
 
 /** The triangles of `segments` against the ideal shape, both in float64, wherever both are seen. */
 export function compareWithIdeal(
-  scene: CastScene,
+  scene: DeclaredScene,
   segments: number,
   size: { readonly width: number; readonly height: number },
 ): TessellationErrors {

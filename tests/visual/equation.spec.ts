@@ -3,7 +3,7 @@ import { expect, type Mount, pixels, test } from '../support/test.js';
 import { compareWithReference } from './against-reference.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
-import type { CastScene } from './ray-cast.js';
+import type { DeclaredScene } from './ray-cast.js';
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 /** Small pictures of many scenes: time grows with the pixels, and mistakes are found by the scenes. */
@@ -71,7 +71,7 @@ test('sums more lights than uniforms can hold', async ({ mount }) => {
     };
   });
   for (const count of [200, 400]) {
-    const crowd: CastScene = { ...scene, lights: lights.slice(0, count) };
+    const crowd: DeclaredScene = { ...scene, lights: lights.slice(0, count) };
     const viewer = await mount(sceneMarkup(crowd), small);
     const errors = compareWithReference(await pixels(viewer, small), crowd);
     expect.soft(errors.max, `${count} lights, ${errors.at}`).toBeLessThanOrEqual(1);

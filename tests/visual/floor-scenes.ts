@@ -3,7 +3,7 @@ import type { LightValues } from '../../src/light/light-state.js';
 import { radians } from '../../src/math/angle.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { Dice, randomLight } from './random-scene.js';
-import type { CastMesh, CastScene } from './ray-cast.js';
+import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 /** A lamp or a spot near the target, that reaches a few units far. */
 function lamp(dice: Dice, height: number): LightValues {
@@ -26,7 +26,12 @@ function lamp(dice: Dice, height: number): LightValues {
 }
 
 /** A face `side` units large, seen from `phi` degrees; the eye and the lamps are as far from each other as in a room. */
-export function floorScene(seed: number, side: number, phi: number, mesh: Partial<CastMesh> = {}): CastScene {
+export function floorScene(
+  seed: number,
+  side: number,
+  phi: number,
+  mesh: Partial<CastMesh> = {},
+): DeclaredScene {
   const dice = new Dice(seed);
   const scale: Vec3 = [side, mesh.geometry === 'box' ? dice.from(0.5, 2) : 1, side];
   const radius = dice.from(2, 4);
@@ -61,7 +66,7 @@ export function floorScene(seed: number, side: number, phi: number, mesh: Partia
 }
 
 /** A floor whose side is this many times the eye's height above it. */
-export function overFloor(seed: number, ratio: number, phi: number): CastScene {
+export function overFloor(seed: number, ratio: number, phi: number): DeclaredScene {
   const scene = floorScene(seed, 1, phi);
   const side = ratio * scene.pose.radius * Math.cos(radians(phi));
   return floorScene(seed, side, phi);

@@ -3,13 +3,17 @@ import { compare, expect, type Mount, pixels, type Picture, test } from '../supp
 import { innerPixels } from './against-reference.js';
 import { floorScene, overFloor } from './floor-scenes.js';
 import { sceneMarkup } from './random-scene.js';
-import type { CastMesh, CastScene } from './ray-cast.js';
+import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 const SIZE = { width: 96, height: 64 };
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 /** The pictures of these scenes, on one page. */
-async function picturesOf(mount: Mount, scenes: readonly CastScene[], shading?: string): Promise<Picture[]> {
+async function picturesOf(
+  mount: Mount,
+  scenes: readonly DeclaredScene[],
+  shading?: string,
+): Promise<Picture[]> {
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const pictures: Picture[] = [];
   for (const scene of scenes) {
@@ -25,7 +29,7 @@ async function picturesOf(mount: Mount, scenes: readonly CastScene[], shading?: 
 }
 
 /** Largest error in codes inside faces, and the channels compared. Beside what is not drawn, samples mix. */
-function errorOf({ data, width, height }: Picture, scene: CastScene): { max: number; compared: number } {
+function errorOf({ data, width, height }: Picture, scene: DeclaredScene): { max: number; compared: number } {
   let max = 0;
   let compared = 0;
   const isDrawn = (x: number, y: number): boolean =>
@@ -40,7 +44,7 @@ function errorOf({ data, width, height }: Picture, scene: CastScene): { max: num
   return { max, compared };
 }
 
-async function holds(mount: Mount, scenes: readonly CastScene[], shading?: string): Promise<void> {
+async function holds(mount: Mount, scenes: readonly DeclaredScene[], shading?: string): Promise<void> {
   const pictures = await picturesOf(mount, scenes, shading);
   let compared = 0;
   pictures.forEach((picture, i) => {

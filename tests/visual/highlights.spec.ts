@@ -13,7 +13,7 @@ import { Random } from '../stress/random.js';
 import { betweenPrograms, bothPictures, DifferenceSum } from './between-programs.js';
 import { look, SIZE } from './program-scenes.js';
 import { sceneMarkup } from './random-scene.js';
-import { caster, type CastMesh, type CastScene, lens } from './ray-cast.js';
+import { caster, type CastMesh, type DeclaredScene, lens } from './ray-cast.js';
 
 const SEED = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 /** Along each side of a pixel, of the converged picture. */
@@ -36,7 +36,7 @@ function shiny(geometry: CastMesh['geometry'], shininess: number, size = 1): Cas
 }
 
 interface View {
-  readonly scene: CastScene;
+  readonly scene: DeclaredScene;
   readonly size: { readonly width: number; readonly height: number };
 }
 

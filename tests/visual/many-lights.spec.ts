@@ -9,7 +9,7 @@ import { glPrograms, glSpent, isSpecialised, isLit, logGl } from '../element/sup
 import { assign, type PhongViewer } from '../element/support/viewer.js';
 import { CONE_EDGE, type InnerPixel } from './against-reference.js';
 import { betweenPrograms, DifferenceSum, expectDrawnBy, picturesBy } from './between-programs.js';
-import { caster, type CastScene } from './ray-cast.js';
+import { caster, type DeclaredScene } from './ray-cast.js';
 import { remembered } from './remembered.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
 
@@ -22,7 +22,7 @@ const PROMISED = { vectors: 224, blockBytes: 16_384 } as const;
 const SAMPLES = 96;
 
 /** The sampled pixels that are of one sample and one face, away from every cone's edge. */
-const samplesOf = remembered((scene: CastScene, width: number, height: number): InnerPixel[] => {
+const samplesOf = remembered((scene: DeclaredScene, width: number, height: number): InnerPixel[] => {
   const cast = caster(scene, width, height);
   const inner = (width - 4) * (height - 4);
   return Array.from({ length: SAMPLES }, (_, i) => {
@@ -39,7 +39,7 @@ const samplesOf = remembered((scene: CastScene, width: number, height: number): 
 /** The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared. */
 function sampled(
   { width, height, data }: Picture,
-  scene: CastScene,
+  scene: DeclaredScene,
 ): { readonly max: number; readonly compared: number } {
   const samples = samplesOf(scene, width, height);
   let max = 0;
@@ -92,7 +92,7 @@ test('one to 4,096 lights agree with float64, within the uniforms that WebGL 2 g
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
   const found: Record<string, number> = {};
   for (const count of [1, 16, 256, 4096]) {
-    const scene: CastScene = { ...randomScene(4), lights: crowd(count, 7) };
+    const scene: DeclaredScene = { ...randomScene(4), lights: crowd(count, 7) };
     const markup = sceneMarkup(scene);
     await viewer.evaluate((element, html) => (element.outerHTML = html), markup);
     await viewer.evaluate((element: PhongViewer) => element.ready);
@@ -137,7 +137,7 @@ function spots(count: number, seed: number): LightValues[] {
   }));
 }
 
-const overFloor = (lights: readonly LightValues[], shading = 'phong'): CastScene => ({
+const overFloor = (lights: readonly LightValues[], shading = 'phong'): DeclaredScene => ({
   pose: { theta: 30, phi: 40, radius: 22, target: [0, 0, 0] },
   fov: 45,
   meshes: [

@@ -3,7 +3,7 @@
 import { compare, expect, type Mount, type Picture, pixels, test } from '../support/test.js';
 import { innerPixels } from './against-reference.js';
 import { Dice, randomLight, randomMesh, randomScene, sceneMarkup } from './random-scene.js';
-import type { CastScene } from './ray-cast.js';
+import type { DeclaredScene } from './ray-cast.js';
 import {
   brighter,
   halved,
@@ -37,7 +37,7 @@ const SHARE = 5e-5;
 const TERMINATOR = 5e-3;
 
 /** A mesh over or in a floor, up to six lights, and a lamp beside the eye. */
-function sceneOf(seed: number): CastScene {
+function sceneOf(seed: number): DeclaredScene {
   const dice = new Dice(seed);
   const base = randomScene(seed, dice.pick(['plane', 'box', 'sphere']));
   const lamp = randomLight(dice);
@@ -49,12 +49,12 @@ function sceneOf(seed: number): CastScene {
   };
 }
 
-type Law = (scene: CastScene, dice: Dice, seed: number) => CastScene;
+type Law = (scene: DeclaredScene, dice: Dice, seed: number) => DeclaredScene;
 
 /** From 2^-10 on, so that attenuation stays within its domain. */
 const powerOfTwo = (dice: Dice): number => 2 ** Math.round(dice.from(-10, 20));
 
-const away = (scene: CastScene, dice: Dice, distance: number): CastScene =>
+const away = (scene: DeclaredScene, dice: Dice, distance: number): DeclaredScene =>
   moved(scene, [dice.pick([-1, 1]) * distance, dice.pick([-1, 1]) * distance, dice.pick([-1, 1]) * distance]);
 
 /** The same bits by construction. */
@@ -84,7 +84,7 @@ const NEAR: Readonly<Record<string, Law>> = {
 async function forEachLikeness(
   mount: Mount,
   laws: Readonly<Record<string, Law>>,
-  judge: (law: string, seed: number, scene: CastScene, picture: Picture, other: Picture) => void,
+  judge: (law: string, seed: number, scene: DeclaredScene, picture: Picture, other: Picture) => void,
 ): Promise<void> {
   // Viewers are not displayed, so only toBlob draws.
   const viewer = await mount('<main><phong-viewer></phong-viewer></main>', { css: 'main { display: none }' });
@@ -142,7 +142,7 @@ test('draws within one code a scene that is moved, rotated, or lit equivalently'
 });
 
 /** Indices of channels away from outlines, edges of cones and ends of highlights. */
-function steadyChannels(scene: CastScene): number[] {
+function steadyChannels(scene: DeclaredScene): number[] {
   return innerPixels(scene, SIZE.width, SIZE.height)
     .filter(({ hit }) => hit.shaded.shares.every((s) => s === null || Math.abs(s.NoL) >= TERMINATOR))
     .flatMap(({ x, y }) => [0, 1, 2].map((channel) => 4 * (y * SIZE.width + x) + channel));

@@ -8,7 +8,7 @@ import { compareWithReference } from './against-reference.js';
 import { compareWithTriangles } from './against-triangles.js';
 import { A_PAGE, betweenPrograms, bothPictures, DifferenceSum } from './between-programs.js';
 import { Dice, randomScene, sceneMarkup } from './random-scene.js';
-import type { CastMesh, CastScene } from './ray-cast.js';
+import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 export const SIZE = { width: 84, height: 60 };
 
@@ -52,7 +52,7 @@ const SPHERE: CastMesh = {
 interface Look {
   readonly mesh?: Partial<CastMesh>;
   readonly shading?: 'phong' | 'gouraud' | 'flat';
-  readonly options?: CastScene['options'];
+  readonly options?: DeclaredScene['options'];
   readonly light?: Partial<LightValues>;
 }
 
@@ -88,7 +88,7 @@ export const LOOKS: Readonly<Record<string, Look>> = {
 };
 
 /** One of {@link LOOKS} as a scene of three lights. */
-export function look(name: string): { readonly scene: CastScene; readonly shading: string } {
+export function look(name: string): { readonly scene: DeclaredScene; readonly shading: string } {
   const { mesh, shading = 'phong', options, light } = LOOKS[name]!;
   return {
     shading,
@@ -110,7 +110,7 @@ export const subpixelBitsOf = (page: Page): Promise<number> =>
   });
 
 interface Drawn {
-  readonly scene: CastScene;
+  readonly scene: DeclaredScene;
   readonly shading: string;
   readonly seed: number;
 }

@@ -2,7 +2,7 @@
 // numbers with a few decimals.
 import type { LightValues } from '../../src/light/light-state.js';
 import type { Vec3, Vec4 } from '../../src/math/vector.js';
-import type { CastMesh, CastScene } from './ray-cast.js';
+import type { CastMesh, DeclaredScene } from './ray-cast.js';
 
 /** Uniform numbers from a seed: mulberry32. */
 export function seeded(seed: number): () => number {
@@ -91,7 +91,7 @@ export function randomMesh(dice: Dice, geometry: CastMesh['geometry']): CastMesh
   };
 }
 
-export function randomScene(seed: number, geometry: CastMesh['geometry'] = 'plane'): CastScene {
+export function randomScene(seed: number, geometry: CastMesh['geometry'] = 'plane'): DeclaredScene {
   const dice = new Dice(seed);
   const count = 1 + Math.floor(dice.from(0, 5.999));
   return {
@@ -115,7 +115,10 @@ export function randomScene(seed: number, geometry: CastMesh['geometry'] = 'plan
 }
 
 /** The scene as an author would write it. */
-export function sceneMarkup({ pose, fov, meshes, lights, options }: CastScene, shading = 'phong'): string {
+export function sceneMarkup(
+  { pose, fov, meshes, lights, options }: DeclaredScene,
+  shading = 'phong',
+): string {
   const list = (v: readonly number[]): string => v.join(' ');
   const mesh = (m: CastMesh): string =>
     `<phong-mesh geometry="${m.geometry}" ${m.segments === undefined ? '' : `segments="${m.segments}" `}position="${list(m.position)}" rotation="${list(m.rotation)}" scale="${list(m.scale)}" ` +

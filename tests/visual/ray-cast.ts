@@ -15,7 +15,7 @@ export interface CastMesh extends Surface {
   readonly segments?: number;
 }
 
-export interface CastScene {
+export interface DeclaredScene {
   readonly pose: Pose;
   /** Vertical, degrees. */
   readonly fov: number;
@@ -39,7 +39,7 @@ export interface Hit {
 
 /** Casts the ray through pixel x, y of a picture of `width` × `height`; null where nothing is hit. */
 export function caster(
-  scene: CastScene,
+  scene: DeclaredScene,
   width: number,
   height: number,
 ): (x: number, y: number) => Hit | null {
@@ -83,7 +83,7 @@ export function caster(
 }
 
 /** The camera's axes, the eye seen from the target, and where the plane at distance 1 is met through a pixel's centre. */
-export function lens({ pose, fov }: CastScene, width: number, height: number) {
+export function lens({ pose, fov }: DeclaredScene, width: number, height: number) {
   const { right, up, back } = basisOf(pose);
   const axes = { right: [...right] as Vec3, up: [...up] as Vec3, back: [...back] as Vec3 };
   const tan = Math.tan(radians(fov) / 2);

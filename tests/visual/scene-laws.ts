@@ -5,9 +5,9 @@ import type { LightValues } from '../../src/light/light-state.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { add, scale, type Vec3, type Vec4 } from '../../src/math/vector.js';
 import { Dice, randomLight } from './random-scene.js';
-import type { CastScene } from './ray-cast.js';
+import type { DeclaredScene } from './ray-cast.js';
 
-const lightsOf = (scene: CastScene, change: (light: LightValues) => LightValues): CastScene => ({
+const lightsOf = (scene: DeclaredScene, change: (light: LightValues) => LightValues): DeclaredScene => ({
   ...scene,
   lights: scene.lights.map(change),
 });
@@ -18,7 +18,7 @@ function placed({ position: [x, y, z, w] }: LightValues, change: (v: Vec3) => Ve
 }
 
 /** All lengths times `s`: places, sizes, the camera's distance, and attenuation's share of them. */
-export function scaled(scene: CastScene, s: number): CastScene {
+export function scaled(scene: DeclaredScene, s: number): DeclaredScene {
   const { pose, meshes } = scene;
   const larger = (v: Vec3): Vec3 => scale(v, s);
   const lit = lightsOf(scene, (light) => {
@@ -37,7 +37,7 @@ export function scaled(scene: CastScene, s: number): CastScene {
 }
 
 /** Moves everything in the world by `offset`; lights in camera space follow the eye. */
-export function moved(scene: CastScene, offset: Vec3): CastScene {
+export function moved(scene: DeclaredScene, offset: Vec3): DeclaredScene {
   const there = (v: Vec3): Vec3 => add(v, offset);
   const lit = lightsOf(scene, (light) =>
     light.position[3] === 1 && light.space === 'world' ? { ...light, position: placed(light, there) } : light,
@@ -50,7 +50,7 @@ export function moved(scene: CastScene, offset: Vec3): CastScene {
 }
 
 /** Scene, lights and camera a quarter turn about +y, which takes +z to +x; θ grows by 90. */
-export function turned(scene: CastScene): CastScene {
+export function turned(scene: DeclaredScene): DeclaredScene {
   const round = ([x, y, z]: Vec3): Vec3 => [z, y, 0 - x];
   const quarter = new Matrix4().makeBasis(new Vector3(0, 0, -1), new Vector3(0, 1, 0), new Vector3(1, 0, 0));
   const rotation = (degrees: Vec3): Vec3 => {
@@ -74,17 +74,20 @@ export function turned(scene: CastScene): CastScene {
 }
 
 /** The lights sorted by kind and each kind in its old order: what is sent to the GPU is the same. */
-export const sortedByKind = (scene: CastScene): CastScene => ({
+export const sortedByKind = (scene: DeclaredScene): DeclaredScene => ({
   ...scene,
   lights: scene.lights.toSorted((a, b) => kindOf(b).localeCompare(kindOf(a))),
 });
 
-export const reversed = (scene: CastScene): CastScene => ({ ...scene, lights: scene.lights.toReversed() });
+export const reversed = (scene: DeclaredScene): DeclaredScene => ({
+  ...scene,
+  lights: scene.lights.toReversed(),
+});
 
 const BLACK: Vec3 = [0, 0, 0];
 
 /** After each light a black one and one that is off, of its own kind: they ask for no other program. */
-export const withSilentTwins = (scene: CastScene): CastScene => ({
+export const withSilentTwins = (scene: DeclaredScene): DeclaredScene => ({
   ...scene,
   lights: scene.lights.flatMap((light) => {
     const elsewhere = { ...light, position: placed(light, (v) => scale(v, -0.7)) };
@@ -97,14 +100,14 @@ export const withSilentTwins = (scene: CastScene): CastScene => ({
 });
 
 /** Adds inactive lights of every kind, which may select another program. */
-export function withStrangers(scene: CastScene, seed: number): CastScene {
+export function withStrangers(scene: DeclaredScene, seed: number): DeclaredScene {
   const dice = new Dice(seed);
   const strangers = Array.from({ length: 8 }, () => ({ ...randomLight(dice), active: false }));
   return { ...scene, lights: [...strangers.slice(4), ...scene.lights, ...strangers.slice(0, 4)] };
 }
 
 /** Each light as two of half its intensity; where colours are encoded, half of what they decode to. */
-export function halved(scene: CastScene): CastScene {
+export function halved(scene: DeclaredScene): DeclaredScene {
   const half = (c: Vec3): Vec3 => {
     if (scene.options.linear !== true) return scale(c, 0.5);
     return c.map((x) => 255 * srgbEncode(srgbDecode(x / 255) / 2)) as unknown as Vec3;
@@ -119,7 +122,7 @@ export function halved(scene: CastScene): CastScene {
 }
 
 /** Directions of another length: a spot's axis, and the vector to a directional light. */
-export const stretched = (scene: CastScene, s: number): CastScene =>
+export const stretched = (scene: DeclaredScene, s: number): DeclaredScene =>
   lightsOf(scene, (light) => ({
     ...light,
     axis: scale(light.axis, s),
@@ -127,7 +130,7 @@ export const stretched = (scene: CastScene, s: number): CastScene =>
   }));
 
 /** Not equivalent: every light is 1 % brighter. */
-export const brighter = (scene: CastScene): CastScene =>
+export const brighter = (scene: DeclaredScene): DeclaredScene =>
   lightsOf(scene, (light) => ({
     ...light,
     diffuse: scale(light.diffuse, 1.01),

@@ -6,7 +6,7 @@ import { length, subtract } from '../../src/math/vector.js';
 import { expect, pixels, test } from '../support/test.js';
 import { compareWithIdeal, compareWithTriangles, type TessellationErrors } from './against-triangles.js';
 import { Dice, randomScene, sceneMarkup } from './random-scene.js';
-import type { CastScene } from './ray-cast.js';
+import type { DeclaredScene } from './ray-cast.js';
 
 const SIZE = { width: 120, height: 84 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
@@ -36,7 +36,7 @@ test('shades a sphere within one code of its own triangles in float64', async ({
       const base = randomScene(seed, 'sphere');
       const segments = new Dice(seed).pick(FINENESS);
       const mesh = { ...base.meshes[0]!, segments };
-      const scene: CastScene = { ...base, meshes: [mesh] };
+      const scene: DeclaredScene = { ...base, meshes: [mesh] };
       const markup = sceneMarkup(scene, shading);
       await viewer.evaluate((element, text) => {
         element.outerHTML = text;
@@ -67,7 +67,7 @@ test('shades a sphere within one code of its own triangles in float64', async ({
 });
 
 /** Far enough away for all of the sphere to lie before the eye. */
-function fromOutside(scene: CastScene): CastScene {
+function fromOutside(scene: DeclaredScene): DeclaredScene {
   const [mesh] = scene.meshes;
   const reach =
     Math.max(...mesh!.scale.map(Math.abs)) / 2 + length(subtract(mesh!.position, scene.pose.target));

@@ -7,7 +7,7 @@ import { srgbEncode } from '../../src/math/color.js';
 import { add, cross, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { shade, type Shaded } from '../../src/reference/equation.js';
 import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
-import { type CastMesh, type CastScene, coneMargin, lens, placement } from './ray-cast.js';
+import { type CastMesh, type DeclaredScene, coneMargin, lens, placement } from './ray-cast.js';
 
 export interface TriangleHit {
   /** 0–1. */
@@ -44,7 +44,7 @@ interface Triangle {
  * own; `shading` as the attribute.
  */
 export function castTriangles(
-  scene: CastScene,
+  scene: DeclaredScene,
   width: number,
   height: number,
   shading = 'phong',
@@ -82,7 +82,7 @@ export function castTriangles(
 type Lens = ReturnType<typeof lens>;
 type Through = readonly [number, number];
 
-function trianglesOf(scene: CastScene, { axes, eyeOffset }: Lens, shading: string): Triangle[] {
+function trianglesOf(scene: DeclaredScene, { axes, eyeOffset }: Lens, shading: string): Triangle[] {
   const [mesh] = scene.meshes as [CastMesh];
   const { position, outward, normal } = placement(mesh);
   const made = createGeometry(mesh.geometry, mesh.segments) as BufferGeometry;
@@ -146,7 +146,7 @@ type Color = (triangle: Triangle, shares: Vec3) => Omit<TriangleHit, 'edge' | 'b
 const mix = (corners: readonly Vec3[], shares: Vec3): Vec3 =>
   corners.map((v, i) => scale(v, shares[i]!)).reduce(add);
 
-function shader(scene: CastScene, { axes, eyeOffset }: Lens): (place: Vec3, normal: Vec3) => Shaded {
+function shader(scene: DeclaredScene, { axes, eyeOffset }: Lens): (place: Vec3, normal: Vec3) => Shaded {
   const { target } = scene.pose;
   const eye = add(target, eyeOffset);
   const options = { ...scene.options, camera: axes };
@@ -154,7 +154,7 @@ function shader(scene: CastScene, { axes, eyeOffset }: Lens): (place: Vec3, norm
     shade({ p: add(target, place), normal, eye }, scene.meshes[0]!, scene.lights, options);
 }
 
-function perFragment(scene: CastScene, view: Lens): Color {
+function perFragment(scene: DeclaredScene, view: Lens): Color {
   const at = shader(scene, view);
   return ({ corners, front }, shares) => {
     const place = mix(corners.map((corner) => corner.place), shares); // prettier-ignore
@@ -166,7 +166,7 @@ function perFragment(scene: CastScene, view: Lens): Color {
 }
 
 /** Gouraud: the vertices' colours are interpolated before they are clamped and, for linear light, encoded. */
-function perVertex(scene: CastScene, view: Lens): Color {
+function perVertex(scene: DeclaredScene, view: Lens): Color {
   const at = shader(scene, view);
   const known = new Map<Vertex, { readonly sum: Vec3; readonly margin: number }>();
   const shadeVertex = (vertex: Vertex, front: boolean) => {

@@ -12,7 +12,7 @@ import { patch } from '../support/gltf.js';
 import { repeats } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
 import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
-import { type CastScene, lens } from './ray-cast.js';
+import { type DeclaredScene, lens } from './ray-cast.js';
 import { type Explained, viewColor } from './view-colors.js';
 
 const SIZE = { width: 60, height: 42 };
@@ -29,7 +29,12 @@ const show = (viewer: Locator, markup: string): Promise<void> =>
   }, markup);
 
 /** A view of a scene, against float64. `only`: the index of the light it is limited to. */
-async function errorsOf(viewer: Locator, scene: CastScene, view: View, only: number | null): Promise<Errors> {
+async function errorsOf(
+  viewer: Locator,
+  scene: DeclaredScene,
+  view: View,
+  only: number | null,
+): Promise<Errors> {
   const name = only === null ? '' : `light ${String(only + 1)}`;
   await assign(viewer, { view, viewLight: name });
   const picture = await pixels(viewer, SIZE);
@@ -170,7 +175,7 @@ test('counts many narrow spots by the cells of their grid, seed 5', async ({ pag
   });
   const upright = { position: [0, 0, 0], rotation: [0, 0, 0], scale: [4, 4, 4] } as const;
   const pose = { theta: 20, phi: 30, radius: 5, target: [0, 0, 0] } as const;
-  const crowd: CastScene = {
+  const crowd: DeclaredScene = {
     ...scene,
     pose,
     meshes: [{ ...scene.meshes[0]!, ...upright }],

@@ -8,7 +8,7 @@ import { lightWith } from '../../stress/case.js';
 import { expect, pixels, test } from '../../support/test.js';
 import { compareWithReference } from '../../visual/against-reference.js';
 import { sceneMarkup } from '../../visual/random-scene.js';
-import type { CastMesh, CastScene } from '../../visual/ray-cast.js';
+import type { CastMesh, DeclaredScene } from '../../visual/ray-cast.js';
 import { moveFor } from './driving.js';
 import { drawnWith, glSpent, isSpecialised, logGl, type GlSpent } from '../support/gl-log.js';
 import { nextFrame, type PhongViewer } from '../support/viewer.js';
@@ -30,7 +30,7 @@ const floorAt = (x: number): CastMesh => ({
   shininess: 20,
 });
 
-const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): CastScene => ({
+const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): DeclaredScene => ({
   pose: { theta: 20, phi: 35, radius: 3.5, target: [0, 0, 0] },
   fov: 45,
   meshes,
@@ -39,7 +39,7 @@ const sceneOf = (lights: readonly LightValues[], meshes = [floorAt(0)]): CastSce
 });
 
 /** Replaces the viewer with this scene. */
-async function show(viewer: Locator, scene: CastScene): Promise<void> {
+async function show(viewer: Locator, scene: DeclaredScene): Promise<void> {
   await viewer.evaluate((element, html) => (element.outerHTML = html), sceneMarkup(scene));
   await viewer.evaluate((element: PhongViewer) => element.ready);
 }
@@ -87,7 +87,7 @@ test.describe('a light', () => {
     const errors = compareWithReference(await pixels(viewer, size), scene);
     expect(errors.max, errors.at).toBeLessThanOrEqual(1);
     // The first one's light turned to the second: it has none left.
-    const turned: CastScene = { ...scene, lights: [over(1.5), over(1.5)] };
+    const turned: DeclaredScene = { ...scene, lights: [over(1.5), over(1.5)] };
     await viewer.evaluate((element: PhongViewer) => (element.lights[0]!.position = [1.5, 1, 0, 1]));
     await viewer.evaluate((element: PhongViewer) => element.ready);
     expect(await statsOf(viewer)).toMatchObject({ lightsSent: 2, lightsSentByMesh: [0, 2] });

@@ -124,8 +124,27 @@ const without = (page: Page, ...names: string[]): Promise<unknown> =>
 
 test('without float targets `full` is like `edges`, and `stats` says so', async ({ page, mount }) => {
   await without(page, 'EXT_color_buffer_float');
-  const viewer = await mount(viewerOf(full), size);
+  await countEverything(page);
+  const viewer = await mount(viewerOf(full) + viewerOf(full.replace('torus', 'box')), size);
+  const seen = await renders(viewer);
+  await assign(viewer, { theta: 40 });
+  await allReady(page);
+  await nextFrame(page);
+  expect(await spentIn(page, 200)).toEqual(NOTHING);
+  expect((await seen.jsonValue()).map(({ samples }) => samples)).toEqual([0]);
+  const shown = await pixels(viewer);
+  const sampled = await pixels(viewer, { samples: 64 });
+  expect(compare(sampled, shown).max, 'toBlob').toBe(0);
+  await assign(viewer, { antialias: 'edges' });
+  await allReady(page);
+  expect(compare(await pixels(viewer), shown).max, '`edges`').toBe(0);
+  await assign(viewer, { antialias: 'full', autoRotate: 90 });
+  await allReady(page); // while it turns
   expect(await samplesOf(viewer)).toBe(0);
+  await assign(viewer, { autoRotate: 0 });
+  await allReady(page);
+  await nextFrame(page);
+  expect(await spentIn(page, 200)).toEqual(NOTHING);
 });
 
 test('without blending of floats the picture is the same', async ({ page, mount }) => {

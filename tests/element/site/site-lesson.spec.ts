@@ -99,25 +99,30 @@ test('the figures of the article behave as their captions say', async ({ page })
     // The rest stays as its author wrote it.
     await expect(cone.locator('pre')).toContainText('diffuse="46 48 56" specular="0"');
   });
-  await test.step('the rim has more steps the more samples its pixels have, and follows the camera', async () => {
+  await test.step('each plate of the rim has as many samples as it names, and follows the camera', async () => {
     const rim = await figure(page, 'fig-pixel');
-    const shares = (): Promise<number[]> =>
+    const plates = (): Promise<{ samples: number; alphas: number[] }[]> =>
       rim.locator('.pixels canvas').evaluateAll((all) =>
         all.map((canvas) => {
           const context = new OffscreenCanvas(16, 10).getContext('2d', { willReadFrequently: true })!;
           context.drawImage(canvas as HTMLCanvasElement, 0, 0);
           const { data } = context.getImageData(0, 0, 16, 10);
-          return new Set(data.filter((_, i) => i % 4 === 3)).size;
+          const samples = parseInt(canvas.parentElement!.textContent);
+          return { samples, alphas: [...new Set(data.filter((_, i) => i % 4 === 3))] };
         }),
       );
-    await expect.poll(async () => (await shares())[3]).toBeGreaterThan(10);
-    const [one, four, sixteen, most] = await shares();
-    expect(one).toBe(2);
-    expect(four).toBeGreaterThan(2);
-    expect(sixteen).toBeGreaterThan(four!);
-    expect(most).toBeGreaterThan(sixteen!);
+    // A sample is on the sphere or beside it.
+    const isMeanOf = (alphas: readonly number[], samples: number): boolean =>
+      alphas.every((alpha) => Math.round((255 * Math.round((alpha * samples) / 255)) / samples) === alpha);
+    await expect.poll(async () => (await plates())[3]!.alphas.length).toBeGreaterThan(10);
+    for (const { samples, alphas } of await plates()) {
+      expect(isMeanOf(alphas, samples), `${String(samples)} samples`).toBe(true);
+      if (samples === 1) expect(alphas.sort()).toEqual([0, 255]);
+      else expect(isMeanOf(alphas, samples / 2), `not ${String(samples / 2)}`).toBe(false);
+    }
+    expect((await plates()).map(({ samples }) => samples)).toEqual([1, 4, 16, 64]);
     await rim.locator('phong-viewer').evaluate((viewer) => viewer.setAttribute('target', '5 5 5'));
-    await expect.poll(shares).toEqual([1, 1, 1, 1]);
+    await expect.poll(async () => (await plates()).map(({ alphas }) => alphas)).toEqual([[0], [0], [0], [0]]);
   });
   await test.step('a slider under a divider changes the light on both sides', async () => {
     const decay = await figure(page, 'fig-decay');

@@ -1,6 +1,6 @@
 // What the ray caster casts: a scene as plain data, so that a page can send it to Node, and Node to its threads. World
 // space unless a field says otherwise; colours as in the reference: 255 is full for Ka, Kd, Ks and lights.
-import type { LightValues, ReferenceOptions, Vec3 } from '../../../src/reference/index.js';
+import type { LightValues, ReferenceOptions, Surface, Vec3 } from '../../../src/reference/index.js';
 
 /** A perspective camera. `right`, `up` and `back` are unit vectors; `back` points from the target to the eye. */
 export interface CastCamera {
@@ -26,20 +26,7 @@ export interface CastTexture {
 export type Wrap = 'repeat' | 'clamp' | 'mirror';
 
 /** An opaque surface. */
-export interface CastMaterial {
-  readonly ka: Vec3;
-  readonly kd: Vec3;
-  readonly ks: Vec3;
-  readonly shininess: number;
-  /** Multiplies Ka and Kd, and the texture; encoded sRGB, 0–1. Default white. */
-  readonly baseColor?: Vec3;
-  /** 0–1; default 0. */
-  readonly metalness?: number;
-  /** As in the reference's `Surface`; default 1. */
-  readonly lobeScale?: number;
-  /** Encoded sRGB; default black. */
-  readonly emissive?: Vec3;
-  readonly unlit?: boolean;
+export interface CastMaterial extends Surface {
   readonly texture?: CastTexture;
 }
 
