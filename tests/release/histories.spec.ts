@@ -25,3 +25,13 @@ test('@release pages show the same after changes with unusual trees and values a
   test.setTimeout(1_800_000);
   await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(FIRST, WALKS), 6, 'trees');
 });
+
+test('@release pictures show the same after many changes in the middle of their samples as new ones', async ({
+  page,
+  mount,
+  site,
+  consoleGuard,
+}) => {
+  test.setTimeout(1_800_000);
+  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(FIRST, WALKS), 6, 'still');
+});

@@ -14,7 +14,7 @@ export interface Waiting {
 }
 
 let active: Waiting | null = null;
-const waiting = new Set<Waiting>();
+let waiting = new Set<Waiting>();
 let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null = null;
 
 /** Whether it is this one's turn. If not, it is woken once it may be. */
@@ -22,8 +22,9 @@ export function take(one: Waiting): boolean {
   if (active !== one) waiting.add(one);
   const next = nextWaiting();
   if (active?.inView === false && next?.inView === true) {
-    active.pause();
-    waiting.add(one);
+    const interrupted = active;
+    interrupted.pause();
+    waiting = new Set([interrupted, ...waiting]);
   }
   if (active === null && next === one) {
     active = one;

@@ -177,7 +177,7 @@ test('six viewers converge in one context, and leave no buffers and nothing runn
   });
 });
 
-test('on a slow machine a drag shows the plain picture in its next frame, after no further batch', async ({
+test('on a slow machine each input shows the plain picture in its next frame, and samples resume once afterwards', async ({
   page,
   mount,
 }) => {
@@ -185,37 +185,58 @@ test('on a slow machine a drag shows the plain picture in its next frame, after 
     const log: string[] = [];
     Object.assign(window, { log });
     const { prototype } = WebGL2RenderingContext;
-    // Each batch ends with one.
-    const real = prototype.fenceSync;
-    prototype.fenceSync = function (this: WebGL2RenderingContext, ...given) {
-      log.push('batch');
-      return real.apply(this, given);
+    type Call = (this: unknown, ...given: unknown[]) => unknown;
+    const wrap = (name: 'fenceSync' | 'deleteSync' | 'drawElements', before: () => void): void => {
+      const real = prototype[name] as Call;
+      Reflect.set(prototype, name, function (this: unknown, ...given: unknown[]) {
+        before();
+        return real.apply(this, given);
+      });
     };
-    addEventListener('pointermove', ({ buttons }) => buttons > 0 && log.push('move'), true);
+    let drawn = 0;
+    wrap('drawElements', () => (drawn += 1)); // the shape: once for each sample
+    // Each batch ends with one.
+    wrap('fenceSync', () => log.push(`batch of ${String(drawn)}`));
+    wrap('deleteSync', () => log.push('ended'));
+    addEventListener('pointermove', ({ buttons }) => buttons > 0 && log.push('input'), true);
+    for (const type of ['wheel', 'keydown']) addEventListener(type, () => log.push('input'), true);
+    addEventListener('render', () => log.push('render'), true);
+    const frame = (): void => {
+      drawn = 0;
+      requestAnimationFrame(frame);
+    };
+    requestAnimationFrame(frame); // before the package's own
   });
-  const viewer = await mount(viewerOf(1024, 'geometry="torus"'), { ...size, waitForReady: false });
+  const viewer = await mount(viewerOf(64), { ...size, waitForReady: false });
   const session = await page.context().newCDPSession(page);
   await session.send('Emulation.setCPUThrottlingRate', { rate: 6 });
   try {
-    const log = await viewer.evaluateHandle((element) => {
-      const { log: list } = window as unknown as { log: string[] };
-      element.addEventListener('render', () => list.push('render'));
-      return list;
-    });
+    const log = await page.evaluateHandle(() => (window as unknown as { log: string[] }).log);
     const batches = (): Promise<number> =>
-      log.evaluate((list) => list.filter((one) => one === 'batch').length);
+      log.evaluate((list) => list.filter((one) => one.startsWith('batch')).length);
     await page.mouse.move(20, 20);
     await page.mouse.down();
-    for (let i = 1; i <= 6; i++) {
+    const inputs = [
+      ...[1, 2, 3, 4].map((i) => () => page.mouse.move(20 + 4 * i, 20)),
+      () => page.mouse.up().then(() => page.mouse.wheel(0, 20)),
+      () => page.keyboard.press('ArrowLeft'),
+    ];
+    for (const act of inputs) {
       const before = await batches();
       await expect.poll(batches, { timeout: 20_000 }).toBeGreaterThan(before + 1);
-      await page.mouse.move(20 + 4 * i, 20);
+      await act();
     }
-    await page.mouse.up();
-    await nextFrame(page);
+    await expect.poll(() => log.evaluate((list) => list.filter((one) => one === 'input').length)).toBe(6);
+    await viewer.evaluate((element: PhongViewer) => element.ready);
     const said = (await log.jsonValue()).join(' ');
-    expect(said.match(/move/g)!.length).toBeGreaterThanOrEqual(6);
-    expect(said, 'between a move and its frame').not.toMatch(/move (move )*batch/);
+    expect(said, 'between an input and its frame').not.toMatch(/input (ended )?(input )*batch/);
+    expect(said, 'one batch at a time').not.toMatch(/batch of \d+ (render )?batch/);
+    for (const [first] of said.matchAll(/(?<=input[^b]*)batch of \d+/g))
+      expect(first, 'after an input').toBe('batch of 1');
+    const rest = said.slice(said.lastIndexOf('input'));
+    const samples = [...rest.matchAll(/batch of (\d+)/g)].reduce((sum, [, count]) => sum + Number(count), 0);
+    expect(samples, 'after the last input').toBe(64);
+    expect(rest.match(/render/g), 'plain and converged').toHaveLength(2);
   } finally {
     await session.send('Emulation.setCPUThrottlingRate', { rate: 1 });
     await session.detach();

@@ -1,6 +1,7 @@
 // `antialias="full"`: does whatever a picture can show converge to its mean over each pixel? Against the mean of a plain
 // picture with four times as many pixels along each side, which the code of samples has no part in.
 
+import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { VIEWS } from '../../../src/material/views.js';
 import { allReady, expect, type Picture, pixels, test } from '../../support/test.js';
@@ -69,15 +70,20 @@ test('every view and every term converges to its mean', async ({ mount }) => {
   }
 });
 
-test('linear and flat shading, textures, blended surfaces and a background converge to their means', async ({
+test('linear and flat shading, textures, blended surfaces, cut-outs and a background converge to their means', async ({
   page,
   mount,
 }) => {
+  const file = readFileSync(new URL('../../fixtures/models/mask.glb', import.meta.url), 'latin1');
+  const blended = file.replace(/"MASK"(.*?) (?= *[^ ]{4}BIN)/s, '"BLEND"$1'); // a space less keeps its length
+  await page.route('**/blended.glb', (route) => route.fulfill({ body: Buffer.from(blended, 'latin1') }));
   const viewers: Readonly<Record<string, string>> = {
     linear: 'geometry="box" color-interpolation="linear" shininess="200"',
     flat: 'geometry="sphere" segments="12" shading="flat" reflection="blinn-phong"',
     gouraud: 'geometry="sphere" segments="12" shading="gouraud"',
     textured: 'src="/fixtures/models/textured.glb"',
+    blended: 'src="/blended.glb"',
+    'cut out': 'src="/fixtures/models/mask.glb"',
   };
   const markup = Object.values(viewers).map((attributes) => `<phong-viewer ${full} ${attributes}>${light}</phong-viewer>`); // prettier-ignore
   await mount(markup.join(''), { ...SIZE, css: 'phong-viewer { background: red }' });
@@ -111,8 +117,15 @@ test('both sides of a comparison converge, and moving its divider samples nothin
   }
   expect(await frames()).toEqual(before);
   await assign(first, { theta: 70 });
+  await expect.poll(() => samplesOf(first)).toBeGreaterThan(0);
+  const turned = (await frames()).reduce((sum, count) => sum + count);
+  await page.evaluate(() => (document.querySelector('phong-compare')!.at = [50]));
   await showsTheMean(first, 'turned');
   await showsTheMean(second, 'turned with it');
+  expect(
+    (await frames()).reduce((sum, count) => sum + count),
+    'divider moved in the middle',
+  ).toBe(turned);
   await nextFrame(page);
   expect(await spentIn(page, 200)).toEqual(NOTHING);
 });

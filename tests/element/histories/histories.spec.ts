@@ -24,3 +24,13 @@ test('a page shows the same after changes with unusual trees and values as a new
   test.slow();
   await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 5), 3, 'trees');
 });
+
+test('a picture shows the same after changes in the middle of its samples as a new one', async ({
+  page,
+  mount,
+  site,
+  consoleGuard,
+}) => {
+  test.slow();
+  await expectAsNew({ page, mount, site, consoleGuard }, seedsFrom(1, 3), 2, 'still');
+});

@@ -182,6 +182,7 @@ export function installDeeds(): void {
       }),
     'draw on': (_, { value }) =>
       frames(Number(value), () => viewers().forEach((viewer) => viewer.requestRender())),
+    'stand still': (_, { value }) => frames(Number(value), () => undefined),
     turn: async (viewer, { value }) => {
       viewer.autoRotate = Number(value);
       await frames(5, () => undefined);

@@ -22,6 +22,8 @@ export interface Rest {
   readonly stats: Readonly<Record<string, unknown>>;
   /** Number of lights declared active. */
   readonly active: number;
+  /** Samples per pixel that the picture should have. */
+  readonly samples: number;
   /** Places of the page's own objects in the scene. */
   readonly own: readonly string[];
 }
@@ -123,6 +125,7 @@ function installWalk(): void {
         camera: numbers(viewer),
         stats: { ...viewer.stats },
         active: lights.length === 0 ? 1 : lights.filter(({ active }) => active).length,
+        samples: viewer.antialias === 'full' && seen !== null ? viewer.samples : 0,
         own: deeds.ownOf(viewer),
       });
     }

@@ -17,7 +17,7 @@ export interface Scenario {
   readonly tasks: readonly Task[];
 }
 
-export type Mix = 'all' | 'lights' | 'many lights' | 'meshes' | 'page' | 'motion' | 'trees';
+export type Mix = 'all' | 'lights' | 'many lights' | 'meshes' | 'page' | 'motion' | 'trees' | 'still';
 
 /** Random values of an attribute, covering every code path, and bad ones. */
 type Values = (dice: Dice) => string;
@@ -238,7 +238,11 @@ const ANY_VALUE = Object.values(VALUES)
 
 function step(dice: Dice, mix: Mix): Step {
   if (mix === 'trees' && dice.chance(0.75)) return { ...made(dice), ...treeStep(dice, ANY_VALUE) };
-  const maker = dice.weighted(MAKERS, ({ weight, more }) => weight * (more?.[mix] ?? 1));
+  // Long enough for some samples, or for all.
+  if (mix === 'still' && dice.chance(0.4))
+    return { ...made(dice), what: 'stand still', value: dice.pick(['5', '8', '20']) };
+  const frequent = mix === 'still' ? 'page' : mix;
+  const maker = dice.weighted(MAKERS, ({ weight, more }) => weight * (more?.[frequent] ?? 1));
   return { ...made(dice), ...maker.make(dice) };
 }
 
@@ -270,6 +274,9 @@ function afterMotion(dice: Dice, mix: Mix): Task[] {
   ];
 }
 
+const converging = (markup: string): string =>
+  markup.replace('<phong-viewer', '<phong-viewer antialias="full" samples="64"');
+
 /** A history of one to three viewers with this many looks. */
 export function randomHistory(seed: number, looks: number, mix: Mix = MIXES[seed % MIXES.length]!): Scenario {
   const dice = new Dice(seed);
@@ -277,5 +284,6 @@ export function randomHistory(seed: number, looks: number, mix: Mix = MIXES[seed
   const viewers = dice.pick(mix === 'many lights' || mix === 'motion' ? [1, 1, 2] : [1, 1, 2, 3]);
   const cycle = mix === 'motion' ? afterMotion : anything;
   const tasks = Array.from({ length: looks }, () => cycle(dice, mix)).flat();
-  return { begins: Array.from({ length: viewers }, () => dice.pick(scenes)(dice)), tasks };
+  const begins = Array.from({ length: viewers }, () => dice.pick(scenes)(dice));
+  return { begins: mix === 'still' ? begins.map(converging) : begins, tasks };
 }

@@ -129,7 +129,7 @@ class Player {
   }
 
   #faults(rest: Rest, began: Began): string[] {
-    const { seen, blob, pixels, stats, active, camera } = rest;
+    const { seen, blob, pixels, stats, active, samples, camera } = rest;
     const faults: string[] = [];
     if (seen !== null) {
       const size = `${seen.width} × ${seen.height}`;
@@ -147,6 +147,8 @@ class Player {
       JSON.stringify({ lightsDeclared, lightsActive, lightsSent, drawCalls, by: [...(lightsSentByMesh as number[])].sort() }); // prettier-ignore
     if (cost(stats) !== cost(began.stats))
       faults.push(`stats ${cost(stats)}, of a new page ${cost(began.stats)}`);
+    if (seen !== null && stats['samples'] !== samples)
+      faults.push(`${String(stats['samples'])} samples, not ${String(samples)}`);
     if (stats['lightsActive'] !== active)
       faults.push(`${String(stats['lightsActive'])} lights active, ${active} declared so`);
     return faults;
