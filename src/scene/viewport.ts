@@ -97,8 +97,7 @@ export class Viewport implements StageClient, Framed {
     this.#loop = frameLoopOf(view);
     stage.add(this);
     this.#attached = true;
-    if (stage.lost) this.#signals.contextLost.emit();
-    else this.#signals.contextRestored.emit();
+    this.#signals[stage.lost ? 'contextLost' : 'contextRestored'].emit();
     this.invalidate();
   }
 
@@ -106,8 +105,7 @@ export class Viewport implements StageClient, Framed {
     this.changing(); // what is being captured needs the context, which may close
     this.#attached = false;
     this.#near = undefined;
-    this.#loop?.cancel(this);
-    this.#still.pause();
+    this.#wake();
     stage.remove(this);
     this.#releaseUnlessAttached();
   }
@@ -243,8 +241,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   advance(now: number): boolean {
-    this.#moving = this.drawable && this.moveTo(now);
-    return this.#moving;
+    return (this.#moving = this.drawable && this.moveTo(now));
   }
 
   draw(): void {

@@ -11,21 +11,23 @@ const countFloats = (page: Page): Promise<unknown> =>
     const { prototype } = WebGL2RenderingContext;
     const floats = { live: new Set<unknown>(), most: 0, pixels: 0 };
     Object.assign(window, { floats });
-    type Call = (this: WebGL2RenderingContext, ...given: unknown[]) => unknown;
-    const [storage, remove] = [prototype.texImage2D as Call, prototype.deleteTexture as Call];
-    prototype.texImage2D = function (this: WebGL2RenderingContext, ...given: number[]) {
+    type Call = (this: WebGL2RenderingContext, ...given: never[]) => unknown;
+    const allocate: Call = prototype.texImage2D;
+    const remove: Call = prototype.deleteTexture;
+    const count: Call = function (...given: readonly number[]) {
       const [, , format, width = 0, height = 0] = given;
       if (format === this.RGBA32F) {
         floats.live.add(this.getParameter(this.TEXTURE_BINDING_2D));
         floats.most = Math.max(floats.most, floats.live.size);
         floats.pixels = Math.max(floats.pixels, width * height);
       }
-      return storage.apply(this, given);
+      allocate.apply(this, given as never[]);
     };
-    prototype.deleteTexture = function (this: WebGL2RenderingContext, ...given: unknown[]) {
+    const forget: Call = function (...given: readonly unknown[]) {
       floats.live.delete(given[0]);
-      return remove.apply(this, given);
+      remove.apply(this, given as never[]);
     };
+    Object.assign(prototype, { texImage2D: count, deleteTexture: forget });
   });
 
 test('@release fifty viewers converge, each of them once, and then nothing runs', async ({ page, mount }) => {

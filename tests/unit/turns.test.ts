@@ -56,7 +56,12 @@ describe('turns', () => {
   it('go to pictures in view before those near it', () => {
     const near = [new Picture(false), new Picture(false)];
     const seen = [new Picture(), new Picture()];
-    expect([take(near[0]!), take(near[1]!), take(seen[0]!), take(seen[1]!)]).toEqual([true, false, true, false]);
+    expect([take(near[0]!), take(near[1]!), take(seen[0]!), take(seen[1]!)]).toEqual([
+      true,
+      false,
+      true,
+      false,
+    ]);
     expect(take(near[0]!)).toBe(false);
     release(seen[0]!);
     expect(seen[1]!.woken).toBeGreaterThan(0);

@@ -67,7 +67,8 @@ test('toBlob({ samples }) shows what was there at the call, whatever the page do
   });
   const changed = await viewer.evaluate(async (element: PhongViewer) => {
     const options = { width: 24, height: 16, samples: 64 };
-    const three = (await import('/node_modules/three/build/three.module.js' as string)) as typeof Three;
+    const address = '/node_modules/three/build/three.module.js';
+    const three = (await import(address)) as typeof Three;
     const fragmentShader = 'void main() { gl_FragColor = vec4(0.2, 0.4, 0.6, 1.0); }';
     const own = new three.Mesh(new three.SphereGeometry(0.3), new three.ShaderMaterial({ fragmentShader }));
     const group = new three.Group().add(own);

@@ -13,6 +13,13 @@ const light = '<phong-light position="1 2 3 0" ambient="40"></phong-light>';
 const viewerOf = (samples: number, attributes = 'geometry="torus"'): string =>
   `<phong-viewer alt="A shape" antialias="full" samples="${String(samples)}" ${attributes}>${light}</phong-viewer>`;
 
+declare global {
+  interface Window {
+    /** Loses and restores the page's WebGL context. */
+    loss: WEBGL_lose_context;
+  }
+}
+
 test('a context lost in the middle shows no part of a picture, and its samples begin again once it is back', async ({
   page,
   mount,
@@ -23,15 +30,14 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     const real = HTMLCanvasElement.prototype.getContext as (this: unknown, ...given: unknown[]) => unknown;
     HTMLCanvasElement.prototype.getContext = function (this: unknown, ...given: unknown[]) {
       const made = real.apply(this, given);
-      if (made instanceof WebGL2RenderingContext) {
-        const loss = made.getExtension('WEBGL_lose_context') ?? Reflect.get(window, 'loss');
-        Object.assign(window, { loss });
-      }
+      // Null while it is lost.
+      if (made instanceof WebGL2RenderingContext)
+        window.loss = made.getExtension('WEBGL_lose_context') ?? window.loss;
       return made;
     } as typeof HTMLCanvasElement.prototype.getContext;
   });
-  const lose = (): Promise<void> => page.evaluate(() => Reflect.get(window, 'loss').loseContext());
-  const restore = (): Promise<void> => page.evaluate(() => Reflect.get(window, 'loss').restoreContext());
+  const lose = (): Promise<void> => page.evaluate(() => window.loss.loseContext());
+  const restore = (): Promise<void> => page.evaluate(() => window.loss.restoreContext());
   for (const [what, other] of [
     ['alone', ''],
     ['beside another', viewerOf(16)],
