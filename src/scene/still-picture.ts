@@ -109,7 +109,7 @@ export class StillPicture {
 
   async #fetch(): Promise<void> {
     try {
-      const { ConvergingPicture } = await sampling();
+      const { ConvergingPicture } = (fetched = await sampling());
       if (this.#wanted === 0 || this.#converging !== null) return;
       this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
       this.#subject.animate();
