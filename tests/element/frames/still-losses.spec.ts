@@ -143,7 +143,8 @@ test('blended surfaces, cut-outs and materials of the page keep their colours on
     for (const [i, { samples, mean, inside }] of frames.entries()) {
       const which = `${opaque ? 'opaque' : 'transparent'}, frame ${String(i)} with ${String(samples)} samples`;
       mean.forEach((code, k) => expect(Math.abs(code - frames[0]!.mean[k]!), which).toBeLessThan(0.7));
-      expect(inside, `${which}: edges of little contrast`).toBeLessThan(10);
+      // Edges of little contrast. What is seen of each surface is 70 pixels.
+      expect(inside, which).toBeLessThan(40);
     }
   }
 });
