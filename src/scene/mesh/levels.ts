@@ -160,6 +160,8 @@ export class Levels {
     let total = 0;
     this.#round.forEach(({ round, wantsFlat }, i) => {
       const level = this.#levels[i]!;
+      // Most are like the one before, and this is every frame's.
+      if (level === this.#levels[i - 1] && round === this.#round[i - 1]!.round) return;
       const key = levelNumber(round!, level);
       if (level === FIXED || distinct.has(key)) return;
       distinct.add(key);
@@ -263,8 +265,8 @@ export function segmentsIn(
   const upward = Math.abs(x * up[0] + y * up[1] + z * up[2]);
   const size = stretch(m);
   const reach = size * radius;
-  if (across - slopeX * depth > reach * Math.hypot(1, slopeX)) return null;
-  if (upward - slopeY * depth > reach * Math.hypot(1, slopeY)) return null;
+  if (across - slopeX * depth > reach * Math.sqrt(1 + slopeX * slopeX)) return null;
+  if (upward - slopeY * depth > reach * Math.sqrt(1 + slopeY * slopeY)) return null;
   if (depth < -reach) return null;
   const squared = x * x + y * y + z * z;
   const distance = Math.sqrt(squared);
