@@ -158,15 +158,16 @@ export class Levels {
   #triangles(): number {
     distinct.clear();
     let total = 0;
-    this.#round.forEach(({ round, wantsFlat }, i) => {
+    this.#round.forEach((mesh, i) => {
+      const round = mesh.round!;
       const level = this.#levels[i]!;
       // Most are like the one before, and this is every frame's.
       if (level === this.#levels[i - 1] && round === this.#round[i - 1]!.round) return;
-      const key = levelNumber(round!, level);
+      const key = levelNumber(round, level);
       if (level === FIXED || distinct.has(key)) return;
       distinct.add(key);
-      const more = trianglesOf(round!, level) - trianglesOf(round!, coarsestOf(round!));
-      total += wantsFlat ? more + flatTrianglesOf(more) : more;
+      const more = trianglesOf(round, level) - trianglesOf(round, coarsestOf(round));
+      total += mesh.wantsFlat ? more + flatTrianglesOf(more) : more;
     });
     return total;
   }
@@ -237,7 +238,7 @@ export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
   const { most } = roundOf(name)!;
   if (segments >= most) return most;
-  const step = Math.max(8, 2 ** Math.ceil(Math.log2(segments)) / 8);
+  const step = segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8;
   const level = Math.ceil(segments / step) * step;
   return level > least ? Math.min(level, most) : least;
 }
