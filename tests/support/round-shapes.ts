@@ -6,13 +6,15 @@ import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../sr
 /** A piece of surface over the unit square; `a` runs along the rows of its grid, `b` along the columns. */
 export type Surface = (a: number, b: number) => { readonly p: Vec3; readonly N: Vec3 };
 
-/** The surface that a grid of quadrangles approximates, and the diagonal of the quadrangles. */
+/** The surface that a grid of quadrangles of an `auto` level approximates, and the diagonal of the quadrangles. */
 export interface Piece {
   readonly surface: Surface;
   readonly rows: (segments: number) => number;
   readonly columns: (segments: number) => number;
   /** Which corners the diagonal connects: 0 to 3, or 1 to 2. */
   readonly diagonal: 'main' | 'other';
+  /** Its largest deviation is at no outline. */
+  readonly isHidden?: boolean;
 }
 
 const turn = 2 * Math.PI;
@@ -147,9 +149,11 @@ export function roundShapes(): Readonly<Record<RoundName, readonly Piece[]>> {
     'torus-knot': [
       { surface: knot, rows: same, columns: (n) => Math.max(8, Math.round(n / 8)), diagonal: 'other' },
     ],
-    teapot: patches.map((patch) => ({
+    teapot: patches.map((patch, i) => ({
       surface: placed(patch, (left + right) / 2, right - left),
-      ...{ rows: quarter, columns: quarter, diagonal: 'main' as const },
+      rows: (n) => (i === 16 || i === 17 ? Math.ceil(1.6 * quarter(n)) : quarter(n)), // the spout's bend
+      ...{ columns: quarter, diagonal: 'main' as const },
+      isHidden: i >= 24 && i < 28, // the lid's rim lies in the body's groove
     })),
   };
 }

@@ -67,8 +67,7 @@ describe.each(['sphere', 'torus', 'teapot'] as const)('the outlines of a %s', (n
       const text = `${name}, ${String(size)} pixels: ${String(level)} segments, ${worst.toFixed(3)} of a pixel`;
       console.log(`${text} in ${String(compared)} places, ${String(missed)} without a counterpart`);
       expect(compared).toBeGreaterThan(LINES);
-      // A teapot of that size has the most segments that its triangles allow.
-      expect(worst).toBeLessThan(name === 'teapot' && size === 1600 ? 0.14 : 0.125);
+      expect(worst).toBeLessThan(0.125);
     },
   );
 });

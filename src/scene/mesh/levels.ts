@@ -35,6 +35,10 @@ export interface SharedLevels {
   reshaded(): void;
 }
 
+/** What a choice follows from, beside the meshes. */
+type Condition =
+  'camera' | 'moves' | 'slopeX' | 'slopeY' | 'height' | 'used' | 'limit' | 'isFixed' | 'atOnce';
+
 const buildsCode = /* @__PURE__ */ lazyCode(() => import('./level-builds.js'), 'finer shapes');
 
 export class Levels {
@@ -47,8 +51,8 @@ export class Levels {
   /** As {@link shared} was last told. */
   #wasFixed = false;
   #stale = true;
-  /** What the last choice was made for, as {@link #compare} was given it. */
-  readonly #chosenFor: number[] = [];
+  /** What the last choice was made for. */
+  readonly #chosenFor: Partial<Record<Condition, number | boolean>> = {};
   // The round shapes and their levels in the present choice, and the levels that are being built for them.
   readonly #round: SceneMesh[] = [];
   readonly #levels: number[] = [];
@@ -111,15 +115,15 @@ export class Levels {
   choose(view: View, height: number, atOnce: boolean, camera: number, moves: number): void {
     const { used, limit } = this.#budget;
     const isFixed = this.#shared?.isFixed ?? false;
-    this.#compare(0, camera);
-    this.#compare(1, moves);
-    this.#compare(2, view.slopeX);
-    this.#compare(3, view.slopeY);
-    this.#compare(4, height);
-    this.#compare(5, used);
-    this.#compare(6, limit);
-    this.#compare(7, Number(isFixed));
-    this.#compare(8, Number(atOnce));
+    this.#compare('camera', camera);
+    this.#compare('moves', moves);
+    this.#compare('slopeX', view.slopeX);
+    this.#compare('slopeY', view.slopeY);
+    this.#compare('height', height);
+    this.#compare('used', used);
+    this.#compare('limit', limit);
+    this.#compare('isFixed', isFixed);
+    this.#compare('atOnce', atOnce);
     if (!this.#stale) return;
     this.#stale = false;
     this.#list(view, height / (2 * view.slopeY), isFixed);
@@ -129,9 +133,9 @@ export class Levels {
   }
 
   /** In place: every frame, and every sample of a still picture, comes by. */
-  #compare(at: number, value: number): void {
-    this.#stale ||= value !== this.#chosenFor[at];
-    this.#chosenFor[at] = value;
+  #compare(condition: Condition, value: number | boolean): void {
+    this.#stale ||= value !== this.#chosenFor[condition];
+    this.#chosenFor[condition] = value;
   }
 
   /** `pixels`: of a unit of length at depth 1. */
@@ -154,13 +158,16 @@ export class Levels {
   #triangles(): number {
     distinct.clear();
     let total = 0;
-    this.#round.forEach(({ round, wantsFlat }, i) => {
+    this.#round.forEach((mesh, i) => {
+      const round = mesh.round!;
       const level = this.#levels[i]!;
-      const key = levelNumber(round!, level);
+      // Most are like the one before, and this is every frame's.
+      if (level === this.#levels[i - 1] && round === this.#round[i - 1]!.round) return;
+      const key = levelNumber(round, level);
       if (level === FIXED || distinct.has(key)) return;
       distinct.add(key);
-      const more = trianglesOf(round!, level) - trianglesOf(round!, coarsestOf(round!));
-      total += wantsFlat ? more + flatTrianglesOf(more) : more;
+      const more = trianglesOf(round, level) - trianglesOf(round, coarsestOf(round));
+      total += mesh.wantsFlat ? more + flatTrianglesOf(more) : more;
     });
     return total;
   }
@@ -231,7 +238,7 @@ export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
   const { most } = roundOf(name)!;
   if (segments >= most) return most;
-  const step = Math.max(8, 2 ** Math.ceil(Math.log2(segments)) / 8);
+  const step = segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8;
   const level = Math.ceil(segments / step) * step;
   return level > least ? Math.min(level, most) : least;
 }
@@ -259,8 +266,8 @@ export function segmentsIn(
   const upward = Math.abs(x * up[0] + y * up[1] + z * up[2]);
   const size = stretch(m);
   const reach = size * radius;
-  if (across - slopeX * depth > reach * Math.hypot(1, slopeX)) return null;
-  if (upward - slopeY * depth > reach * Math.hypot(1, slopeY)) return null;
+  if (across - slopeX * depth > reach * Math.sqrt(1 + slopeX * slopeX)) return null;
+  if (upward - slopeY * depth > reach * Math.sqrt(1 + slopeY * slopeY)) return null;
   if (depth < -reach) return null;
   const squared = x * x + y * y + z * z;
   const distance = Math.sqrt(squared);

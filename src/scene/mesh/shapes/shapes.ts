@@ -44,8 +44,8 @@ interface Shape {
   readonly segments: number;
   /** Fewest segments that still enclose the shape; smaller requests are raised to it. */
   readonly least: number;
-  /** Begins a geometry. `out`: how far the vertices of a round shape are outside it. */
-  readonly create: (segments: number, out: number) => Steps | Promise<Steps>;
+  /** Begins a geometry. `out`: how far the vertices of a round shape are outside it. `isLevel`: of `auto`. */
+  readonly create: (segments: number, out: number, isLevel: boolean) => Steps | Promise<Steps>;
   /** Number of triangles, at least the true one, before anything is built. */
   readonly triangles: (segments: number) => number;
   readonly round?: Round;
@@ -198,11 +198,11 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
     segments: 64,
     // Below this two triangles of the spout turn against their normals.
     least: 12,
-    create: (n) => teapotCode((code) => code.teapot(n)),
-    // 32 patches of four to a turn. Those at the poles have some triangles less.
-    triangles: (n) => 32 * 2 * Math.round(n / 4) ** 2,
-    // Its parts have seams: vertices moved outward would open them.
-    round: { gap: 4, out: 0, most: 176, half: [0.5, 0.244791, 0.310845], radius: 0.519157 },
+    create: (n, _, isLevel) => teapotCode((code) => code.teapot(n, isLevel)),
+    // 32 patches, four to a turn. Two of a level have more, those at the poles have less.
+    triangles: (n) => 67 * Math.round(n / 4) ** 2,
+    // Its parts have seams: vertices moved outward would open them. The lid's rim is farther off (2.8), and hidden.
+    round: { gap: 2.53, out: 0, most: 176, half: [0.5, 0.244791, 0.310845], radius: 0.519157 },
   },
   plane: {
     segments: 1,
@@ -258,9 +258,9 @@ export function beginGeometry(
 ): Steps | Promise<Steps> {
   const { create, round } = SHAPES[name];
   const n = effectiveSegments(name, segments);
-  if (round === undefined) return create(n, 0);
+  if (round === undefined) return create(n, 0, false);
   const out = isLevel ? round.out / n ** 2 : 0;
-  const steps = create(n, out);
+  const steps = create(n, out, isLevel);
   return steps instanceof Promise
     ? steps.then((begun) => bounded(name, begun, out))
     : bounded(name, steps, out);
@@ -275,7 +275,7 @@ function* bounded(name: GeometryName, steps: Steps, out: number): Steps {
   if (extremes === undefined) {
     // Its code is here, so this is no promise.
     const vertices = (): Float32Array =>
-      finish(SHAPES[name].create(SHAPES[name].segments, 0) as Steps).getAttribute('position')
+      finish(SHAPES[name].create(SHAPES[name].segments, 0, false) as Steps).getAttribute('position')
         .array as Float32Array;
     extremes = new ExtremePoints(vertices, [-x, -y, -z, x, y, z], [0, 0, 0], radius);
     roundExtremes.set(name, extremes);

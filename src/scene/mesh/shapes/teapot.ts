@@ -17,22 +17,33 @@ const CENTER = 0.13780166;
 /** Shorter normals have no direction: those of the closed rows. The others are longer than 1e-2. */
 const NO_NORMAL = 1e-5;
 
-/** @param segments once round the body, at least 12; rounded to whole divisions of a patch. */
-export function teapot(segments: number): Steps {
+/** The patches of the spout's bend, whose rows lie across it. */
+const isBend = (patch: number): boolean => patch === 16 || patch === 17;
+
+/**
+ * @param segments once round the body, at least 12; rounded to whole divisions of a patch.
+ * @param isLevel with more rows in the spout's bend: else all of the teapot would need a quarter more segments.
+ */
+export function teapot(segments: number, isLevel: boolean): Steps {
   const divisions = Math.round(segments / PATCHES_AROUND);
-  return gridGeometry(Array.from({ length: PATCHES }, (_, patch) => patchGrid(patch, divisions)));
+  const inBend = isLevel ? Math.ceil(1.6 * divisions) : divisions;
+  return gridGeometry(
+    Array.from({ length: PATCHES }, (_, patch) =>
+      patchGrid(patch, isBend(patch) ? inBend : divisions, divisions),
+    ),
+  );
 }
 
-function patchGrid(patch: number, divisions: number): Grid {
+function patchGrid(patch: number, rows: number, columns: number): Grid {
   const samples = samplesOf(patch);
-  const bases = Array.from({ length: divisions + 1 }, (_, i) => basisAt(i / divisions));
+  const [down, across] = [basesOf(rows), basesOf(columns)];
   const sums = new Float64Array(9);
   return {
-    ...{ columns: divisions, rows: divisions, corners: [0, 1, 3, 0, 3, 2], closedFirst: isClosed(patch) },
+    ...{ columns, rows, corners: [0, 1, 3, 0, 3, 2], closedFirst: isClosed(patch) },
     row: (row, into, first) => {
-      const s = bases[row]!;
-      for (let column = 0; column <= divisions; column++) {
-        const t = bases[column]!;
+      const s = down[row]!;
+      for (let column = 0; column <= columns; column++) {
+        const t = across[column]!;
         sums.fill(0);
         for (let k = 0; k < SAMPLES * SAMPLES; k++) {
           const [i, j] = [k >> 2, k & 3];
@@ -43,7 +54,7 @@ function patchGrid(patch: number, divisions: number): Grid {
             sums[6 + axis]! += s.value[i]! * t.slope[j]! * place;
           }
         }
-        putVertex(sums, 1 - column / divisions, 1 - row / divisions, into, first + column);
+        putVertex(sums, 1 - column / columns, 1 - row / rows, into, first + column);
       }
     },
   };
@@ -82,6 +93,9 @@ interface Basis {
   /** How fast that changes. */
   readonly slope: readonly number[];
 }
+
+const basesOf = (divisions: number): Basis[] =>
+  Array.from({ length: divisions + 1 }, (_, i) => basisAt(i / divisions));
 
 /** Lagrange's polynomials for samples at 0, 1/3, 2/3 and 1. */
 function basisAt(t: number): Basis {
