@@ -296,9 +296,9 @@ export class Viewport implements StageClient, Framed {
 
   sampler(): PaintPart {
     this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
-    return (renderer, part) => {
+    return (renderer, part, samples) => {
       this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
-      this.#painter.paintAgain(renderer, this.#view);
+      this.#painter.paintAgain(renderer, this.#view, samples);
     };
   }
 
@@ -349,11 +349,11 @@ export class Viewport implements StageClient, Framed {
       const view = new ViewCamera(new Orbit(this.orbit.pose));
       const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
       const paint = this.#painter.sampler(view);
-      return (renderer, part) => {
+      return (renderer, part, count) => {
         this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
         this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
-        paint(renderer);
+        paint(renderer, count);
       };
     });
   }

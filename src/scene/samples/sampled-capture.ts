@@ -14,8 +14,11 @@ import { tilesOf } from './tiles.js';
 /** Milliseconds until the GPU is asked again whether it has finished a batch. */
 const PAUSE = 4;
 
-/** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
-export type PaintPart = (renderer: WebGLRenderer, part: Region) => void;
+/**
+ * Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. `samples`: so
+ * many such pictures are averaged.
+ */
+export type PaintPart = (renderer: WebGLRenderer, part: Region, samples: number) => void;
 
 export class SampledCapture {
   /** Rejects with RangeError if no canvas can hold the picture, and where the context is lost. */
@@ -77,7 +80,7 @@ export class SampledCapture {
   *#drawTile(tile: Region, samples: number, paint: PaintPart): Generator<void, HTMLCanvasElement> {
     const plain = (): HTMLCanvasElement =>
       stage.capture(tile, (renderer, { x, y, width, height }) => {
-        paint(renderer, { x: tile.x + x, y: tile.y + y, width, height });
+        paint(renderer, { x: tile.x + x, y: tile.y + y, width, height }, 1);
       });
     let sum: SampleSum | null = null;
     let picture: WebGLRenderTarget | null = null;
@@ -110,7 +113,7 @@ export class SampledCapture {
     aside((renderer) => {
       batches.send(samples - sum.count, () => {
         sum.add(() => {
-          paint(renderer, shifted(tile, sum.count));
+          paint(renderer, shifted(tile, sum.count), samples);
         });
       });
     });
