@@ -3,11 +3,10 @@ import {
   BufferAttribute,
   BufferGeometry,
   Camera,
-  CustomBlending,
+  type DataArrayTexture,
   GLSL3,
   Mesh,
   NoBlending,
-  OneFactor,
   RawShaderMaterial,
   type Texture,
   Vector2,
@@ -21,7 +20,7 @@ void main() { gl_Position = vec4(position, 1.0); }`;
 
 export interface ScreenUniforms {
   readonly uPixels: { value: Texture | null };
-  readonly uOther: { value: Texture | null };
+  readonly uLayers: { value: DataArrayTexture | null };
   /** Where the first texel is drawn, in pixels of the target. */
   readonly uOrigin: { readonly value: Vector2 };
   readonly uCount: { value: number };
@@ -30,7 +29,7 @@ export interface ScreenUniforms {
 export class ScreenPass {
   readonly uniforms: ScreenUniforms = {
     uPixels: { value: null },
-    uOther: { value: null },
+    uLayers: { value: null },
     uOrigin: { value: new Vector2() },
     uCount: { value: 1 },
   };
@@ -38,10 +37,9 @@ export class ScreenPass {
   readonly #camera = new Camera();
 
   /**
-   * `value` is a GLSL expression of `texel`, a vec4, that may read `uOther` at `at`. `adds`: it is added to what the
-   * target holds, by blending.
+   * `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at `at`.
    */
-  constructor(value: string, adds = false) {
+  constructor(body: string) {
     const geometry = new BufferGeometry();
     geometry.setAttribute(
       'position',
@@ -53,22 +51,20 @@ export class ScreenPass {
       fragmentShader: `
 precision highp float;
 uniform highp sampler2D uPixels;
-uniform highp sampler2D uOther;
+uniform highp sampler2DArray uLayers;
 uniform vec2 uOrigin;
 uniform float uCount;
 out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy - uOrigin);
   vec4 texel = texelFetch(uPixels, at, 0);
-  color = ${value};
+  ${body}
 }`,
       uniforms: this.uniforms as unknown as Record<string, { value: unknown }>,
       depthTest: false,
       depthWrite: false,
       toneMapped: false,
-      ...(adds
-        ? { blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor }
-        : { blending: NoBlending }),
+      blending: NoBlending,
     });
     this.#mesh = new Mesh(geometry, material);
     this.#mesh.frustumCulled = false;
@@ -77,12 +73,12 @@ void main() {
   }
 
   /** Draws over the renderer's present viewport. */
-  draw(renderer: WebGLRenderer, pixels: Texture, other: Texture | null = null): void {
-    const { uPixels, uOther } = this.uniforms;
+  draw(renderer: WebGLRenderer, pixels: Texture, layers: DataArrayTexture | null = null): void {
+    const { uPixels, uLayers } = this.uniforms;
     uPixels.value = pixels;
-    uOther.value = other;
+    uLayers.value = layers;
     renderer.render(this.#mesh, this.#camera);
-    uPixels.value = uOther.value = null;
+    uPixels.value = uLayers.value = null;
   }
 
   dispose(): void {
