@@ -29,23 +29,36 @@ const texture: CastTexture = {
 };
 const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 }, metallicFactor: 0 } };
 
+interface HardPicture {
+  readonly markup: string;
+  readonly texture?: CastTexture;
+  /** Largest error in codes, a fifth or more above what is measured: pictures this small are all outline. */
+  readonly rmse: number;
+  /** Least share of pixels within one code. */
+  readonly within: number;
+}
+
 /** By what is hard about them. */
-const PICTURES: Readonly<Record<string, { readonly markup: string; readonly texture?: CastTexture }>> = {
+const PICTURES: Readonly<Record<string, HardPicture>> = {
   outlines: {
     markup: `<phong-viewer ${full} geometry="torus" segments="32" phi="60">${lights}</phong-viewer>`,
+    ...{ rmse: 0.75, within: 0.93 },
   },
   'thin highlights': {
     markup: `<phong-viewer ${full} geometry="torus-knot" shininess="2000" ks="255">${bright}</phong-viewer>`,
+    ...{ rmse: 0.75, within: 0.93 },
   },
   'a cone edge': {
     markup: `<phong-viewer ${full} phi="65" radius="1.25" target="0 -0.05 0">${cone}
       <phong-mesh geometry="plane" position="0 -0.5 0" scale="3"></phong-mesh>
       <phong-mesh geometry="teapot" segments="16" shininess="120"></phong-mesh></phong-viewer>`,
+    ...{ rmse: 0.75, within: 0.93 },
   },
   'a fine texture': {
     markup: `<phong-viewer ${full} phi="70" shininess="32" src="${patch({ material, textures: [texels], mipmaps: true })}">
       ${lights}</phong-viewer>`,
     texture,
+    ...{ rmse: 1.2, within: 0.75 },
   },
 };
 
@@ -68,12 +81,12 @@ test('hard pictures converge to the exact mean over each pixel', async ({ page, 
       .join(''),
     size,
   );
-  for (const [i, [what, picture]] of Object.entries(PICTURES).entries()) {
+  for (const [i, [what, { texture, rmse, within }]] of Object.entries(PICTURES).entries()) {
     const viewer = page.locator('phong-viewer').nth(i);
-    const scene = await drawnScene(viewer, picture.texture);
+    const scene = await drawnScene(viewer, texture);
     const means = await castPicture(scene, { ...size, samples: 256 });
     const errors = errorsOf(await pixels(viewer), means);
-    console.log(what, errors);
-    expect(errors.rmse, what).toBeLessThan(1);
+    expect(errors.rmse, what).toBeLessThan(rmse);
+    expect(errors.within, what).toBeGreaterThan(within);
   }
 });
