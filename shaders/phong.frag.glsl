@@ -1,6 +1,7 @@
 // The colour of a fragment: the sum over the lights times the material, as an 8-bit code.
 
 uniform float uOpacity;
+uniform float uMapBias; // maps are sampled so many levels coarser
 #ifdef HAS_MAP
 uniform sampler2D uMap;
 in vec2 vMapUv;
@@ -78,7 +79,7 @@ vec4 decodeBase(vec4 color) {
 vec4 baseColor() {
   vec4 color = vec4(1.0, 1.0, 1.0, uOpacity);
 #ifdef HAS_MAP
-  color *= decodeBase(texture(uMap, vMapUv));
+  color *= decodeBase(texture(uMap, vMapUv, uMapBias));
 #endif
 #ifdef HAS_VERTEX_COLOR
   color *= decodeBase(vColor);
@@ -105,7 +106,7 @@ void main() {
   vec3 kd = base.rgb;
   vec3 ks = vec3(1.0);
 #ifdef HAS_METAL_ROUGH_MAP
-  vec3 metalRough = texture(uMetalRoughMap, vMetalRoughMapUv).rgb;
+  vec3 metalRough = texture(uMetalRoughMap, vMetalRoughMapUv, uMapBias).rgb;
 #endif
 #ifdef HAS_ROUGHNESS
   float n = exponentOfRoughness(uRoughness * metalRough.g);
@@ -136,7 +137,7 @@ void main() {
   vec3 color = unitSurfaceColor(p, vNormal, uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
 #else
 #ifdef HAS_NORMAL_MAP
-  vec3 normal = mappedNormal(vNormal, vTangent, texture(uNormalMap, vNormalMapUv).xyz, uNormalScale);
+  vec3 normal = mappedNormal(vNormal, vTangent, texture(uNormalMap, vNormalMapUv, uMapBias).xyz, uNormalScale);
 #else
   vec3 normal = vNormal;
 #endif
@@ -152,7 +153,7 @@ void main() {
 #ifdef HAS_EMISSIVE
   vec3 emissive = uEmissive;
 #ifdef HAS_EMISSIVE_MAP
-  emissive *= decodeBase(texture(uEmissiveMap, vEmissiveMapUv)).rgb;
+  emissive *= decodeBase(texture(uEmissiveMap, vEmissiveMapUv, uMapBias)).rgb;
 #endif
   color += emissive;
 #endif

@@ -38,6 +38,8 @@ export class PhongLighting {
   readonly eye = { value: new Vector3() };
   /** Uniform `uShadingToClip`, shared by all materials; see {@link aim}. */
   readonly clip = { value: new Matrix4() };
+  /** Uniform `uMapBias`, shared by all materials: levels added to the one that a map is sampled from. Default 0. */
+  readonly mapBias = { value: 0 };
   /** Specialised programs of this picture. */
   readonly programs = new ProgramCache();
   readonly #meshLights = new MeshLights();

@@ -90,6 +90,7 @@ export class PhongMaterial extends RawShaderMaterial {
       uKs: { value: new Vector3() },
       uShininess: { value: 0 },
       uOpacity: { value: look.opacity },
+      uMapBias: lighting.mapBias,
       uAlphaCutoff: { value: look.alphaCutoff },
       // three.js sends a uniform array whether it changed or not, unless needsUpdate is false.
       uLightRows: { value: new Float32Array(4) as Float32Array, needsUpdate: true },

@@ -296,9 +296,9 @@ export class Viewport implements StageClient, Framed {
 
   sampler(): PaintPart {
     this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
-    return (renderer, part) => {
+    return (renderer, part, samples) => {
       this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
-      this.#painter.paintAgain(renderer, this.#view);
+      this.#painter.paintAgain(renderer, this.#view, samples);
     };
   }
 
@@ -348,11 +348,11 @@ export class Viewport implements StageClient, Framed {
       const view = new ViewCamera(new Orbit(this.orbit.pose));
       const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
       const draw = this.#painter.sampler(view);
-      const paint: PaintPart = (renderer, part) => {
+      const paint: PaintPart = (renderer, part, count) => {
         this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
         this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
-        draw(renderer);
+        draw(renderer, count);
       };
       // Nothing keeps the context open for a viewer that is on no page.
       return { scene: this.scene, paint, atOnce: !this.#attached };

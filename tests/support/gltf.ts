@@ -9,6 +9,8 @@ export interface PatchOptions {
   readonly material: Readonly<Record<string, unknown>>;
   /** Square textures, row by row. */
   readonly textures?: readonly (readonly Texel[])[];
+  /** Whether textures have smaller levels. Default false: they are sampled at full size. */
+  readonly mipmaps?: boolean;
   /** Whether the file has tangents of its own. Default false. */
   readonly tangents?: boolean;
   /** The node's matrix. */
@@ -17,11 +19,14 @@ export interface PatchOptions {
 
 const FLOAT = 5126;
 const USHORT = 5123;
+const LINEAR = 9729;
+const LINEAR_MIPMAP_LINEAR = 9987;
 /** Quads along each side. */
 const CELLS = 2;
 
 /** The address of a patch of edge 2 in xy, bent about y: it faces +z in its middle. */
-export function patch({ material, textures = [], tangents = false, matrix }: PatchOptions): string {
+export function patch(options: PatchOptions): string {
+  const { material, textures = [], mipmaps = false, tangents = false, matrix } = options;
   const vertices = Array.from({ length: (CELLS + 1) ** 2 }, (_, i) => {
     const u = (i % (CELLS + 1)) / CELLS;
     const v = Math.floor(i / (CELLS + 1)) / CELLS;
@@ -64,7 +69,7 @@ export function patch({ material, textures = [], tangents = false, matrix }: Pat
     ],
     materials: [{ doubleSided: true, ...material }],
     textures: textures.map((_, source) => ({ source, sampler: 0 })),
-    samplers: [{ magFilter: 9729, minFilter: 9729 }],
+    samplers: [{ magFilter: LINEAR, minFilter: mipmaps ? LINEAR_MIPMAP_LINEAR : LINEAR }],
     images: textures.map((texels) => ({ uri: data('image/png', pngOf(texels)) })),
     accessors: [
       ...names.map((_, i) => ({

@@ -186,7 +186,7 @@ export class ConvergingPicture {
     const paint = this.#subject.sampler();
     batches.send(this.#wanted - sum.count, () => {
       sum.add(() => {
-        paint(renderer, shifted(tile, sum.count));
+        paint(renderer, shifted(tile, sum.count), this.#wanted);
       });
     });
     const complete = sum.count === this.#wanted;

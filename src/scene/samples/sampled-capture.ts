@@ -15,8 +15,11 @@ import { tilesOf } from './tiles.js';
 /** Milliseconds until the GPU is asked again whether it has finished a batch. */
 const PAUSE = 4;
 
-/** Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. */
-export type PaintPart = (renderer: WebGLRenderer, part: Region) => void;
+/**
+ * Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. `samples`: so
+ * many such pictures are averaged.
+ */
+export type PaintPart = (renderer: WebGLRenderer, part: Region, samples: number) => void;
 
 export interface Captured {
   /** What {@link paint} draws. All slices show its objects where they are at the start. */
@@ -38,9 +41,9 @@ export class SampledCapture {
   /** Begins in this task. */
   constructor(size: Size, samples: number, { scene, paint, atOnce }: Captured) {
     const places = new ObjectPlaces(scene);
-    this.#slices = this.#draw(size, samples, (renderer, part) => {
+    this.#slices = this.#draw(size, samples, (renderer, part, count) => {
       places.during(() => {
-        paint(renderer, part);
+        paint(renderer, part, count);
       });
     });
     this.picture = new Promise((resolve, reject) => {
@@ -92,7 +95,7 @@ export class SampledCapture {
   *#drawTile(tile: Region, samples: number, paint: PaintPart): Generator<void, HTMLCanvasElement> {
     const plain = (): HTMLCanvasElement =>
       stage.capture(tile, (renderer, { x, y, width, height }) => {
-        paint(renderer, { x: tile.x + x, y: tile.y + y, width, height });
+        paint(renderer, { x: tile.x + x, y: tile.y + y, width, height }, 1);
       });
     let sum: SampleSum | null = null;
     let picture: WebGLRenderTarget | null = null;
@@ -125,7 +128,7 @@ export class SampledCapture {
     aside((renderer) => {
       batches.send(samples - sum.count, () => {
         sum.add(() => {
-          paint(renderer, shifted(tile, sum.count));
+          paint(renderer, shifted(tile, sum.count), samples);
         });
       });
     });
