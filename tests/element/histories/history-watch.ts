@@ -1,5 +1,5 @@
-// Records what happens on the page of a history: each viewer's last picture, the programs that drew it, cameras moved by the user, and
-// whether anything happens at all.
+// Records what happens on the page of a history: each viewer's last picture, the programs that drew it, cameras moved
+// by the user, and whether anything happens at all.
 
 import type { PhongViewer } from '../support/viewer.js';
 
