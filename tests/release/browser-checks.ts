@@ -1,6 +1,6 @@
-// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons, models, and pictures against the equation.
-// One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check
-// says otherwise.
+// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons, models, and pictures
+// against the equation. One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels
+// at the page's top left unless a check says otherwise.
 import { expect } from '@playwright/test';
 import { inPageModule } from '../../.ci/in-page.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
