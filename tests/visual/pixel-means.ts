@@ -1,6 +1,6 @@
-// What `antialias="full"` must converge to, in float64: for each pixel the mean, over its square, of the clamped colour of
-// the nearest triangle and of its coverage. Takes the triangles that a page draws; world space relative to the camera's
-// target. Knows nothing of WebGL.
+// What `antialias="full"` must converge to, in float64: for each pixel the mean, over its square, of the clamped colour
+// of the nearest triangle and of its coverage. Takes the triangles that a page draws; world space relative to the
+// camera's target. Knows nothing of WebGL.
 import type { LightValues } from '../../src/light/light-state.js';
 import { add, cross, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 import { type ReferenceOptions, shade, type Surface } from '../../src/reference/equation.js';
