@@ -28,6 +28,7 @@ for (const [name, start] of Object.entries(STARTS)) {
       title,
       markup,
       size = { width: 600, height: 400 },
+      display = 'block',
       csp = strictPolicy,
       holds,
       said = /^$/,
@@ -39,7 +40,7 @@ for (const [name, start] of Object.entries(STARTS)) {
             csp,
             head: '<script src="/fixtures/said.js"></script><script type="module" src="/dist/phong-viewer.standalone.js"></script>',
             css: `body { margin: 0; background: white } div { height: 5000px }
-              phong-viewer { display: block; width: ${size.width}px; height: ${size.height}px }`,
+              phong-viewer { display: ${display}; width: ${size.width}px; height: ${size.height}px }`,
           }),
         );
         await allReady(tab);
