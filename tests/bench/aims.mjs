@@ -6,6 +6,7 @@ import { CODES, full, PLAIN, pictureValue, RMSE, SSAA, ssaa, TAA, taa, WITHIN } 
 import { ratioOf, ratioOverSubjects, valueOf } from './results.mjs';
 import { spread } from './statistics.mjs';
 import {
+  FRAMED_LIGHTS,
   modelSubjects,
   NETWORKS,
   PICTURES,
@@ -41,6 +42,8 @@ export const SCRIPT_MOST = [2, 2.5, 4, 10];
 const both = (x) => ({ software: x, gpu: x });
 /** @param {number} count */
 const sphere = (count) => `sphere, ${count === 1 ? '1 light' : `${count} lights`}`;
+/** @param {number} count */
+const framed = (count) => `sphere framed by default, ${count === 1 ? '1 light' : `${count} lights`}`;
 /** @param {number} count */
 const script = (count) => `script, ${count} moving ${count === 1 ? 'light' : 'lights'}`;
 
@@ -146,6 +149,18 @@ export const AIMS = [
     measure: 'script per frame',
     most: both(1.5),
   },
+  {
+    label: 'script, 2,000 spheres, to a fixed number of segments',
+    subject: 'script, 2,000 spheres',
+    measure: 'script per frame',
+    most: both(1.1),
+  },
+  ...FRAMED_LIGHTS.map((count) => ({
+    label: `${framed(count)}, to 64 segments, settled`,
+    subject: framed(count),
+    measure: 'settled',
+    most: { gpu: 1.02 },
+  })),
   { label: 'start, 2,000 boxes', subject: 'start, 2,000 boxes', measure: 'first picture', most: both(1.5) },
   {
     label: 'connecting 5,000 lights, ms',

@@ -62,6 +62,7 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 
 /** Lights of the sphere that fills the view, as in the table of aims. */
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
+export const FRAMED_LIGHTS = [1, 8, 32];
 export const SCRIPT_LIGHTS = [1, 8, 32, 128];
 
 /** How a model reaches the page, as a part of a subject's name. */
@@ -89,6 +90,13 @@ export const SUBJECTS = {
   '2,000 boxes, 3 lights': frames('boxes:3'),
   'lights that come and go': frames('changing:8'),
   '300 moving lights': frames('moving:300'),
+  // Segments as many as the outline needs, and a fixed number.
+  ...Object.fromEntries(
+    FRAMED_LIGHTS.map((count) => [
+      `sphere framed by default, ${lights(count)}`,
+      frames(`framed-sphere:${count}`, ['element', 'fixed']),
+    ]),
+  ),
   'core, 8 lights': frames('sphere:8', ['core', 'element']),
   ...Object.fromEntries(
     SCRIPT_LIGHTS.map((count) => [
@@ -98,6 +106,7 @@ export const SUBJECTS = {
   ),
   'script, turning camera': script('box-turning:3', ['element', 'three', 'unlit']),
   'script, 2,000 boxes': script('boxes:3'),
+  'script, 2,000 spheres': script('two-thousand-spheres:3', ['element', 'fixed']),
   'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
   'script, mesh moved beside 1 M triangles': script('beside-a-million:3', ['element']),
   'connecting 5,000 lights': { kind: 'connect' },

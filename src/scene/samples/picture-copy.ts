@@ -3,7 +3,7 @@ import { type Texture, Vector4, type WebGLRenderer } from 'three';
 import type { Region } from '../gpu/stage.js';
 import { ScreenPass } from './screen-pass.js';
 
-const copyPass = /* @__PURE__ */ new ScreenPass('texel');
+const copyPass = /* @__PURE__ */ new ScreenPass('color = texel;');
 const scratch = /* @__PURE__ */ new Vector4();
 
 /** Fills the renderer's present viewport with this part of a picture that is `height` pixels high. */

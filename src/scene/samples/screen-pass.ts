@@ -3,11 +3,10 @@ import {
   BufferAttribute,
   BufferGeometry,
   Camera,
-  CustomBlending,
+  type DataArrayTexture,
   GLSL3,
   Mesh,
   NoBlending,
-  OneFactor,
   RawShaderMaterial,
   type Texture,
   Vector2,
@@ -23,11 +22,11 @@ void main() { gl_Position = vec4(position, 1.0); }`;
  * Never executed. On a page with many viewers WebKitGTK 2.50 loses track of the driver's active texture unit, and a
  * program with one texture then reads whatever is bound elsewhere. For a program with two it sets the unit again.
  */
-const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uOther, at, 0);';
+const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uLayers, ivec3(at, 0), 0);';
 
 export interface ScreenUniforms {
   readonly uPixels: { value: Texture | null };
-  readonly uOther: { value: Texture | null };
+  readonly uLayers: { value: DataArrayTexture | null };
   /** Where the first texel is drawn, in pixels of the target. */
   readonly uOrigin: { readonly value: Vector2 };
   readonly uCount: { value: number };
@@ -36,7 +35,7 @@ export interface ScreenUniforms {
 export class ScreenPass {
   readonly uniforms: ScreenUniforms = {
     uPixels: { value: null },
-    uOther: { value: null },
+    uLayers: { value: null },
     uOrigin: { value: new Vector2() },
     uCount: { value: 1 },
   };
@@ -44,10 +43,9 @@ export class ScreenPass {
   readonly #camera = new Camera();
 
   /**
-   * `value` is a GLSL expression of `texel`, a vec4, that may read `uOther` at `at`. `adds`: it is added to what the
-   * target holds, by blending.
+   * `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at `at`.
    */
-  constructor(value: string, adds = false) {
+  constructor(body: string) {
     const geometry = new BufferGeometry();
     geometry.setAttribute(
       'position',
@@ -59,7 +57,7 @@ export class ScreenPass {
       fragmentShader: `
 precision highp float;
 uniform highp sampler2D uPixels;
-uniform highp sampler2D uOther;
+uniform highp sampler2DArray uLayers;
 uniform vec2 uOrigin;
 uniform float uCount;
 out vec4 color;
@@ -67,15 +65,13 @@ void main() {
   ivec2 at = ivec2(gl_FragCoord.xy - uOrigin);
   vec4 texel = texelFetch(uPixels, at, 0);
   ${SECOND_TEXTURE}
-  color = ${value};
+  ${body}
 }`,
       uniforms: this.uniforms as unknown as Record<string, { value: unknown }>,
       depthTest: false,
       depthWrite: false,
       toneMapped: false,
-      ...(adds
-        ? { blending: CustomBlending, blendSrc: OneFactor, blendDst: OneFactor }
-        : { blending: NoBlending }),
+      blending: NoBlending,
     });
     this.#mesh = new Mesh(geometry, material);
     this.#mesh.frustumCulled = false;
@@ -84,12 +80,12 @@ void main() {
   }
 
   /** Draws over the renderer's present viewport. */
-  draw(renderer: WebGLRenderer, pixels: Texture, other: Texture | null = null): void {
-    const { uPixels, uOther } = this.uniforms;
+  draw(renderer: WebGLRenderer, pixels: Texture, layers: DataArrayTexture | null = null): void {
+    const { uPixels, uLayers } = this.uniforms;
     uPixels.value = pixels;
-    uOther.value = other;
+    uLayers.value = layers;
     renderer.render(this.#mesh, this.#camera);
-    uPixels.value = uOther.value = null;
+    uPixels.value = uLayers.value = null;
   }
 
   dispose(): void {

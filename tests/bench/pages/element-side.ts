@@ -8,12 +8,13 @@ import {
   lightAt,
   ORIGIN,
   millionTriangles,
+  type Scene,
   type SceneLight,
   SURFACE,
   swing,
   thetaAt,
 } from './scenes.js';
-import type { OpenSide } from './side.js';
+import type { OpenSide, Side } from './side.js';
 import { pause } from './timing.js';
 
 export type Viewer = HTMLElementTagNameMap['phong-viewer'];
@@ -32,7 +33,12 @@ export async function drawUntilReady(viewer: Viewer): Promise<void> {
   }
 }
 
-export const openElement: OpenSide = async (holder, scene) => {
+export const openElement: OpenSide = (holder, scene) => open(holder, scene);
+
+/** The same with a fixed number of segments. */
+export const openFixed: OpenSide = (holder, scene) => open(holder, scene, scene.segments);
+
+async function open(holder: HTMLElement, scene: Scene, segments: number | 'auto' = 'auto'): Promise<Side> {
   const viewer = document.createElement('phong-viewer');
   Object.assign(viewer.style, { display: 'block', width: '100%', height: '100%' });
   Object.assign(viewer, { alt: 'The scene', theta: 0, phi: 90, fov: FOV });
@@ -44,6 +50,7 @@ export const openElement: OpenSide = async (holder, scene) => {
     if (shape === 'grid.glb') mesh.src = URL.createObjectURL(new Blob([glbOf(millionTriangles())]));
     else if (shape.endsWith('.glb')) mesh.src = shape;
     else mesh.geometry = shape as 'sphere' | 'box';
+    if (shape === 'sphere') mesh.segments = segments;
     return Object.assign(mesh, { position, scale, ka, kd, ks, shininess });
   });
   viewer.append(...lights, ...meshes);
@@ -81,4 +88,4 @@ export const openElement: OpenSide = async (holder, scene) => {
       if (runFrame() === 0) throw new Error('the viewer asked for no frame');
     },
   };
-};
+}

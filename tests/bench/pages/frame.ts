@@ -4,7 +4,7 @@ import { sceneOf } from './scenes.js';
 import type { OpenSide } from './side.js';
 import { clockFrames, finish, hasTimer, pause, rendererName, timeFrames } from './timing.js';
 
-export type SideName = 'element' | 'core' | 'three' | 'unlit';
+export type SideName = 'element' | 'fixed' | 'core' | 'three' | 'unlit';
 
 /** What a picture is drawn with; the sides of one scene have to agree in it. */
 export interface CanvasFacts {
@@ -43,6 +43,7 @@ const RUN = 20;
 
 const SIDES: Readonly<Record<SideName, () => Promise<OpenSide>>> = {
   element: async () => (await import('./element-side.js')).openElement,
+  fixed: async () => (await import('./element-side.js')).openFixed,
   core: async () => (await import('./core-side.js')).openCore,
   three: async () => (await import('./three-side.js')).openThree,
   unlit: async () => (await import('./three-side.js')).openUnlit,

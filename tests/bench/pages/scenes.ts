@@ -34,6 +34,8 @@ export interface Scene {
   /** The eye is at `radius` from the target, on its equator. Vertical field of view: 45 degrees. */
   readonly radius: number;
   readonly motion: Motion;
+  /** Of its spheres, where they have a fixed number. */
+  readonly segments?: number;
   /** The eye is inside the first mesh. */
   readonly inside?: boolean;
   /** The element finds target and radius by itself, and again after each move. */
@@ -146,6 +148,8 @@ export function sceneOf(name: string): Scene {
   switch (kind) {
     case 'sphere':
       return sphere(lights, 'camera');
+    case 'framed-sphere':
+      return { ...sphere(lights, 'camera'), autoFit: true, segments: 64 };
     case 'moving':
       return sphere(lights, 'lights');
     case 'changing':
@@ -180,6 +184,14 @@ export function sceneOf(name: string): Scene {
         meshes: grid([20, 10, 10], 1, 'box', 0.6),
         radius: 24,
         motion: 'camera',
+      };
+    case 'two-thousand-spheres':
+      return {
+        lights: mixedLights(lights, 40),
+        meshes: grid([20, 10, 10], 1, 'sphere', 0.6),
+        radius: 24,
+        motion: 'camera',
+        segments: 16, // as `auto` chooses on so small a canvas
       };
     case 'box-turning':
       return box(lights, 'camera');

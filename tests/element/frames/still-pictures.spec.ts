@@ -128,16 +128,6 @@ test('without float targets `full` is like `edges`, and `stats` says so', async 
   expect(await samplesOf(viewer)).toBe(0);
 });
 
-test('without blending of floats the picture is the same', async ({ page, mount }) => {
-  const viewer = await mount(viewerOf(full), size);
-  await converged(viewer);
-  const blended = await pixels(viewer);
-  await without(page, 'EXT_float_blend');
-  const other = await mount(viewerOf(full), size);
-  await converged(other);
-  expect(compare(await pixels(other), blended).max).toBe(0);
-});
-
 test('objects of a page keep their colours, whichever way their materials encode them', async ({
   page,
   site,
