@@ -72,7 +72,8 @@ export default defineConfig(
     plugins: { house: { rules: { layers: layersRule } } },
     rules: {
       'house/layers': 'error',
-      // Longer than this, a file has more than one subject. Shorter files are not better: what changes together stays together.
+      // Longer than this, a file has more than one subject. Shorter files are not better: what changes together stays
+      // together.
       'max-lines': ['error', { max: 345, skipBlankLines: true, skipComments: true }],
       'no-console': ['error', { allow: ['warn'] }],
       'no-restricted-syntax': [

@@ -28,8 +28,8 @@ export default defineConfig({
     timezoneId: 'UTC',
     launchOptions: {
       ...(executablePath === undefined ? {} : { executablePath }),
-      // WebGL stays what it is. Where the page around it is composed without WebGL, tests take a fifth less CPU time, and
-      // pages with several pictures a third less: software GL is slow at copying layers.
+      // WebGL stays what it is. Where the page around it is composed without WebGL, tests take a fifth less CPU time,
+      // and pages with several pictures a third less: software GL is slow at copying layers.
       args: [...softwareGl, '--disable-gpu-compositing'],
     },
   },

@@ -1,5 +1,5 @@
-// Builds dist/phong-viewer.classic.js: everything in one script that is no module, for pages opened from disk. Browsers refuse
-// modules, and so chunks, on file:// pages. Runs after vite.lib.config.ts, which empties dist/.
+// Builds dist/phong-viewer.classic.js: everything in one script that is no module, for pages opened from disk. Browsers
+// refuse modules, and so chunks, on file:// pages. Runs after vite.lib.config.ts, which empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';

@@ -1,5 +1,5 @@
-// The site: served from demo/ by `npm start`, built to site/ by `npm run build:site`. Every page is an entry and links are
-// relative, so the folder can be copied anywhere.
+// The site: served from demo/ by `npm start`, built to site/ by `npm run build:site`. Every page is an entry and links
+// are relative, so the folder can be copied anywhere.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';

@@ -1,6 +1,7 @@
-// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js, react.js, react-standalone.js
-// and playwright.js. three, Lit, lil-gui, React and
-// Playwright stay imports for the user's bundler. `npm run build` runs this first; the standalone and the classic file have configs of their own.
+// Builds the package's ES modules: dist/index.js, trusted-types.js, core.js, reference.js, react.js,
+// react-standalone.js and playwright.js. three, Lit, lil-gui, React and
+// Playwright stay imports for the user's bundler. `npm run build` runs this first; the standalone and the classic file
+// have configs of their own.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
@@ -16,7 +17,8 @@ import { wasmFiles } from './.ci/wasm-files.js';
 
 const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, import.meta.url));
 
-// Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a user's bundler would find no export.
+// Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a user's bundler would
+// find no export.
 function staysImport(specifier: string): boolean {
   if (specifier.includes('?') || specifier === dracoDecoderSpecifier || /libs\/basis/.test(specifier))
     return false;
@@ -24,7 +26,8 @@ function staysImport(specifier: string): boolean {
 }
 
 /**
- * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and react-standalone.js the standalone file.
+ * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and react-standalone.js the
+ * standalone file.
  */
 const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
   name: 'beside',
@@ -38,8 +41,8 @@ const reactEntries: Readonly<Record<string, Plugin>> = {
 };
 
 /**
- * dist/index.js imports dist/trusted-types.js before Lit. As part of index.js it would run after Lit, which stays an import, and too late
- * to report that Lit was refused.
+ * dist/index.js imports dist/trusted-types.js before Lit. As part of index.js it would run after Lit, which stays an
+ * import, and too late to report that Lit was refused.
  */
 const beforeLit: Plugin = {
   name: 'before-lit',
@@ -94,8 +97,8 @@ export default defineConfig(({ mode }) => ({
     },
     rolldownOptions: {
       external: staysImport,
-      // Lets chunks import from the entry. Otherwise the code that they share with it would be a second file that every page
-      // has to fetch. For the same reason all static imports of an entry are one chunk.
+      // Lets chunks import from the entry. Otherwise the code that they share with it would be a second file that every
+      // page has to fetch. For the same reason all static imports of an entry are one chunk.
       preserveEntrySignatures: 'allow-extension',
       output: {
         chunkFileNames: 'shared/[name].js',

@@ -1,5 +1,6 @@
-// Builds dist/phong-viewer.standalone.js for pages without a bundler. three and Lit are inside. Panel, loaders and decoders are
-// in dist/chunks, fetched on first use relative to the file itself. Runs after vite.lib.config.ts, which empties dist/.
+// Builds dist/phong-viewer.standalone.js for pages without a bundler. three and Lit are inside. Panel, loaders and
+// decoders are in dist/chunks, fetched on first use relative to the file itself. Runs after vite.lib.config.ts, which
+// empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
@@ -42,8 +43,8 @@ export default defineConfig({
       fileName: (_format, name) => `${name}.js`,
     },
     rolldownOptions: {
-      // Lets chunks import from the entry. Otherwise the code that they share with it (most of three) would be a second file
-      // that every page has to fetch. For the same reason all static imports are one chunk.
+      // Lets chunks import from the entry. Otherwise the code that they share with it (most of three) would be a second
+      // file that every page has to fetch. For the same reason all static imports are one chunk.
       preserveEntrySignatures: 'allow-extension',
       // A constant's value is shorter than its name, and repeated values compress well.
       optimization: { inlineConst: { mode: 'all' } },

@@ -1,6 +1,7 @@
 // @ts-check
-// Finds the Chromium that runs the browser tests: PHONG_VIEWER_BROWSER, then the usual places, then Playwright's own. If there
-// is none, it installs one: Debian's packages when run by root, otherwise Playwright's download. Logs each step.
+// Finds the Chromium that runs the browser tests: PHONG_VIEWER_BROWSER, then the usual places, then Playwright's own.
+// If there is none, it installs one: Debian's packages when run by root, otherwise Playwright's download. Logs each
+// step.
 
 import { spawnSync } from 'node:child_process';
 import { accessSync, constants, existsSync } from 'node:fs';
@@ -42,8 +43,8 @@ export async function findBrowser() {
 }
 
 /**
- * The same for tests: a headless shell where there is one. It draws the same pixels, and most tests take a fifth less CPU
- * time in it than in a browser with windows. It has no PDF viewer.
+ * The same for tests: a headless shell where there is one. It draws the same pixels, and most tests take a fifth less
+ * CPU time in it than in a browser with windows. It has no PDF viewer.
  * @returns {Promise<string | undefined>}
  */
 export async function findTestBrowser() {

@@ -1,6 +1,6 @@
 // @ts-check
-// Makes dist/: the ES modules, the standalone and the classic file, the types, the ready sets of texts, and the manifests of the
-// elements.
+// Makes dist/: the ES modules, the standalone and the classic file, the types, the ready sets of texts, and the
+// manifests of the elements.
 
 import { spawnSync } from 'node:child_process';
 import { existsSync } from 'node:fs';

@@ -1,7 +1,7 @@
-// How do workers become files of the package? Each `new Worker(new URL('./x-worker.ts', import.meta.url), …)` of the source is built to one
-// file beside the chunk that starts it, and stays in that form, which users' bundlers know. Vite's own way would inline the file or give
-// an address that other bundlers do not see. One file each, without imports: most bundlers build workers as classic scripts, and a second
-// file would be a second trip to the server.
+// How do workers become files of the package? Each `new Worker(new URL('./x-worker.ts', import.meta.url), …)` of the
+// source is built to one file beside the chunk that starts it, and stays in that form, which users' bundlers know.
+// Vite's own way would inline the file or give an address that other bundlers do not see. One file each, without
+// imports: most bundlers build workers as classic scripts, and a second file would be a second trip to the server.
 
 import { createHash } from 'node:crypto';
 import { basename, dirname, join, relative } from 'node:path';
@@ -17,7 +17,9 @@ export interface WorkerOptions {
   readonly plugins: () => readonly Plugin[];
   /** Whether names of files have a hash of their content; default false. */
   readonly hashed?: boolean;
-  /** false: no worker is built, and the code that starts one gets null. For scripts that are no modules. Default true. */
+  /**
+   * false: no worker is built, and the code that starts one gets null. For scripts that are no modules. Default true.
+   */
   readonly files?: boolean;
 }
 

@@ -1,4 +1,5 @@
-// Bundles functions that run inside a page, each into one that carries its imports: Playwright and other drivers send a function as text.
+// Bundles functions that run inside a page, each into one that carries its imports: Playwright and other drivers send a
+// function as text.
 
 import { fileURLToPath } from 'node:url';
 import { build, type Plugin, type Rolldown } from 'vite';

@@ -1,6 +1,6 @@
 // @ts-check
-// Installs the packages of package-lock.json if node_modules does not hold exactly those. Imports no package: it runs before
-// there are any.
+// Installs the packages of package-lock.json if node_modules does not hold exactly those. Imports no package: it runs
+// before there are any.
 
 import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';

@@ -1,5 +1,6 @@
 // @ts-check
-// Writes the descriptions of the elements that editors and documentation tools read into dist/. A step of `npm run build`.
+// Writes the descriptions of the elements that editors and documentation tools read into dist/. A step of
+// `npm run build`.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,6 +1,7 @@
 // @ts-check
-// `npm run readme:picture`: draws the README's first snippet with the built package and stores it as the README's picture.
-// The picture shows exactly that markup; tests/visual/readme.spec.ts compares the two. Needs `npm run build` first.
+// `npm run readme:picture`: draws the README's first snippet with the built package and stores it as the README's
+// picture. The picture shows exactly that markup; tests/visual/readme.spec.ts compares the two. Needs `npm run build`
+// first.
 
 import { createReadStream, existsSync, readFileSync, statSync } from 'node:fs';
 import { createServer } from 'node:http';

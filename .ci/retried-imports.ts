@@ -1,6 +1,7 @@
-// Lets chunks of the standalone file be fetched again after a failure. Browsers used to remember a failed import() by its address
-// (Chromium until 2026, Firefox 153 still does): another import() of it fails without a request. So later attempts use another
-// address of the same file. Not for the ES modules: a user's bundler gives their chunks other names.
+// Lets chunks of the standalone file be fetched again after a failure. Browsers used to remember a failed import() by
+// its address (Chromium until 2026, Firefox 153 still does): another import() of it fails without a request. So later
+// attempts use another address of the same file. Not for the ES modules: a user's bundler gives their chunks other
+// names.
 
 import type { Plugin } from 'vite';
 
@@ -8,9 +9,9 @@ import type { Plugin } from 'vite';
 const loader = /\(\)=>import\(`(\.\/[^`$]+)`\)/g;
 
 /**
- * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import stays, because a
- * bundler finds the chunk by it; the comments keep bundlers from resolving the other address. In parentheses, because a call of `then`
- * may follow.
+ * The code with each such function taking the number of failures so far, as `lazyCode` calls it. The plain import
+ * stays, because a bundler finds the chunk by it; the comments keep bundlers from resolving the other address. In
+ * parentheses, because a call of `then` may follow.
  */
 export function retried(code: string): string {
   const plain = 'import(`$1`)';

@@ -1,5 +1,5 @@
-// Removes comments and spaces from shaders in dist/: in a build, `*.glsl?raw` imports give the stripped text. The dev server
-// and the tests use the files unchanged, so that the line numbers in a compiler's messages are right.
+// Removes comments and spaces from shaders in dist/: in a build, `*.glsl?raw` imports give the stripped text. The dev
+// server and the tests use the files unchanged, so that the line numbers in a compiler's messages are right.
 
 import { readFileSync } from 'node:fs';
 import type { Plugin } from 'vite';

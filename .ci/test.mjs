@@ -1,7 +1,7 @@
 // @ts-check
-// `npm test`: every check as a named step. All steps run even where one fails; the last line is a count. Steps of one thread
-// run in two rows beside each other and print their output when they end; the others have all cores. How long each step
-// took last time is kept in node_modules/.cache, to say how much time is left.
+// `npm test`: every check as a named step. All steps run even where one fails; the last line is a count. Steps of one
+// thread run in two rows beside each other and print their output when they end; the others have all cores. How long
+// each step took last time is kept in node_modules/.cache, to say how much time is left.
 
 import { spawn } from 'node:child_process';
 import {
@@ -200,7 +200,10 @@ function secondsLeft() {
   return Math.max(...rows.map(left)) + left(alone) + left(last);
 }
 
-/** For the first run on a machine: as measured on two cores, where the tests grow with their files. @param {string} name */
+/**
+ * For the first run on a machine: as measured on two cores, where the tests grow with their files.
+ * @param {string} name
+ */
 function guessedSeconds(name) {
   if (name === 'unit') return 0.5 * filesIn(nodeFolders, '.test.ts');
   if (name === 'browser') return 5 * filesIn(browserFolders, '.spec.ts');

@@ -1,6 +1,6 @@
 // @ts-check
-// Writes the ready sets of texts into dist/texts/: a module to import, and the same as JSON to paste into pages. A step of
-// `npm run build`.
+// Writes the ready sets of texts into dist/texts/: a module to import, and the same as JSON to paste into pages. A step
+// of `npm run build`.
 
 import { mkdirSync, readdirSync, writeFileSync } from 'node:fs';
 import { join, parse } from 'node:path';

@@ -1,6 +1,6 @@
 // @ts-check
-// A screen in memory, for browsers that draw with WebGL only in a window: Xvfb on a display of its own. Installs Debian's packages
-// when run by root.
+// A screen in memory, for browsers that draw with WebGL only in a window: Xvfb on a display of its own. Installs
+// Debian's packages when run by root.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync } from 'node:fs';

@@ -9,7 +9,8 @@ const SPECIFIER = /^three\/.*\/([\w.]+\.wasm)\?url$/;
 const PLACEHOLDER = /wasm-file:([\w.]+):/g;
 
 /**
- * `import address from '….wasm?url'` as Vite's own servers understand it, in a library: Vite would put the bytes into the script.
+ * `import address from '….wasm?url'` as Vite's own servers understand it, in a library: Vite would put the bytes into
+ * the script.
  * @param file false: there is no file, and the address is empty. For scripts that are no modules.
  */
 export function wasmFiles({ file = true } = {}): Plugin {

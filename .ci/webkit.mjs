@@ -1,6 +1,6 @@
 // @ts-check
-// Starts WebKitGTK, Safari's engine, with Mesa's software GL on a virtual screen: Debian's MiniBrowser under Xvfb, driven by WebDriver.
-// Playwright's WebKit is a modified build. Installs both when run by root.
+// Starts WebKitGTK, Safari's engine, with Mesa's software GL on a virtual screen: Debian's MiniBrowser under Xvfb,
+// driven by WebDriver. Playwright's WebKit is a modified build. Installs both when run by root.
 
 import { spawn } from 'node:child_process';
 import { existsSync, readdirSync } from 'node:fs';
@@ -11,7 +11,8 @@ import { install, startScreen } from './virtual-screen.mjs';
 
 /**
  * Starts both; `close` ends both. `send` calls WebDriver below the session's address.
- * @returns {Promise<{ version: string, send: (method: string, path: string, body?: object) => Promise<any>, close: () => Promise<void> }>}
+ * @returns {Promise<{ version: string, send: (method: string, path: string, body?: object) => Promise<any>, close: ()
+ * => Promise<void> }>}
  */
 export async function startWebkit() {
   install({ WebKitWebDriver: 'webkit2gtk-driver libegl1 libgl1-mesa-dri' });

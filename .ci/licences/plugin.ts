@@ -1,5 +1,5 @@
-// Which licences hold for a bundle? Reads them from node_modules for the packages that are really in it, puts a notice at
-// the head of each file after minification, and writes all texts to THIRD-PARTY-LICENSES.txt beside the files.
+// Which licences hold for a bundle? Reads them from node_modules for the packages that are really in it, puts a notice
+// at the head of each file after minification, and writes all texts to THIRD-PARTY-LICENSES.txt beside the files.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,6 +1,7 @@
 // @ts-check
-// Describes the elements from their source: attributes with types and defaults, events, methods, slots and parts. Docstrings
-// and types come from the TypeScript compiler, domains and defaults from the tables of fields. Knows no file format.
+// Describes the elements from their source: attributes with types and defaults, events, methods, slots and parts.
+// Docstrings and types come from the TypeScript compiler, domains and defaults from the tables of fields. Knows no file
+// format.
 
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -67,7 +68,11 @@ export function describeElements({ fields, attributeOf, formatValue }) {
   });
 }
 
-/** `class ViewerElement extends … implements PhongViewer`, under whatever name that is imported. @param {ts.ClassDeclaration} declaration @param {string} className */
+/**
+ * `class ViewerElement extends … implements PhongViewer`, under whatever name that is imported.
+ * @param {ts.ClassDeclaration} declaration
+ * @param {string} className
+ */
 function implementsElement({ heritageClauses, name }, className) {
   const isImplements = (/** @type {ts.HeritageClause} */ clause) =>
     clause.token === ts.SyntaxKind.ImplementsKeyword;
@@ -219,7 +224,10 @@ class SourceReader {
   }
 }
 
-/** Whether a member is for users: public, and not a callback of the platform or of Lit. @param {ts.ClassElement} member */
+/**
+ * Whether a member is for users: public, and not a callback of the platform or of Lit.
+ * @param {ts.ClassElement} member
+ */
 function isOffered(member) {
   if (!member.name || !ts.isIdentifier(member.name) || /Callback$/.test(member.name.text)) return false;
   const flags = ts.getCombinedModifierFlags(member);

@@ -1,6 +1,6 @@
 // @ts-check
-// Writes the elements' descriptions in three formats that editors and documentation tools read: Custom Elements Manifest,
-// JetBrains' web-types, VS Code's HTML data.
+// Writes the elements' descriptions in three formats that editors and documentation tools read: Custom Elements
+// Manifest, JetBrains' web-types, VS Code's HTML data.
 
 /**
  * @typedef {import('./elements.mjs').Element} Element

@@ -1,6 +1,7 @@
 // @ts-check
-// `npm run site:models`: draws the models of the site's page of models with three.js, from the eye that each viewer there has
-// chosen, and stores the pictures that the page shows beside its own. Needs `npm run build:site` before, and again after.
+// `npm run site:models`: draws the models of the site's page of models with three.js, from the eye that each viewer
+// there has chosen, and stores the pictures that the page shows beside its own. Needs `npm run build:site` before, and
+// again after.
 
 import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -20,7 +21,8 @@ const SIZE = { width: 480, height: 360 };
  * @property {string} src
  * @property {boolean} loaded
  * @property {number} fov
- * @property {{ eye: [number, number, number], target: [number, number, number], up: [number, number, number], radius: number }} camera
+ * @property {{ eye: [number, number, number], target: [number, number, number], up: [number, number, number], radius:
+ * number }} camera
  */
 
 /** Address to folder, the longest first. */

@@ -1,5 +1,5 @@
-// The bench's whole pictures on the site's bench page: for each stack that has measured them, a chart of error over time for
-// each picture, and a table. Results in, HTML out.
+// The bench's whole pictures on the site's bench page: for each stack that has measured them, a chart of error over
+// time for each picture, and a table. Results in, HTML out.
 
 import { panelPoints, panelSvg } from '../../tests/bench/picture-chart.mjs';
 import {

@@ -1,5 +1,5 @@
-// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api -->` by generated parts,
-// and gives the playground the documented attributes. The same in the development server and in the build.
+// Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api -->` by generated
+// parts, and gives the playground the documented attributes. The same in the development server and in the build.
 
 import { spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';

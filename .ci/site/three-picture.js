@@ -1,6 +1,7 @@
 // @ts-check
-// How does three.js show a model? With its own loaders, MeshStandardMaterial where the file has no material, its RoomEnvironment
-// and one directional light. Runs in a page whose import map names three. Knows nothing of phong-viewer.
+// How does three.js show a model? With its own loaders, MeshStandardMaterial where the file has no material, its
+// RoomEnvironment and one directional light. Runs in a page whose import map names three. Knows nothing of
+// phong-viewer.
 
 import {
   DirectionalLight,

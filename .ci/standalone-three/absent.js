@@ -1,5 +1,6 @@
 // What stands in for the modules of three.js that the standalone file leaves out (plugin.ts lists them). The names are
-// three's own, since its other modules import them. What a user can still reach fails with a message that names the cure.
+// three's own, since its other modules import them. What a user can still reach fails with a message that names the
+// cure.
 
 import colorspace_pars_fragment from 'three/src/renderers/shaders/ShaderChunk/colorspace_pars_fragment.glsl.js';
 

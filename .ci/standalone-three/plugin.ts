@@ -1,14 +1,14 @@
-// Which three.js is inside the standalone file? Its own sources, unchanged, but for a few modules that are replaced as a
-// whole by those in absent.js. The sources are taken one by one instead of three's built file: three declares them free of
-// side effects, so a bundler skips the index that stamps `window.__THREE__` and warns about a second copy.
+// Which three.js is inside the standalone file? Its own sources, unchanged, but for a few modules that are replaced as
+// a whole by those in absent.js. The sources are taken one by one instead of three's built file: three declares them
+// free of side effects, so a bundler skips the index that stamps `window.__THREE__` and warns about a second copy.
 
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import type { Plugin } from 'vite';
 
 /**
- * The modules that are replaced, as paths below three/src. Each saves 1 to 20 kB of the file; absent.js says why it can go.
- * A replacement below 1 kB is not worth its line here.
+ * The modules that are replaced, as paths below three/src. Each saves 1 to 20 kB of the file; absent.js says why it can
+ * go. A replacement below 1 kB is not worth its line here.
  */
 const replaced: ReadonlySet<string> = new Set([
   'renderers/shaders/DFGLUTData.js',

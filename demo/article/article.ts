@@ -1,4 +1,5 @@
-// What does the article add to its pictures? Figure 17 shows the view of its viewer in a few large pixels, after 1, 4, 16 and 64 samples.
+// What does the article add to its pictures? Figure 17 shows the view of its viewer in a few large pixels, after 1, 4,
+// 16 and 64 samples.
 import '../page.js';
 
 const viewer = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('#fig-pixel phong-viewer')!;

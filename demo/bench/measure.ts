@@ -1,5 +1,5 @@
-// Measures one front of time against error in this browser, variant by variant in turns, in tasks so short that the page stays
-// responsive. Knows nothing of how results are shown.
+// Measures one front of time against error in this browser, variant by variant in turns, in tasks so short that the
+// page stays responsive. Knows nothing of how results are shown.
 import type { ErrorFigures } from '../../tests/bench/front/errors.js';
 import { type Front, openFront } from '../../tests/bench/front/front.js';
 import { rendererName } from '../../tests/bench/pages/timing.js';
@@ -38,7 +38,9 @@ export function rendererHere(): string {
   return name;
 }
 
-/** `holder` has to be on screen. `progress` gets the table so far and the share that is done, 0 to 1, after each round. */
+/**
+ * `holder` has to be on screen. `progress` gets the table so far and the share that is done, 0 to 1, after each round.
+ */
 export async function measureFront(
   holder: HTMLElement,
   name: string,

@@ -1,5 +1,5 @@
-// What does the fragment page add to the viewer's probe? The numbers of its fragment as tables, and the colour that its pixel has. The
-// picture is read once after each change, when nothing has changed for a while.
+// What does the fragment page add to the viewer's probe? The numbers of its fragment as tables, and the colour that its
+// pixel has. The picture is read once after each change, when nothing has changed for a while.
 import '../page.js';
 import type { PhongViewerEventMap, Vec3 } from 'phong-viewer';
 import { codes, stepRows, vectorRows } from './tables.js';

@@ -1,5 +1,5 @@
-// How do a fragment's numbers become table rows? Its vectors, and the steps of the equation with one column per light. Knows neither
-// viewers nor when anything changes.
+// How do a fragment's numbers become table rows? Its vectors, and the steps of the equation with one column per light.
+// Knows neither viewers nor when anything changes.
 import type { FragmentExplanation, LightExplanation, Vec3 } from 'phong-viewer';
 
 /** With a typographic minus, and none before a zero. */

@@ -1,6 +1,7 @@
-// What is a dial? A slider that writes one attribute: `<input type="range" data-for="id" data-set="attribute">`. `data-for` may list
-// several elements, such as a lamp on both sides of a divider. `data-values="1 2 4"` lists uneven steps; `data-format="1 0 {}"` is for attributes that hold more than the number. An `<output>`
-// next to it shows the number.
+// What is a dial? A slider that writes one attribute: `<input type="range" data-for="id" data-set="attribute">`.
+// `data-for` may list several elements, such as a lamp on both sides of a divider. `data-values="1 2 4"` lists uneven
+// steps; `data-format="1 0 {}"` is for attributes that hold more than the number. An `<output>` next to it shows the
+// number.
 
 export function connectDials(root: ParentNode): void {
   for (const input of root.querySelectorAll<HTMLInputElement>('input[data-for]')) {

@@ -1,6 +1,6 @@
-// Which markup do the listings show? That of viewers on this page, read from the live elements, so it always matches the picture.
-// `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the one that the user touched
-// last. Figures get a collapsed listing of their own. A comparison is listed whole.
+// Which markup do the listings show? That of viewers on this page, read from the live elements, so it always matches
+// the picture. `<div class="listing" data-of="selector" data-title="…">` lists the first viewer that matches, then the
+// one that the user touched last. Figures get a collapsed listing of their own. A comparison is listed whole.
 import { markupOf } from './markup.js';
 
 export function showListings(root: ParentNode): void {
@@ -77,7 +77,10 @@ const LIGHT_ATTRIBUTES = 'active ambient diffuse specular position axis aperture
   ' ',
 );
 
-/** The element with its lights as the user has left them. Handles and panel set properties, which attributes do not show. */
+/**
+ * The element with its lights as the user has left them. Handles and panel set properties, which attributes do not
+ * show.
+ */
 function current(element: Element): Element {
   const copy = document.implementation.createHTMLDocument('').importNode(element, true);
   const copies = copy.querySelectorAll('phong-light');

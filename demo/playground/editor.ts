@@ -1,5 +1,6 @@
-// The code editor: CodeMirror with the package's own tags, attributes and words completed. Lives in a shadow root, where
-// CodeMirror's styles are constructed style sheets, which a strict Content-Security-Policy allows. Knows no scene.
+// The code editor: CodeMirror with the package's own tags, attributes and words completed. Lives in a shadow root,
+// where CodeMirror's styles are constructed style sheets, which a strict Content-Security-Policy allows. Knows no
+// scene.
 import {
   autocompletion,
   completionKeymap,
@@ -73,8 +74,8 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
 }
 
 /**
- * Replaces a selection by what is typed. Left to the browser, Chromium keeps the colours of the old text in a style attribute,
- * which the page's policy refuses with a line on the console.
+ * Replaces a selection by what is typed. Left to the browser, Chromium keeps the colours of the old text in a style
+ * attribute, which the page's policy refuses with a line on the console.
  */
 function replaceSelected(event: InputEvent, view: EditorView): boolean {
   const { main, ranges } = view.state.selection;

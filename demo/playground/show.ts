@@ -1,5 +1,5 @@
-// How does the live viewer follow the scene? What has not changed is left alone, so that the camera, the panel and loaded
-// models stay while someone types. Builds only the elements of a checked scene.
+// How does the live viewer follow the scene? What has not changed is left alone, so that the camera, the panel and
+// loaded models stay while someone types. Builds only the elements of a checked scene.
 import type { Scene, SceneElement } from './scene.js';
 
 type Viewer = HTMLElementTagNameMap['phong-viewer'];

@@ -1,4 +1,5 @@
-// Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from Chromium's accessibility tree; rules by axe.
+// Can lights in the picture be found, chosen and moved by keyboard and screen reader? Read from Chromium's
+// accessibility tree; rules by axe.
 
 import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';

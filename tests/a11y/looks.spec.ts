@@ -1,5 +1,5 @@
-// Is the focus visible on any picture, are targets large enough, and is nothing cut off when the page is zoomed, mirrored or recoloured?
-// Measured on the drawn page.
+// Is the focus visible on any picture, are targets large enough, and is nothing cut off when the page is zoomed,
+// mirrored or recoloured? Measured on the drawn page.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,5 @@
-// Is the probe accessible by keyboard and screen reader, in forced colours, and in languages written from right to left?
+// Is the probe accessible by keyboard and screen reader, in forced colours, and in languages written from right to
+// left?
 
 import { axeOn } from '../support/axe.js';
 import type { Locator, Page } from '@playwright/test';

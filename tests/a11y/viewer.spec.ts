@@ -1,4 +1,5 @@
-// Can the element be used, and understood, without a mouse and without seeing it? Rules by axe; keys by a real keyboard.
+// Can the element be used, and understood, without a mouse and without seeing it? Rules by axe; keys by a real
+// keyboard.
 
 import { axeOn } from '../support/axe.js';
 import { expect, test } from '../support/test.js';

@@ -1,4 +1,5 @@
-// Writes small GLB and PNG files from parts, sound or not: what a document claims need not be in its bytes. Runs in Node.
+// Writes small GLB and PNG files from parts, sound or not: what a document claims need not be in its bytes. Runs in
+// Node.
 import { crc32 } from './crc32.js';
 import { deflateSync } from 'node:zlib';
 

@@ -1,5 +1,5 @@
-// Loads hostile models one after the other in one viewer, and holds what must be true after each: an event, the picture, nothing
-// unhandled, no request, bounded memory. Memory is read from the system, so only on Linux.
+// Loads hostile models one after the other in one viewer, and holds what must be true after each: an event, the
+// picture, nothing unhandled, no request, bounded memory. Memory is read from the system, so only on Linux.
 import { readFileSync } from 'node:fs';
 import type { Browser, Locator, Page } from '@playwright/test';
 import type { PhongViewer } from '../element/support/viewer.js';

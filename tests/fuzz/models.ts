@@ -1,5 +1,6 @@
-// Files that claim too much, or are wrong in ways that authors and attackers come by: constructed ones, each about one claim, and real
-// ones with something changed. The same seed gives the same files. Knows nothing about how they are loaded.
+// Files that claim too much, or are wrong in ways that authors and attackers come by: constructed ones, each about one
+// claim, and real ones with something changed. The same seed gives the same files. Knows nothing about how they are
+// loaded.
 import type { Random } from '../stress/random.js';
 import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, glbOfText, type Json, openGlb, pngWith, viewsOf } from './glb.js';

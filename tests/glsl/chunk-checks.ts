@@ -227,7 +227,8 @@ const CHECKS: readonly Check[] = [
     inputs(random) {
       const height = random.magnitude(1e-3, 1e6);
       const pixel = [random.from(-500, 500), random.from(-500, 500)].map((x) => Math.floor(x) + 0.5);
-      // The plane's inverse depth is 1 at this pixel, times 1/height: nothing cancels, as it does a pixel below the horizon.
+      // The plane's inverse depth is 1 at this pixel, times 1/height: nothing cancels, as it does a pixel below the
+      // horizon.
       const slope = [random.from(0, 1e-3), random.from(0, 1e-3)].map((s, i) => s * Math.sign(pixel[i]!));
       const face = [...slope, random.from(0.1, 1)].map((x) => x / height);
       return [float32(face as unknown as Vec3), pixel];

@@ -1,4 +1,5 @@
-// One run of the contract as a test: the harness page tests itself in this browser, on its own driver or on a worst lawful one.
+// One run of the contract as a test: the harness page tests itself in this browser, on its own driver or on a worst
+// lawful one.
 import { expect, test } from '../support/test.js';
 import type { Report } from './page/page.js';
 import type { Driver } from './worst-driver.js';
@@ -11,7 +12,10 @@ export interface ContractRun {
   readonly cases: number;
   /** Inputs of each chunk alone, whose programs take longer to compile than to run. */
   readonly checks: number;
-  /** Of the lights of the long programs, one in this many: all 16 take a worst driver 16 s to compile, every second one 4 s. */
+  /**
+   * Of the lights of the long programs, one in this many: all 16 take a worst driver 16 s to compile, every second one
+   * 4 s.
+   */
   readonly everyLight: number;
 }
 
@@ -32,8 +36,8 @@ export function testContract({ driver, cases, checks, everyLight }: ContractRun,
     expect(report.error).toBeNull();
     expect(report.checked.length).toBeGreaterThan(10);
     expect(report.measured.reduce((sum, { cases: count }) => sum + count, 0)).toBeGreaterThanOrEqual(cases);
-    // Three channels a case: where branch points are sought, at cones' edges and with denormal normals, half of the cases
-    // may lie beside them.
+    // Three channels a case: where branch points are sought, at cones' edges and with denormal normals, half of the
+    // cases may lie beside them.
     for (const { id, channels, cases: count } of report.measured) {
       expect.soft(channels / 3 / count, id).toBeGreaterThan(0.45);
     }

@@ -1,5 +1,5 @@
-// A specular lobe averaged over a pixel in float64: the closed form that the shader has, by another way (a 3 × 3 covariance,
-// inverted as it is), and the average itself, by many samples.
+// A specular lobe averaged over a pixel in float64: the closed form that the shader has, by another way (a 3 × 3
+// covariance, inverted as it is), and the average itself, by many samples.
 import { add, cross, dot, scale, subtract, type Vec3 } from '../../src/math/vector.js';
 
 /** How e moves from one side of the pixel to the other. */
@@ -8,7 +8,9 @@ export interface Sides {
   readonly dy: Vec3;
 }
 
-/** `shipped`, or without what a pixel is flatter than a normal distribution, or with one mean width for all directions. */
+/**
+ * `shipped`, or without what a pixel is flatter than a normal distribution, or with one mean width for all directions.
+ */
 export type Form = 'shipped' | 'normal' | 'isotropic';
 
 /** (1 - |e|²/2)^n averaged over the pixel, by the closed form. */

@@ -7,7 +7,10 @@ import { programsFor } from './loop-forms.js';
 /** Enough that each category shows every kind of light and exponent that it has. */
 const CASES = 60;
 
-/** Calls `visit` with some cases of every category but those with very many lights, which are lights of other categories. */
+/**
+ * Calls `visit` with some cases of every category but those with very many lights, which are lights of other
+ * categories.
+ */
 export function forSomeCases(visit: (stress: StressCase, variant: Variant) => void): void {
   for (const { make, variants, lights = 1 } of CATEGORIES) {
     for (const variant of variants) {

@@ -1,6 +1,6 @@
-// The programs that a stress case can be drawn by: the defines of the shipped general and specialised variants for its lights
-// and surface. What differs from light to light (feature masks, an integer exponent) is read at run time instead of being
-// written into the text, so that cases with other lights share a program.
+// The programs that a stress case can be drawn by: the defines of the shipped general and specialised variants for its
+// lights and surface. What differs from light to light (feature masks, an integer exponent) is read at run time instead
+// of being written into the text, so that cases with other lights share a program.
 import { declaredFeatures, isIntegerPower, isMildPower } from '../../src/light/light-features.js';
 import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
 import { PLAIN_LOOK } from '../../src/material/file-surface.js';
@@ -96,7 +96,10 @@ function variantDefines(
 const COLORS = { ambient: [9, 9, 9], diffuse: [9, 9, 9], specular: [9, 9, 9] } as const;
 const PLACE = [0, 0, 1, 1] as const;
 
-/** Lights that declare all but steep spots: code that only the lights of other cases need adds nothing to this one's sums. */
+/**
+ * Lights that declare all but steep spots: code that only the lights of other cases need adds nothing to this one's
+ * sums.
+ */
 const EVERY_KIND = [
   lightWith({ ...COLORS, position: [0, 0, 1, 0] }),
   lightWith({ ...COLORS, position: PLACE, attenuation: [1, 1, 1] }),
@@ -111,8 +114,8 @@ const declaredBefore = (history: History, { lights }: StressCase): number =>
   history === 'everything' ? EVERYTHING : declaredFeatures([...EVERY_KIND, ...lights]);
 
 /**
- * What a define is in the harness's program, where it is not as it is in the shipped one; null: left out. The rows' place and the
- * numbers that belong to one case are read at run time.
+ * What a define is in the harness's program, where it is not as it is in the shipped one; null: left out. The rows'
+ * place and the numbers that belong to one case are read at run time.
  */
 const AT_RUN_TIME: Readonly<Record<string, string | null>> = {
   LIGHT_STORAGE: 'STORAGE_OWN',

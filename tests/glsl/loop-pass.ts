@@ -1,5 +1,5 @@
-// The whole shipped light loop on stress cases, in any form of program: one fragment a texel, each with lights of its own,
-// packed by the shipped packing. Only where rows and feature masks lie is the harness's own.
+// The whole shipped light loop on stress cases, in any form of program: one fragment a texel, each with lights of its
+// own, packed by the shipped packing. Only where rows and feature masks lie is the harness's own.
 import { FloatPass, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import type { LoopForm } from './loop-forms.js';
@@ -36,7 +36,8 @@ function loopSource(defines: readonly string[], driver: Driver, edit: Edit | nul
   return `${defines.map((define) => `#define ${define}`).join('\n')}\n${OWN_ROWS}\n${onDriver(text, driver)}`;
 }
 
-// As phong.vert and phong.frag do it. Linear light is a flag of the case: IS_LINEAR changes nothing before the last line.
+// As phong.vert and phong.frag do it. Linear light is a flag of the case: IS_LINEAR changes nothing before the last
+// line.
 const MAIN = `
   firstRow = int(side.w);
   firstMask = int(seer.w);
@@ -165,7 +166,9 @@ class RowStore {
   }
 }
 
-/** The feature masks that a specialised program of this form has as literals: of each light, or of each kind in a grid. */
+/**
+ * The feature masks that a specialised program of this form has as literals: of each light, or of each kind in a grid.
+ */
 function masksOf(form: LoopForm, packed: PackedLights): number[] {
   if (form === 'general') return [];
   if (form === 'inlined') return [...packed.features.subarray(0, packed.sent)];
@@ -174,7 +177,10 @@ function masksOf(form: LoopForm, packed: PackedLights): number[] {
   return KINDS.flatMap((kind) => Array.from({ length: packed.counts[kind] }, () => ofKind[kind]));
 }
 
-/** A light grid of one cell that lists every spot: {@link GRID}. Which lights a cell lists is for the check of real grids. */
+/**
+ * A light grid of one cell that lists every spot: {@link GRID}. Which lights a cell lists is for the check of real
+ * grids.
+ */
 function oneCell({ rows, counts }: PackedLights): number[] {
   const firstSpot = HEADER.rows + counts.directional * ROWS.directional.rows + counts.point * ROWS.point.rows;
   const list = Array.from({ length: counts.spot }, (_, i) => firstSpot + i * ROWS.spot.rows);

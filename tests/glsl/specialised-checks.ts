@@ -1,5 +1,5 @@
-// What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and inlined lights.
-// Also the lobes that a program with a known exponent has. Each against the same law in float64.
+// What the programs of src/material/program/variant.ts add up to, in each form: the general loops, counted loops and
+// inlined lights. Also the lobes that a program with a known exponent has. Each against the same law in float64.
 import { declaredFeatures } from '../../src/light/light-features.js';
 import { LARGEST_MILD_POWER } from '../../src/light/light-layout.js';
 import { emptyPack, type PackedLights, packLights } from '../../src/light/pack-lights.js';
@@ -247,7 +247,8 @@ const isGentle = ({ aperture, cutoff }: LightValues): boolean =>
 const isSpot = ({ aperture, cutoff }: LightValues): boolean => aperture < 180 || cutoff > 0;
 
 /**
- * @param every of the lights, each so many-th alone: a driver in software takes the square of a program's lights to compile it, and
+ * @param every of the lights, each so many-th alone: a driver in software takes the square of a program's lights to
+ * compile it, and
  *   four times as long with each built-in replaced by a function.
  */
 export function specialisedChecks(every = 1): readonly Check[] {

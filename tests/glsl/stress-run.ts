@@ -1,4 +1,5 @@
-// A stress run in this browser: every category in every form of program, so many cases each, from one seed, on one driver.
+// A stress run in this browser: every category in every form of program, so many cases each, from one seed, on one
+// driver.
 import type { Category } from '../stress/category.js';
 import { CATEGORIES } from '../stress/categories.js';
 import { type Judged, judged, type Measured, measureBatch, nothingMeasured } from '../stress/measure.js';

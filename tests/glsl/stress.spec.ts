@@ -1,5 +1,5 @@
-// Does the shipped GLSL with the shipped packing keep the numerical contract, on this browser's driver and on the worst lawful one?
-// tests/release runs twenty times as many cases, `npm run stress` two thousand times as many.
+// Does the shipped GLSL with the shipped packing keep the numerical contract, on this browser's driver and on the worst
+// lawful one? tests/release runs twenty times as many cases, `npm run stress` two thousand times as many.
 import { testContract } from './contract-run.js';
 
 testContract({ driver: 'shipped', cases: 5e4, checks: 4096, everyLight: 1 });

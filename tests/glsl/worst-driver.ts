@@ -8,15 +8,15 @@ export type Driver = 'shipped' | 'up' | 'down' | 'either';
 export const WORST_DRIVERS = ['up', 'down', 'either'] as const satisfies readonly Driver[];
 
 /**
- * Statements for the end of a pass: NaN where any result was undefined, even one that nothing came of here. It could have
- * been any number, and a compiler that assumes no NaN is free to decide by it.
+ * Statements for the end of a pass: NaN where any result was undefined, even one that nothing came of here. It could
+ * have been any number, and a compiler that assumes no NaN is free to decide by it.
  */
 export const spoiledBy = (driver: Driver): string =>
   driver === 'shipped' ? '' : '\n  if (worst_undefined) result = vec4(worst_nan());';
 
 /**
- * Largest error of x^k for x to 1 and k to LARGEST_MILD_POWER, by log2's allowance of 2^-21. Twice: a worst driver errs on top of the driver that
- * runs it.
+ * Largest error of x^k for x to 1 and k to LARGEST_MILD_POWER, by log2's allowance of 2^-21. Twice: a worst driver errs
+ * on top of the driver that runs it.
  */
 export const MILD_POWER_ERROR = 2 * LARGEST_MILD_POWER * Math.LN2 * 2 ** -21; // 2.1e-5
 

@@ -34,7 +34,8 @@ export function mutantsOf({ name, text }) {
 }
 
 /**
- * @param {{ sample: number, seed: number, jobs: number, only: string, onResult: (result: Result, done: number, total: number) => void }} options
+ * @param {{ sample: number, seed: number, jobs: number, only: string, onResult: (result: Result, done: number, total:
+ * number) => void }} options
  *   sample: how many mutants, all where it is 0; only: a part of their names
  * @returns {Promise<{ results: Result[], notRun: string[] }>} notRun: chunks that the harness has no program for
  */

@@ -1,5 +1,6 @@
-// Twenty behaviours that some test must hold on to. Each guard puts a wrong function in place of an exported one and names
-// the test file that must notice. Plain functions, so that no source text is matched and names are checked by the compiler.
+// Twenty behaviours that some test must hold on to. Each guard puts a wrong function in place of an exported one and
+// names the test file that must notice. Plain functions, so that no source text is matched and names are checked by the
+// compiler.
 
 import type * as drag from '../../src/camera/drag.js';
 import type * as fit from '../../src/camera/fit.js';

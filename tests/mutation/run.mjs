@@ -1,6 +1,7 @@
 // @ts-check
 // `npm run mutation`: do the tests notice wrong code? Makes wrong versions of the sources, runs the tests on each, and
-// compares the share that some test kills with the recorded one in scores.json. Fails where a folder's score has fallen.
+// compares the share that some test kills with the recorded one in scores.json. Fails where a folder's score has
+// fallen.
 
 import { writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -16,7 +17,10 @@ import {
 import { chunks, mutantsOf, runGlsl } from './glsl.mjs';
 
 /** @typedef {import('./typescript.mjs').Result} Result */
-/** @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score: percent killed of those that compile */
+/**
+ * @typedef {{ score: number, killed: number, mutants: number, notCompiled: number }} Score score: percent killed of
+ * those that compile
+ */
 
 /** Each folder's files; those of `shaders` are listed by glsl.mjs. @type {Record<string, readonly string[]>} */
 const FOLDERS = {

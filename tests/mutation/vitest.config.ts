@@ -6,7 +6,9 @@ import { mergeConfig } from 'vitest/config';
 import { BaseSequencer, type TestSpecification } from 'vitest/node';
 import config from '../../vitest.config.js';
 
-/** What a test of pure code has no need of: three.js, the layers above but for their tables of fields, tools and files. */
+/**
+ * What a test of pure code has no need of: three.js, the layers above but for their tables of fields, tools and files.
+ */
 const ABOVE =
   /from '(three|[^']*src\/(material|scene|gui|element)\/(?![^']*(fields|values))|[^']*\/bench\/|node:)/;
 

@@ -1,5 +1,5 @@
-// How much does a page fetch before its first frame? Counts files and bytes, compressed by Brotli. The standalone file contains
-// three.js and Lit; for the ES modules they are not counted.
+// How much does a page fetch before its first frame? Counts files and bytes, compressed by Brotli. The standalone file
+// contains three.js and Lit; for the ES modules they are not counted.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

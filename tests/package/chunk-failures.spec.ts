@@ -1,5 +1,5 @@
-// What happens when a chunk cannot be fetched? A clear message, and the next use on the same viewer fetches it again. For the standalone
-// file and the ES modules.
+// What happens when a chunk cannot be fetched? A clear message, and the next use on the same viewer fetches it again.
+// For the standalone file and the ES modules.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,4 +1,5 @@
-// Does a bundler leave out the parts of core that a page does not use? It can only drop a module that does nothing on import.
+// Does a bundler leave out the parts of core that a page does not use? It can only drop a module that does nothing on
+// import.
 
 import { join } from 'node:path';
 import { outputFolder } from '../../.ci/output-folder.mjs';

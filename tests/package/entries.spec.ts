@@ -1,4 +1,5 @@
-// Which files are in the package, and what happens when Node imports its entries? Tests dist/ as `npm run build` left it.
+// Which files are in the package, and what happens when Node imports its entries? Tests dist/ as `npm run build` left
+// it.
 
 import { execFileSync, spawnSync } from 'node:child_process';
 import { readdirSync, readFileSync, statSync } from 'node:fs';

@@ -1,5 +1,5 @@
-// Can a page use the standalone file together with its own three.js, without console lines? Objects of the page's copy work in `viewer.scene`
-// if they have their own shaders; three.js's materials give a clear error.
+// Can a page use the standalone file together with its own three.js, without console lines? Objects of the page's copy
+// work in `viewer.scene` if they have their own shaders; three.js's materials give a clear error.
 
 import type * as Three from 'three';
 import type { PhongViewer } from '../../src/index.js';

@@ -1,4 +1,5 @@
-// Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel fails, and messages give the reason.
+// Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel fails, and messages
+// give the reason.
 import type { Locator } from '@playwright/test';
 import { expect, settled, snapshot } from '../support/built-playwright.js';
 import type { PhongViewer } from '../element/support/viewer.js';

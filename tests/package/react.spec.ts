@@ -1,5 +1,5 @@
-// Do the components of `phong-viewer/react` render the same on the server and in the browser? dist/ renders a page in Node, and React's
-// development build hydrates it in the browser and reports differences on the console.
+// Do the components of `phong-viewer/react` render the same on the server and in the browser? dist/ renders a page in
+// Node, and React's development build hydrates it in the browser and reports differences on the console.
 
 import { execFileSync } from 'node:child_process';
 import { join } from 'node:path';

@@ -1,5 +1,5 @@
-// Records which files of dist/ a page fetches, and how large they are as sent. The package is used in two ways: as the standalone
-// file, and as ES modules through an import map.
+// Records which files of dist/ a page fetches, and how large they are as sent. The package is used in two ways: as the
+// standalone file, and as ES modules through an import map.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';

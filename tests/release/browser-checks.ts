@@ -1,6 +1,6 @@
-// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons, models, and pictures against the equation.
-// One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels at the page's top left unless a check
-// says otherwise.
+// What must hold in every browser: element, camera, panel, helpers, views, probe, comparisons, models, and pictures
+// against the equation. One list of pages and checks, for whatever drives the browser. Viewers are 600 × 400 CSS pixels
+// at the page's top left unless a check says otherwise.
 import { expect } from '@playwright/test';
 import { inPageModule } from '../../.ci/in-page.js';
 import { LIGHT_FIELDS } from '../../src/light/light-state.js';
@@ -21,6 +21,8 @@ export interface Check {
   readonly markup: string;
   /** Size of every viewer in CSS pixels, default 600 × 400. */
   readonly size?: { readonly width: number; readonly height: number };
+  /** Of every viewer, default `block`. */
+  readonly display?: 'inline-block';
   /** The page's policy, default the strict one. */
   readonly csp?: string;
   /** The viewer is ready. */
@@ -34,6 +36,16 @@ const SMALL = { width: 180, height: 120 };
 const LIGHTS = `<phong-light name="sun" position="1 2 1 0" ambient="30 20 40" diffuse="180 180 170" specular="90"></phong-light>
   <phong-light name="lamp" position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>
   <phong-light name="spot" position="0 3 3 1" axis="0 -1 -1" aperture="20" cutoff="12"></phong-light>`;
+
+const SEVERAL = [
+  'geometry="sphere"',
+  'geometry="torus" phi="60"',
+  'geometry="teapot" theta="30"',
+  'geometry="box" view="n-dot-l"',
+  'src="/assets/models/bunny.glb"',
+  'geometry="sphere" segments="12" shading="flat"',
+  'geometry="torus-knot" shininess="2000"',
+];
 
 const AMBIENT = '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
 
@@ -476,6 +488,87 @@ export const CHECKS: readonly Check[] = [
         });
         if (!empty) await showsTheEquation(tab, `seed ${seed}: ${markup}`, 0.2);
       }
+    },
+  },
+  {
+    title:
+      'pictures: antialias="full" converges to the mean of a larger picture, among other viewers, and then rests',
+    markup: [...SEVERAL, ...SEVERAL]
+      .map((scene) => `<phong-viewer antialias="full" ${scene}>${LIGHTS}</phong-viewer>`)
+      .join(''),
+    display: 'inline-block',
+    size: { width: 120, height: 90 },
+    async holds(tab) {
+      const { off, samples, idle } = await tab.onViewer(async (viewer) => {
+        const { width, height } = viewer.getBoundingClientRect();
+        /** Premultiplied codes, each the mean of `times`² pixels. */
+        const codesOf = async (blob: Blob, times: number): Promise<number[]> => {
+          const bitmap = await createImageBitmap(blob);
+          const canvas = Object.assign(document.createElement('canvas'), { width: times * width, height: times * height }); // prettier-ignore
+          const context = canvas.getContext('2d')!;
+          context.drawImage(bitmap, 0, 0);
+          const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+          const means = new Array<number>(4 * width * height).fill(0);
+          data.forEach((code, i) => {
+            const [x, y] = [(i >> 2) % canvas.width, Math.floor((i >> 2) / canvas.width)];
+            const to = 4 * (Math.floor(y / times) * width + Math.floor(x / times)) + (i % 4);
+            means[to]! += (i % 4 === 3 ? code : (code * data[i | 3]!) / 255) / times ** 2;
+          });
+          return means;
+        };
+        const shown = await codesOf(await viewer.toBlob(), 1);
+        const mean = await codesOf(await viewer.toBlob({ width: 4 * width, height: 4 * height }), 4);
+        const { frames, samples } = viewer.stats;
+        await new Promise((resolve) => setTimeout(resolve, 300));
+        const offs = shown.map((code, i) => Math.abs(code - mean[i]!));
+        return {
+          off: Math.sqrt(offs.reduce((sum, one) => sum + one ** 2, 0) / offs.length),
+          samples,
+          idle: viewer.stats.frames - frames,
+        };
+      });
+      expect({ samples, idle }).toEqual({ samples: 64, idle: 0 });
+      expect(off, 'codes').toBeLessThan(2);
+    },
+  },
+  {
+    title: 'pictures: segments="auto" gives as many segments as the camera needs, and the same outline',
+    markup: '<phong-viewer geometry="sphere" phi="60"></phong-viewer>',
+    size: SMALL,
+    async holds(tab) {
+      const found = await tab.onViewer(async (viewer) => {
+        const segments: number[] = [];
+        for (const radius of [100, 4, 0.501, 'auto'] as const) {
+          viewer.radius = radius;
+          await viewer.ready;
+          // What a frame could not build is drawn in a later one.
+          for (let frames = -1; frames !== viewer.stats.frames;) {
+            frames = viewer.stats.frames;
+            await new Promise((resolve) => setTimeout(resolve, 200));
+          }
+          const [mesh] = viewer.scene.children as unknown as [{ geometry: { index: { count: number } } }];
+          // A sphere of n segments around has n (n − 2) triangles.
+          segments.push(1 + Math.sqrt(1 + mesh.geometry.index.count / 3));
+        }
+        const covered = async (): Promise<number> => {
+          const canvas = document.createElement('canvas');
+          const context = canvas.getContext('2d')!;
+          const bitmap = await createImageBitmap(await viewer.toBlob());
+          Object.assign(canvas, { width: bitmap.width, height: bitmap.height });
+          context.drawImage(bitmap, 0, 0);
+          const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+          return data.reduce((sum, code, i) => sum + (i % 4 === 3 ? code / 255 : 0), 0);
+        };
+        const auto = await covered();
+        viewer.segments = 512;
+        await viewer.ready;
+        return { segments, ratio: auto / (await covered()) };
+      });
+      expect(found.segments[0], 'from afar').toBe(16);
+      for (const segments of found.segments) expect(segments % 8, String(found.segments)).toBe(0);
+      expect(found.segments[1]).toBeLessThan(found.segments[2]!);
+      expect(found.segments[3], 'framed').toBeLessThan(found.segments[2]!);
+      expect(Math.abs(found.ratio - 1), 'covered pixels').toBeLessThan(0.004);
     },
   },
 ];

@@ -1,5 +1,5 @@
-// Do element, camera, panel, models and pictures work in Firefox and in WebKitGTK with software GL? Runs the checks of browser-checks.ts,
-// each on its own page under the strict policy.
+// Do element, camera, panel, models and pictures work in Firefox and in WebKitGTK with software GL? Runs the checks of
+// browser-checks.ts, each on its own page under the strict policy.
 import { expect, test } from '@playwright/test';
 import { startSite, strictPolicy, testMounts, type Site } from '../support/site.js';
 import { allReady, CHECKS } from './browser-checks.js';
@@ -28,6 +28,7 @@ for (const [name, start] of Object.entries(STARTS)) {
       title,
       markup,
       size = { width: 600, height: 400 },
+      display = 'block',
       csp = strictPolicy,
       holds,
       said = /^$/,
@@ -39,7 +40,7 @@ for (const [name, start] of Object.entries(STARTS)) {
             csp,
             head: '<script src="/fixtures/said.js"></script><script type="module" src="/dist/phong-viewer.standalone.js"></script>',
             css: `body { margin: 0; background: white } div { height: 5000px }
-              phong-viewer { display: block; width: ${size.width}px; height: ${size.height}px }`,
+              phong-viewer { display: ${display}; width: ${size.width}px; height: ${size.height}px }`,
           }),
         );
         await allReady(tab);

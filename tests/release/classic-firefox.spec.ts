@@ -1,4 +1,5 @@
-// Does a page opened from disk work in Firefox too? The classic script on file://, and what a model beside the page gives.
+// Does a page opened from disk work in Firefox too? The classic script on file://, and what a model beside the page
+// gives.
 import { cpSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';

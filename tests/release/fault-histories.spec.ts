@@ -1,4 +1,5 @@
-// The long form of element/faults/fault-histories.spec.ts: more and longer histories, with pictures of 9000 × 9000 pixels.
+// The long form of element/faults/fault-histories.spec.ts: more and longer histories, with pictures of 9000 × 9000
+// pixels.
 
 import { expectRecovery } from '../element/faults/fault-history.js';
 import { seedsFrom } from '../element/histories/history.js';

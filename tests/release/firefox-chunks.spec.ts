@@ -1,4 +1,5 @@
-// Is a chunk that could not be fetched fetched by the next use in Firefox, which remembers failed modules by their address?
+// Is a chunk that could not be fetched fetched by the next use in Firefox, which remembers failed modules by their
+// address?
 import { expect, test } from '@playwright/test';
 import { startFirefox } from '../../.ci/firefox.mjs';
 import type { PhongViewer } from '../../src/index.js';

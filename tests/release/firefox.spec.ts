@@ -1,5 +1,5 @@
-// Does the GLSL keep its contract in a second browser on a second GL, and do pictures follow float64? Firefox with Mesa's software renderer,
-// under Xvfb. For elements, camera, panel and models see browsers.spec.ts.
+// Does the GLSL keep its contract in a second browser on a second GL, and do pictures follow float64? Firefox with
+// Mesa's software renderer, under Xvfb. For elements, camera, panel and models see browsers.spec.ts.
 import { expect, test } from '@playwright/test';
 import { startFirefox } from '../../.ci/firefox.mjs';
 import type { Report } from '../glsl/page/page.js';

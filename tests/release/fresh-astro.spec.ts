@@ -1,5 +1,5 @@
-// Does the packed tarball work in a fresh Astro project? The elements in Astro's own markup, and the React components without and with
-// hydration. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in a fresh Astro project? The elements in Astro's own markup, and the React components
+// without and with hydration. Installs from the registry, so it is slow: @release.
 
 import { join } from 'node:path';
 import type { PhongLight, PhongViewer } from '../../src/index.js';

@@ -1,5 +1,5 @@
-// Do users' bundlers build the workers that unpack Draco and KTX2, and does the model show where they do not? The packed tarball in fresh
-// projects. Installs from the registry, so it is slow: @release.
+// Do users' bundlers build the workers that unpack Draco and KTX2, and does the model show where they do not? The
+// packed tarball in fresh projects. Installs from the registry, so it is slow: @release.
 
 import { cpSync, mkdirSync } from 'node:fs';
 import { join } from 'node:path';

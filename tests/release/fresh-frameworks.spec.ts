@@ -1,6 +1,6 @@
-// Does the packed tarball work in fresh projects with Vue, Svelte, Solid and Angular, written as their users write it? Templates are
-// type-checked, mistakes in them are errors, and the built page sets values and hears events. Installs from the registry, so it is
-// slow: @release.
+// Does the packed tarball work in fresh projects with Vue, Svelte, Solid and Angular, written as their users write it?
+// Templates are type-checked, mistakes in them are errors, and the built page sets values and hears events. Installs
+// from the registry, so it is slow: @release.
 
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';

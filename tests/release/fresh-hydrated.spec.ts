@@ -1,6 +1,6 @@
-// Does the packed tarball work in fresh Nuxt and SvelteKit projects, written as their users write it? Pages are rendered at build
-// time and hydrated. Vue omits lists from the markup and sets them when it hydrates, except constant ones: those have to be text.
-// Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in fresh Nuxt and SvelteKit projects, written as their users write it? Pages are
+// rendered at build time and hydrated. Vue omits lists from the markup and sets them when it hydrates, except constant
+// ones: those have to be text. Installs from the registry, so it is slow: @release.
 
 import { join } from 'node:path';
 import type { PhongLight, PhongViewer } from '../../src/index.js';

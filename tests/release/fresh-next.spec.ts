@@ -1,5 +1,6 @@
-// Does the packed tarball work in a fresh Next project (App Router)? A server component renders the components, and a client
-// component hears events of markup that came from the server. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in a fresh Next project (App Router)? A server component renders the components, and a
+// client component hears events of markup that came from the server. Installs from the registry, so it is slow:
+// @release.
 
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';
 import type { PhongViewer } from '../../src/index.js';

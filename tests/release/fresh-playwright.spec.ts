@@ -1,5 +1,5 @@
-// Does phong-viewer/playwright work from the packed tarball, in a project of ES modules and in one of CommonJS, which Playwright makes by
-// default? Installs from the registry, so it is slow: @release.
+// Does phong-viewer/playwright work from the packed tarball, in a project of ES modules and in one of CommonJS, which
+// Playwright makes by default? Installs from the registry, so it is slow: @release.
 import { join } from 'node:path';
 import { findBrowser, softwareGl } from '../../.ci/browser.mjs';
 import { startSite } from '../support/site.js';

@@ -1,5 +1,5 @@
-// Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/ as
-// `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
+// Makes a project in a temporary folder with the packed tarball installed as a user would. The tarball comes from dist/
+// as `npm run build` left it, other packages from the registry at the versions in this repository's package.json.
 
 import { exec, execSync, spawn } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,5 +1,5 @@
-// Do the React components work with the oldest supported React? Types, a page rendered on a server, and its hydration. Installs from the
-// registry, so it is slow: @release.
+// Do the React components work with the oldest supported React? Types, a page rendered on a server, and its hydration.
+// Installs from the registry, so it is slow: @release.
 
 import type { PhongLight, PhongViewer } from '../../src/index.js';
 import { startSite } from '../support/site.js';

@@ -1,5 +1,6 @@
-// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript? Tests typed props and events of elements and
-// components, and a list of lights that follows state. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work in a fresh project with Vite, React 19 and TypeScript? Tests typed props and events of
+// elements and components, and a list of lights that follows state. Installs from the registry, so it is slow:
+// @release.
 
 import { startSite } from '../support/site.js';
 import { allReady, expect, pixelAt, pixels, test } from '../support/test.js';

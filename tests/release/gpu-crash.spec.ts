@@ -1,4 +1,5 @@
-// Do pictures come back when the browser's GPU process crashes? In a browser of its own: the crash takes every page along.
+// Do pictures come back when the browser's GPU process crashes? In a browser of its own: the crash takes every page
+// along.
 
 import { chromium } from '@playwright/test';
 import { findBrowser, softwareGl } from '../../.ci/browser.mjs';

@@ -1,4 +1,5 @@
-// Do models of the promised size load, within the memory that no file may exceed? Both are measured in the browser's own processes.
+// Do models of the promised size load, within the memory that no file may exceed? Both are measured in the browser's
+// own processes.
 import type { PhongViewer } from '../element/support/viewer.js';
 import { glbOf, pngOf, viewsOf } from '../fuzz/glb.js';
 import { GROWTH_LIMIT_MB, load, MemoryWatch } from '../fuzz/model-run.js';

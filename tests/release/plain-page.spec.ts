@@ -1,5 +1,5 @@
-// Does a copy of the packed dist/ work on a page without a bundler, under the strict policy, with its lazy parts? Installs from
-// the registry, so it is slow: @release.
+// Does a copy of the packed dist/ work on a page without a bundler, under the strict policy, with its lazy parts?
+// Installs from the registry, so it is slow: @release.
 
 import { cpSync } from 'node:fs';
 import { join } from 'node:path';

@@ -1,5 +1,5 @@
-// Can every kind of project resolve the package's entries and their types? Are the types right? Asks arethetypeswrong and publint
-// about the packed tarball. Both come from the registry, so it is slow: @release.
+// Can every kind of project resolve the package's entries and their types? Are the types right? Asks arethetypeswrong
+// and publint about the packed tarball. Both come from the registry, so it is slow: @release.
 
 import { test } from '@playwright/test';
 import { freshProject, type FreshProject } from './fresh-project.js';

@@ -62,7 +62,8 @@ test('@release four thousand moving lights look the same as still ones', async (
     }
   });
   const back = await pixels(viewer, size);
-  // Three sums of steps that binary numbers hold exactly: places to three decimals come back but for float64's rounding.
+  // Three sums of steps that binary numbers hold exactly: places to three decimals come back but for float64's
+  // rounding.
   sum.add(betweenPrograms(general!, back));
   console.log(`4,096 lights: ${String(sum)}`);
   sum.expectPromise();

@@ -1,5 +1,5 @@
-// One page in Firefox or in WebKitGTK, with real input: what the checks of browser-checks.ts need of a browser. Positions are CSS pixels
-// of the page.
+// One page in Firefox or in WebKitGTK, with real input: what the checks of browser-checks.ts need of a browser.
+// Positions are CSS pixels of the page.
 import { startFirefox } from '../../.ci/firefox.mjs';
 import { startWebkit } from '../../.ci/webkit.mjs';
 import type { PhongViewer } from '../../src/index.js';

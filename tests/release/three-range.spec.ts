@@ -1,6 +1,6 @@
-// Does the packed tarball work with the oldest and the newest three.js that its peer range allows, types included? Few lights
-// (uniforms) and many (a texture), a model with a texture, and an object of the page's own. PHONG_VIEWER_THREE=~0.183.0 tries that
-// release instead. Installs from the registry, so it is slow: @release.
+// Does the packed tarball work with the oldest and the newest three.js that its peer range allows, types included? Few
+// lights (uniforms) and many (a texture), a model with a texture, and an object of the page's own.
+// PHONG_VIEWER_THREE=~0.183.0 tries that release instead. Installs from the registry, so it is slow: @release.
 
 import { cpSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

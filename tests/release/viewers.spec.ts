@@ -1,4 +1,5 @@
-// The long forms of element/page/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page, a long scroll, a thousand that come and go.
+// The long forms of element/page/viewers.spec.ts and leaks.spec.ts: two hundred viewers on a page, a long scroll, a
+// thousand that come and go.
 
 import { expect, test } from '../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../element/support/counting.js';
@@ -44,7 +45,8 @@ test('@release a thousand viewers come and go and leave nothing behind', async (
   ];
   const ledger = await Ledger.of(page);
   for (let round = 0; round < 4; round++) await comeAndGo(page, kinds, 50); // until the browser has compiled what is hot
-  // The one that stays is drawn again as others come and go, and gets a program for exactly its lights: now rather than meanwhile.
+  // The one that stays is drawn again as others come and go, and gets a program for exactly its lights: now rather than
+  // meanwhile.
   await page.evaluate(async () => {
     for (let frame = 0; frame < 60; frame++) {
       document.querySelector<PhongViewer>('phong-viewer')!.requestRender();

@@ -1,5 +1,6 @@
 // What one stress case is: a fragment in shading space, as the rasteriser would give it, a surface, and lights in world
-// space, as authors would. Everything that the shader is given is exact in float32, so reference and shader see the same.
+// space, as authors would. Everything that the shader is given is exact in float32, so reference and shader see the
+// same.
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import { emptyPack, packLights, type PackedLights } from '../../src/light/pack-lights.js';
 import { add, type Mat4, type Vec3 } from '../../src/math/vector.js';
@@ -59,8 +60,8 @@ export function pack({ origin, camera, eye, lights }: StressCase, { linear }: Va
 }
 
 /**
- * What the contract's bounds are relative to, where it is above 1: the sum of the lights' intensities, times the surface's
- * largest coefficient where that is above 1 too.
+ * What the contract's bounds are relative to, where it is above 1: the sum of the lights' intensities, times the
+ * surface's largest coefficient where that is above 1 too.
  */
 export function intensity({ lights, surface: { ka, kd, ks } }: StressCase): number {
   let sum = 0;

@@ -1,5 +1,5 @@
-// Input that has no direction, no size or no number: lights at the fragment, vectors of zero, normals of any length, and
-// whatever can be written into an attribute.
+// Input that has no direction, no size or no number: lights at the fragment, vectors of zero, normals of any length,
+// and whatever can be written into an attribute.
 import { SURFACE_FIELDS, type SurfaceValues } from '../../src/material/material-values.js';
 import { LIGHT_FIELDS, type LightValues } from '../../src/light/light-state.js';
 import type { Field } from '../../src/fields/field.js';
@@ -43,7 +43,10 @@ function directionOfAnyLength(random: Random): StressCase {
   ]);
 }
 
-/** The eye looks straight into the light from behind the fragment: L + V is zero, and Blinn's half vector has no direction. */
+/**
+ * The eye looks straight into the light from behind the fragment: L + V is zero, and Blinn's half vector has no
+ * direction.
+ */
 function opposite(random: Random): StressCase {
   const L = random.pick(AXES.slice(0, 3));
   const normal = shortNormal(random, random.around(L, random.from(0, 1.5)));

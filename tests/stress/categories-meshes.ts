@@ -27,8 +27,8 @@ function onMesh(random: Random, matrix: Matrix4): StressCase {
 }
 
 /**
- * The normal of a moved surface from what a normal is: across both moved tangents, which is the cofactor matrix applied;
- * a mirror turns the cross product round, and the determinant's sign turns it back.
+ * The normal of a moved surface from what a normal is: across both moved tangents, which is the cofactor matrix
+ * applied; a mirror turns the cross product round, and the determinant's sign turns it back.
  */
 function movedNormal(matrix: Matrix4, first: Vec3, second: Vec3): Vec3 {
   const e = matrix.elements;

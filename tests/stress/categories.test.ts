@@ -1,4 +1,5 @@
-// Are the adversarial cases valid: within the attributes' domains, the same for the same seed, and float32 for the shader?
+// Are the adversarial cases valid: within the attributes' domains, the same for the same seed, and float32 for the
+// shader?
 import { serialize } from 'node:v8';
 import { describe, expect, it } from 'vitest';
 import { SURFACE_FIELDS } from '../../src/material/material-values.js';

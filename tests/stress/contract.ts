@@ -25,12 +25,16 @@ export const BOUNDS = {
  */
 export const EXACT = { share: 0.9998, upTo: BOUNDS.shininess1e3 } as const;
 
-/** Of all categories together on the worst lawful drivers: 99.973 to 99.982 % were measured on five stacks and seeds, where real ones have 99.987 to 99.99. */
+/**
+ * Of all categories together on the worst lawful drivers: 99.973 to 99.982 % were measured on five stacks and seeds,
+ * where real ones have 99.987 to 99.99.
+ */
 export const WORST_SHARE = 0.9997;
 
 /**
- * The same of each category alone. The least that was measured: 99.954 %, of 357,921 codes in and around highlights with exponents
- * from 1 to 64, on an H200 through OpenGL with every built-in function rounded up; 99.966 to 99.977 % on the seven other drivers.
+ * The same of each category alone. The least that was measured: 99.954 %, of 357,921 codes in and around highlights
+ * with exponents from 1 to 64, on an H200 through OpenGL with every built-in function rounded up; 99.966 to 99.977 % on
+ * the seven other drivers.
  */
 export const WORST_CATEGORY_SHARE = 0.9995;
 
@@ -46,8 +50,8 @@ export const BRANCHES = {
   /** Radians from straight behind a spot with cutoff below 1: the same. */
   back: 1e-3,
   /**
-   * Distance to a light over the largest coordinate in shading space, or over the distance where that is larger: nearer,
-   * the float32 coordinates themselves leave the light's direction open by more than 3e-6.
+   * Distance to a light over the largest coordinate in shading space, or over the distance where that is larger:
+   * nearer, the float32 coordinates themselves leave the light's direction open by more than 3e-6.
    */
   near: 2e-2,
   /**
@@ -55,7 +59,10 @@ export const BRANCHES = {
    * that much more open than the light's direction. Exactly opposite, there is no half vector, and nothing is open.
    */
   half: 4e-2,
-  /** Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals keeps too little. */
+  /**
+   * Largest component of an interpolated normal: of a shorter one, which is not zero, a device that flushes denormals
+   * keeps too little.
+   */
   normal: 2 ** -100,
 } as const;
 

@@ -1,6 +1,6 @@
 // @ts-check
-// `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each stack: REPORT.md here, and the
-// short table of the README between its markers. Nothing in them is typed by hand.
+// `npm run stress:report`: the contract as tables, from what tests/stress/results holds of each stack: REPORT.md here,
+// and the short table of the README between its markers. Nothing in them is typed by hand.
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -17,9 +17,12 @@ const WORST = ['up', 'down', 'either'];
 const MARKERS = ['<!-- contract: written by npm run stress:report -->', '<!-- /contract -->'];
 
 /**
- * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[], measured: import('./measure.js').Measured[] }} Result
- * @typedef {{ name: string, renderer: string, browser: string, contract: import('../glsl/page/page.js').Report['contract'], loop?: string, drivers: Record<string, Result> }} Stack
- * @typedef {{ scenes: number, table: { segments: number, rmse: number, percentile999: number, max: number }[] }} Tessellation
+ * @typedef {{ seed: number, broken: string[], checked: import('../glsl/chunk-checks.js').Checked[], measured:
+ * import('./measure.js').Measured[] }} Result
+ * @typedef {{ name: string, renderer: string, browser: string, contract:
+ * import('../glsl/page/page.js').Report['contract'], loop?: string, drivers: Record<string, Result> }} Stack
+ * @typedef {{ scenes: number, table: { segments: number, rmse: number, percentile999: number, max: number }[] }}
+ * Tessellation
  */
 
 /** How far drawn spheres are from ideal ones. @returns {Tessellation} */
@@ -199,7 +202,10 @@ export function withPart(readme, part) {
   return readme.slice(0, open) + part + readme.slice(close + (MARKERS[1]?.length ?? 0));
 }
 
-/** All categories, in the order of the run that has most: an older stack may lack some. @param {readonly Stack[]} stacks */
+/**
+ * All categories, in the order of the run that has most: an older stack may lack some.
+ * @param {readonly Stack[]} stacks
+ */
 const rowsOf = (stacks) =>
   distinct(
     stacks.map(({ drivers }) => drivers['shipped']?.measured ?? []),
@@ -234,8 +240,8 @@ function distinct(lists, keyOf) {
 const leastBound = (stacks) => Math.min(...rowsOf(stacks).map(({ bound }) => bound));
 
 /**
- * The largest error of each program by its name. Stacks without it were measured when the harness had one program, which takes
- * any lights and exponents.
+ * The largest error of each program by its name. Stacks without it were measured when the harness had one program,
+ * which takes any lights and exponents.
  * @param {Pick<import('./measure.js').Measured, 'max'> & { forms?: Readonly<Record<string, number>> }} category
  * @returns {Readonly<Record<string, number>>}
  */

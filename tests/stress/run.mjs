@@ -1,7 +1,7 @@
 // @ts-check
 // `npm run stress`: many stress cases in a real browser, over several pages at once, from a new seed, on the shipped
-// shader and on the worst lawful drivers; prints each category and writes one JSON a stack. Plain JavaScript, so that it
-// runs on any machine with Node, a browser and dist-harness/.
+// shader and on the worst lawful drivers; prints each category and writes one JSON a stack. Plain JavaScript, so that
+// it runs on any machine with Node, a browser and dist-harness/.
 
 import { existsSync, mkdirSync, writeFileSync } from 'node:fs';
 import { availableParallelism } from 'node:os';
@@ -68,7 +68,10 @@ const site = await serveFolder(options.harness || (await builtHarness()));
 const browser = await launch();
 console.log(`seed ${seed}`);
 
-/** @typedef {{ seed?: number, broken: readonly string[], checked: readonly Checked[], measured: readonly Measured[] }} Result */
+/**
+ * @typedef {{ seed?: number, broken: readonly string[], checked: readonly Checked[], measured: readonly Measured[] }}
+ * Result
+ */
 /** @type {Record<string, Result>} */
 const drivers = {};
 let renderer = '';

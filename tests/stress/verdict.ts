@@ -3,7 +3,10 @@ import { CATEGORIES } from './categories.js';
 import { EXACT, WORST_CATEGORY_SHARE, WORST_SHARE } from './contract.js';
 import type { Measured } from './measure.js';
 
-/** Each way in which one category breaks the contract, in words; none where it keeps it. `worst`: on a worst lawful driver. */
+/**
+ * Each way in which one category breaks the contract, in words; none where it keeps it. `worst`: on a worst lawful
+ * driver.
+ */
 export function verdictOf(measured: Measured, worst = false): string[] {
   const { title, bound, notFinite, max, wrongCodes } = measured;
   const words: string[] = [];
@@ -15,7 +18,10 @@ export function verdictOf(measured: Measured, worst = false): string[] {
   return words.map((word) => `${title}: ${word}`);
 }
 
-/** The same of a run, on a `worst` lawful driver or a real one; the codes of all together only where all categories took part. */
+/**
+ * The same of a run, on a `worst` lawful driver or a real one; the codes of all together only where all categories took
+ * part.
+ */
 export function verdict(all: readonly Measured[], worst = false): string[] {
   const sum = { exact: 0, channels: 0 };
   for (const { exact, channels } of all) {
@@ -30,8 +36,8 @@ export function verdict(all: readonly Measured[], worst = false): string[] {
 }
 
 /**
- * Few channels may fall on the wrong side by chance: four standard deviations of as rare an event are let pass. The event is a
- * fragment, whose three channels fall together: of 640 that an H200 counted, all but ten came in threes.
+ * Few channels may fall on the wrong side by chance: four standard deviations of as rare an event are let pass. The
+ * event is a fragment, whose three channels fall together: of 640 that an H200 counted, all but ten came in threes.
  */
 function exactEnough({ exact, channels }: Pick<Measured, 'exact' | 'channels'>, share: number): boolean {
   const expected = ((1 - share) * channels) / 3;

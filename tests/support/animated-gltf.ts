@@ -1,4 +1,5 @@
-// A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of every interpolation. As a data: address.
+// A glTF document of a bar that bends, for tests: two joints, two morph targets, animations of every interpolation. As
+// a data: address.
 export interface BarOptions {
   /** Rings of vertices along the bar. Default 6. */
   readonly rings?: number;

@@ -1,14 +1,14 @@
 // @ts-check
-// What the commands of this repository have in common: --help, one line for an option that does not exist and for a file that
-// cannot be read, and progress with the time left. Needs nothing but Node.
+// What the commands of this repository have in common: --help, one line for an option that does not exist and for a
+// file that cannot be read, and progress with the time left. Needs nothing but Node.
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import { parseArgs } from 'node:util';
 
 /**
- * The options and names that a command was given. Prints `usage` and ends where --help is among them; prints one line and
- * ends with status 2 where an option or a name is unknown.
+ * The options and names that a command was given. Prints `usage` and ends where --help is among them; prints one line
+ * and ends with status 2 where an option or a name is unknown.
  * @template {NonNullable<import('node:util').ParseArgsConfig['options']>} T
  * @param {string} usage
  * @param {T} options as parseArgs takes them
@@ -41,7 +41,12 @@ export function refuse(message) {
   process.exit(2);
 }
 
-/** A number from an option, finite and at least `least`; anything else is refused. @param {string} name @param {string} text @param {number} least */
+/**
+ * A number from an option, finite and at least `least`; anything else is refused.
+ * @param {string} name
+ * @param {string} text
+ * @param {number} least
+ */
 export function numberOption(name, text, least = 0) {
   const value = Number(text);
   if (text.trim() === '' || !Number.isFinite(value) || value < least)
@@ -83,7 +88,9 @@ export function timeText(seconds) {
   return minutes < 90 ? `${minutes} min` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
 }
 
-/** Prints how much of a long run is done and the time left: on a terminal one line that changes, else a line every 15 s. */
+/**
+ * Prints how much of a long run is done and the time left: on a terminal one line that changes, else a line every 15 s.
+ */
 export class Progress {
   #start = performance.now();
   #printed = -Infinity;

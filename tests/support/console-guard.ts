@@ -9,10 +9,10 @@ interface Claim {
   readonly met: string[];
 }
 
-// Remarks that depend on the machine's pace, not on the page: the graphics driver's about reading pixels back, and the browser's
-// about its own work in what it skips (that the package asks for none of it is counted: `layouts` of ../element/support/counting.ts).
-// The package's own about a viewer without a name: most tests make theirs by script and are about other things. Tests of that
-// warning claim it.
+// Remarks that depend on the machine's pace, not on the page: the graphics driver's about reading pixels back, and the
+// browser's about its own work in what it skips (that the package asks for none of it is counted: `layouts` of
+// ../element/support/counting.ts). The package's own about a viewer without a name: most tests make theirs by script
+// and are about other things. Tests of that warning claim it.
 const remark =
   /GL Driver Message \(OpenGL, Performance|^verbose: Rendering was performed in a subtree hidden|^warning: A <phong-viewer> has no alt/;
 

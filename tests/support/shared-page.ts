@@ -1,6 +1,7 @@
-// One page for all tests of a worker that ask for the same kind: opening a page of its own takes as long as half a test.
-// Playwright's own `reuseContext` loads three pages between two tests and empties the cache, compiled scripts included; this loads
-// an empty page and takes back what the test has asked of the page. The pages of this repository store nothing.
+// One page for all tests of a worker that ask for the same kind: opening a page of its own takes as long as half a
+// test. Playwright's own `reuseContext` loads three pages between two tests and empties the cache, compiled scripts
+// included; this loads an empty page and takes back what the test has asked of the page. The pages of this repository
+// store nothing.
 
 import type { Browser, BrowserContext, BrowserContextOptions, CDPSession, Page } from '@playwright/test';
 

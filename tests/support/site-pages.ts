@@ -1,5 +1,5 @@
-// What do the tests of the project's site share? The list of its pages and how a scene is written into a link. The pages are
-// served from site/ under /demo/.
+// What do the tests of the project's site share? The list of its pages and how a scene is written into a link. The
+// pages are served from site/ under /demo/.
 
 import { readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';

@@ -20,7 +20,10 @@ export interface PageOptions {
   readonly csp?: string;
   /** Rules of the page's one style sheet (inline styles are refused by the strict policy). */
   readonly css?: string;
-  /** true: viewers without a name keep none, and the package warns. Default: they get an `alt`, because most tests are about other things. */
+  /**
+   * true: viewers without a name keep none, and the package warns. Default: they get an `alt`, because most tests are
+   * about other things.
+   */
   readonly nameless?: boolean;
   /** What goes into the head after the style sheet, such as a `<script type="module" src="…">`. */
   readonly head?: string;
@@ -112,8 +115,8 @@ export const named = (markup: string): string =>
     '<phong-viewer alt="A test scene"',
   );
 
-// Browsers keep compiled code only of scripts that they may cache: a sixth of the CPU time of a small page. An hour outlives
-// a run. Each server has a port of its own, so that no run meets the scripts of another.
+// Browsers keep compiled code only of scripts that they may cache: a sixth of the CPU time of a small page. An hour
+// outlives a run. Each server has a port of its own, so that no run meets the scripts of another.
 const kept = { 'cache-control': 'max-age=3600' } as const;
 const keptTypes: ReadonlySet<string> = new Set(['.js', '.mjs']);
 

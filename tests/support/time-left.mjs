@@ -1,6 +1,6 @@
 // @ts-check
-// A Playwright reporter that says, every 15 s, how many tests have ended and how much time is left. How long each test took
-// last time is kept in node_modules/.cache: the longest tenth of the tests takes two fifths of the time.
+// A Playwright reporter that says, every 15 s, how many tests have ended and how much time is left. How long each test
+// took last time is kept in node_modules/.cache: the longest tenth of the tests takes two fifths of the time.
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
@@ -18,13 +18,19 @@ export default class TimeLeft {
   #progress = new Progress({ oneLine: false });
   /** Milliseconds of each test in its last run. @type {Record<string, number>} */
   #known = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')) : {};
-  /** Expected milliseconds of each test of this run: a new test counts as an average one. @type {Map<string, number>} */
+  /**
+   * Expected milliseconds of each test of this run: a new test counts as an average one.
+   * @type {Map<string, number>}
+   */
   #expected = new Map();
   #total = 0;
   #done = 0;
   #ended = 0;
 
-  /** @param {import('@playwright/test/reporter').FullConfig} _config @param {import('@playwright/test/reporter').Suite} suite */
+  /**
+   * @param {import('@playwright/test/reporter').FullConfig} _config
+   * @param {import('@playwright/test/reporter').Suite} suite
+   */
   onBegin(_config, suite) {
     const names = suite.allTests().map(nameOf);
     const known = names.flatMap((name) => this.#known[name] ?? []);

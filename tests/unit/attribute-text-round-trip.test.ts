@@ -1,5 +1,5 @@
-// Does parsing a formatted value give the value back, for every field of every element? Does any text end in a value, an
-// error of the field, or nothing?
+// Does parsing a formatted value give the value back, for every field of every element? Does any text end in a value,
+// an error of the field, or nothing?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';

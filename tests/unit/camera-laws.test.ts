@@ -1,4 +1,5 @@
-// Do drag, shift, pinch, wheel and keys give the right poses? Examples by hand, and properties over every input a pointer can send.
+// Do drag, shift, pinch, wheel and keys give the right poses? Examples by hand, and properties over every input a
+// pointer can send.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';

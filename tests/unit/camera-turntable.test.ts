@@ -48,8 +48,8 @@ const FRAMES: readonly Frames[] = [
 const SPEEDS = [30, -0.1, 4321.9];
 
 /**
- * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no more is lost, for any
- * number of frames. Measured: 1.1e-10 degrees at 30 per second, 7.2e-9 at 4321.9; the products add less than 1e-12.
+ * Elapsed milliseconds of up to 18 hours (2^26 ms) are rounded to 2^-27 ms, half of it at worst: no more is lost, for
+ * any number of frames. Measured: 1.1e-10 degrees at 30 per second, 7.2e-9 at 4321.9; the products add less than 1e-12.
  */
 const bound = (speed: number): number => (Math.abs(speed) / 1000) * 2 ** -28 + 1e-12;
 

@@ -1,5 +1,5 @@
-// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known shapes, means of ramps.
-// On smaller pictures than in a release run.
+// Is the ray caster's truth true? Against closed forms: areas of outlines, known points of known shapes, means of
+// ramps. On smaller pictures than in a release run.
 import { existsSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { LightState, type Vec3 } from '../../src/reference/index.js';

@@ -1,5 +1,5 @@
-// Do the commands of package.json explain themselves, refuse what they do not know in one line, and say in one line what is
-// missing? A stack trace tells a user nothing.
+// Do the commands of package.json explain themselves, refuse what they do not know in one line, and say in one line
+// what is missing? A stack trace tells a user nothing.
 
 import { execFile } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';

@@ -1,5 +1,6 @@
-// Boxes, and lights whose cones graze them: of all sizes, from apexes inside and far away. Places are in shading space; each
-// light is written in the world's or the camera's, as an author would. Knows geometry and lights' values, not how culling works.
+// Boxes, and lights whose cones graze them: of all sizes, from apexes inside and far away. Places are in shading space;
+// each light is written in the world's or the camera's, as an author would. Knows geometry and lights' values, not how
+// culling works.
 import { type Box, cullLights } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import type { PackedLights, PackSpace } from '../../src/light/pack-lights.js';
@@ -17,7 +18,10 @@ const APERTURES = [1, 45, 89.999, 90, 90.001, 135, 179, 179.999, 180] as const;
 /** Distances of apexes from the box's middle, in radii of the box: inside, at a corner, far away. */
 const AWAY = [0, 0.5, 1, 1.1, 2, 10, 100] as const;
 
-/** Where the cone's edge passes, in angles that the bounding sphere subtends: 0 through its middle, 1 beside it, 3 far away. */
+/**
+ * Where the cone's edge passes, in angles that the bounding sphere subtends: 0 through its middle, 1 beside it, 3 far
+ * away.
+ */
 const GRAZES = [-1, 0, 0.5, 0.9, 1, 1.001, 1.1, 1.5, 3] as const;
 
 export interface View {

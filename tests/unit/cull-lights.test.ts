@@ -1,5 +1,5 @@
-// Is a light culled only where no point of the box is inside its cone, by the equation in float64, and nearly always where it
-// could be? Each case is made from one seed, which a failure names.
+// Is a light culled only where no point of the box is inside its cone, by the equation in float64, and nearly always
+// where it could be? Each case is made from one seed, which a failure names.
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';

@@ -1,4 +1,5 @@
-// Do the documents match the code? Links lead to files and headings that exist, tables list every attribute, and the README stays short.
+// Do the documents match the code? Links lead to files and headings that exist, tables list every attribute, and the
+// README stays short.
 
 import { execFileSync } from 'node:child_process';
 import { existsSync, readFileSync, statSync } from 'node:fs';
@@ -49,7 +50,10 @@ function brokenLinks(path: string): readonly string[] {
 const codeIn = (cell: string): readonly string[] =>
   Array.from(cell.matchAll(/`([^`]+)`/g), ([, text = '']) => text);
 
-/** The README's table under a heading: the names in a row's first cell, and the defaults in its last one if it gives them as code. */
+/**
+ * The README's table under a heading: the names in a row's first cell, and the defaults in its last one if it gives
+ * them as code.
+ */
 function rowsUnder(
   heading: string,
 ): readonly { readonly names: readonly string[]; readonly defaults: readonly string[] }[] {

@@ -1,5 +1,5 @@
-// As much of three.js's renderer as light data and programs need: textures with the calls that fill them, and programs that compile
-// in the background. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
+// As much of three.js's renderer as light data and programs need: textures with the calls that fill them, and programs
+// that compile in the background. Keeps a copy of each texture as the GPU would have it. Knows nothing of lights.
 import type { ExternalTexture, Material, Mesh, WebGLRenderer } from 'three';
 
 /** One texSubImage2D: a rectangle of texels. */

@@ -1,5 +1,5 @@
-// Do the uniforms of flat faces say where each pixel's ray meets each face? Against rays and planes in float64, with the uniforms
-// rounded to float32 as a GPU gets them.
+// Do the uniforms of flat faces say where each pixel's ray meets each face? Against rays and planes in float64, with
+// the uniforms rounded to float32 as a GPU gets them.
 import {
   type BufferGeometry,
   Euler,

@@ -1,5 +1,5 @@
-// Do the readers of OBJ, MTL, STL and PLY return a model or throw a ModelError for every file, however broken? The files are damaged valid ones
-// and random sequences of the formats' words. The time of each is bounded by its size.
+// Do the readers of OBJ, MTL, STL and PLY return a model or throw a ModelError for every file, however broken? The
+// files are damaged valid ones and random sequences of the formats' words. The time of each is bounded by its size.
 import fc from 'fast-check';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { ModelError, type Content } from '../../src/model/model.js';

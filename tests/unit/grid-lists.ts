@@ -1,5 +1,5 @@
-// Light grids as tests need them: numbered spots, lists read back as the GLSL reads them, its float32 included, and what a light
-// can add at a point by its values alone.
+// Light grids as tests need them: numbered spots, lists read back as the GLSL reads them, its float32 included, and
+// what a light can add at a point by its values alone.
 
 import { expect } from 'vitest';
 import { divideLights } from '../../src/light/light-grid.js';
@@ -121,9 +121,9 @@ export const rowByNumber = (into: PackedLights): Map<number, number> =>
   new Map(rowsOf(into)[2]!.map((row) => [Math.round(255 * into.data[(row + ROWS.spot.ambient) * 4]!), row]));
 
 /**
- * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest point of the next cell's ball
- * is the corner itself. `at` is within the cone, and `p`, as which rounding may take it, in the next cell. In the middle of the box,
- * where a cone itself is taken larger by next to nothing.
+ * The corner of a cell and a spot whose cone ends just before it with an upright wall: the nearest point of the next
+ * cell's ball is the corner itself. `at` is within the cone, and `p`, as which rounding may take it, in the next cell.
+ * In the middle of the box, where a cone itself is taken larger by next to nothing.
  */
 export function cornerCase(
   random: Random,

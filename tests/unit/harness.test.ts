@@ -1,4 +1,5 @@
-// Do the browser tests' own instruments detect what they should? A console guard that records nothing would pass every test.
+// Do the browser tests' own instruments detect what they should? A console guard that records nothing would pass every
+// test.
 
 import { EventEmitter } from 'node:events';
 import type { BrowserContext } from '@playwright/test';

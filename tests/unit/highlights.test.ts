@@ -1,5 +1,5 @@
-// Is the closed form the average of a highlight over a pixel? Against many samples in float64: of a normal distribution, of
-// a pixel's box, and of the lobe itself on spheres as they are seen.
+// Is the closed form the average of a highlight over a pixel? Against many samples in float64: of a normal
+// distribution, of a pixel's box, and of the lobe itself on spheres as they are seen.
 
 import { describe, expect, it } from 'vitest';
 import { add, cross, dot, normalize, scale, subtract, type Vec3 } from '../../src/math/vector.js';

@@ -1,6 +1,6 @@
-// How far are the outlines of a level from those of the round shape, in pixels, at the default view of a picture of 100,
-// 400 and 1,600 pixels? The torus's hole and the teapot's handle and spout included, before the body too.
-// Fewer sizes and lines than in a release run, which has them all.
+// How far are the outlines of a level from those of the round shape, in pixels, at the default view of a picture of
+// 100, 400 and 1,600 pixels? The torus's hole and the teapot's handle and spout included, before the body too. Fewer
+// sizes and lines than in a release run, which has them all.
 import { describe, expect, it } from 'vitest';
 import { fitRadius } from '../../src/camera/fit.js';
 import { basisOf } from '../../src/camera/orbit.js';

@@ -1,4 +1,5 @@
-// A light grid: no cell misses a light that reaches it, few cells list one that does not, and no grid is made where it does not pay.
+// A light grid: no cell misses a light that reaches it, few cells list one that does not, and no grid is made where it
+// does not pay.
 
 import { describe, expect, it } from 'vitest';
 import { LEAST_DIVIDED, divideLights } from '../../src/light/light-grid.js';

@@ -1,4 +1,5 @@
-// Does the stress run measure every program that is shipped? A new form, condition or feature fails here until a stress case has it.
+// Does the stress run measure every program that is shipped? A new form, condition or feature fails here until a stress
+// case has it.
 import { describe, expect, it } from 'vitest';
 import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
 import { FORMS } from '../../src/material/program/variant.js';

@@ -1,5 +1,5 @@
-// Are files that claim too much, or claim nonsense, refused by their JSON or headers? The files are small, and nothing that they claim may be
-// allocated.
+// Are files that claim too much, or claim nonsense, refused by their JSON or headers? The files are small, and nothing
+// that they claim may be allocated.
 import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';

@@ -1,5 +1,5 @@
-// Is a model shown without the images and material libraries that are missing or broken, with one warning that names them? The same for every
-// format, and for files from a server, from the user's disk and inside the model.
+// Is a model shown without the images and material libraries that are missing or broken, with one warning that names
+// them? The same for every format, and for files from a server, from the user's disk and inside the model.
 import { beforeEach, describe, expect, it } from 'vitest';
 import { setFileGroup } from '../../src/model/file-group.js';
 import { modelContent } from '../../src/model/model-content.js';

@@ -1,5 +1,5 @@
-// Are computed tangents those of the surfaces that the texture coordinates describe? Expected values come from each surface's own
-// formula. Green points up the image, and glTF's v runs down it.
+// Are computed tangents those of the surfaces that the texture coordinates describe? Expected values come from each
+// surface's own formula. Green points up the image, and glTF's v runs down it.
 import fc from 'fast-check';
 import { BufferAttribute, BufferGeometry, SphereGeometry } from 'three';
 import { describe, expect, it } from 'vitest';

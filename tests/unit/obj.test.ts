@@ -1,4 +1,5 @@
-// Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the materials' coefficients?
+// Does an OBJ file with its MTL libraries come out as written: triangles, normals by smoothing group, and the
+// materials' coefficients?
 import { RepeatWrapping, ClampToEdgeWrapping, NoColorSpace, Vector2, type Texture } from 'three';
 import { describe, expect, it } from 'vitest';
 import { modelContent } from '../../src/model/model-content.js';

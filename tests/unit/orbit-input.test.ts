@@ -1,4 +1,5 @@
-// Does OrbitInput turn events into camera moves? On a surface made of Node's EventTarget; tests/element uses real pointers.
+// Does OrbitInput turn events into camera moves? On a surface made of Node's EventTarget; tests/element uses real
+// pointers.
 
 import { describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';

@@ -1,4 +1,5 @@
-// Are overlays drawn where the picture shows their points, with labels that do not overlap and colours that can be seen?
+// Are overlays drawn where the picture shows their points, with labels that do not overlap and colours that can be
+// seen?
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';

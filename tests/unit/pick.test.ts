@@ -1,4 +1,5 @@
-// Which surface is seen at a pixel? The nearest of what three.js draws, or null if that is not one of the viewer's meshes.
+// Which surface is seen at a pixel? The nearest of what three.js draws, or null if that is not one of the viewer's
+// meshes.
 
 import {
   BackSide,

@@ -1,4 +1,5 @@
-// When does a specialised program take over? After 20 drawn frames with the same key, one program of the page in a frame.
+// When does a specialised program take over? After 20 drawn frames with the same key, one program of the page in a
+// frame.
 
 import { BoxGeometry, Mesh, PerspectiveCamera } from 'three';
 import { beforeEach, describe, expect, it, vi } from 'vitest';

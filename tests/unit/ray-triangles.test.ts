@@ -35,7 +35,10 @@ function hitsOf(ray: ViewRay, geometry: BufferGeometry, matrix = new Matrix4(), 
 const triangles = (values: readonly number[]): BufferGeometry =>
   new BufferGeometry().setAttribute('position', new BufferAttribute(new Float32Array(values), 3));
 
-/** Up to this size, 0 included. Numbers below roundings, but not 0, make triangles of lines: these have no side or weights. */
+/**
+ * Up to this size, 0 included. Numbers below roundings, but not 0, make triangles of lines: these have no side or
+ * weights.
+ */
 const upTo = (most: number) =>
   fc.double({ min: -most, max: most, noNaN: true }).map((x) => (Math.abs(x) < 1e-12 ? 0 : x));
 

@@ -1,5 +1,5 @@
-// Which states share a program? Undeclared features cost none, and a specialised program depends on the values of lights only if they are
-// inlined.
+// Which states share a program? Undeclared features cost none, and a specialised program depends on the values of
+// lights only if they are inlined.
 
 import fc from 'fast-check';
 import { Texture } from 'three';

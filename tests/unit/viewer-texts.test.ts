@@ -1,4 +1,5 @@
-// Does the list of texts contain each text of the source once, and no other? The compiler refuses texts that the list lacks.
+// Does the list of texts contain each text of the source once, and no other? The compiler refuses texts that the list
+// lacks.
 
 import { readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';

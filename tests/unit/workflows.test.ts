@@ -1,5 +1,5 @@
-// Would the workflows run? No machine here runs them, so what they name must exist: npm scripts, options and steps of our own
-// commands, files, versions. Reads them line by line, which suffices for how they are written.
+// Would the workflows run? No machine here runs them, so what they name must exist: npm scripts, options and steps of
+// our own commands, files, versions. Reads them line by line, which suffices for how they are written.
 
 import { execFileSync } from 'node:child_process';
 import { accessSync, constants, existsSync, readdirSync, readFileSync } from 'node:fs';

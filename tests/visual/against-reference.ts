@@ -7,7 +7,10 @@ import { remembered } from './remembered.js';
 /** Nearer to a cone's edge than this, in radians, a pixel may be on either side: the rasteriser snaps vertices. */
 export const CONE_EDGE = 3e-3;
 
-/** Vertices lie on a grid of sixteenths of a pixel at worst, so that a pixel shows what lies up to half of one beside its ray. */
+/**
+ * Vertices lie on a grid of sixteenths of a pixel at worst, so that a pixel shows what lies up to half of one beside
+ * its ray.
+ */
 const SNAPPED = 1 / 32;
 
 /** The hits at the four corners at this distance. */
@@ -59,7 +62,10 @@ export function compareWithReference(
   const { width, height } = picture;
   const errors: Errors = { max: 0, at: '', compared: 0, exact: 0 };
   const cast = caster(scene, width, height);
-  /** Where highlights of small exponents begin, codes change by several within that: a code is right that is seen right beside. */
+  /**
+   * Where highlights of small exponents begin, codes change by several within that: a code is right that is seen right
+   * beside.
+   */
   const beside = (x: number, y: number, channel: number): number[] =>
     around(SNAPPED, (dx, dy) => {
       const hit = cast(x + dx, y + dy);

@@ -31,7 +31,8 @@ export interface TriangleErrors {
 
 /**
  * Rasterisers move vertices to a grid of `1 / 2^subpixelBits` pixels, so what is interpolated is that of a point up to
- * half a step away on each axis. A channel more than a code off is held against the range of colours among which that is.
+ * half a step away on each axis. A channel more than a code off is held against the range of colours among which that
+ * is.
  */
 export function compareWithTriangles(
   picture: Picture,

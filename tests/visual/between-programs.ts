@@ -1,5 +1,5 @@
-// How far are two pictures of one scene by two programs from each other? And how such pictures come about: pages of a few
-// viewers at a time, drawn by general programs at first and by specialised ones once they keep being drawn.
+// How far are two pictures of one scene by two programs from each other? And how such pictures come about: pages of a
+// few viewers at a time, drawn by general programs at first and by specialised ones once they keep being drawn.
 
 import type { Locator, Page } from '@playwright/test';
 import { drawUntilSpecialised } from '../element/frames/driving.js';
@@ -16,8 +16,8 @@ export interface ProgramDifference {
 }
 
 /**
- * A pixel that is covered in part has been drawn in as many codes less: there one code is several of straight alpha, up to
- * four where one sample of four is covered. Differences are those of what was drawn.
+ * A pixel that is covered in part has been drawn in as many codes less: there one code is several of straight alpha, up
+ * to four where one sample of four is covered. Differences are those of what was drawn.
  */
 export function betweenPrograms(a: Picture, b: Picture): ProgramDifference {
   expect([a.width, a.height]).toEqual([b.width, b.height]);
@@ -94,7 +94,10 @@ export interface TwoPictures {
   readonly specialised: Picture;
 }
 
-/** Each viewer's picture by the general and by the specialised program. `markups`: at most A_PAGE viewers of one mesh each. */
+/**
+ * Each viewer's picture by the general and by the specialised program. `markups`: at most A_PAGE viewers of one mesh
+ * each.
+ */
 export async function bothPictures(
   page: Page,
   markups: readonly string[],

@@ -1,5 +1,5 @@
-// Do shapes stand out with defaults alone, on white and black pages, and do the README's lights keep their tones? Tones are in codes; a
-// face is one of the picture's most frequent tones.
+// Do shapes stand out with defaults alone, on white and black pages, and do the README's lights keep their tones? Tones
+// are in codes; a face is one of the picture's most frequent tones.
 
 import { README_PICTURE_SCALE, readmeSnippet } from '../../.ci/readme-picture.mjs';
 import { GEOMETRIES } from '../../src/scene/mesh/shapes/shapes.js';

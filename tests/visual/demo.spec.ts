@@ -1,4 +1,5 @@
-// Does a screenshot of a long page show every picture? That each looks as before is tested with its page: element/site/site.spec.ts.
+// Does a screenshot of a long page show every picture? That each looks as before is tested with its page:
+// element/site/site.spec.ts.
 import { allReady, expect, pixelAt, test } from '../support/test.js';
 import { decodePng } from '../support/picture.js';
 

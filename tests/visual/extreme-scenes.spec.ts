@@ -1,4 +1,5 @@
-// Does a scene look the same at every size? Compares tiny and huge scenes, fitted by `auto`, with the same scene at size 1.
+// Does a scene look the same at every size? Compares tiny and huge scenes, fitted by `auto`, with the same scene at
+// size 1.
 import { compare, expect, pixels, test } from '../support/test.js';
 
 const size = { width: 160, height: 120 };

@@ -25,7 +25,9 @@ function lamp(dice: Dice, height: number): LightValues {
   };
 }
 
-/** A face `side` units large, seen from `phi` degrees; the eye and the lamps are as far from each other as in a room. */
+/**
+ * A face `side` units large, seen from `phi` degrees; the eye and the lamps are as far from each other as in a room.
+ */
 export function floorScene(
   seed: number,
   side: number,

@@ -1,4 +1,5 @@
-// Are large floors and walls right where the eye and the lamps are near? Against the equation at points of rays in float64.
+// Are large floors and walls right where the eye and the lamps are near? Against the equation at points of rays in
+// float64.
 import { compare, expect, type Mount, pixels, type Picture, test } from '../support/test.js';
 import { innerPixels } from './against-reference.js';
 import { floorScene, overFloor } from './floor-scenes.js';

@@ -1,5 +1,5 @@
-// Does a highlight smaller than a pixel have the right brightness? Compares antialias="highlights" with float64 averages over many samples
-// per pixel and, where nothing is undersampled, with antialias="edges".
+// Does a highlight smaller than a pixel have the right brightness? Compares antialias="highlights" with float64
+// averages over many samples per pixel and, where nothing is undersampled, with antialias="edges".
 
 import type { Locator } from '@playwright/test';
 import { basisOf } from '../../src/camera/orbit.js';

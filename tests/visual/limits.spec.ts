@@ -1,5 +1,5 @@
-// Does the picture follow the table of limits at degenerate input? A light floor seen from straight above; the middle pixel is the world's
-// origin. The expected codes are computed by hand from the table.
+// Does the picture follow the table of limits at degenerate input? A light floor seen from straight above; the middle
+// pixel is the world's origin. The expected codes are computed by hand from the table.
 import { expect, pixelAt, pixels, test } from '../support/test.js';
 
 /** Odd, so that one pixel's centre is the picture's. */

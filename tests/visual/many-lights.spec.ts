@@ -1,5 +1,5 @@
-// Do thousands of lights work within the limits that WebGL 2 guarantees, and do many small ones cost only where they reach? Pictures are
-// compared with float64 at samples, and with the loop over all lights.
+// Do thousands of lights work within the limits that WebGL 2 guarantees, and do many small ones cost only where they
+// reach? Pictures are compared with float64 at samples, and with the loop over all lights.
 
 import type { Page } from '@playwright/test';
 import type { LightValues } from '../../src/light/light-state.js';
@@ -36,7 +36,9 @@ const samplesOf = remembered((scene: DeclaredScene, width: number, height: numbe
   }).flat();
 });
 
-/** The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared. */
+/**
+ * The largest distance from float64 of sampled pixels, in codes beyond rounding, and how many channels were compared.
+ */
 function sampled(
   { width, height, data }: Picture,
   scene: DeclaredScene,
@@ -52,7 +54,10 @@ function sampled(
   return { max, compared: 3 * samples.length };
 }
 
-/** Lights of all kinds, so dim that `count` of them stay in range. Only the first few have cones, because their edges are excluded. */
+/**
+ * Lights of all kinds, so dim that `count` of them stay in range. Only the first few have cones, because their edges
+ * are excluded.
+ */
 function crowd(count: number, seed: number): LightValues[] {
   const dice = new Dice(seed);
   return Array.from({ length: count }, (_, i) => {

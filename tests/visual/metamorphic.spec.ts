@@ -1,5 +1,5 @@
-// Which changes of the markup must not change a picture? Random scenes and equivalent scenes on one page: equal to the bit if the GPU gets
-// the same numbers (or powers of two of them), else within the difference of two programs.
+// Which changes of the markup must not change a picture? Random scenes and equivalent scenes on one page: equal to the
+// bit if the GPU gets the same numbers (or powers of two of them), else within the difference of two programs.
 import { compare, expect, type Mount, type Picture, pixels, test } from '../support/test.js';
 import { innerPixels } from './against-reference.js';
 import { Dice, randomLight, randomMesh, randomScene, sceneMarkup } from './random-scene.js';
@@ -25,14 +25,14 @@ const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const SEEDS = `seeds ${FIRST} to ${FIRST + SCENES - 1}`;
 
 /**
- * Share of the channels that may differ where another program, or another order of the same sum, is at work. The contract
- * allows 2e-4; measured 1.5e-6 on 150 scenes, and few scenes have few channels to share one among.
+ * Share of the channels that may differ where another program, or another order of the same sum, is at work. The
+ * contract allows 2e-4; measured 1.5e-6 on 150 scenes, and few scenes have few channels to share one among.
  */
 const SHARE = 5e-5;
 
 /**
- * Nearer to N·L = 0 than this, a light's highlight may be there or not: it ends at once where n is small. A sphere of 64
- * segments has normals up to that far, in radians, from those that this is judged by.
+ * Nearer to N·L = 0 than this, a light's highlight may be there or not: it ends at once where n is small. A sphere of
+ * 64 segments has normals up to that far, in radians, from those that this is judged by.
  */
 const TERMINATOR = 5e-3;
 

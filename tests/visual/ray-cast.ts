@@ -82,7 +82,9 @@ export function caster(
   };
 }
 
-/** The camera's axes, the eye seen from the target, and where the plane at distance 1 is met through a pixel's centre. */
+/**
+ * The camera's axes, the eye seen from the target, and where the plane at distance 1 is met through a pixel's centre.
+ */
 export function lens({ pose, fov }: DeclaredScene, width: number, height: number) {
   const { right, up, back } = basisOf(pose);
   const axes = { right: [...right] as Vec3, up: [...up] as Vec3, back: [...back] as Vec3 };

@@ -1,5 +1,6 @@
-// Do published models look as in another renderer? On the site's page of twenty models, both must cover the same pixels in similar colours.
-// The lighting differs, so colours are compared coarsely. Captions name features that are not supported.
+// Do published models look as in another renderer? On the site's page of twenty models, both must cover the same pixels
+// in similar colours. The lighting differs, so colours are compared coarsely. Captions name features that are not
+// supported.
 
 import { readFileSync } from 'node:fs';
 import type { ModelEntries } from '../../.ci/site/models.js';

@@ -1,5 +1,5 @@
-// Does skipping work change no picture? Compares the same scenes drawn by general and by specialised programs, with and without lights that
-// reach nothing, and all of them with float64.
+// Does skipping work change no picture? Compares the same scenes drawn by general and by specialised programs, with and
+// without lights that reach nothing, and all of them with float64.
 
 import { expect, pixels, test } from '../support/test.js';
 import { drawFrames, drawUntilSpecialised } from '../element/frames/driving.js';

@@ -1,5 +1,5 @@
-// How exact is a sphere's picture? Measures the error of the arithmetic, against the element's own triangles in float64, and the error of
-// the tessellation, those triangles against a sphere. Random scenes; their seeds are printed.
+// How exact is a sphere's picture? Measures the error of the arithmetic, against the element's own triangles in
+// float64, and the error of the tessellation, those triangles against a sphere. Random scenes; their seeds are printed.
 import { writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { length, subtract } from '../../src/math/vector.js';
@@ -109,7 +109,8 @@ test('approaches the ideal sphere with the square of its segments', ({}, testInf
   for (const [i, row] of table.entries()) {
     const before = table[i - 1];
     if (before === undefined) continue;
-    // A chord's middle is π²/2n² of the radius below the arc, and the ray meets another normal there. Measured: 3.9 to 4.0.
+    // A chord's middle is π²/2n² of the radius below the arc, and the ray meets another normal there. Measured: 3.9 to
+    // 4.0.
     const ratio = before.medianNormalDegrees / row.medianNormalDegrees;
     expect(ratio, `normals at ${row.segments} segments`).toBeGreaterThan(3.6);
     expect(ratio, `normals at ${row.segments} segments`).toBeLessThan(4.4);

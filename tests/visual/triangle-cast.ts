@@ -1,6 +1,6 @@
-// What the element must draw of its own triangles, in float64: the nearest triangle through each pixel's centre, place and
-// normal interpolated over it, and the equation there. Against the ideal shape of ray-cast.ts it tells how much of an
-// error is the tessellation's. World space relative to the camera's target; knows nothing of WebGL.
+// What the element must draw of its own triangles, in float64: the nearest triangle through each pixel's centre, place
+// and normal interpolated over it, and the equation there. Against the ideal shape of ray-cast.ts it tells how much of
+// an error is the tessellation's. World space relative to the camera's target; knows nothing of WebGL.
 import type { BufferGeometry } from 'three';
 import { flatGeometry } from '../../src/material/flat-geometry.js';
 import { srgbEncode } from '../../src/math/color.js';
@@ -32,7 +32,9 @@ interface Vertex {
 
 interface Triangle {
   readonly corners: readonly [Vertex, Vertex, Vertex];
-  /** Products of the corners as seen from the eye: a ray's product with them says on which side of an edge it passes. */
+  /**
+   * Products of the corners as seen from the eye: a ray's product with them says on which side of an edge it passes.
+   */
   readonly sides: readonly [Vec3, Vec3, Vec3];
   /** Six times the volume that it spans with the eye; below 0 where its corners run counter-clockwise on screen. */
   readonly volume: number;
@@ -40,8 +42,8 @@ interface Triangle {
 }
 
 /**
- * The hits of all pixels, row by row from the top; null where there is none. One mesh, whose shape needs no chunk of its
- * own; `shading` as the attribute.
+ * The hits of all pixels, row by row from the top; null where there is none. One mesh, whose shape needs no chunk of
+ * its own; `shading` as the attribute.
  */
 export function castTriangles(
   scene: DeclaredScene,
@@ -128,7 +130,10 @@ function distance(triangle: Triangle, through: Through): number {
   return inside && t > 0 ? t : Infinity;
 }
 
-/** The pixels among which a triangle's are: first and last of columns and rows. All of them where it reaches behind the eye. */
+/**
+ * The pixels among which a triangle's are: first and last of columns and rows. All of them where it reaches behind the
+ * eye.
+ */
 function extent({ corners }: Triangle, pixel: number, width: number, height: number) {
   const behind = corners.filter(({ view }) => view[2] >= 0).length;
   if (behind === 3) return [[0, 0], [-1, -1]] as const; // prettier-ignore

@@ -1,4 +1,5 @@
-// What must a view show of a fragment? From the equation's own numbers in float64, written here again rather than taken from src.
+// What must a view show of a fragment? From the equation's own numbers in float64, written here again rather than taken
+// from src.
 import { scaleColor } from '../../src/material/view/scale.js';
 import type { View } from '../../src/material/views.js';
 import type { Vec3 } from '../../src/math/vector.js';
@@ -14,8 +15,8 @@ const grey = (value: number): Vec3 => [value, value, value];
 const clamped = (value: number): number => Math.min(Math.max(value, 0), 1);
 
 /**
- * The colour of a fragment, 0–1. `shares` are those of the lights that the view is limited to; a view of one light takes the first
- * active one. Not for `shaded`, `triangles` and `error`. Without `linear`: sums are not encoded.
+ * The colour of a fragment, 0–1. `shares` are those of the lights that the view is limited to; a view of one light
+ * takes the first active one. Not for `shaded`, `triangles` and `error`. Without `linear`: sums are not encoded.
  */
 export function viewColor(view: View, { N, shares }: Explained): Vec3 {
   const active = shares.filter((share) => share !== null);

@@ -18,6 +18,12 @@ precision highp float;
 in vec3 position;
 void main() { gl_Position = vec4(position, 1.0); }`;
 
+/**
+ * Never executed. On a page with many viewers WebKitGTK 2.50 loses track of the driver's active texture unit, and a
+ * program with one texture then reads whatever is bound elsewhere. For a program with two it sets the unit again.
+ */
+const SECOND_TEXTURE = 'if (uCount < 0.0) texel = texelFetch(uLayers, ivec3(at, 0), 0);';
+
 export interface ScreenUniforms {
   readonly uPixels: { value: Texture | null };
   readonly uLayers: { value: DataArrayTexture | null };
@@ -58,6 +64,7 @@ out vec4 color;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy - uOrigin);
   vec4 texel = texelFetch(uPixels, at, 0);
+  ${SECOND_TEXTURE}
   ${body}
 }`,
       uniforms: this.uniforms as unknown as Record<string, { value: unknown }>,

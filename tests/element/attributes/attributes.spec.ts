@@ -1,5 +1,5 @@
-// Does every attribute and property behave as its row of the table says? The elements are outside the document: parsing needs no picture,
-// and nothing is fetched.
+// Does every attribute and property behave as its row of the table says? The elements are outside the document: parsing
+// needs no picture, and nothing is fetched.
 
 import { expect, test } from '../../support/test.js';
 import { type Row, tables } from './attribute-rows.js';

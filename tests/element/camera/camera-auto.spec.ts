@@ -1,5 +1,5 @@
-// Where does the camera go by itself: `auto` radius and target, and `auto-rotate`? Radii are compared with the formula, computed
-// here in float64. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
+// Where does the camera go by itself: `auto` radius and target, and `auto-rotate`? Radii are compared with the formula,
+// computed here in float64. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../../support/test.js';
 import { assign, cameraOf, drag, nextFrame, type PhongViewer } from '../support/viewer.js';

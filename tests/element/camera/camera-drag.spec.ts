@@ -1,5 +1,5 @@
-// Do drags turn the scene by the specified angles? A real mouse and real fingers on a viewer of 600 × 400 CSS pixels: one width is
-// 360° of azimuth, one height 180° of polar angle.
+// Do drags turn the scene by the specified angles? A real mouse and real fingers on a viewer of 600 × 400 CSS pixels:
+// one width is 360° of azimuth, one height 180° of polar angle.
 
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { assign, cameraOf, drag, nextFrame, type PhongViewer, record } from '../support/viewer.js';

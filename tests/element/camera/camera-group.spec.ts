@@ -1,4 +1,5 @@
-// Do viewers with the same `camera-group` always have exactly the same camera? Poses are compared bit by bit, and events counted.
+// Do viewers with the same `camera-group` always have exactly the same camera? Poses are compared bit by bit, and
+// events counted.
 
 import type { Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Does the target follow the secondary button, Shift and a drag, and two fingers? Viewers are 600 × 400 CSS pixels; fingers
-// are Chromium's own touch input.
+// Does the target follow the secondary button, Shift and a drag, and two fingers? Viewers are 600 × 400 CSS pixels;
+// fingers are Chromium's own touch input.
 
 import { expect, test } from '../../support/test.js';
 import { assign, cameraOf, drag, Fingers } from '../support/viewer.js';
@@ -8,7 +8,8 @@ const odd = { theta: 12.345678901234567, phi: 71.30000000000001, radius: 3.33333
 const oddBox = `<phong-viewer geometry="box" theta="${odd.theta}" phi="${odd.phi}" radius="${odd.radius}"></phong-viewer>`;
 
 test.describe('shifting the target', () => {
-  // At the target's distance one CSS pixel is 2 r tan(fov/2) / height scene units; at θ = φ = 90° right is −z, up is +y.
+  // At the target's distance one CSS pixel is 2 r tan(fov/2) / height scene units; at θ = φ = 90° right is −z, up is
+  // +y.
   const side = '<phong-viewer geometry="box" theta="90" phi="90" radius="5"></phong-viewer>';
   const perPixel = (2 * 5 * Math.tan(Math.PI / 8)) / 400;
 

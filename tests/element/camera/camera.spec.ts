@@ -1,5 +1,5 @@
-// Where is the camera, and what moves it besides drags: wheel, keys, properties, `auto`, time? Numbers are compared with float64
-// formulas computed here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
+// Where is the camera, and what moves it besides drags: wheel, keys, properties, `auto`, time? Numbers are compared
+// with float64 formulas computed here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
 import { expect, test } from '../../support/test.js';
 import { assign, cameraOf, drag, type PhongViewer, record, settled } from '../support/viewer.js';

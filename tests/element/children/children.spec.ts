@@ -1,5 +1,5 @@
-// Which lights and meshes belong to a viewer? Those whose nearest enclosing viewer it is, at any depth and across shadow
-// trees, in document order, however they come, move and go.
+// Which lights and meshes belong to a viewer? Those whose nearest enclosing viewer it is, at any depth and across
+// shadow trees, in document order, however they come, move and go.
 
 import type { Locator } from '@playwright/test';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';

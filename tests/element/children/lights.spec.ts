@@ -1,5 +1,5 @@
-// Do lights match the markup, however it was created and changed? Small pictures of a plane seen from above are compared with those of the
-// same scene in markup.
+// Do lights match the markup, however it was created and changed? Small pictures of a plane seen from above are
+// compared with those of the same scene in markup.
 
 import type { Locator } from '@playwright/test';
 import { allReady, compare, expect, pixelAt, pixels, test } from '../../support/test.js';

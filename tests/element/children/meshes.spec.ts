@@ -1,5 +1,5 @@
-// Do meshes match the markup, however it was created and changed? Pictures are compared with those of the same scene in markup, with a
-// declared camera, so that no refit hides a difference.
+// Do meshes match the markup, however it was created and changed? Pictures are compared with those of the same scene in
+// markup, with a declared camera, so that no refit hides a difference.
 
 import { readFileSync } from 'node:fs';
 import { compare, expect, pixelAt, pixels, test, type Picture } from '../../support/test.js';

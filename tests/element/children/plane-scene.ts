@@ -1,4 +1,5 @@
-// A small picture of a plane under a few lights, and its comparison with the picture of other markup. For tests of children.
+// A small picture of a plane under a few lights, and its comparison with the picture of other markup. For tests of
+// children.
 
 import type { Page } from '@playwright/test';
 import { compare, expect, type Picture } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Round shapes with automatic segments, watched: what a page shows of them at each load, many on one page, and a film of
-// a zoom beside a viewer with a fine fixed number. The short and the long tests differ only in the numbers.
+// Round shapes with automatic segments, watched: what a page shows of them at each load, many on one page, and a film
+// of a zoom beside a viewer with a fine fixed number. The short and the long tests differ only in the numbers.
 
 import type { Locator, Page } from '@playwright/test';
 import { allReady, expect, type Mount } from '../../support/test.js';
@@ -106,7 +106,9 @@ export interface FilmFrame {
   readonly fineCovered: number;
 }
 
-/** Moves two viewers, one with 256 segments, from afar to `near` in equal ratios, and reads each frame as it is shown. */
+/**
+ * Moves two viewers, one with 256 segments, from afar to `near` in equal ratios, and reads each frame as it is shown.
+ */
 export async function filmZoom(
   page: Page,
   mount: Mount,

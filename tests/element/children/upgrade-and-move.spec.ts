@@ -1,5 +1,5 @@
-// Does a viewer find its children in any order of definition and insertion, and keep everything while it moves in the document?
-// Pictures are compared with those of the same markup, complete from the start.
+// Does a viewer find its children in any order of definition and insertion, and keep everything while it moves in the
+// document? Pictures are compared with those of the same markup, complete from the start.
 
 import { allReady, expect, pixels, test } from '../../support/test.js';
 import { assign, type PhongLight, type PhongViewer } from '../support/viewer.js';

@@ -1,5 +1,5 @@
-// Does <phong-compare> show its viewers split or side by side, and can its dividers be moved by mouse, finger and keys? A comparison is
-// 400 × 200 CSS pixels at the page's top left, unless a test says otherwise.
+// Does <phong-compare> show its viewers split or side by side, and can its dividers be moved by mouse, finger and keys?
+// A comparison is 400 × 200 CSS pixels at the page's top left, unless a test says otherwise.
 
 import type { Locator, Page } from '@playwright/test';
 import type { PhongCompare } from '../../../src/index.js';

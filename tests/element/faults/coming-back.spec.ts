@@ -1,4 +1,5 @@
-// Does everything work again after an interruption: viewers that return, loads that were aborted, failures that were fixed?
+// Does everything work again after an interruption: viewers that return, loads that were aborted, failures that were
+// fixed?
 import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
 import { cameraOf, nextFrame, record, type PhongMesh, type PhongViewer } from '../support/viewer.js';
 

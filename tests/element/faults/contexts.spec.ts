@@ -1,4 +1,5 @@
-// What happens when the graphics context fails: refused, lost while it is created, lost again, lost under toBlob, too large?
+// What happens when the graphics context fails: refused, lost while it is created, lost again, lost under toBlob, too
+// large?
 
 import { compare, expect, pixels, test } from '../../support/test.js';
 import { installFaults } from './faults.js';

@@ -1,5 +1,5 @@
-// Does a page recover from every fault? Random histories of lost and refused contexts, failed requests, viewers that come and go,
-// sizes, hidden documents and printing. Failures print the seed and the shortest history that still fails.
+// Does a page recover from every fault? Random histories of lost and refused contexts, failed requests, viewers that
+// come and go, sizes, hidden documents and printing. Failures print the seed and the shortest history that still fails.
 
 import { test } from '../../support/test.js';
 import { expectRecovery } from './fault-history.js';

@@ -1,5 +1,5 @@
-// Plays histories of faults. After the last fault every promise must settle, nothing may have thrown, nothing may leak, and the page must
-// show the same as a new page with the same scenes. A failing history is reduced.
+// Plays histories of faults. After the last fault every promise must settle, nothing may have thrown, nothing may leak,
+// and the page must show the same as a new page with the same scenes. A failing history is reduced.
 
 import type { Page, Route } from '@playwright/test';
 import { compare, type Mount } from '../../support/test.js';

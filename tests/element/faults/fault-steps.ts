@@ -1,5 +1,5 @@
-// Random histories of faults: contexts that are refused or lost at any call, requests that fail, viewers that come and go, sizes from
-// zero to far too large, hidden documents, printing. The same seed gives the same history.
+// Random histories of faults: contexts that are refused or lost at any call, requests that fail, viewers that come and
+// go, sizes from zero to far too large, hidden documents, printing. The same seed gives the same history.
 
 import { Dice } from '../../visual/random-scene.js';
 import type { Step } from '../histories/history-deeds.js';

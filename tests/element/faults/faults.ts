@@ -1,5 +1,5 @@
-// Faults of the graphics context: a `getContext` that fails, contexts that are lost at any call. Also counts open contexts and programs.
-// Wraps the browser's functions before any script runs. Knows no test.
+// Faults of the graphics context: a `getContext` that fails, contexts that are lost at any call. Also counts open
+// contexts and programs. Wraps the browser's functions before any script runs. Knows no test.
 
 import type { Page } from '@playwright/test';
 

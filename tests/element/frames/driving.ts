@@ -1,4 +1,5 @@
-// Draws frame after frame, as motion does, until viewers use specialised programs. Needs the page's log of WebGL (gl-log.ts).
+// Draws frame after frame, as motion does, until viewers use specialised programs. Needs the page's log of WebGL
+// (gl-log.ts).
 
 import type { Locator, Page } from '@playwright/test';
 import { drawnWith, glSpent, type GlProgram, isSpecialised, isLit } from '../support/gl-log.js';

@@ -1,4 +1,5 @@
-// How much of a GLSL program's text is at work: the code that `main` reaches once all preprocessor conditions are decided.
+// How much of a GLSL program's text is at work: the code that `main` reaches once all preprocessor conditions are
+// decided.
 
 /** The bodies of the functions that `main` reaches, its own included. */
 export function reachedCode(text: string): string {
@@ -61,7 +62,9 @@ function replaced(line: string, defines: ReadonlyMap<string, string>): string {
   return line.replace(/\b[A-Za-z_]\w*\b/g, (name) => defines.get(name) ?? name);
 }
 
-/** `defined(X)`, `!`, comparisons of numbers, macros or one bit of a mask, joined by && or ||, without further brackets. */
+/**
+ * `defined(X)`, `!`, comparisons of numbers, macros or one bit of a mask, joined by && or ||, without further brackets.
+ */
 function decide(condition: string, defines: ReadonlyMap<string, string>): boolean {
   const masked = condition.replace(/\((\w+) & (\w+)\)/g, (_, mask: string, bit: string) =>
     String(valueOf(mask, defines) & valueOf(bit, defines)),

@@ -1,5 +1,5 @@
-// How many programs are there, and does each hold the code that its scene needs and no other? Programs are compared with each
-// other: how long the code is that `main` reaches, and whether two scenes have the same one.
+// How many programs are there, and does each hold the code that its scene needs and no other? Programs are compared
+// with each other: how long the code is that `main` reaches, and whether two scenes have the same one.
 
 import type { Page } from '@playwright/test';
 import { compare, expect, pixels, test } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Do frames in which only lights have changed cost little and still show the whole scene, whatever else changes before, with or after them?
-// The oracle is `toBlob`, which always draws everything.
+// Do frames in which only lights have changed cost little and still show the whole scene, whatever else changes before,
+// with or after them? The oracle is `toBlob`, which always draws everything.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Does unneeded work cost nothing, and does a change cost only itself? Counts WebGL calls beside the viewer's own `stats`, and compares
-// pictures with the float64 equation over all declared lights.
+// Does unneeded work cost nothing, and does a change cost only itself? Counts WebGL calls beside the viewer's own
+// `stats`, and compares pictures with the float64 equation over all declared lights.
 
 import type { Locator } from '@playwright/test';
 import { HEADER, ROWS } from '../../../src/light/light-layout.js';
@@ -251,8 +251,8 @@ test('an inactive light has its program from the start', async ({ page, mount })
 });
 
 /**
- * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still picture's program
- * has the lights' numbers in its text, that frame goes over to one that reads them.
+ * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still
+ * picture's program has the lights' numbers in its text, that frame goes over to one that reads them.
  */
 async function callsPerFrame(viewer: Locator, move: number): Promise<number> {
   return viewer.evaluate(async (element: PhongViewer, lights) => {

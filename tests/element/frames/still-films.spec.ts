@@ -1,5 +1,5 @@
-// `antialias="full"`: what does a page show, frame by frame, while pictures converge? Canvases keep their pixels here, so
-// that each frame can be read.
+// `antialias="full"`: what does a page show, frame by frame, while pictures converge? Canvases keep their pixels here,
+// so that each frame can be read.
 
 import { allReady, expect, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentIn } from '../support/counting.js';

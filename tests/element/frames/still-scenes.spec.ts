@@ -1,5 +1,5 @@
-// `antialias="full"`: does whatever a picture can show converge to its mean over each pixel? Against the mean of a plain
-// picture with four times as many pixels along each side, which the code of samples has no part in.
+// `antialias="full"`: does whatever a picture can show converge to its mean over each pixel? Against the mean of a
+// plain picture with four times as many pixels along each side, which the code of samples has no part in.
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';

@@ -1,5 +1,6 @@
-// Does a page show the same after any history of changes as a new page? Random histories of one to three viewers, compared now and then with
-// a page that starts with the same scenes. Failures print the seed and the shortest history that still fails.
+// Does a page show the same after any history of changes as a new page? Random histories of one to three viewers,
+// compared now and then with a page that starts with the same scenes. Failures print the seed and the shortest history
+// that still fails.
 
 import { test } from '../../support/test.js';
 import { expectAsNew, seedsFrom } from './history.js';

@@ -1,5 +1,5 @@
-// Reads the state of all viewers once the page of a history is at rest. In an iframe it starts new viewers with the same scenes and reads
-// theirs.
+// Reads the state of all viewers once the page of a history is at rest. In an iframe it starts new viewers with the
+// same scenes and reads theirs.
 
 import type { Page } from '@playwright/test';
 import { installDeeds } from './history-deeds.js';
@@ -12,7 +12,9 @@ export interface Rest {
   /** The picture on the page; null if it is not visible. */
   readonly seen: Drawn | null;
   readonly blob: Drawn;
-  /** The result of `toHTML`. `asDeclared` has the declared radius and target instead; null if the user moved the camera. */
+  /**
+   * The result of `toHTML`. `asDeclared` has the declared radius and target instead; null if the user moved the camera.
+   */
   readonly html: string;
   readonly asDeclared: string | null;
   readonly css: readonly [width: number, height: number];

@@ -1,4 +1,5 @@
-// Reduces a failing history: leaves out runs of tasks, then of steps, then viewers, long runs first, and plays the rest again each time.
+// Reduces a failing history: leaves out runs of tasks, then of steps, then viewers, long runs first, and plays the rest
+// again each time.
 
 import type { Scenario, Task } from './history-steps.js';
 

@@ -1,5 +1,5 @@
-// Random histories of a page, as data: the first viewers, and what happens to them, task by task. The same seed gives the same history.
-// Any part of a history is a history too.
+// Random histories of a page, as data: the first viewers, and what happens to them, task by task. The same seed gives
+// the same history. Any part of a history is a history too.
 
 import { Dice } from '../../visual/random-scene.js';
 import type { Step } from './history-deeds.js';

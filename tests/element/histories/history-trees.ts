@@ -1,5 +1,5 @@
-// Steps of histories with unusual trees: wrappers, shadow trees, slots, nested viewers, and malformed values. Also checks, in the page,
-// what must hold after any of these steps.
+// Steps of histories with unusual trees: wrappers, shadow trees, slots, nested viewers, and malformed values. Also
+// checks, in the page, what must hold after any of these steps.
 
 import { type Dice } from '../../visual/random-scene.js';
 import type { Step } from './history-deeds.js';

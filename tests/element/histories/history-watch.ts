@@ -1,5 +1,5 @@
-// Records what happens on the page of a history: each viewer's last picture, the programs that drew it, cameras moved by the user, and
-// whether anything happens at all.
+// Records what happens on the page of a history: each viewer's last picture, the programs that drew it, cameras moved
+// by the user, and whether anything happens at all.
 
 import type { PhongViewer } from '../support/viewer.js';
 
@@ -129,7 +129,8 @@ export function installWatch(): void {
     viewer.shadowRoot?.querySelector('canvas') ?? null;
   function copied(source: CanvasImageSource, width: number, height: number): OffscreenCanvas {
     const canvas = new OffscreenCanvas(width, height);
-    canvas.getContext('2d')!.drawImage(source, 0, 0);
+    // Read once and dropped, hundreds of them in a release run: the browser would advise so.
+    canvas.getContext('2d', { willReadFrequently: true })!.drawImage(source, 0, 0);
     return canvas;
   }
   const listen = (type: string, heard: (viewer: PhongViewer, event: Event) => void): void => {

@@ -1,5 +1,5 @@
-// Plays a random history on a page and compares the page, at each look, with a new page of the same scene. A failing history is
-// reduced: tasks and steps are left out as long as it still fails.
+// Plays a random history on a page and compares the page, at each look, with a new page of the same scene. A failing
+// history is reduced: tasks and steps are left out as long as it still fails.
 
 import type { Frame, Locator, Page } from '@playwright/test';
 import { betweenPrograms, DifferenceSum } from '../../visual/between-programs.js';
@@ -236,7 +236,10 @@ interface Fixtures {
   readonly consoleGuard: ConsoleGuard;
 }
 
-/** Plays the histories of these seeds with `looks` looks each. Throws the first fault, with the shortest history that still has one. */
+/**
+ * Plays the histories of these seeds with `looks` looks each. Throws the first fault, with the shortest history that
+ * still has one.
+ */
 export async function expectAsNew(
   { page, mount, site, consoleGuard }: Fixtures,
   seeds: readonly number[],

@@ -1,4 +1,5 @@
-// Do models move when `autoplay` says so, and only then? What is drawn, culled and explained is the pose of the last frame.
+// Do models move when `autoplay` says so, and only then? What is drawn, culled and explained is the pose of the last
+// frame.
 
 import type { Locator } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';

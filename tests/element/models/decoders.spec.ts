@@ -1,5 +1,6 @@
-// Where are compressed models unpacked? In one worker for any number of models, by WebAssembly or without, or on the main thread if none can
-// start, with the same bits. The worker ends after an abort or an idle time. The tests' server allows its files no WebAssembly.
+// Where are compressed models unpacked? In one worker for any number of models, by WebAssembly or without, or on the
+// main thread if none can start, with the same bits. The worker ends after an abort or an idle time. The tests' server
+// allows its files no WebAssembly.
 
 import type { Locator, Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';

@@ -1,5 +1,5 @@
-// Are models of every format shown as written, from addresses, files and drops, under a strict policy? Do unknown formats, missing files and
-// several models at once give an error with the cure?
+// Are models of every format shown as written, from addresses, files and drops, under a strict policy? Do unknown
+// formats, missing files and several models at once give an error with the cure?
 
 import { fileURLToPath } from 'node:url';
 import type { Locator, Page } from '@playwright/test';

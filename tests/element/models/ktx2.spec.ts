@@ -1,5 +1,5 @@
-// Do KTX2 textures have the right texels, from the worker and from the main thread, and is there a clear error without WebAssembly?
-// textured.glb has the same texels in a PNG.
+// Do KTX2 textures have the right texels, from the worker and from the main thread, and is there a clear error without
+// WebAssembly? textured.glb has the same texels in a PNG.
 
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// What do users, CSS and screen readers get to know about loading? Progress, states, posters and the retry button. The test controls when
-// models arrive and when the progress bar's timer ends.
+// What do users, CSS and screen readers get to know about loading? Progress, states, posters and the retry button. The
+// test controls when models arrive and when the progress bar's timer ends.
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';

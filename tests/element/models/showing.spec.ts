@@ -1,5 +1,5 @@
-// Does a picture stay until the next one can be shown? Failed allocations, drawing that throws, downloads of removed viewers, silent
-// servers. Also: when does `loaded` become true?
+// Does a picture stay until the next one can be shown? Failed allocations, drawing that throws, downloads of removed
+// viewers, silent servers. Also: when does `loaded` become true?
 import type { Locator, Page } from '@playwright/test';
 import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
 import { assign, nextFrame, type PhongMesh, type PhongViewer, record, settled } from '../support/viewer.js';
@@ -37,7 +37,10 @@ const giveMemoryBack = (page: Page): Promise<void> =>
 const shows = (viewer: Locator): Promise<boolean> =>
   viewer.evaluate((element: PhongViewer) => element.loaded);
 
-/** Makes the typed array with this number fail, counted from now on over all types. `countArrays` tells how many there were. */
+/**
+ * Makes the typed array with this number fail, counted from now on over all types. `countArrays` tells how many there
+ * were.
+ */
 const failArray = (page: Page, failing: number): Promise<void> =>
   page.evaluate((nth) => {
     const scope = window as unknown as Record<string, unknown> & { countArrays?: () => number };

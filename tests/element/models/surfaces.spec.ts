@@ -1,5 +1,5 @@
-// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels with shadeAt, and shadeAt with values
-// computed here from those rules.
+// Are the materials of files shaded and explained by the rules of src/MODELS.md? Compares pixels with shadeAt, and
+// shadeAt with values computed here from those rules.
 
 import { patch, type PatchOptions, type Texel } from '../../support/gltf.js';
 import { expect, test } from '../../support/test.js';
@@ -270,7 +270,8 @@ test.describe('by the rules of src/MODELS.md', () => {
             <phong-light position="${String(x)} ${String(y)} 1 0" ambient="0" diffuse="255" specular="0"></phong-light>
           </phong-viewer>`,
         );
-        // In the middle the patch faces +z, its u runs along +x and its v along -y: the texel is the normal in world space.
+        // In the middle the patch faces +z, its u runs along +x and its v along -y: the texel is the normal in world
+        // space.
         const t = texel.slice(0, 3).map((c) => (2 * c!) / 255 - 1);
         const length = Math.hypot(...t);
         const diffuse = (x * t[0]! + y * t[1]! + t[2]!) / (Math.SQRT2 * length);

@@ -1,5 +1,5 @@
-// Are lights drawn where they are in the scene, and do they follow pointer and keys? Handles are located by role and name, as a screen
-// reader does.
+// Are lights drawn where they are in the scene, and do they follow pointer and keys? Handles are located by role and
+// name, as a screen reader does.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';

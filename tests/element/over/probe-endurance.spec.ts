@@ -1,5 +1,5 @@
-// Does the probe survive removals and lost contexts, work at most once a frame, and rest while nothing happens? Places are CSS pixels of the
-// viewer.
+// Does the probe survive removals and lost contexts, work at most once a frame, and rest while nothing happens? Places
+// are CSS pixels of the viewer.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Does the probe explain the point chosen by mouse, finger, keyboard or markup? Compared with shadeAt. Places are CSS pixels of the viewer,
-// which lies at the page's top left.
+// Does the probe explain the point chosen by mouse, finger, keyboard or markup? Compared with shadeAt. Places are CSS
+// pixels of the viewer, which lies at the page's top left.
 
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';

@@ -1,4 +1,5 @@
-// Does everything over the picture keep to the room that is free: between dividers, beside the panel, below a notice, at any text size?
+// Does everything over the picture keep to the room that is free: between dividers, beside the panel, below a notice,
+// at any text size?
 
 import type { Locator, Page } from '@playwright/test';
 import { decodePng, pixelAt } from '../../support/picture.js';

@@ -1,4 +1,5 @@
-// Does `texts` replace every text that a viewer shows or announces? The test puts all texts in brackets and looks for text without brackets.
+// Does `texts` replace every text that a viewer shows or announces? The test puts all texts in brackets and looks for
+// text without brackets.
 
 import type { Locator } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';

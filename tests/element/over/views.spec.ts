@@ -1,4 +1,5 @@
-// Do `view` and `view-light` behave as documented: legend, lights by name, what is fetched and compiled, measuring the error?
+// Do `view` and `view-light` behave as documented: legend, lights by name, what is fetched and compiled, measuring the
+// error?
 
 import type { Locator } from '@playwright/test';
 import { scaleColor } from '../../../src/material/view/scale.js';

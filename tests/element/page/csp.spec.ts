@@ -1,5 +1,5 @@
-// Does everything work under a strict Content-Security-Policy, without requests to other servers? Any console line and any policy report
-// fails the test; this page has all parts that could cause one.
+// Does everything work under a strict Content-Security-Policy, without requests to other servers? Any console line and
+// any policy report fails the test; this page has all parts that could cause one.
 
 import { expect, strictPolicy, test } from '../../support/test.js';
 import { type PhongViewer } from '../support/viewer.js';

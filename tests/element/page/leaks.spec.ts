@@ -17,7 +17,8 @@ const kinds = [
 
 test.beforeEach(({ page }) => countEverything(page));
 
-// On a page composed by WebGL: composed without, a specialised program may keep waiting for its next frame, with its shaders.
+// On a page composed by WebGL: composed without, a specialised program may keep waiting for its next frame, with its
+// shaders.
 const executablePath = await findTestBrowser();
 test.use({
   launchOptions: { ...(executablePath === undefined ? {} : { executablePath }), args: softwareGl },

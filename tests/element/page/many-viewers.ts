@@ -1,5 +1,5 @@
-// Many viewers on one page: creates them, scrolls through them, adds and removes them. The short and the long tests differ only in the
-// number.
+// Many viewers on one page: creates them, scrolls through them, adds and removes them. The short and the long tests
+// differ only in the number.
 
 import type { CDPSession, Locator, Page } from '@playwright/test';
 import { allReady, expect, type Mount } from '../../support/test.js';
@@ -39,7 +39,8 @@ export async function scrollThrough(page: Page, mount: Mount, count: number): Pr
   const screenful = await page.evaluate(() => screen.width * screen.height * devicePixelRatio ** 2);
   const onScreen = (Math.ceil(view.height / size.height) + 1) * pixelsOfOne;
   const near = (Math.ceil((3 * view.height) / size.height) + 1) * pixelsOfOne;
-  // Viewers on screen or near it, two screens of earlier ones, those not yet reported by the observer, and the shared canvas.
+  // Viewers on screen or near it, two screens of earlier ones, those not yet reported by the observer, and the shared
+  // canvas.
   const bound = near + 2 * screenful + onScreen + screenful;
   expect(count * pixelsOfOne, 'more than may be kept').toBeGreaterThan(bound);
   const end = count * size.height - view.height;

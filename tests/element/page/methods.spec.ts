@@ -1,5 +1,5 @@
-// Do toBlob and toHTML give the picture and the scene as they are now? Sizes in pixels; pictures are decoded PNGs or, for
-// JPEG, what the browser reads back.
+// Do toBlob and toHTML give the picture and the scene as they are now? Sizes in pixels; pictures are decoded PNGs or,
+// for JPEG, what the browser reads back.
 
 import type { Locator } from '@playwright/test';
 import { allReady, compare, expect, pixels, test, type Picture } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Does the canvas follow the element's size and the screen's pixels exactly, also while they change? Canvas sizes are in device pixels,
-// everything else in CSS pixels.
+// Does the canvas follow the element's size and the screen's pixels exactly, also while they change? Canvas sizes are
+// in device pixels, everything else in CSS pixels.
 
 import type { Locator } from '@playwright/test';
 import { compare, expect, pixels, setPixelRatio, test } from '../../support/test.js';

@@ -1,5 +1,5 @@
-// Pages under Trusted Types: everything works where Lit's policy is allowed, and one sentence says so where it is not. The page's own
-// script avoids the sinks too.
+// Pages under Trusted Types: everything works where Lit's policy is allowed, and one sentence says so where it is not.
+// The page's own script avoids the sinks too.
 
 import type { Page } from '@playwright/test';
 import { usages } from '../../package/requests.js';
@@ -14,7 +14,8 @@ test('panel, models, Draco, messages and copied HTML work under trusted-types li
   consoleGuard,
 }) => {
   consoleGuard.allow(/404/, 1);
-  // No worker starts without a policy of its own, and the browser reports the attempt. Draco is then decoded on the main thread.
+  // No worker starts without a policy of its own, and the browser reports the attempt. Draco is then decoded on the
+  // main thread.
   consoleGuard.allow(/requires 'TrustedScriptURL'/, 1);
   consoleGuard.allow(/requires 'TrustedHTML'/, 1);
   consoleGuard.allow(/refused trusted-types-sink/, 2);

@@ -1,4 +1,5 @@
-// Does a page with many viewers cost no more than its visible part? One context, one frame, copies of changed pictures, bounded pixels.
+// Does a page with many viewers cost no more than its visible part? One context, one frame, copies of changed pictures,
+// bounded pixels.
 
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
 import { countEverything, countsOf, NOTHING, spentBetween, spentIn } from '../support/counting.js';

@@ -1,4 +1,5 @@
-// Do a light's folder and its element agree? Each row writes the element, and each write to the element shows in the row.
+// Do a light's folder and its element agree? Each row writes the element, and each write to the element shows in the
+// row.
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';

@@ -1,4 +1,5 @@
-// Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom, with long words, from right to left?
+// Is the panel legible and reachable in light and dark pages, as a sheet on phones, at 200 % zoom, with long words,
+// from right to left?
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';

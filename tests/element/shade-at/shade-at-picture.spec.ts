@@ -1,4 +1,5 @@
-// Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of toBlob, in 8-bit codes.
+// Does shadeAt explain the drawn colours? Compares fragments inside triangles with the pixels of toBlob, in 8-bit
+// codes.
 
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
@@ -10,8 +11,8 @@ import { assign, cameraOf, type PhongViewer, settled } from '../support/viewer.j
 
 const SIZE = { width: 160, height: 120 };
 /**
- * The rasteriser snaps vertices to sixteenths of a pixel. So near a cone's edge or a light's horizon, in radians, a pixel
- * may be on either side; and where colours change by more than these codes a pixel, it may be another one's.
+ * The rasteriser snaps vertices to sixteenths of a pixel. So near a cone's edge or a light's horizon, in radians, a
+ * pixel may be on either side; and where colours change by more than these codes a pixel, it may be another one's.
  */
 const EDGE = 3e-3;
 const STEEP = 8;

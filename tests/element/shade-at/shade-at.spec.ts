@@ -16,7 +16,9 @@ const DECAY = ((HALF + 1) / 2) ** 2;
 const DIFFUSE = 0.2 * (0.4 * HALF + DECAY / 3 + 0.4);
 const OTHER_TERMS = DIFFUSE + 0.4 * (0.5 + DECAY / 3 + 0.2);
 
-/** A floor seen from straight above by an eye 3 over it: its middle is the world's origin, plus `at` along each axis. */
+/**
+ * A floor seen from straight above by an eye 3 over it: its middle is the world's origin, plus `at` along each axis.
+ */
 const floor = (lights = '', attributes = '', at = 0): string =>
   `<phong-viewer theta="0" phi="0" radius="3" target="${at} ${at} ${at}" fov="40" ${attributes}>
      <phong-mesh name="floor" geometry="plane" position="${at} ${at} ${at}" scale="2" ka="255 204 0" kd="51" ks="102" shininess="2"></phong-mesh>

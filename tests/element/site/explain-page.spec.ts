@@ -1,5 +1,5 @@
-// Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse, finger or keyboard point? Served under
-// the strict policy. Places are CSS pixels in the picture.
+// Does the demo's page about one fragment show what shadeAt and the picture give, wherever mouse, finger or keyboard
+// point? Served under the strict policy. Places are CSS pixels in the picture.
 
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';

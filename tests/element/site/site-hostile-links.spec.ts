@@ -1,5 +1,5 @@
-// Can a link to the playground do more than show a scene? Links made by someone who wants to run script, restyle the page,
-// reach another host or freeze the tab.
+// Can a link to the playground do more than show a scene? Links made by someone who wants to run script, restyle the
+// page, reach another host or freeze the tab.
 
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -55,8 +55,8 @@ const HOSTILE: Readonly<Record<string, (alt: string) => string>> = {
 };
 
 /**
- * Chromium applies the page's policy to documents that DOMParser makes, though nothing in them can run, and reports what it
- * refuses there.
+ * Chromium applies the page's policy to documents that DOMParser makes, though nothing in them can run, and reports
+ * what it refuses there.
  */
 const REPORTED = /\son\w+="|<style|\sstyle=|<base/;
 const REPORTS = /violates the following Content Security Policy directive|CSP report: (script|style|base)-/;
@@ -91,7 +91,10 @@ async function harm(page: Page): Promise<string[]> {
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
 
-/** On a new page in a release run; otherwise the open playground follows the changed address, as it does for a link in a message. */
+/**
+ * On a new page in a release run; otherwise the open playground follows the changed address, as it does for a link in a
+ * message.
+ */
 async function openLink(page: Page, link: string): Promise<void> {
   if (release) await page.goto('about:blank');
   await page.goto(`/demo/${link}`);

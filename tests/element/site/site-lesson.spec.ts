@@ -1,4 +1,5 @@
-// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons, behave as their captions say?
+// Do the figures of the article, and of the guide page about helpers, views, probe and comparisons, behave as their
+// captions say?
 
 import type { Locator, Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';

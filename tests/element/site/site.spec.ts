@@ -1,5 +1,6 @@
-// Is every page of the site fit for publication? An empty console, a policy, a link to the package, a layout for phones, no problem found by
-// axe, pictures as before, and data for search engines and link previews. One load of each page serves all of these.
+// Is every page of the site fit for publication? An empty console, a policy, a link to the package, a layout for
+// phones, no problem found by axe, pictures as before, and data for search engines and link previews. One load of each
+// page serves all of these.
 
 import { axeOn } from '../../support/axe.js';
 import type { APIRequestContext, Page } from '@playwright/test';

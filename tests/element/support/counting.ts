@@ -1,5 +1,5 @@
-// Counts what a page does and holds: frames, timers, WebGL calls, listeners, GPU objects. Wraps the browser's functions before any
-// script runs. Playwright's own waiting happens outside the page.
+// Counts what a page does and holds: frames, timers, WebGL calls, listeners, GPU objects. Wraps the browser's functions
+// before any script runs. Playwright's own waiting happens outside the page.
 
 import type { Page } from '@playwright/test';
 

@@ -1,5 +1,5 @@
-// Counts what a page sends to WebGL: draws, uploads and their bytes, programs and their text. Wraps all functions before any script
-// runs, and can impose limits that this machine does not have.
+// Counts what a page sends to WebGL: draws, uploads and their bytes, programs and their text. Wraps all functions
+// before any script runs, and can impose limits that this machine does not have.
 
 import type { Page } from '@playwright/test';
 

@@ -1,5 +1,5 @@
-// A page that draws with `phong-viewer/core` in plain three.js, driven by tests/visual/core*.spec.ts. One view at a time: each step
-// changes it and draws some frames.
+// A page that draws with `phong-viewer/core` in plain three.js, driven by tests/visual/core*.spec.ts. One view at a
+// time: each step changes it and draws some frames.
 import {
   BoxGeometry,
   type BufferGeometry,

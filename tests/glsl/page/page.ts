@@ -1,6 +1,6 @@
-// A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from the address
-// (?cases=1000000&seed=1&driver=shipped&only=generic&checks=16384&chunks=unitOrZero&everyLight=1), a table to look at
-// and a report for whoever drives the page.
+// A page that tests itself, so that any browser on any driver can run it: the contract's categories, with numbers from
+// the address (?cases=1000000&seed=1&driver=shipped&only=generic&checks=16384&chunks=unitOrZero&everyLight=1), a table
+// to look at and a report for whoever drives the page.
 import { CATEGORIES } from '../../stress/categories.js';
 import { BRANCHES, CONE_EDGE, EXACT } from '../../stress/contract.js';
 import { type Measured, mergeMeasured } from '../../stress/measure.js';
