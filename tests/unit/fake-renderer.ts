@@ -34,6 +34,8 @@ export class FakeRenderer {
   /** Materials whose programs were compiled, and of these the ones that were disposed of. */
   readonly compiled: Material[] = [];
   readonly disposed: Material[] = [];
+  /** Programs whose shaders were deleted by hand. */
+  readonly withoutShaders: object[] = [];
   readonly #device: FakeDevice;
   /** The unpack settings, which an upload must set for itself. */
   readonly unpack = new Map<number, number | boolean>();
@@ -63,7 +65,9 @@ export class FakeRenderer {
       getParameter: (what: number) => (what === 7 ? name : uniformVectors),
       getProgramParameter: () => this.links,
       getProgramInfoLog: () => 'broken by hand',
-      getAttachedShaders: () => [],
+      getAttachedShaders: (program: object) => [{ of: program }],
+      getShaderInfoLog: () => '',
+      deleteShader: ({ of }: { of: object }) => this.withoutShaders.push(of),
       isContextLost: () => false,
       ...{ TEXTURE_2D: 1, RGBA: 2, FLOAT: 3, UNPACK_FLIP_Y_WEBGL: 4 },
       ...{ UNPACK_PREMULTIPLY_ALPHA_WEBGL: 5, UNPACK_ALIGNMENT: 6 },

@@ -131,6 +131,15 @@ describe('the programs of a page', () => {
     expect(gpu.disposed).toHaveLength(2);
     expect(settle(['a', 'b'])).toBeGreaterThan(20);
   });
+
+  it('are freed with their shaders where they were never drawn: three.js deletes these with the first draw', () => {
+    settle(['a']);
+    gpu.ready = false;
+    draw(30, ['a', 'b']);
+    cache.dispose();
+    const [, undrawn] = gpu.compiled;
+    expect(gpu.withoutShaders).toStrictEqual([undrawn]);
+  });
 });
 
 describe('a program that does not link', () => {

@@ -168,7 +168,17 @@ export const variantParameters = ({ defines, vertexShader, fragmentShader }: Var
 });
 
 function disposeOf({ state }: Entry): void {
-  if ('probe' in state) state.probe.material.dispose();
+  if (!('probe' in state)) return;
+  // three.js deletes shaders with the first draw.
+  if (state.name !== 'specialised') deleteShaders(state.probe);
+  state.probe.material.dispose();
+}
+
+function deleteShaders(probe: Probe): void {
+  const gl = probe.renderer.getContext();
+  const program = programOf(probe)?.program;
+  if (program === undefined) return;
+  for (const shader of gl.getAttachedShaders(program) ?? []) gl.deleteShader(shader);
 }
 
 /** three.js's types leave these out. */

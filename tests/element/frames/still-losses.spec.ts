@@ -42,13 +42,13 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     ['alone', ''],
     ['beside another', viewerOf(16)],
   ] as const) {
-    const viewer = await mount(viewerOf(64) + other, size);
+    const viewer = await mount(viewerOf(256) + other, size);
     const before = await pixels(viewer);
     const samples = (): Promise<number> => viewer.evaluate((element: PhongViewer) => element.stats.samples);
     const notice = viewer.locator('[part=notice]');
     await assign(viewer, { theta: 31 });
     await assign(viewer, { theta: 30 });
-    await expect.poll(samples).toBe(16);
+    await expect.poll(samples).toBeGreaterThan(0);
     const rolling = await film(viewer);
     await lose();
     await expect(notice).toHaveCount(1);
@@ -62,18 +62,22 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     await restore();
     await expect(notice).toHaveCount(0);
     await allReady(page);
-    expect(await samples(), `${what}, restored`).toBe(64);
+    expect(await samples(), `${what}, restored`).toBe(256);
     await nextFrame(page);
     const frames = await rolling.stop();
     const [first] = frames;
+    let reported = false;
     for (const [i, { mean, samples: count }] of frames.entries()) {
       const which = `${what}, frame ${String(i)} of ${String(frames.length)} with ${String(count)} samples`;
       // A lone picture is the context's own canvas, which the browser empties.
       const isEmpty = what === 'alone' && mean.every((code) => code === 0);
       if (!isEmpty)
         mean.forEach((code, k) => expect(Math.abs(code - first!.mean[k]!), which).toBeLessThan(0.5));
-      if (isEmpty) expect(count, which).toBe(0);
+      // The browser empties the canvas before it reports the loss.
+      reported ||= isEmpty && count === 0;
+      if (isEmpty && reported) expect(count, which).toBe(0);
     }
+    expect(reported, what).toBe(what === 'alone');
     expect(compare(await pixels(viewer), before).max, what).toBe(0);
     await nextFrame(page);
     expect(await spentIn(page, 200), what).toEqual(NOTHING);
