@@ -272,7 +272,8 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (!this.#visibility.connected) return true;
     if (this.#loading.pending || this.#extras.pending !== null) return false;
     const { viewport } = this.#context;
-    return !viewport.drawable || (viewport.upToDate && !viewport.levels.pending && !viewport.converging);
+    const converging = viewport.converging && !this.#camera.moving;
+    return !viewport.drawable || (viewport.upToDate && !viewport.levels.pending && !converging);
   }
 }
 

@@ -144,9 +144,9 @@ export class Viewport implements StageClient, Framed {
     this.invalidate();
   }
 
-  /** The picture stands still and is not yet what it will be. */
+  /** While nothing moves, the picture gets more samples. */
   get converging(): boolean {
-    return !this.#moving && this.#still.pending;
+    return this.#still.pending;
   }
 
   /** How target and radius are found; null leaves them where the user put them. */

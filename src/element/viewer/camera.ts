@@ -188,9 +188,14 @@ export class ViewerCamera implements ReactiveController {
     return this.#input?.dragging === true;
   }
 
+  /** Something moves by itself. */
+  get moving(): boolean {
+    return this.turning || (this.mayMove && this.#context.viewport.animations.playing);
+  }
+
   readonly #startMotion = (): void => {
     const { viewport } = this.#context;
-    if (this.turning || (this.mayMove && viewport.animations.playing)) viewport.animate();
+    if (this.moving) viewport.animate();
   };
 
   /** Fits at once. Unlike the viewport's own `settle` it reports no move: the caller does. */

@@ -108,8 +108,12 @@ test('a picture that is taken away in the middle converges when it is back', asy
   await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 90));
   await expect.poll(() => samplesOf(viewer), 'a turning camera').toBe(0);
   await viewer.evaluate((element: PhongViewer) => element.ready);
-  await viewer.evaluate((element: PhongViewer) => (element.autoRotate = 0));
-  await converged(viewer);
+  const stopped = await viewer.evaluate(async (element: PhongViewer) => {
+    element.autoRotate = 0;
+    await element.ready;
+    return element.stats.samples;
+  });
+  expect(stopped, 'ready in the task that stops it').toBe(16);
 });
 
 /** Contexts of the page lack these extensions. */
