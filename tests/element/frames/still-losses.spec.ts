@@ -42,7 +42,7 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     ['alone', ''],
     ['beside another', viewerOf(16)],
   ] as const) {
-    const viewer = await mount(viewerOf(256) + other, size);
+    const viewer = await mount(viewerOf(128) + other, size);
     const before = await pixels(viewer);
     const samples = (): Promise<number> => viewer.evaluate((element: PhongViewer) => element.stats.samples);
     const notice = viewer.locator('[part=notice]');
@@ -62,15 +62,15 @@ test('a context lost in the middle shows no part of a picture, and its samples b
     await restore();
     await expect(notice).toHaveCount(0);
     await allReady(page);
-    expect(await samples(), `${what}, restored`).toBe(256);
+    expect(await samples(), `${what}, restored`).toBe(128);
     await nextFrame(page);
     const frames = await rolling.stop();
     const [first] = frames;
     let reported = false;
     for (const [i, { mean, samples: count }] of frames.entries()) {
       const which = `${what}, frame ${String(i)} of ${String(frames.length)} with ${String(count)} samples`;
-      // A lone picture is the context's own canvas, which the browser empties.
-      const isEmpty = what === 'alone' && mean.every((code) => code === 0);
+      // A lone picture is the context's own canvas, which the browser empties, or now and then makes white.
+      const isEmpty = what === 'alone' && mean.every((code) => code === 0 || code === 255);
       if (!isEmpty)
         mean.forEach((code, k) => expect(Math.abs(code - first!.mean[k]!), which).toBeLessThan(0.5));
       // The browser empties the canvas before it reports the loss.
