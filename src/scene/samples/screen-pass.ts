@@ -42,9 +42,7 @@ export class ScreenPass {
   readonly #mesh: Mesh<BufferGeometry, RawShaderMaterial>;
   readonly #camera = new Camera();
 
-  /**
-   * `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at `at`.
-   */
+  /** `body`: GLSL statements that set `color` from `texel`, both vec4. They may read `uLayers` at `at`. */
   constructor(body: string) {
     const geometry = new BufferGeometry();
     geometry.setAttribute(

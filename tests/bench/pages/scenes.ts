@@ -141,6 +141,13 @@ const box = (lights: number, motion: Motion): Scene => ({
   radius: 2,
 });
 
+const twoThousand = (shape: SceneMesh['shape'], lights: number): Scene => ({
+  lights: mixedLights(lights, 40),
+  meshes: grid([20, 10, 10], 1, shape, 0.6),
+  radius: 24,
+  motion: 'camera',
+});
+
 /** By name; a number in the name is the number of lights. */
 export function sceneOf(name: string): Scene {
   const [kind = '', count = ''] = name.split(':');
@@ -179,20 +186,10 @@ export function sceneOf(name: string): Scene {
         motion: 'camera',
       };
     case 'boxes':
-      return {
-        lights: mixedLights(lights, 40),
-        meshes: grid([20, 10, 10], 1, 'box', 0.6),
-        radius: 24,
-        motion: 'camera',
-      };
+      return twoThousand('box', lights);
     case 'two-thousand-spheres':
-      return {
-        lights: mixedLights(lights, 40),
-        meshes: grid([20, 10, 10], 1, 'sphere', 0.6),
-        radius: 24,
-        motion: 'camera',
-        segments: 16, // as `auto` chooses on so small a canvas
-      };
+      // As many segments as `auto` chooses on so small a canvas.
+      return { ...twoThousand('sphere', lights), segments: 16 };
     case 'box-turning':
       return box(lights, 'camera');
     case 'box-moving':
