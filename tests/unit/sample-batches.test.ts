@@ -116,6 +116,52 @@ describe('batches of samples', () => {
     expect(sizes(new Gpu(), 4, 3)).toEqual([1, 2, 3, 3]);
   });
 
+  it('follow each other between animation frames, and leave no timer behind', () => {
+    const gpu = new Gpu();
+    const drawn: [time: number, count: number][] = [];
+    const start = performance.now();
+    let left = 63;
+    const send = (): void => {
+      if (!batches.ended) return;
+      let count = 0;
+      batches.send(left, () => {
+        gpu.draw();
+        count += 1;
+      });
+      left -= count;
+      drawn.push([performance.now() - start, count]);
+    };
+    const batches = new Batches(gpu.gl, () => {
+      if (left > 0) send();
+    });
+    send();
+    const frames = setInterval(() => {
+      if (left > 0) send();
+    }, 16);
+    vi.advanceTimersByTime(200);
+    clearInterval(frames);
+    expect(left).toBe(0);
+    const [last] = drawn.at(-1)!;
+    expect(last, `63 ms of drawing: ${JSON.stringify(drawn)}`).toBeLessThan(90);
+    expect(vi.getTimerCount()).toBe(0);
+    left = 1;
+    send();
+    batches.cancel();
+    expect(vi.getTimerCount()).toBe(0);
+  });
+
+  it('do not ask for the next one after a late one: that begins in an animation frame', () => {
+    const gpu = new Gpu();
+    gpu.cost = 9;
+    const next = vi.fn();
+    new Batches(gpu.gl, next).send(1, () => {
+      gpu.draw();
+    });
+    vi.advanceTimersByTime(100);
+    expect(next).not.toHaveBeenCalled();
+    expect(vi.getTimerCount()).toBe(0);
+  });
+
   it('end where the script alone takes 8 ms', () => {
     const gpu = new Gpu();
     const batches = new Batches(gpu.gl);

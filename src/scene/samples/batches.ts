@@ -1,7 +1,10 @@
 // How many samples are drawn at once: as many as the GPU finishes in 8 ms, so that input and the page's own frames
-// never wait longer for them. A batch begins in an animation frame, and the next one after it has ended.
+// never wait longer for them. One batch is drawn after the other: a small one ends long before the next animation frame.
 
 const BATCH_MS = 8;
+
+/** Time from one look at the GPU to the next. Browsers call timers of timers no sooner. */
+const LOOK_MS = 4;
 
 /**
  * Batches in time, one after the other, until more than the last limit is tried again: a late one may have waited for
@@ -11,6 +14,7 @@ const IN_TIME = 8;
 
 export class Batches {
   readonly #gl: WebGL2RenderingContext;
+  readonly #next: (() => void) | undefined;
   #size = 1;
   /** Larger batches took too long lately. */
   #most = Infinity;
@@ -22,8 +26,10 @@ export class Batches {
   /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
   #quick: boolean | null = null;
 
-  constructor(gl: WebGL2RenderingContext) {
+  /** `next`: a batch has ended within 8 ms; another one may be sent. */
+  constructor(gl: WebGL2RenderingContext, next?: () => void) {
     this.#gl = gl;
+    this.#next = next;
   }
 
   /** Samples of the next batch. */
@@ -60,9 +66,7 @@ export class Batches {
     this.#quick = null;
     this.#fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
     gl.flush();
-    this.#timer = window.setTimeout(() => {
-      if (performance.now() - start < 2 * BATCH_MS) this.#quick = this.#signalled;
-    }, BATCH_MS);
+    this.#look();
   }
 
   /** Forgets a batch that may not have ended. */
@@ -70,6 +74,24 @@ export class Batches {
     clearTimeout(this.#timer);
     if (this.#fence !== null) this.#gl.deleteSync(this.#fence);
     this.#fence = null;
+  }
+
+  #look(): void {
+    // Timers may be a fraction of a millisecond early.
+    const left = Math.ceil(this.#start + BATCH_MS - performance.now()) + 1;
+    this.#timer = window.setTimeout(
+      () => {
+        const elapsed = performance.now() - this.#start;
+        const signalled = this.#signalled;
+        if (!signalled && elapsed < BATCH_MS) {
+          this.#look();
+          return;
+        }
+        if (elapsed < 2 * BATCH_MS) this.#quick = signalled;
+        if (signalled) this.#next?.();
+      },
+      Math.max(0, Math.min(LOOK_MS, left)),
+    );
   }
 
   #grow(): void {

@@ -147,6 +147,19 @@ export class ConvergingPicture {
     copyPart(renderer, this.#picture!.texture, part ?? { x: 0, y: 0, width, height }, height);
   }
 
+  /** Between two animation frames: draws the next batch, unless the page will show something after it. */
+  readonly #goOn = (): void => {
+    const { batches, sum, nextShown } = this.#run!;
+    // A batch that has ended may let the next one grow.
+    if (!batches.ended || sum.count + batches.size >= Math.min(nextShown, this.#wanted)) return;
+    try {
+      if (!stage.drawAside(this.#draw)) this.pause();
+    } catch (error) {
+      this.#fail();
+      throw error;
+    }
+  };
+
   readonly #draw = (renderer: WebGLRenderer): void => {
     const run = (this.#run ??= this.#begin(renderer));
     if (run === null) this.#fail();
@@ -175,7 +188,7 @@ export class ConvergingPicture {
     const tiles = tilesOf({ width, height }, MOST_SUMMED);
     const sum = sumOf(renderer);
     if (!sum.begin(tiles[0]!)) return null;
-    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext);
+    const batches = new Batches(renderer.getContext() as WebGL2RenderingContext, this.#goOn);
     return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };
   }
 

@@ -59,6 +59,8 @@ export class SampleSum {
       if (gl.checkFramebufferStatus(gl.FRAMEBUFFER) !== gl.FRAMEBUFFER_COMPLETE) return false;
     }
     clear(renderer, this.#targets.sum);
+    // Drivers allocate with the first use: better now than in a later batch, which would be late.
+    clear(renderer, this.#targets.spare);
     return true;
   }
 

@@ -196,7 +196,10 @@ test('on a slow machine each input shows the plain picture in its next frame, an
     let drawn = 0;
     wrap('drawElements', () => (drawn += 1)); // the shape: once for each sample
     // Each batch ends with one.
-    wrap('fenceSync', () => log.push(`batch of ${String(drawn)}`));
+    wrap('fenceSync', () => {
+      log.push(`batch of ${String(drawn)}`);
+      drawn = 0;
+    });
     wrap('deleteSync', () => log.push('ended'));
     addEventListener('pointermove', ({ buttons }) => buttons > 0 && log.push('input'), true);
     for (const type of ['wheel', 'keydown']) addEventListener(type, () => log.push('input'), true);
