@@ -12,7 +12,7 @@ import { measureFront } from './measure/front.mjs';
 import { measureFrames, measureScript } from './measure/frames.mjs';
 import { measureModel } from './measure/model.mjs';
 import { measurePicture } from './measure/pictures.mjs';
-import { measureBytes, measureConnect, measureViewers } from './measure/page.mjs';
+import { measureBytes, measureConnect, measureStill, measureViewers } from './measure/page.mjs';
 import { measureStart } from './measure/start.mjs';
 import { readOptions } from './options.mjs';
 import { pictureTime, RMSE } from './pictures.mjs';
@@ -163,6 +163,8 @@ async function measure(lab, name, launch, result, size) {
       return measureViewers(lab, { ...options, rounds: 1 });
     case 'connect':
       return measureConnect(lab, { ...options, rounds: 1 });
+    case 'still':
+      return measureStill(lab, subject, options);
     case 'bytes':
       if (launch === 0) measureBytes(lab, options);
       return;

@@ -32,9 +32,13 @@ import { MODELS } from './models.mjs';
  * @property {import('./pages/picture-scenes.js').PictureName} scene
  * @property {boolean} round it is compared with its round shape too
  *
+ * @typedef {object} StillSubject from a change to the picture of 64 samples, on a page that draws in its own animation frames
+ * @property {'still'} kind
+ * @property {string} geometry
+ *
  * @typedef {{ kind: 'viewers' } | { kind: 'connect' } | { kind: 'bytes' }} SingleSubject
  * @typedef {{ kind: 'front', front: string }} FrontSubject
- * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject | SingleSubject | FrontSubject} Subject
+ * @typedef {FrameSubject | ScriptSubject | StartSubject | ModelSubject | PictureSubject | StillSubject | SingleSubject | FrontSubject} Subject
  */
 
 /** @type {readonly SideName[]} */
@@ -133,6 +137,8 @@ export const SUBJECTS = {
       /** @type {PictureSubject} */ ({ kind: 'picture', scene, round }),
     ]),
   ),
+  'still sphere': { kind: 'still', geometry: 'sphere' },
+  'still teapot': { kind: 'still', geometry: 'teapot' },
   bytes: { kind: 'bytes' },
   'front, 8 lights': { kind: 'front', front: '8 lights' },
   'front, shininess 1,000': { kind: 'front', front: 'shininess 1000' },

@@ -1,5 +1,6 @@
 // @ts-check
-// Measures of whole pages: the frame rate of many viewers against one, connecting many lights, and bytes to download.
+// Measures of whole pages: the frame rate of many viewers against one, connecting many lights, a still picture's samples, and
+// bytes to download.
 
 import { builtFrom } from '../build.mjs';
 import { openPage } from '../browser.mjs';
@@ -9,6 +10,8 @@ import { openPage } from '../browser.mjs';
 const RATE_MS = 2000;
 const WARM = { frames: 60, atMost: 24_000 };
 const LIGHTS = 5000;
+/** Changes until the code is there, and the levels of round shapes. */
+const WARM_CHANGES = 2;
 
 /** Pictures a second, 60 at most, of twenty turning viewers and of one with as many pixels, on pages of one size. @param {import('../browser.mjs').Lab} lab @param {Options} options */
 export async function measureViewers(lab, { size, rounds, add }) {
@@ -42,6 +45,41 @@ export async function measureConnect(lab, { rounds, add }) {
     check();
     await page.close();
   }
+}
+
+/**
+ * The time from a change to the converged picture of `antialias="full"`, with the page's own animation frames, and to the plain one.
+ * @param {import('../browser.mjs').Lab} lab @param {import('../subjects.mjs').StillSubject} subject @param {Options} options
+ */
+export async function measureStill(lab, { geometry }, { size, rounds, add }) {
+  const browser = await lab.launch();
+  const { page, check } = await openPage(browser, `${lab.origin}/start-standalone.html`, size);
+  await page.evaluate((shape) => {
+    const viewer = document.querySelector('phong-viewer');
+    if (viewer === null) throw new Error('no viewer');
+    Object.assign(document.body.style, { margin: '0' });
+    Object.assign(viewer.style, { width: '100vw', height: '100vh' });
+    viewer.setAttribute('geometry', shape);
+  }, geometry);
+  /** @param {'full' | 'edges'} antialias */
+  const time = (antialias) =>
+    page.evaluate(async (mode) => {
+      const viewer = /** @type {import('../pages/element-side.js').Viewer} */ (
+        document.querySelector('phong-viewer')
+      );
+      viewer.antialias = mode;
+      await viewer.ready;
+      await new Promise((resolve) => setTimeout(resolve, 100));
+      const start = performance.now();
+      viewer.theta += 1;
+      await viewer.ready;
+      return performance.now() - start;
+    }, antialias);
+  for (let round = -WARM_CHANGES; round < rounds; round++) {
+    const values = { 'full, 64 samples': await time('full'), edges: await time('edges') };
+    if (round >= 0) add('change to picture', 'ms', values);
+  }
+  check();
 }
 
 /** Brotli sizes. @param {import('../browser.mjs').Lab} lab @param {Options} options */
