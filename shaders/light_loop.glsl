@@ -4,9 +4,8 @@
 // `features` is a sum of FEATURE_… bits: the code that lights need. It is a literal at every call, so compilers drop
 // the rest. By default there is a loop for each kind of light, with the number of turns read from the header and the
 // features of everything declared: DECLARED_FEATURES, an integer literal. LIGHT_STATEMENTS, where it is defined,
-// replaces the loops: a specialised program's statements. Call lightSums in uniform control flow with
-// FILTER_HIGHLIGHTS: it uses dFdx and dFdy. Nothing branches on a fragment: measured, that is 0.8 of the time in
-// software and as fast on a GPU.
+// replaces the loops: a specialised program's statements. Nothing branches on a fragment: measured, that is 0.8 of
+// the time in software and as fast on a GPU.
 
 /** Σ Ia·decay, Σ Id·att·NoL·decay and Σ Is·att·spec·decay, before the material. */
 struct LightSums {
@@ -34,13 +33,6 @@ struct LightSums {
 #define SPOT_FEATURES DECLARED_FEATURES
 #endif
 
-/** The view as the specular lobe takes it; see the lobes. */
-#ifdef FILTER_HIGHLIGHTS
-#define LOBE_VIEW PixelView
-#else
-#define LOBE_VIEW vec3
-#endif
-
 bool has(int features, int bit) {
   return (features & bit) != 0;
 }
@@ -52,7 +44,7 @@ void addColor(inout vec3 sum, inout float grey, vec3 color, float amount, bool t
 }
 
 /** Adds one light's diffuse and specular terms times `factor`. L unit, or zero where there is no direction. */
-void addLobes(inout LightSums sums, vec3 N, LOBE_VIEW view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor, int features) {
+void addLobes(inout LightSums sums, vec3 N, vec3 view, vec3 L, float n, vec3 diffuse, vec3 specular, float factor, int features) {
   float NoL = dot(N, L);
   if (has(features, FEATURE_DIFFUSE)) {
     float amount = factor * diffuseLobe(NoL);
@@ -74,32 +66,29 @@ vec3 towardLight(vec3 position, vec3 p, out float d, out float squared) {
 }
 
 /** Adds the directional light whose first row is `row`. All three functions take the same arguments. */
-void addDirectional(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, float n, int features) {
+void addDirectional(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
   vec3 L = lightRow(row + DIRECTIONAL_DIRECTION).xyz;
   addLobes(sums, N, view, L, n, lightRow(row + DIRECTIONAL_DIFFUSE).rgb, lightRow(row + DIRECTIONAL_SPECULAR).rgb, 1.0, features);
 }
 
 /** Adds a positional light's lobes; `factor` is what its cone leaves. */
-void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, LOBE_VIEW view, float n, float factor, int features) {
+void addAttenuated(inout LightSums sums, int row, vec3 L, float d, float squared, vec3 N, vec3 view, float n, float factor, int features) {
   vec4 diffuse = lightRow(row + POINT_DIFFUSE);
   vec4 specular = lightRow(row + POINT_SPECULAR);
   if (has(features, FEATURE_ATTENUATED)) {
     vec3 k = vec3(lightRow(row + POINT_POSITION).w, diffuse.w, specular.w);
     factor *= attenuation(k, d, squared, features);
   }
-#ifdef FILTER_HIGHLIGHTS
-  view = pixelViewNear(view, L, d, n);
-#endif
   addLobes(sums, N, view, L, n, diffuse.rgb, specular.rgb, factor, features);
 }
 
-void addPoint(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, float n, int features) {
+void addPoint(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
   float d, squared;
   vec3 L = towardLight(lightRow(row + POINT_POSITION).xyz, p, d, squared);
   addAttenuated(sums, row, L, d, squared, N, view, n, 1.0, features);
 }
 
-void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, LOBE_VIEW view, float n, int features) {
+void addSpot(inout LightSums sums, int row, vec3 p, vec3 N, vec3 view, float n, int features) {
   float d, squared;
   vec3 L = towardLight(lightRow(row + SPOT_POSITION).xyz, p, d, squared);
   vec4 axis = lightRow(row + SPOT_AXIS);
@@ -126,11 +115,7 @@ LightSums lightSums(vec3 p, vec3 N, vec3 V, float n) {
 #if (DECLARED_FEATURES & FEATURE_AMBIENT) != 0
   sums.ambient = lightRow(HEADER_AMBIENT).rgb;
 #endif
-#ifdef FILTER_HIGHLIGHTS
-  LOBE_VIEW view = pixelView(p, N, V, n);
-#else
-  LOBE_VIEW view = specularView(N, V);
-#endif
+  vec3 view = specularView(N, V);
 #ifdef LIGHT_STATEMENTS
   LIGHT_STATEMENTS
 #else

@@ -90,11 +90,7 @@ vec4 baseColor() {
 void main() {
   vec4 base = baseColor();
 #ifdef HAS_ALPHA_MASK
-#ifdef FILTER_HIGHLIGHTS
-  bool masked = base.a < uAlphaCutoff; // discarded at the end: neighbours use this fragment's derivatives
-#else
   if (base.a < uAlphaCutoff) discard;
-#endif
 #endif
 #ifndef IS_BLENDED
   base.a = 1.0;
@@ -142,12 +138,8 @@ void main() {
   vec3 normal = vNormal;
 #endif
   normal = gl_FrontFacing ? normal : -normal;
-#ifdef FILTER_HIGHLIGHTS
-  vec3 color = surfaceColor(vPosition, normal, uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
-#else
   // Interpolated between unit vectors: shorter, and zero where they cancel.
   vec3 color = unitSurfaceColor(vPosition, unitInRange(normal), uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
-#endif
 #endif
 #endif
 #ifdef HAS_EMISSIVE
@@ -160,11 +152,6 @@ void main() {
 #endif
 #ifdef IS_LINEAR
   color = srgbEncode(color);
-#endif
-#ifdef FILTER_HIGHLIGHTS
-#ifdef HAS_ALPHA_MASK
-  if (masked) discard;
-#endif
 #endif
   outColor = vec4(nearestCode(color) * base.a, base.a);
 }

@@ -12,7 +12,6 @@ vec3 specularView(vec3 N, vec3 V) {
   return V;
 }
 
-#ifndef FILTER_HIGHLIGHTS
 /** max(dot(N, H), 0)^n with H = (L + V)/|L + V|. N, L, V unit (V may be zero); NoL > 0. */
 float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   // Where light and eye are almost opposite the sum is short, and errors of the two lengths are most of it.
@@ -30,4 +29,3 @@ float specularLobe(vec3 N, vec3 L, vec3 V, float n) {
   return powNearOne(hasHalf ? dot(N, H) : 0.0, y, n);
 #endif
 }
-#endif

@@ -8,7 +8,6 @@ vec3 mirroredView(vec3 N, vec3 V) {
   return 2.0 * dot(N, V) * N - V;
 }
 
-#ifndef FILTER_HIGHLIGHTS
 /** What the lobe compares L with: W. Without a view it is -N, which is behind every L with NoL > 0. */
 vec3 specularView(vec3 N, vec3 V) {
   return dot(V, V) > 0.5 ? mirroredView(N, V) : -N;
@@ -29,4 +28,3 @@ float specularLobe(vec3 N, vec3 L, vec3 W, float n) {
   return powNearOne(dot(L, W), y, n);
 #endif
 }
-#endif

@@ -1,8 +1,5 @@
 // The whole equation at one point of a surface. Needs guard and light_loop.
 
-#ifdef FILTER_HIGHLIGHTS
-const float FARTHEST = 1e18;
-#endif
 
 /**
  * The colour at point p before clamping: Ka·ΣIa·decay + Kd·ΣId·att·NoL·decay + Ks·ΣIs·att·spec·decay. Everything in
@@ -15,11 +12,5 @@ vec3 unitSurfaceColor(vec3 p, vec3 N, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float
 
 /** The same for a normal of any length; zero leaves ambient light only. */
 vec3 surfaceColor(vec3 p, vec3 normal, vec3 eye, vec3 ka, vec3 kd, vec3 ks, float n) {
-#ifdef FILTER_HIGHLIGHTS
-  // Derivatives use neighbouring fragments outside the triangle, where interpolation may divide by zero beyond the
-  // horizon. The limit is farther than any scene, and squares of differences stay finite.
-  p = clamp(p, -FARTHEST, FARTHEST);
-  normal = clamp(normal, -FARTHEST, FARTHEST);
-#endif
   return unitSurfaceColor(p, unitOrZero(normal), eye, ka, kd, ks, n);
 }

@@ -30,7 +30,6 @@ const STACKS: Readonly<Record<string, string>> = {
 /** Rows of the table, and what the reader sees of their names. */
 const ROWS: readonly (readonly [side: string, label: string])[] = [
   [PLAIN, 'plain picture'],
-  ['highlights', 'antialias="highlights"'],
   ...FULL.map((samples) => [full(samples), `antialias="full", ${String(samples)} samples`] as const),
   [MULTISAMPLED, MULTISAMPLED],
   ...SSAA.slice(-2).map((samples) => [ssaa(samples), `SSAARenderPass, ${String(samples)} samples`] as const),

@@ -94,7 +94,7 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    * Explains the fragment that the picture shows at `x`, `y`, in float64. `x` and `y` are CSS pixels from the picture's
    * top left corner, inside any border, like `offsetX` and `offsetY` of a pointer event on the viewer. The fragment is
    * the one at the centre of the device pixel there, or with `exact` the one at that very point, in the scene as it is
-   * at the call. Highlights are those of the equation, not averaged, whatever `antialias` says. Blended surfaces are
+   * at the call. Blended surfaces are
    * explained without what lies behind them. Textures are sampled without mipmaps. Null where nothing is hit, where an
    * object of your own in {@link scene} is nearest (its lines and points are ignored), and while the viewer has no box
    * on the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.

@@ -282,7 +282,7 @@ defineProperties(ViewerElement.prototype, VIEWER_FIELDS);
 export type PhongViewer = PublicViewer;
 export const PhongViewer: ViewerClass = ViewerElement;
 
-const STYLE_KEYS = ['shading', 'reflection', 'terms', 'antialias'] as const;
+const STYLE_KEYS = ['shading', 'reflection', 'terms'] as const;
 
 /** Passes the values that change the picture as a whole to the viewport. `changed`: the values that were written. */
 function applyStyle(
@@ -293,5 +293,5 @@ function applyStyle(
   viewport.fov = fov;
   viewport.linear = colorInterpolation === 'linear';
   viewport.samples = antialias === 'full' ? samples : 0;
-  if (STYLE_KEYS.some((key) => changed.has(key))) viewport.style = { shading, reflection, terms, antialias };
+  if (STYLE_KEYS.some((key) => changed.has(key))) viewport.style = { shading, reflection, terms };
 }

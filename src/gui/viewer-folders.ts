@@ -4,7 +4,7 @@ import { HELPERS, type ViewerValues } from '../element/fields/viewer-fields.js';
 import { fieldsOf, viewerCameras } from '../element/internals.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { cameraOf, historyOf } from '../element/viewer/history.js';
-import { ANTIALIASES, REFLECTIONS, SHADINGS, TERMS } from '../material/material-values.js';
+import { REFLECTIONS, SHADINGS, TERMS } from '../material/material-values.js';
 import { VIEWS } from '../material/views.js';
 import type { Say } from './label.js';
 import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';
@@ -73,7 +73,7 @@ export const VIEWER_ROWS = {
     reflection: oneOf('reflection', REFLECTIONS),
     terms: flags(TERMS, (term) => `${term} term`),
     colorInterpolation: oneOf('colour space', ['srgb', 'linear']),
-    antialias: oneOf('antialias', ANTIALIASES),
+    antialias: oneOf('antialias', ['edges', 'full']),
     samples: number('samples', linear(16, 1024, 1), 'Per pixel, with antialias full'),
   }),
   ...inFolder('Show', {

@@ -96,10 +96,6 @@ export type Findings = Counts & Pick<Judgement, 'sampled' | 'means' | 'suspects'
 
 /** Judges each pixel by one point of the equation, or where samples have been averaged by their mean. */
 export async function judgeInPage(viewer: PhongViewer, options: JudgeOptions): Promise<Judgement> {
-  if (viewer.antialias === 'highlights')
-    throw new Error(
-      'antialias="highlights" averages over a pixel, so single points of the equation are not shown',
-    );
   const before = JSON.stringify(viewer.camera);
   const picture = await pictureOf(viewer);
   const { width, height } = picture;

@@ -30,7 +30,6 @@ export const MULTISAMPLED = 'three.js, 4 samples';
 /** The lines of a chart. Passes have a second line, of the codes' averages. */
 export const SERIES = [
   { series: 'phong-viewer', sides: [PLAIN, ...FULL.map(full)] },
-  { series: 'highlights', sides: ['highlights'] },
   { series: 'SSAARenderPass', sides: SSAA.map(ssaa) },
   { series: TAA_PASS, sides: TAA.map(taa) },
   { series: MULTISAMPLED, sides: [MULTISAMPLED] },

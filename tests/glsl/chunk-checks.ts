@@ -4,7 +4,6 @@ import { ENCODING_GLSL, FACE_POINT_GLSL, LIGHT_LOOP_GLSL } from '../../src/mater
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
-import { FOOTPRINT_CHECKS } from './footprint-checks.js';
 import { FloatPass, type Held, type PassResult } from './float-pass.js';
 import { type Edit, edited } from './edit.js';
 import { gridCheck } from './grid-checks.js';
@@ -278,7 +277,7 @@ export function checkChunks(
     defines.map((define) => `#define ${define}\n`).join('') +
     rows +
     glsl;
-  const checks = [...CHECKS, ...specialisedChecks(everyLight), gridCheck(), ...FOOTPRINT_CHECKS]
+  const checks = [...CHECKS, ...specialisedChecks(everyLight), gridCheck()]
     .filter(({ title }) => title.startsWith(only))
     .map((check) =>
       runCheck(gl, { ...check, glsl: check.glsl + spoiledBy(driver) }, source(check), seed, cases),

@@ -43,11 +43,6 @@ const uses: readonly Use[] = [
       viewer.evaluate((element: PhongViewer) => [element.toHTML(), element.camera, element.stats].length),
     chunks: [],
   },
-  {
-    what: 'highlights averaged over pixels',
-    use: set({ shading: 'phong', antialias: 'highlights' }),
-    chunks: [],
-  },
   { what: 'a sphere', use: set({ geometry: 'sphere' }), chunks: [] },
   { what: 'a torus', use: set({ geometry: 'torus' }), chunks: ['solids'] },
   { what: 'a pyramid', use: set({ geometry: 'pyramid' }), chunks: [] },

@@ -202,8 +202,7 @@ test.describe('toShowTheEquation', () => {
     expect(await refusal(fine)).toMatch(/^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/);
     const empty = await mount('<phong-viewer></phong-viewer>', SIZE);
     expect(await refusal(empty, { share: 0 })).toContain('The picture shows no surface.');
-    const averaged = await mount('<phong-viewer geometry="box" antialias="highlights"></phong-viewer>', SIZE);
-    expect(await refusal(averaged)).toContain('antialias="highlights" averages');
+    const averaged = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
     expect(await refusal(averaged, { codes: 0.5 })).toContain('codes must be a whole number');
     expect(await refusal(averaged, { outlineCodes: 256 })).toContain('outlineCodes must be a whole number');
     expect(await refusal(averaged, { share: 2 })).toContain('share must be from 0 to 1');

@@ -108,8 +108,7 @@ The largest error of each program that the viewer draws with, over the categorie
 number of lights; *counted*, *inlined* and *grid*: for exactly the lights at hand. \`SHININESS_IS_MILD\`: all exponents are at
 most 32. \`INTEGER_SHININESS\`: a whole exponent to 64, multiplied out. Without chords and narrow
 cones: no cone is within 15° of 0 or 180, and no cutoff below 1 or above 32. The harness reads at run time what these programs have as literals (feature masks, the
-exponent); the sums of such programs with their literals are under *Chunks alone*. Averaged highlights (\`FILTER_HIGHLIGHTS\`)
-are another law, and are there too.
+exponent); the sums of such programs with their literals are under *Chunks alone*.
 
 ${table(
   ['program', ...stacks.map(({ name }) => name), 'worst drivers'],

@@ -73,7 +73,7 @@ function resultOf(stack: string): BenchResult {
 
 /** Errors of the passes: 3 as shipped and 2 of codes with any number of samples. */
 function addPictures(result: BenchResult): void {
-  const ours = { [full(16)]: 1, [full(64)]: 0.5, [full(256)]: 0.4, highlights: 2.5 };
+  const ours = { [full(16)]: 1, [full(64)]: 0.5, [full(256)]: 0.4 };
   const theirs = [...SSAA.map(ssaa), ...TAA.map(taa)];
   const all = (error: (side: string) => number): Record<string, number> =>
     Object.fromEntries(theirs.map((side) => [side, error(side)]));
@@ -87,7 +87,7 @@ function addPictures(result: BenchResult): void {
     if (PICTURES[picture][1]) addSamples(result, subject, RMSE.round, 'codes', { ...ours, [PLAIN]: 3.8 });
     for (const ms of [10, 12])
       addSamples(result, subject, TIME, 'ms', {
-        ...{ [full(16)]: 8 * ms, [full(64)]: 20 * ms, [full(256)]: 70 * ms, highlights: 2 * ms },
+        ...{ [full(16)]: 8 * ms, [full(64)]: 20 * ms, [full(256)]: 70 * ms },
         ...{ [MULTISAMPLED]: ms, ...all((side) => ms * Number(side.split(', ')[1]) + ms), [PLAIN]: ms },
       });
   }

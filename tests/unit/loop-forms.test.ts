@@ -16,7 +16,6 @@ const ELSEWHERE: Readonly<Record<string, string>> = {
   POINT_FEATURES: 'what a form is',
   SPOT_FEATURES: 'what a form is',
   REFLECTION_BLINN_PHONG: 'categories name their reflections',
-  FILTER_HIGHLIGHTS: 'an average over the pixel is another law, with checks of its own',
 };
 
 describe('the stress run', () => {

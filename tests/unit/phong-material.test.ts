@@ -175,7 +175,7 @@ describe('a clone', () => {
     const map = new Texture();
     const material = new PhongMaterial(lighting, { ...PLAIN_LOOK, map, alphaMode: 'blend' });
     material.setSurface({ ka: [1, 2, 3], kd: [4, 5, 6], ks: [7, 8, 9], shininess: 70 });
-    material.setStyle({ shading: 'flat', terms: ['diffuse'], antialias: 'highlights' });
+    material.setStyle({ shading: 'flat', terms: ['diffuse'] });
     material.sides = 'single';
     material.name = 'a';
     const clone = material.clone();

@@ -15,7 +15,6 @@ import {
   specialisedVariant,
 } from '../../src/material/program/variant.js';
 import {
-  ANTIALIASES,
   DEFAULT_STYLE,
   REFLECTIONS,
   SHADINGS,
@@ -88,7 +87,6 @@ describe('the general program', () => {
     ['other orders of terms', { terms: ['specular', 'ambient', 'diffuse'] }, 1],
     ['gouraud shading', { shading: 'gouraud' }, 2],
     ['Blinn’s lobe', { reflection: 'blinn-phong' }, 2],
-    ['averaged highlights', { antialias: 'highlights' }, 2],
     ['large exponents', { mildShininess: false }, 2],
     ['fewer terms', { terms: ['diffuse'] }, 2],
     ['a texture', { map: texture() }, 2],
@@ -100,21 +98,11 @@ describe('the general program', () => {
     expect(count([generalKey(EVERYTHING), generalKey(EVERYTHING, material)])).toBe(programs);
   });
 
-  it('averages highlights only with specular light and per-fragment shading', () => {
-    const pairs: [readonly LightValues[], Difference][] = [
-      [EVERYTHING, { shading: 'gouraud' }],
-      [EVERYTHING, { terms: ['ambient', 'diffuse'] }],
-      [[light({ specular: [0, 0, 0] })], {}],
-    ];
-    for (const [lights, material] of pairs)
-      expect(generalKey(lights, { ...material, antialias: 'highlights' })).toBe(generalKey(lights, material));
-  });
-
   it('is the same for equal states', () => {
     const anyMap = fc.option(fc.integer({ min: 0, max: 3 }).map(texture));
     const anyDifference: fc.Arbitrary<Difference> = fc.record({
       ...{ shading: fc.constantFrom(...SHADINGS), reflection: fc.constantFrom(...REFLECTIONS) },
-      ...{ terms: fc.subarray([...TERMS]), antialias: fc.constantFrom(...ANTIALIASES) },
+      ...{ terms: fc.subarray([...TERMS]) },
       ...{ linear: fc.boolean(), mildShininess: fc.boolean() },
       ...{ vertexColors: fc.boolean(), unlit: fc.boolean() },
       ...{ metalness: fc.constantFrom(0, 1), roughness: fc.constantFrom(null, 0.5) },

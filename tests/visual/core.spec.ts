@@ -59,7 +59,6 @@ for (const device of ['software', 'gpu'] as const) {
       [2, { style: { reflection: 'blinn-phong' } }],
       [5, { style: { shading: 'gouraud' }, shape: 'sphere' }],
       [8, { surface: { shininess: 33.5 } }],
-      [8, { style: { antialias: 'highlights' }, shape: 'sphere' }],
       [8, { style: { terms: ['diffuse'] } }],
     ] as const satisfies readonly (readonly [number, Step])[]) {
       const lights = mixedLights(count, count);

@@ -50,7 +50,7 @@ const GUESSES: Readonly<Record<string, Advice>> = {
     'Write target="x y z".': 'lookat center centre',
     'Write auto-rotate="…" in degrees per second.': 'rotate rotation spin autoplay',
     'Write gui for the panel; dragging and the wheel work without it.': 'controls panel',
-    'Write antialias="highlights".': 'antialiasing aa',
+    'Write antialias="full".': 'antialiasing aa',
     'Write alt="…".': 'label description caption',
     'Write loading="lazy".': 'lazy',
   },

@@ -187,7 +187,6 @@ export const VIEWER_TEXTS = [
   'srgb',
   'linear',
   'edges',
-  'highlights',
   'full',
   // What the panel shows beside the shaded picture
   'Show',

@@ -2,8 +2,6 @@
 // defaults in HTML's units.
 import { LIMITS } from '../../light/light-state.js';
 import {
-  type Antialias,
-  ANTIALIASES,
   type Reflection,
   REFLECTIONS,
   type Shading,
@@ -29,6 +27,7 @@ import { SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js'
 
 export type Loading = 'auto' | 'eager' | 'lazy';
 export type ColorInterpolation = 'srgb' | 'linear';
+export type Antialias = 'edges' | 'full';
 
 /** What can be drawn over the picture. */
 export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
@@ -76,9 +75,7 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
   colorInterpolation: ColorInterpolation;
   /**
-   * `edges`: several samples per pixel at the edges of faces, one inside. `highlights`: the specular lobe is also
-   * averaged over each pixel, so that highlights smaller than a pixel keep their brightness; not under `gouraud`.
-   * `full`: a picture that stands still converges to the mean over each pixel; until then, and while anything moves,
+   * `edges`: several samples per pixel at the edges of faces, one inside. `full`: a picture that stands still converges to the mean over each pixel; until then, and while anything moves,
    * like `edges`. Default edges.
    */
   antialias: Antialias;
@@ -141,7 +138,7 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   reflection: choiceField<Reflection>('phong', REFLECTIONS),
   terms: subsetField<Term>(TERMS),
   colorInterpolation: choiceField<ColorInterpolation>('srgb', ['srgb', 'linear']),
-  antialias: choiceField<Antialias>('edges', ANTIALIASES),
+  antialias: choiceField<Antialias>('edges', ['edges', 'full']),
   samples: numberField(64, { min: 16, max: 1024, integer: true }),
   // Any limit far above what screens have would do.
   pixelRatio: orWord('auto', numberField(1, { above: 0, max: 1e6 })),

@@ -192,7 +192,6 @@ const texts: CompleteTexts = {
   srgb: 'sRGB',
   linear: 'linear',
   edges: 'Kanten',
-  highlights: 'auch Glanzlichter',
   full: 'vollständig',
   Show: 'Anzeigen',
   view: 'Ansicht',

@@ -191,7 +191,6 @@ const texts: CompleteTexts = {
   srgb: 'sRGB',
   linear: 'lineal',
   edges: 'bordes',
-  highlights: 'también los brillos',
   full: 'completo',
   Show: 'Mostrar',
   view: 'vista',

@@ -191,7 +191,6 @@ const texts: CompleteTexts = {
   srgb: 'sRGB',
   linear: 'linéaire',
   edges: 'bords',
-  highlights: 'reflets aussi',
   full: 'complet',
   Show: 'Afficher',
   view: 'vue',

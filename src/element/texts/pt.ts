@@ -191,7 +191,6 @@ const texts: CompleteTexts = {
   srgb: 'sRGB',
   linear: 'linear',
   edges: 'bordas',
-  highlights: 'brilhos também',
   full: 'completa',
   Show: 'Mostrar',
   view: 'vista',

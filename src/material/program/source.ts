@@ -1,12 +1,9 @@
 // The programs' text: the chunks of shaders/ joined in one explicit order, after the constants that TypeScript and GLSL
 // share.
 import attenuation from '../../../shaders/attenuation.glsl?raw';
-import averagedBlinnPhong from '../../../shaders/averaged_blinn_phong.glsl?raw';
-import averagedPhong from '../../../shaders/averaged_phong.glsl?raw';
 import diffuseLobe from '../../../shaders/diffuse_lobe.glsl?raw';
 import facePoint from '../../../shaders/face_point.glsl?raw';
 import fileSurface from '../../../shaders/file_surface.glsl?raw';
-import footprint from '../../../shaders/footprint.glsl?raw';
 import guard from '../../../shaders/guard.glsl?raw';
 import lightGrid from '../../../shaders/light_grid.glsl?raw';
 import lightLoop from '../../../shaders/light_loop.glsl?raw';
@@ -49,10 +46,6 @@ const loopWith = (surface: string): string =>
     ...[CONSTANTS, guard, power, attenuation, spot, diffuseLobe],
     ...['#ifdef REFLECTION_BLINN_PHONG', specularBlinnPhong, '#else', specularPhong, '#endif'],
     lightRows,
-    // The specular lobe averaged over the pixel.
-    where('defined(FILTER_HIGHLIGHTS)', footprint),
-    where('defined(FILTER_HIGHLIGHTS) && defined(REFLECTION_BLINN_PHONG)', averagedBlinnPhong),
-    where('defined(FILTER_HIGHLIGHTS) && !defined(REFLECTION_BLINN_PHONG)', averagedPhong),
     where('defined(HAS_LIGHT_GRID)', lightGrid),
     ...[lightLoop, surface],
   ].join('\n');
@@ -62,9 +55,7 @@ const loopWith = (surface: string): string =>
  * highp int;`. Define before it LIGHT_STORAGE (STORAGE_UNIFORMS with LIGHT_ROWS, the size of the uniform array;
  * STORAGE_TEXTURE; or STORAGE_OWN with a `vec4 lightRow(int)` of your own) and DECLARED_FEATURES, by
  * `declaredFeatures`. Then call `surfaceColor(p, normal, eye, ka, kd, ks, shininess)` or, for the sums before the
- * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for. With
- * FILTER_HIGHLIGHTS, call either only in a fragment shader's uniform control flow, before any `discard`: they use dFdx
- * and dFdy.
+ * material, `lightSums(p, N, V, shininess)`, with everything in the space that the lights were packed for.
  */
 export const LIGHT_LOOP_GLSL = /* @__PURE__ */ loopWith(surfaceColor);
 

@@ -41,9 +41,6 @@ export function generalVariant(
   const flags: Record<string, boolean> = {
     SHADING_GOURAUD: gouraud,
     REFLECTION_BLINN_PHONG: style.reflection === 'blinn-phong',
-    // A vertex has no pixel to average over.
-    FILTER_HIGHLIGHTS:
-      style.antialias === 'highlights' && (needed & LIGHT_FEATURES.specular) !== 0 && !gouraud,
     SHININESS_IS_MILD: mildShininess,
     IS_LINEAR: linear,
     IS_UNLIT: unlit,

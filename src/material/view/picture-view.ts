@@ -96,17 +96,10 @@ const through = (m: Mat4, [x, y, z]: Vec3, w: number): Vec3 => [
 type OwnProgram = Exclude<Shows, { by: 'equation' }>;
 
 /**
- * Quantities are of the fragment itself, not averaged, not encoded, and the same whether a surface is lit or emits
+ * Quantities are of the fragment itself, not encoded, and the same whether a surface is lit or emits
  * light.
  */
-const DROPPED = [
-  'SHADING_GOURAUD',
-  'FILTER_HIGHLIGHTS',
-  'IS_LINEAR',
-  'IS_UNLIT',
-  'HAS_EMISSIVE',
-  'HAS_EMISSIVE_MAP',
-];
+const DROPPED = ['SHADING_GOURAUD', 'IS_LINEAR', 'IS_UNLIT', 'HAS_EMISSIVE', 'HAS_EMISSIVE_MAP'];
 
 const made = new WeakMap<OwnProgram, Map<string, Variant>>();
 

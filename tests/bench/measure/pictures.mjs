@@ -11,11 +11,11 @@ import { truthOf } from '../truths.mjs';
 /** The one method of the element's pages. */
 const OURS = 'element';
 /** A page of its own for each. */
-const SIDES = [...FULL.map(full), 'highlights', 'multisampled', 'passes', PLAIN];
+const SIDES = [...FULL.map(full), 'multisampled', 'passes', PLAIN];
 /** The side that shows the triangles of the samples. */
 const FINE = full(FULL[0] ?? NaN);
 /** Those that draw the triangles of the plain picture; the others draw those of the samples. */
-const DRAW_PLAIN = [PLAIN, 'highlights', 'multisampled'];
+const DRAW_PLAIN = [PLAIN, 'multisampled'];
 
 /**
  * @typedef {{ side: string, name: string, steps: number, page: import('playwright-core').Page }} Method

@@ -17,7 +17,7 @@ const NUDGE = 0.01;
 export const WARM: Mode = { antialias: 'full', samples: 16 };
 
 export interface Mode {
-  readonly antialias: 'edges' | 'highlights' | 'full';
+  readonly antialias: 'edges' | 'full';
   /** Samples per pixel of `full`; 0 otherwise. */
   readonly samples: number;
 }
@@ -85,7 +85,6 @@ export const openElement =
       }
     };
 
-    if (mode.antialias === 'highlights') await antialiasAll(viewers, mode);
     for (let i = 0; i < SETTLING.frames; i++) {
       await draw(0);
       await pause(SETTLING.betweenMs);

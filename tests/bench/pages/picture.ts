@@ -44,7 +44,6 @@ const SIDES: Readonly<Record<string, () => Promise<OpenPicture>>> = {
   ...Object.fromEntries(
     FULL.map((samples) => [full(samples), () => openElement({ antialias: 'full', samples })]),
   ),
-  highlights: () => openElement({ antialias: 'highlights', samples: 0 }),
   [PLAIN]: () => openElement({ antialias: 'edges', samples: 0 }),
   multisampled: async () => (await import('./picture-three.js')).openMultisampled,
   passes: async () => (await import('./picture-three.js')).openPasses,

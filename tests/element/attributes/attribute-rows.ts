@@ -313,7 +313,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     choice('reflection', 'phong', 'phong', 'blinn-phong'),
     terms,
     choice('color-interpolation', 'srgb', 'srgb', 'linear'),
-    choice('antialias', 'edges', 'edges', 'highlights', 'full'),
+    choice('antialias', 'edges', 'edges', 'full'),
     {
       ...number('samples', 64, 16, 1024),
       outside: [...notFinite, '15', '1025', '64.5'],

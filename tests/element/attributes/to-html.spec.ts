@@ -9,7 +9,7 @@ const light = '<phong-light position="1 2 3 0" ambient="60"></phong-light>';
 const box = `<phong-viewer geometry="box" kd="200 40 40">${light}</phong-viewer>`;
 
 test.describe('toHTML', () => {
-  const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" terms="ambient diffuse" orbit="false" color-interpolation="linear" antialias="highlights" auto-rotate="0">
+  const rich = `<phong-viewer alt='A "scene" & <more>' fov="50" shading="flat" terms="ambient diffuse" orbit="false" color-interpolation="linear" antialias="full" auto-rotate="0">
     <phong-mesh name="a&quot;b" geometry="torus" rotation="10 20 30" kd="hsl(20 80% 60%)" shininess="7"></phong-mesh>
     <phong-mesh geometry="plane" position="0 -0.5 0" scale="3" reflection="blinn-phong" shading="gouraud"></phong-mesh>
     <phong-light name="sun" position="1 2 1 0" ambient="20 20 25" diffuse="180 180 170"></phong-light>
@@ -44,7 +44,7 @@ test.describe('toHTML', () => {
       'active="false"',
       'terms="ambient diffuse"',
       'orbit="false"',
-      'antialias="highlights"',
+      'antialias="full"',
     ])
       expect(text).toContain(part);
     expect(text).not.toContain('<more>');

@@ -38,7 +38,6 @@ const STEPS: readonly Step[] = [
   (dice) => ['shading', dice.pick(['phong', 'gouraud', 'flat'])],
   (dice) => ['reflection', dice.pick(['phong', 'blinn-phong'])],
   (dice) => ['color-interpolation', dice.pick(['srgb', 'linear'])],
-  (dice) => ['antialias', dice.pick(['edges', 'highlights'])],
   (dice) => ['terms', dice.pick(['ambient diffuse specular', 'diffuse', 'ambient diffuse', ''])],
   (dice) => ['ks', dice.pick(['0', '128', '90 100 80'])],
   (dice) => ['geometry', dice.pick(['box', 'sphere', 'torus'])],

@@ -26,7 +26,7 @@ type Need =
   | (typeof VARIANTS)[number];
 
 /** Needs for which `main` reaches more code. The compiler decides the others by constants. */
-const ADDED = ['spot', 'texture', 'vertex colours', 'linear', 'filtered highlights'] as const;
+const ADDED = ['spot', 'texture', 'vertex colours', 'linear'] as const;
 /** Other code in place of the usual, which may be longer or shorter. */
 const VARIANTS = ['gouraud', 'blinn-phong'] as const;
 
@@ -78,10 +78,6 @@ const SCENES: Readonly<Record<string, readonly [markup: string, needs: readonly 
   flat: ['geometry="box" shading="flat"><phong-light>', ['directional', 'diffuse', 'specular']],
   'blinn-phong': ['geometry="box" reflection="blinn-phong"><phong-light>', ['directional', 'diffuse', 'specular', 'blinn-phong']], // prettier-ignore
   linear: ['geometry="box" color-interpolation="linear"><phong-light>', ['directional', 'diffuse', 'specular', 'linear']], // prettier-ignore
-  'filtered highlights': ['geometry="box" antialias="highlights"><phong-light>', ['directional', 'diffuse', 'specular', 'filtered highlights']], // prettier-ignore
-  'filtered highlights of Blinn and Phong': ['geometry="box" antialias="highlights" reflection="blinn-phong"><phong-light>', ['directional', 'diffuse', 'specular', 'blinn-phong', 'filtered highlights']], // prettier-ignore
-  'filtered highlights that there are none of': ['geometry="box" antialias="highlights" ks="0"><phong-light>', ['directional', 'diffuse']], // prettier-ignore
-  'filtered highlights under gouraud, which has none': ['geometry="box" antialias="highlights" shading="gouraud"><phong-light>', ['directional', 'diffuse', 'specular', 'gouraud']], // prettier-ignore
   'a textured model': ['src="/fixtures/models/textured.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'texture']], // prettier-ignore
   'a model with colours at its vertices': ['src="/fixtures/models/vertex-colours.glb" ks="90"><phong-light>', ['directional', 'diffuse', 'specular', 'vertex colours']], // prettier-ignore
 };

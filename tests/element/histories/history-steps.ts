@@ -86,7 +86,7 @@ const VIEWER: Readonly<Record<string, Values>> = {
   fov: either(numbers(1, 15, 100), of('45', '170')),
   terms: of('ambient diffuse specular', 'diffuse', 'ambient diffuse', 'specular', ''),
   'color-interpolation': of('linear', 'srgb'),
-  antialias: of('highlights', 'edges', 'full'),
+  antialias: of('edges', 'full'),
   samples: of('16', '64'),
   alt: of('a picture', ''),
   orbit: of('true', 'false', 'true', 'true'),

@@ -33,14 +33,14 @@ test('writes and follows shading, reflection, terms, colour space and antialiasi
   await choice(folder, 'reflection').selectOption('blinn-phong');
   await flag(folder, 'diffuse term').click();
   await choice(folder, 'colour space').selectOption('linear');
-  await choice(folder, 'antialias').selectOption('highlights');
+  await choice(folder, 'antialias').selectOption('full');
   const keys = ['shading', 'reflection', 'terms', 'colorInterpolation', 'antialias'] as const;
   expect(await valuesOf(viewer, ...keys)).toEqual([
     'gouraud',
     'blinn-phong',
     ['ambient', 'specular'],
     'linear',
-    'highlights',
+    'full',
   ]);
   await viewer.evaluate((element) => {
     element.setAttribute('shading', 'flat');
