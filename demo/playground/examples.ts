@@ -2,7 +2,6 @@
 import bunny from '../scenes/bunny.html?raw';
 import candle from '../scenes/candle.html?raw';
 import colours from '../scenes/colours.html?raw';
-import count from '../scenes/count.html?raw';
 import dance from '../scenes/dance.html?raw';
 import exponents from '../scenes/exponents.html?raw';
 import facets from '../scenes/facets.html?raw';
@@ -30,5 +29,4 @@ export const EXAMPLES: readonly Example[] = [
   { name: 'facets', title: 'One colour a face', text: facets },
   { name: 'handles', title: 'Lights to drag', text: handles },
   { name: 'point', title: 'A point explained', text: point },
-  { name: 'count', title: 'Lights counted', text: count },
 ];

@@ -1,6 +1,6 @@
 // Tests whether a spot's cone reaches a box, in shading space and float64, from the packed rows that the GLSL reads.
 // Errs on the safe side.
-import { LIMIT_OPEN, NEAREST } from './light-layout.js';
+import { LIMIT_OPEN, NEAREST, ROWS } from './light-layout.js';
 import type { PackedLights } from './pack-lights.js';
 
 /**
@@ -26,16 +26,16 @@ export class Cone {
   #open = true;
 
   /** Reads the spot whose first row is `row`. */
-  read({ data, cone }: PackedLights, row: number): this {
-    const place = (row + cone.position) * 4;
-    const axis = (row + cone.axis) * 4;
+  read({ data }: PackedLights, row: number): this {
+    const place = (row + ROWS.spot.position) * 4;
+    const axis = (row + ROWS.spot.axis) * 4;
     this.#x = data[place]!;
     this.#y = data[place + 1]!;
     this.#z = data[place + 2]!;
     this.#ax = data[axis]!;
     this.#ay = data[axis + 1]!;
     this.#az = data[axis + 2]!;
-    const limit = data[row * 4 + cone.limit]!;
+    const limit = data[(row + ROWS.spot.ambient) * 4 + 3]!;
     const half = Math.abs(limit); // sin² of half the aperture, or of half its complement to 180°
     this.#open = limit === LIMIT_OPEN;
     this.#sin = 2 * Math.sqrt(Math.max(half * (1 - half), 0));

@@ -18,7 +18,7 @@ export function cullLights(packed: Readonly<PackedLights>, box: Box, mask: Uint8
   mask.fill(1, 0, packed.sent);
   let count = packed.sent;
   let row = HEADER.rows + directional * ROWS.directional.rows + point * ROWS.point.rows;
-  for (let light = firstSpot; light < packed.sent; light++, row += packed.cone.rows) {
+  for (let light = firstSpot; light < packed.sent; light++, row += ROWS.spot.rows) {
     if (cone.read(packed, row).reaches(box[0], box[1], box[2], box[3], box[4], box[5])) continue;
     mask[light] = 0;
     count -= 1;

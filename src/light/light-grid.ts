@@ -135,13 +135,12 @@ function writeLights(
   into.active = packed.active;
   into.sent = packed.sent;
   into.rows = packed.rows;
-  into.cone = packed.cone;
   Object.assign(into.counts, packed.counts);
   const ordered = [
     ...reaches.filter(({ cells }) => cells === null),
     ...reaches.filter(({ cells }) => cells !== null),
   ];
-  const { rows } = packed.cone;
+  const { rows } = ROWS.spot;
   return ordered.map(({ light, row, cells }, i) => {
     const newRow = firstRow + i * rows;
     into.data.set(packed.data.subarray(row * 4, (row + rows) * 4), newRow * 4);

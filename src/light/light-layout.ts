@@ -44,27 +44,7 @@ export const ROWS = {
     ambient: 4,
     rows: 5,
   },
-  /** A light of the view `light-count`, in place of a spot. */
-  counted: {
-    /** Position; w = bits of the channels that are not black: ambient 0–2, diffuse 3–5, specular 6–8. */
-    position: 0,
-    /** A, unit; w = the cone's limit. */
-    axis: 1,
-    rows: 2,
-  },
 } as const;
-
-/** Where packed spots have what culling and light grids read. */
-export interface ConeRows {
-  readonly rows: number;
-  readonly position: number;
-  readonly axis: number;
-  /** The float that holds the cone's limit, counted from the light's first. */
-  readonly limit: number;
-}
-
-export const SPOT_CONE: ConeRows = { ...ROWS.spot, limit: ROWS.spot.ambient * 4 + 3 };
-export const COUNTED_CONE: ConeRows = { ...ROWS.counted, limit: ROWS.counted.axis * 4 + 3 };
 
 /**
  * The cone's limit is one float: from 0 the largest allowed (1 - c)/2, below 0 minus the smallest allowed (1 + c)/2;

@@ -13,7 +13,7 @@ import {
   type LightKind,
   packedLimit,
 } from './light-features.js';
-import { type ConeRows, HEADER, LEAST_EXPONENT, ROWS, SPOT_CONE } from './light-layout.js';
+import { HEADER, LEAST_EXPONENT, ROWS } from './light-layout.js';
 import type { LightValues } from './light-state.js';
 
 /** How lights get into shading space: the space, of any origin and orientation, that fragments are shaded in. */
@@ -33,8 +33,6 @@ export interface PackedLights {
   /** Rows of four floats; those from `rows` on are stale. */
   data: Float32Array;
   rows: number;
-  /** The rows of its spots. */
-  cone: ConeRows;
   /** Lights that take part. */
   active: number;
   /** Lights that the loop runs over. The others add ambient light only, or nothing. */
@@ -50,7 +48,6 @@ export interface PackedLights {
 export const emptyPack = (): PackedLights => ({
   data: new Float32Array(64),
   rows: HEADER.rows,
-  cone: SPOT_CONE,
   active: 0,
   sent: 0,
   counts: { directional: 0, point: 0, spot: 0 },
@@ -86,7 +83,6 @@ export function packLights(lights: readonly Values[], space: PackSpace, into: Pa
 /** Packs no light. */
 export function packNothing(into: PackedLights): void {
   into.rows = HEADER.rows;
-  into.cone = SPOT_CONE;
   into.sent = 0;
   into.active = 0;
   into.sources.length = 0;
@@ -95,13 +91,9 @@ export function packNothing(into: PackedLights): void {
 }
 
 /** Writes the header's counts, without a grid. */
-export function writeCounts({ data, counts }: PackedLights): void {
+function writeCounts({ data, counts }: PackedLights): void {
   write(data, HEADER.counts * 4, counts.directional, counts.point, counts.spot, 0);
 }
-
-/** Rows of each packed light of a kind. */
-const rowsOf = ({ cone }: Readonly<PackedLights>, kind: LightKind): number =>
-  kind === 'spot' ? cone.rows : ROWS[kind].rows;
 
 /**
  * Writes the places and axes of the lights that `into` was packed with again, where nothing else about them has changed
@@ -216,13 +208,7 @@ function quarterChordSquared(a: Vec3, b: Vec3): number {
  * A unit vector along v, not zero: scaled by its largest component first, so that a denormal vector has its direction
  * too.
  */
-export function writeDirection(
-  m: Mat4,
-  data: Float32Array,
-  at: number,
-  v: Vec3 | Vec4,
-  scalar: number,
-): void {
+function writeDirection(m: Mat4, data: Float32Array, at: number, v: Vec3 | Vec4, scalar: number): void {
   const largest = Math.max(Math.abs(v[0]), Math.abs(v[1]), Math.abs(v[2]));
   const x = v[0] / largest;
   const y = v[1] / largest;
@@ -232,7 +218,7 @@ export function writeDirection(
 }
 
 /** A position (w = 1) or a direction (w = 0) through a matrix, and a scalar in w. */
-export function writeThrough(
+function writeThrough(
   m: Mat4,
   data: Float32Array,
   at: number,
@@ -277,7 +263,7 @@ export function forEachLight(
   let row: number = HEADER.rows;
   let light = 0;
   for (const kind of KINDS) {
-    const rows = rowsOf(packed, kind);
+    const rows = ROWS[kind].rows;
     for (let i = 0; i < packed.counts[kind]; i++, row += rows) visit(light++, kind, row);
   }
 }
@@ -289,11 +275,10 @@ export function selectLights(packed: Readonly<PackedLights>, mask: Uint8Array, i
   into.active = packed.active;
   into.sent = 0;
   into.rows = HEADER.rows;
-  into.cone = packed.cone;
   for (const kind of KINDS) into.counts[kind] = 0;
   forEachLight(packed, (light, kind, row) => {
     if (mask[light] !== 1) return;
-    const rows = rowsOf(packed, kind);
+    const rows = ROWS[kind].rows;
     into.data.set(packed.data.subarray(row * 4, (row + rows) * 4), into.rows * 4);
     into.features[into.sent] = packed.features[light]!;
     into.rows += rows;

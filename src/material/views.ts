@@ -8,9 +8,8 @@ import type { Term } from './material-values.js';
 
 /**
  * `shaded`: the equation. `ambient`, `diffuse`, `specular`: one term's sum. `normals`: (N + 1)/2 per channel in world
- * space. `n-dot-l`, `r-dot-v`, `attenuation`, `decay`: of one light, grey from 0 to 1. `light-count`: how many lights
- * add something. `triangles`: each triangle for itself. `error`: how far the picture is from the equation in float64,
- * amplified.
+ * space. `n-dot-l`, `r-dot-v`, `attenuation`, `decay`: of one light, grey from 0 to 1. `triangles`: each
+ * triangle for itself.
  */
 export const VIEWS = [
   'shaded',
@@ -22,9 +21,7 @@ export const VIEWS = [
   'r-dot-v',
   'attenuation',
   'decay',
-  'light-count',
   'triangles',
-  'error',
 ] as const;
 
 export type View = (typeof VIEWS)[number];
@@ -44,11 +41,6 @@ export interface PictureView {
 export interface ViewProgram {
   /** Uniforms of the view's own, added to each material's. */
   readonly uniforms: Readonly<Record<string, IUniform>>;
-  /** Whether it can read its lights from a light grid. */
-  readonly usesGrid: boolean;
-  /**
-   * The program in place of a material's general one, which reads its lights from a texture. `grid`: from a grid's
-   * cells.
-   */
-  variant(general: Variant, grid: boolean): Variant;
+  /** The program in place of a material's general one. */
+  variant(general: Variant): Variant;
 }

@@ -56,7 +56,6 @@ const uses: readonly Use[] = [
   { what: 'shadeAt on the shape', use: explain(75, 50), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(76, 50), chunks: [] },
   { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend', 'view-shared'] },
-  { what: 'a view of the lights that add something', use: set({ view: 'light-count' }), chunks: [] },
   { what: 'one light alone', use: set({ view: 'shaded', viewLight: 'light 1' }), chunks: [] },
   { what: 'no view', use: set({ viewLight: '' }), chunks: [] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },

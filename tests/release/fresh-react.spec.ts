@@ -101,7 +101,7 @@ export const known = [
     text <PhongLight position={[1, 2, 3]} active={false} diffuse={new Uint8Array(3)} space="camera" aperture={undefined} />
   </PhongViewer>,
   <PhongCompare at={[25, 50]} layout="side" onDividerChange={({ detail }) => detail.at}>
-    <PhongViewer helpers="lights" view="error" probe probeAt={[0, 0, 1]} onProbeChange={({ detail }) => detail.pinned} />
+    <PhongViewer helpers="lights" view="normals" probe probeAt={[0, 0, 1]} onProbeChange={({ detail }) => detail.pinned} />
   </PhongCompare>,
   <PhongMesh scale={2} rotation="0 10 0" ka={128} onLoad={(event) => event.detail.url} auto-focus />,
 ];

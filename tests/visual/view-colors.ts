@@ -1,6 +1,5 @@
 // What must a view show of a fragment? From the equation's own numbers in float64, written here again rather than taken
 // from src.
-import { scaleColor } from '../../src/material/view/scale.js';
 import type { View } from '../../src/material/views.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import type { LightShare } from '../../src/reference/index.js';
@@ -38,11 +37,6 @@ export function viewColor(view: View, { N, shares }: Explained): Vec3 {
       return grey(first?.att ?? 0);
     case 'decay':
       return grey(first?.decay ?? 0);
-    case 'light-count': {
-      const adds = ({ ambient, diffuse, specular }: LightShare): boolean =>
-        [...ambient, ...diffuse, ...specular].some((channel) => channel > 0);
-      return scaleColor(active.filter(adds).length / Math.max(active.length, 1));
-    }
     default:
       throw new Error(`no colour of a fragment: ${view}`);
   }

@@ -5,13 +5,12 @@ import { srgbEncode } from '../../src/math/color.js';
 import { map, type Vec3 } from '../../src/math/vector.js';
 import { VIEWS, type View } from '../../src/material/views.js';
 import { shade } from '../../src/reference/index.js';
-import { drawnWith, logGl } from '../element/support/gl-log.js';
 import { assign, type PhongViewer, settled } from '../element/support/viewer.js';
 import { compare, expect, pixels, test, type Mount } from '../support/test.js';
 import { patch } from '../support/gltf.js';
 import { repeats } from '../support/repeats.js';
 import { compareWithReference, type Errors } from './against-reference.js';
-import { Dice, randomLight, randomScene, sceneMarkup } from './random-scene.js';
+import { randomScene, sceneMarkup } from './random-scene.js';
 import { type DeclaredScene, lens } from './ray-cast.js';
 import { type Explained, viewColor } from './view-colors.js';
 
@@ -19,7 +18,7 @@ const SIZE = { width: 60, height: 42 };
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 /** Views whose colour is a number of the fragment itself. */
-const QUANTITIES = VIEWS.filter((view) => !['shaded', 'triangles', 'error'].includes(view));
+const QUANTITIES = VIEWS.filter((view) => !['shaded', 'triangles'].includes(view));
 const TERMS: readonly View[] = ['ambient', 'diffuse', 'specular'];
 
 const show = (viewer: Locator, markup: string): Promise<void> =>
@@ -142,7 +141,6 @@ for (const shading of ['phong', 'gouraud', 'flat', 'blinn-phong'] as const) {
     expect(samples.length).toBeGreaterThan(80);
     const names = ['off', 'sun', 'lamp', 'spot'];
     for (const view of QUANTITIES) {
-      if (shading === 'gouraud' && view === 'light-count') continue; // see below
       for (const name of ['', 'spot', 'off']) {
         await assign(viewer, { view, viewLight: name });
         const { data } = await pixels(viewer, SIZE);
@@ -164,30 +162,6 @@ for (const shading of ['phong', 'gouraud', 'flat', 'blinn-phong'] as const) {
     }
   });
 }
-
-test('counts many narrow spots by the cells of their grid, seed 5', async ({ page, mount }) => {
-  await logGl(page);
-  const scene = randomScene(4);
-  const dice = new Dice(5);
-  const spots = Array.from({ length: 90 }, () => {
-    const [x, z] = [dice.from(-2, 2), dice.from(-2, 2)];
-    return { ...randomLight(dice), position: [x, 3, z, 1], axis: [0, -1, 0], aperture: 4, cutoff: 2, active: true, space: 'world' } as const; // prettier-ignore
-  });
-  const upright = { position: [0, 0, 0], rotation: [0, 0, 0], scale: [4, 4, 4] } as const;
-  const pose = { theta: 20, phi: 30, radius: 5, target: [0, 0, 0] } as const;
-  const crowd: DeclaredScene = {
-    ...scene,
-    pose,
-    meshes: [{ ...scene.meshes[0]!, ...upright }],
-    lights: [...scene.lights, ...spots],
-  };
-  const viewer = await mount(sceneMarkup(crowd), SIZE);
-  const errors = await errorsOf(viewer, crowd, 'light-count', null);
-  expect(errors.max, errors.at).toBeLessThanOrEqual(1);
-  expect(errors.compared).toBeGreaterThan(2000);
-  const drawn = (await drawnWith(page)).at(-1);
-  expect(drawn?.fragment).toContain('#define HAS_LIGHT_GRID');
-});
 
 test('shadeAt explains the shaded picture in every view', async ({ mount }) => {
   const viewer = await mount(`<phong-viewer geometry="sphere" segments="8">${lights}</phong-viewer>`, SIZE);
@@ -215,14 +189,6 @@ test('under Gouraud shading a term is computed at the vertices, as with `terms`'
     await assign(viewer, { view: 'shaded', terms: [view] });
     expect(compare(seen, await pixels(viewer, SIZE)).max, view).toBe(0);
   }
-});
-
-test('under Gouraud shading lights are counted at the fragment, not at the vertices', async ({ mount }) => {
-  const markup = `<phong-viewer geometry="sphere" segments="9" view="light-count">${lights}</phong-viewer>`;
-  const viewer = await mount(markup, SIZE);
-  const seen = await pixels(viewer, SIZE);
-  await assign(viewer, { shading: 'gouraud' });
-  expect(compare(seen, await pixels(viewer, SIZE)).max).toBe(0);
 });
 
 test('with a single light the shaded picture is that of the scene without the others', async ({ mount }) => {

@@ -32,8 +32,6 @@ export interface Extra {
   update(): void;
   /** The camera moved. The frame that shows it follows. */
   cameraMoved?(source: CameraSource): void;
-  /** Replaces the pixels of a picture that was captured in this task, for `toBlob`. */
-  repaint?(picture: HTMLCanvasElement): Promise<void>;
   /** Draws what lies over the picture as it is in this task, on a canvas of its size. */
   drawOver?(canvas: HTMLCanvasElement, options: PictureOptions): Promise<void> | void;
   dispose(): void;
@@ -138,10 +136,9 @@ export class ViewerExtras implements ReactiveController {
     const extras = [...this.#extras.values()].filter((extra) => extra !== 'loading');
     if (extras.length === 0) return;
     const { width, height } = picture;
-    // Apart from the picture: repainting reads its pixels, and the scene can change meanwhile.
+    // Apart from the picture: the scene can change while some code is fetched.
     const over = Object.assign(document.createElement('canvas'), { width, height });
-    const drawn = extras.map(async (extra) => extra.drawOver?.(over, options));
-    await Promise.all([...drawn, ...extras.map(async (extra) => extra.repaint?.(picture))]);
+    await Promise.all(extras.map(async (extra) => extra.drawOver?.(over, options)));
     picture.getContext('2d')?.drawImage(over, 0, 0);
   }
 

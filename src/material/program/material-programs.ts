@@ -69,10 +69,7 @@ export class MaterialPrograms {
     lighting.drawWith(draw.renderer);
     const lights = lighting.lightsOf(draw.mesh);
     const shown = lighting.view?.program ?? null;
-    if (shown !== null) {
-      const grid = shown.usesGrid ? lighting.gridOf(draw.mesh) : null;
-      return { variant: shown.variant(this.#generalFor(0), grid !== null), lights: grid ?? lights };
-    }
+    if (shown !== null) return { variant: shown.variant(this.#generalFor(0)), lights };
     const general = this.#generalFor(lighting.capacity);
     if (this.#look.unlit) return { variant: general, lights };
     const grid = lighting.gridOf(draw.mesh);

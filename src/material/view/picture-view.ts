@@ -3,13 +3,11 @@
 import type { LightValues } from '../../light/light-state.js';
 import { packLights, packNothing, type PackSpace } from '../../light/pack-lights.js';
 import type { View, PictureView } from '../views.js';
-import { packCounted } from './count-lights.js';
 import { viewEntry, type Shows } from './view-table.js';
 import { Vector4 } from 'three';
 import { type Mat4, normalize, type Vec3 } from '../../math/vector.js';
 import trianglesVertex from '../../../shaders/view_triangles.vert.glsl?raw';
 import { type Variant, variantOf } from '../program/variant.js';
-import { SCALE_GLSL } from './scale.js';
 
 type Lights = readonly Readonly<LightValues>[];
 /** The lights that a view is limited to, of the viewer's, active or not. A quantity takes the first of them. */
@@ -30,32 +28,19 @@ export function pictureView(view: View, chosen: Chosen): PictureView {
 
 function ownView(shows: OwnProgram, chosen: Chosen): PictureView {
   const quantity = quantityUniforms();
-  const uViewLights = { value: 1 };
-  const uViewOpen = { value: 0 };
-  const counts = shows.by === 'count';
   return {
     term: null,
     separate: shows.by === 'triangles',
     pack(lights, space, into) {
-      const all = chosen(lights);
-      if (counts) {
-        uViewLights.value = scaleEnd(all);
-        uViewOpen.value = packCounted(all, space, into);
-      } else {
-        writeQuantityLight(quantity, all[0], space);
-        packNothing(into);
-      }
+      writeQuantityLight(quantity, chosen(lights)[0], space);
+      packNothing(into);
     },
     program: {
-      uniforms: { ...quantity, uViewLights, uViewOpen },
-      usesGrid: counts,
-      variant: (general, grid) => viewVariant(shows, general, grid),
+      uniforms: quantity,
+      variant: (general) => viewVariant(shows, general),
     },
   };
 }
-
-/** The count at the end of the scale: all active lights. */
-export const scaleEnd = (lights: Lights): number => Math.max(lights.filter(({ active }) => active).length, 1);
 
 /**
  * The one light of a view of a single quantity, in shading space. From float64, as packed lights are. Declared in
@@ -105,37 +90,26 @@ const made = new WeakMap<OwnProgram, Map<string, Variant>>();
 
 /**
  * The program of a view that is not the equation's: a material's general program with another text for the colour, and
- * without what only colours need. One for each view and general program. `general` reads its lights from a texture.
- * `grid`: so do the spots of a light grid's cells.
+ * without what only colours need. One for each view and general program.
  */
-function viewVariant(shows: OwnProgram, general: Variant, grid: boolean): Variant {
+function viewVariant(shows: OwnProgram, general: Variant): Variant {
   let variants = made.get(shows);
   if (variants === undefined) made.set(shows, (variants = new Map<string, Variant>()));
-  const key = `${String(grid)} ${general.key}`;
-  let variant = variants.get(key);
-  if (variant === undefined) variants.set(key, (variant = make(shows, general, grid)));
+  let variant = variants.get(general.key);
+  if (variant === undefined) variants.set(general.key, (variant = make(shows, general)));
   return variant;
 }
 
-function make(shows: OwnProgram, general: Variant, grid: boolean): Variant {
+function make(shows: OwnProgram, general: Variant): Variant {
   const defines: Record<string, string> = { ...general.defines };
   for (const name of DROPPED) Reflect.deleteProperty(defines, name);
   // Programs are told apart by their defines.
   defines['VIEW'] = shows.by;
-  switch (shows.by) {
-    case 'quantity':
-      defines['VIEW_VALUE'] = shows.value;
-      break;
-    case 'count':
-      defines['SCALE_COLOR'] = SCALE_GLSL;
-      if ('IS_UNLIT' in general.defines) defines['VIEW_UNLIT'] = '';
-      if (grid) defines['HAS_LIGHT_GRID'] = '';
-      break;
-    case 'triangles': {
-      const variant = variantOf(defines, shows.text);
-      const vertex = ['#define main shadedMain', variant.vertexShader, '#undef main', trianglesVertex];
-      return { ...variant, vertexShader: vertex.join('\n') };
-    }
+  if (shows.by === 'quantity') {
+    defines['VIEW_VALUE'] = shows.value;
+    return variantOf(defines, shows.text);
   }
-  return variantOf(defines, shows.text);
+  const variant = variantOf(defines, shows.text);
+  const vertex = ['#define main shadedMain', variant.vertexShader, '#undef main', trianglesVertex];
+  return { ...variant, vertexShader: vertex.join('\n') };
 }

@@ -1,6 +1,5 @@
 // Everything that the views differ in: what their pixels show, which lights have a part in them, and what their legends
 // say. A view of `VIEWS` without an entry does not compile.
-import countText from '../../../shaders/view_count.glsl?raw';
 import quantityText from '../../../shaders/view_quantity.glsl?raw';
 import trianglesText from '../../../shaders/view_triangles.glsl?raw';
 import type { Term } from '../material-values.js';
@@ -22,12 +21,6 @@ interface Quantity {
   readonly value: string;
 }
 
-/** How many lights add something. */
-interface Count {
-  readonly by: 'count';
-  readonly text: string;
-}
-
 /** Every triangle for itself, so each has vertices of its own. */
 interface Triangles {
   readonly by: 'triangles';
@@ -35,7 +28,7 @@ interface Triangles {
 }
 
 /** What a view shows. `text` stands in place of surface_color in its programs. */
-export type Shows = Equation | Quantity | Count | Triangles;
+export type Shows = Equation | Quantity | Triangles;
 
 export interface ViewEntry {
   readonly shows: Shows;
@@ -48,8 +41,8 @@ export interface ViewEntry {
   readonly title: string;
   /** The same with `reflection="blinn-phong"`, where that differs. */
   readonly blinnTitle?: string;
-  /** The legend's scale: 0 to 1 in grey, −1 to 1 for each axis, a count, or an error in codes. */
-  readonly scale: 'none' | 'unit' | 'axes' | 'count' | 'error';
+  /** The legend's scale: 0 to 1 in grey, or −1 to 1 for each axis. */
+  readonly scale: 'none' | 'unit' | 'axes';
 }
 
 const equation = (term: Term | null): Equation => ({ by: 'equation', term });
@@ -76,20 +69,12 @@ export const VIEW_TABLE = {
     scale: 'unit',
   },
   decay: { shows: quantity('grey(decayOf(at))'), lights: 'one', title: 'Decay', scale: 'unit' },
-  'light-count': {
-    shows: { by: 'count', text: countText },
-    lights: 'all',
-    title: 'Lights that add something',
-    scale: 'count',
-  },
   triangles: {
     shows: { by: 'triangles', text: trianglesText },
     lights: 'none',
     title: 'Triangles',
     scale: 'none',
   },
-  // Measured from the shaded picture.
-  error: { shows: equation(null), lights: 'all', title: 'Error in steps of 1/255', scale: 'error' },
 } as const satisfies Readonly<Record<View, ViewEntry>>;
 
 /** The entry of a view, with all its possible fields. */

@@ -325,7 +325,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
       refused: [[0, 'RangeError'], [NaN, 'RangeError'], [[1], 'TypeError'], ['sharp', 'TypeError']], // prettier-ignore
     },
     helpers,
-    choice('view', 'shaded', 'shaded', 'diffuse', 'n-dot-l', 'light-count', 'error'),
+    choice('view', 'shaded', 'shaded', 'diffuse', 'n-dot-l', 'triangles'),
     { ...text('view-light', ''), property: 'viewLight' },
     presence('probe'),
     { ...vector('probe-at', null, 1e15), property: 'probeAt' },

@@ -38,8 +38,8 @@ function meansOf({ width, height, data }: Picture, times: number): Means {
 const rmse = (a: Means, b: Means): number =>
   Math.sqrt(a.reduce((sum, code, i) => sum + (code - b[i]!) ** 2, 0) / a.length);
 
-/** Views whose picture depends on the size of a pixel: lines of a pixel's width, and errors of float32. */
-const BY_PIXEL: readonly string[] = ['triangles', 'error'];
+/** Views whose picture depends on the size of a pixel: lines of a pixel's width. */
+const BY_PIXEL: readonly string[] = ['triangles'];
 
 /** Waits for all samples and holds the picture against the mean of a larger one. */
 async function showsTheMean(viewer: Locator, what: string): Promise<void> {

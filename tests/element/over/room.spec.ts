@@ -358,7 +358,7 @@ test.describe('a legend', () => {
       return bottom - top;
     };
     expect(await height()).toBeGreaterThan(40);
-    for (const view of ['n-dot-l', 'normals', 'light-count', 'diffuse'] as const)
+    for (const view of ['n-dot-l', 'normals', 'diffuse'] as const)
       for (const width of [259, 180, 140]) {
         await assign(viewer, { view });
         await viewer.evaluate((element, w) => (element.style.width = `${w}px`), width);

@@ -62,7 +62,7 @@ test('texts replaces every text of the panel, of the picture and of its descript
 
 test('texts replaces every text of helpers, legend and probe', async ({ page, mount }) => {
   const viewer = await mount(
-    `<phong-viewer alt="Szene" geometry="sphere" helpers="lights" view="light-count" probe probe-at="0 0 0.5" phi="90" theta="0">
+    `<phong-viewer alt="Szene" geometry="sphere" helpers="lights" view="n-dot-l" probe probe-at="0 0 0.5" phi="90" theta="0">
       <phong-light name="Sonne"></phong-light><phong-light position="1 2 3 1" cutoff="4" axis="0 -1 0"></phong-light></phong-viewer>`,
   );
   await assign(viewer, { texts: bracketed });

@@ -2,7 +2,6 @@
 // error?
 
 import type { Locator } from '@playwright/test';
-import { scaleColor } from '../../../src/material/view/scale.js';
 import { VIEWS } from '../../../src/material/views.js';
 import { compare, expect, pixelAt, pixels, test } from '../../support/test.js';
 import { Requests } from '../../package/requests.js';
@@ -26,9 +25,6 @@ const legendText = async (viewer: Locator): Promise<string[]> => {
   return texts.map((text) => text.trim());
 };
 
-const errorDone = (viewer: Locator): Promise<unknown> =>
-  expect(legendOf(viewer).getByRole('status')).toContainText('largest', { timeout: 60_000 });
-
 test('without a view there is no legend, and nothing is fetched', async ({ page, mount }) => {
   const requests = new Requests(page);
   const viewer = await mount(scene(''), SIZE);
@@ -48,7 +44,6 @@ test('each view has a legend that says what its colours mean', async ({ mount })
     'r-dot-v': ['R · V', 'sun', '0 0.5 1'],
     attenuation: ['Attenuation', 'sun', '0 0.5 1'],
     decay: ['Decay', 'sun', '0 0.5 1'],
-    'light-count': ['Lights that add something', 'all lights', '0 1 2 3'],
     triangles: ['Triangles'],
   };
   for (const [view, texts] of Object.entries(expected)) {
@@ -56,8 +51,6 @@ test('each view has a legend that says what its colours mean', async ({ mount })
     await settled(viewer);
     expect(await legendText(viewer), view).toEqual(texts);
   }
-  await assign(viewer, { view: 'error' });
-  await expect(legendOf(viewer)).toContainText('Error in steps of 1/255');
   await assign(viewer, { view: 'r-dot-v', reflection: 'blinn-phong', viewLight: 'light 3' });
   await settled(viewer);
   expect(await legendText(viewer)).toEqual(['N · H', 'light 3', '0 0.5 1']);
@@ -86,7 +79,7 @@ test('`ready` and `toBlob` wait until the view is shown, and leaving it restores
   const again = page.locator('phong-viewer');
   const blob = again.evaluate(async (element: PhongViewer) => {
     await customElements.whenDefined('phong-viewer');
-    element.view = 'light-count';
+    element.view = 'triangles';
     const picture = await element.toBlob();
     element.view = 'shaded';
     return picture.size;
@@ -133,29 +126,6 @@ test('follows lights that are renamed, switched off, added and removed', async (
     return element.ready;
   });
   expect(await legendText(viewer)).toContain('head-light');
-});
-
-test('the colours of counts are those of the legend, and its end is the number of active lights', async ({
-  mount,
-}) => {
-  const viewer = await mount(scene('view="light-count"'), SIZE);
-  const fields = () =>
-    legendOf(viewer)
-      .locator('.legend-colors > i')
-      .evaluateAll((list) => list.map((field) => getComputedStyle(field).backgroundColor));
-  const css = (t: number): string =>
-    `rgb(${scaleColor(t).map((channel) => Math.round(255 * channel)).join(', ')})`; // prettier-ignore
-  expect(await fields()).toEqual([0, 1 / 3, 2 / 3, 1].map(css));
-  const seen = new Set<string>();
-  const { data } = await pixels(viewer);
-  for (let at = 0; at < data.length; at += 4)
-    if (data[at + 3] === 255) seen.add(`rgb(${data.slice(at, at + 3).join(', ')})`);
-  expect((await fields()).filter((color) => seen.has(color)).length).toBeGreaterThan(1);
-  await viewer.evaluate((element: PhongViewer) => {
-    for (let i = 0; i < 77; i++) element.append(document.createElement('phong-light'));
-    return element.ready;
-  });
-  expect((await legendText(viewer)).at(-1)).toBe('0 20 40 60 80');
 });
 
 test('a view is compiled once, however often it is chosen', async ({ page, mount }) => {
@@ -322,84 +292,4 @@ test('the markup keeps the view, and the panel writes and follows it', async ({ 
     'lamp',
   ]);
   await expect.poll(() => warnings.length).toBe(1);
-});
-
-test.describe('the error', () => {
-  const small = { width: 200, height: 150 };
-
-  test('is measured once the picture is still, and again after each change', async ({ mount }) => {
-    const viewer = await mount(scene('view="error"'), small);
-    const canvas = viewer.locator('.view-error');
-    await errorDone(viewer);
-    await expect(canvas).toBeVisible();
-    const share = () =>
-      canvas.evaluate((element: HTMLCanvasElement) => {
-        const { data } = element.getContext('2d')!.getImageData(0, 0, element.width, element.height);
-        let drawn = 0;
-        for (let at = 3; at < data.length; at += 4) drawn += Number(data[at] === 255);
-        return drawn / (element.width * element.height);
-      });
-    expect(await share()).toBeGreaterThan(0.2);
-    const frames = () => viewer.evaluate((element: PhongViewer) => element.stats.frames);
-    const before = await frames();
-    await viewer.page().waitForTimeout(1400); // longer than the pause before the description is written
-    expect(await frames(), 'measuring draws no frames of its own').toBe(before);
-    await assign(viewer, { theta: 70 });
-    await expect(legendOf(viewer)).toContainText('when the picture is still');
-    await errorDone(viewer);
-    await assign(viewer, { view: 'normals' });
-    await expect(canvas).toHaveCount(0);
-  });
-
-  test('is below one step inside faces, and excludes edges of faces and cones', async ({ mount }) => {
-    const markup = `<phong-viewer geometry="box" view="error" theta="30" phi="60">${lights}</phong-viewer>`;
-    const viewer = await mount(markup, small);
-    await errorDone(viewer);
-    const text = await legendOf(viewer).getByRole('status').textContent();
-    expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
-  });
-
-  test('excludes borders of triangles under Gouraud shading, where a pixel averages two slopes', async ({
-    mount,
-  }) => {
-    const attributes = 'segments="12" shading="gouraud" view="error"';
-    const viewer = await mount(scene(attributes), { width: 440, height: 290 });
-    await errorDone(viewer);
-    const text = await legendOf(viewer).getByRole('status').textContent();
-    expect(Number(/[\d.]+$/.exec(text!)![0])).toBeLessThan(1);
-  });
-
-  test('is in the picture that toBlob gives, at any size', async ({ mount }) => {
-    const viewer = await mount(scene('view="error"'), small);
-    const { width, height, data } = await pixels(viewer, { width: 60, height: 40 });
-    expect([width, height]).toEqual([60, 40]);
-    const at = 4 * (20 * width + 30);
-    const [r, g, b] = data.slice(at, at + 3);
-    // Below a step of 1/255: the dark half of the scale, which is blue.
-    const middle = scaleColor(0.5).map((channel) => Math.round(255 * channel));
-    expect(r! <= middle[0]! && g! <= middle[1]!).toBe(true);
-    expect(b!).toBeGreaterThan(r!);
-    expect(pixelAt({ width, height, data }, 0, 0)[3]).toBe(0);
-  });
-
-  test('lies below the helpers in a picture file', async ({ mount }) => {
-    const lamp = '<phong-light name="lamp" position="0 0 2 1" diffuse="255 40 40"></phong-light>';
-    const attributes = 'geometry="box" helpers view="error" theta="0" phi="90" target="0 0 0"';
-    const viewer = await mount(`<phong-viewer ${attributes}>${lamp}</phong-viewer>`, small);
-    const [width, height] = [300, 200];
-    const picture = await pixels(viewer, { width, height, helpers: true });
-    expect(pixelAt(picture, width / 2, height / 2)).toEqual([255, 40, 40, 255]);
-  });
-
-  test('ends with the view and with the element', async ({ mount }) => {
-    const viewer = await mount(scene('view="error"'), { width: 600, height: 400 });
-    await expect(legendOf(viewer).getByRole('progressbar')).toBeVisible({ timeout: 30_000 });
-    await viewer.evaluate((element: PhongViewer) => {
-      element.remove();
-      document.body.append(element);
-    });
-    await expect(legendOf(viewer).getByRole('progressbar')).toBeVisible({ timeout: 30_000 });
-    await assign(viewer, { view: 'shaded' });
-    await expect(legendOf(viewer)).toHaveCount(0);
-  });
 });
