@@ -7,6 +7,5 @@ export const modelChunks = [
     name: 'model-shared',
     test: /\/src\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|owned-model|stl\/stl-kind|text\/utf-16|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
-  { name: 'view-shared', test: /\/src\/(material\/view\/scale|overlay\/error\/picture-snapshot)\.ts$/ },
   { name: 'model-triangles', test: /\/src\/model\/(text|triangles)\/[^/]+\.ts$/ },
 ];

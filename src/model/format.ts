@@ -93,7 +93,7 @@ export function formatOf(
     FORMATS.find(({ types, otherTypes }) => [...types, ...otherTypes].includes(essence(written)));
   const byContent = FORMATS.find(({ matches }) => matches(bytes));
   if (byContent) return byContent;
-  refuse(name, foreignContent(bytes));
+  refuse(name, foreignContent(bytes, extension));
   const byHint =
     byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
   if (byHint) return byHint;

@@ -60,79 +60,29 @@ test('a viewer that cannot be moved is an image, and no stop for the Tab key', a
   expect(await roles(page)).toContain('application');
 });
 
-test('lights and meshes are items of a list beside the picture, by name', async ({ page, mount }) => {
-  const meshes =
-    '<phong-mesh name="floor" geometry="plane"></phong-mesh><div><phong-mesh geometry="cone"></phong-mesh></div>';
-  await mount(viewer('alt="A box"', sun + lamp + spot + meshes));
-  await expect(page.getByRole('list', { name: 'Lights and meshes' }).getByRole('listitem')).toHaveText([
-    'sun: directional light, position 1 2 3, diffuse 255 255 255',
-    'lamp: point light, position 2 0.5 −1.23, diffuse 255 204 136',
-    'light 3 (off): spot light, position 0 3 3, diffuse 255 255 255, in camera space',
-    'floor: mesh',
-    'cone: mesh',
-  ]);
-  expect(await roles(page)).toEqual([
-    'application',
-    'list',
-    'listitem',
-    'listitem',
-    'listitem',
-    'listitem',
-    'listitem',
-  ]);
-});
-
-test('the list names a hundred lights and a hundred meshes, and says how many more there are', async ({
-  page,
-  mount,
-}) => {
-  const many = (tag: string, count: number): string => `<${tag}></${tag}>`.repeat(count);
-  await mount(viewer('alt="A box"', many('phong-light', 102) + many('phong-mesh', 101)));
-  const items = page.getByRole('listitem');
-  await expect(items).toHaveCount(202);
-  expect((await items.allTextContents()).filter((text) => !/^(light|mesh) \d+: /.test(text))).toEqual([
-    'More lights: 2',
-    'More meshes: 1',
-  ]);
-});
-
-test('description and list follow what scripts change', async ({ page, mount }) => {
-  const element = await mount(
-    viewer('alt="A box" radius="4"', `${sun}<phong-mesh name="floor"></phong-mesh>`),
-  );
-  const items = page.getByRole('listitem');
-  await expect(items).toHaveCount(2);
+test('the description follows what scripts change', async ({ page, mount }) => {
+  const element = await mount(viewer('alt="A box" radius="4"', sun));
+  const description = async (): Promise<string> => (await accessibleNode(page, 'application')).description;
+  await expect.poll(description).toMatch(/Lights: sun\.$/);
   await element.evaluate((target: PhongViewer) => {
     target.theta = -90.4;
     target.lights[0]!.name = 'moon';
     target.lights[0]!.active = false;
-    target.meshes[0]!.name = 'ground';
     target.append(document.createElement('phong-light'));
   });
-  await expect(items).toHaveText([/^moon \(off\)/, /^light 2: directional/, 'ground: mesh']);
-  expect((await accessibleNode(page, 'application')).description).toMatch(
-    / Camera: azimuth −90°, polar angle 70°, distance 4. Lights: moon \(off\), light 2\.$/,
-  );
+  await expect
+    .poll(description)
+    .toMatch(/ Camera: azimuth −90°, polar angle 70°, distance 4. Lights: moon \(off\), light 2\.$/);
   await element.evaluate((target: PhongViewer) => target.replaceChildren());
-  await expect(items).toHaveCount(0);
+  await expect.poll(description).toMatch(/distance 4\.$/);
   expect(await roles(page)).toEqual(['application']);
 });
 
-test('a mesh that is renamed alone is listed by its new name', async ({ page, mount }) => {
-  const element = await mount(
-    viewer('alt="A box"', '<phong-mesh name="floor" geometry="plane"></phong-mesh>'),
-  );
-  await expect(page.getByRole('listitem')).toHaveText(['floor: mesh']);
-  await element.evaluate((target: PhongViewer) => (target.meshes[0]!.name = 'ground'));
-  await expect(page.getByRole('listitem')).toHaveText(['ground: mesh']);
-});
-
-test('with many lights the description names eight and the list names all', async ({ page, mount }) => {
+test('with many lights the description names eight', async ({ page, mount }) => {
   await mount(viewer('alt="A box"', '<phong-light></phong-light>'.repeat(40)));
-  await expect(page.getByRole('listitem')).toHaveCount(40);
-  expect((await accessibleNode(page, 'application')).description).toMatch(
-    /Lights: light 1, .*light 8, \.{4}$/,
-  );
+  await expect
+    .poll(async () => (await accessibleNode(page, 'application')).description)
+    .toMatch(/Lights: light 1, .*light 8, \.{4}$/);
 });
 
 test('a fixed viewer with an empty alt is decoration: nothing of it is read', async ({ page, mount }) => {
@@ -166,13 +116,12 @@ test('aria-labelledby names the picture by other elements’ text, and aria-labe
 test('names and texts are never parsed as markup', async ({ page, mount }) => {
   const element = await mount(viewer('alt="A box"'));
   await element.evaluate((target: PhongViewer) => (target.lights[0]!.name = '$& {position} <b>'));
-  await expect(page.getByRole('listitem')).toHaveText([
-    /^\$& \{position\} <b>: directional light, position 1 2 3/,
-  ]);
+  await expect
+    .poll(async () => (await accessibleNode(page, 'application')).description)
+    .toMatch(/Lights: \$& \{position\} <b>\.$/);
 });
 
 test('a viewer hidden by its author stays hidden', async ({ page, mount }) => {
   await mount(viewer('aria-hidden="true" orbit="false" zoom="false"'));
-  await expect(page.locator('phong-viewer li')).toHaveCount(1);
   expect(await roles(page)).toEqual([]);
 });

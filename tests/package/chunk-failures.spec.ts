@@ -60,7 +60,7 @@ const parts: readonly Part[] = [
     sentence: /^load-failed: The code .*OBJ.* could not be fetched/,
   },
   {
-    chunk: 'draco(-wasm)?(-worker)?',
+    chunk: 'draco(-worker)?',
     use: '/assets/models/bunny.glb',
     sentence: /^load-failed: The Draco decoder.* could not be fetched/,
   },

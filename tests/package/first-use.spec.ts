@@ -55,7 +55,7 @@ const uses: readonly Use[] = [
   { what: 'shadeAt beside the shape', use: explain(1, 1), chunks: ['pick', 'shade-at'] },
   { what: 'shadeAt on the shape', use: explain(75, 50), chunks: ['reference'] },
   { what: 'shadeAt once more', use: explain(76, 50), chunks: [] },
-  { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend', 'view-shared'] },
+  { what: 'a view of normals', use: set({ view: 'normals' }), chunks: ['legend'] },
   { what: 'one light alone', use: set({ view: 'shaded', viewLight: 'light 1' }), chunks: [] },
   { what: 'no view', use: set({ viewLight: '' }), chunks: [] },
   { what: 'a drag', use: (_, page) => drag(page), chunks: [] },
@@ -83,7 +83,7 @@ const uses: readonly Use[] = [
   {
     what: 'a model compressed with Draco, under a policy without WebAssembly',
     use: set({ src: '/assets/models/bunny.glb' }),
-    chunks: ['draco-wasm-worker', 'draco-worker'],
+    chunks: ['draco-worker', 'draco'],
   },
 ];
 

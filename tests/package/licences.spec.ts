@@ -63,7 +63,6 @@ test('every bundle that contains code of others begins with a notice that names 
     [chunk('chunks', 'draco'), [/Draco Authors/]],
     [chunk('shared', 'draco'), [/Draco Authors/]],
     [chunk('chunks', 'draco-worker'), [/Draco Authors/]],
-    [chunk('chunks', 'draco-wasm-worker'), [/Draco Authors/]],
     [chunk('chunks', 'ktx2-worker'), [/Binomial LLC/]],
     [chunk('shared', 'ktx2'), [/Binomial LLC/]],
   ];

@@ -7,7 +7,6 @@ import {
   lightName,
   lightsText,
   lightText,
-  meshText,
   meshTitle,
 } from '../../src/element/viewer/description.js';
 import { phrase } from '../../src/element/fields/texts.js';
@@ -79,7 +78,6 @@ describe('a mesh', () => {
     [{}, 'mesh 3'],
   ])('of %j has a title', (values, title) => {
     expect(meshTitle(null, mesh(values), 2)).toBe(title);
-    expect(meshText(null, mesh(values), 2)).toBe(`${title}: mesh`);
   });
 });
 

@@ -12,7 +12,6 @@ const texts: CompleteTexts = {
   'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.':
     'Kamera: Azimut {theta}°, Polarwinkel {phi}°, Abstand {radius}.',
   'Lights: {lights}.': 'Lichter: {lights}.',
-  'Lights and meshes': 'Lichter und Körper',
   '{name}: directional light, position {position}, diffuse {diffuse}':
     '{name}: Richtungslicht, Position {position}, diffus {diffuse}',
   '{name}: point light, position {position}, diffuse {diffuse}':
@@ -21,9 +20,7 @@ const texts: CompleteTexts = {
     '{name}: Scheinwerfer, Position {position}, diffus {diffuse}',
   '{light}, in camera space': '{light}, im Kameraraum',
   '{name} (off)': '{name} (aus)',
-  '{name}: mesh': '{name}: Körper',
   'More lights: {number}': 'Weitere Lichter: {number}',
-  'More meshes: {number}': 'Weitere Körper: {number}',
   'head-light': 'Kameralicht',
   'light {number}': 'Licht {number}',
   'mesh {number}': 'Körper {number}',

@@ -12,7 +12,6 @@ const texts: CompleteTexts = {
   'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.':
     'Cámara: acimut {theta}°, ángulo polar {phi}°, distancia {radius}.',
   'Lights: {lights}.': 'Luces: {lights}.',
-  'Lights and meshes': 'Luces y mallas',
   '{name}: directional light, position {position}, diffuse {diffuse}':
     '{name}: luz direccional, posición {position}, difusa {diffuse}',
   '{name}: point light, position {position}, diffuse {diffuse}':
@@ -21,9 +20,7 @@ const texts: CompleteTexts = {
     '{name}: foco, posición {position}, difusa {diffuse}',
   '{light}, in camera space': '{light}, en el espacio de la cámara',
   '{name} (off)': '{name} (apagada)',
-  '{name}: mesh': '{name}: malla',
   'More lights: {number}': 'Luces restantes: {number}',
-  'More meshes: {number}': 'Mallas restantes: {number}',
   'head-light': 'luz frontal',
   'light {number}': 'luz {number}',
   'mesh {number}': 'malla {number}',

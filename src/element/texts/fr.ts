@@ -12,7 +12,6 @@ const texts: CompleteTexts = {
   'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.':
     'Caméra : azimut {theta}°, angle polaire {phi}°, distance {radius}.',
   'Lights: {lights}.': 'Lumières : {lights}.',
-  'Lights and meshes': 'Lumières et maillages',
   '{name}: directional light, position {position}, diffuse {diffuse}':
     '{name} : lumière directionnelle, position {position}, diffuse {diffuse}',
   '{name}: point light, position {position}, diffuse {diffuse}':
@@ -21,9 +20,7 @@ const texts: CompleteTexts = {
     '{name} : projecteur, position {position}, diffuse {diffuse}',
   '{light}, in camera space': '{light}, dans le repère de la caméra',
   '{name} (off)': '{name} (éteinte)',
-  '{name}: mesh': '{name} : maillage',
   'More lights: {number}': 'Autres lumières : {number}',
-  'More meshes: {number}': 'Autres maillages : {number}',
   'head-light': 'lumière frontale',
   'light {number}': 'lumière {number}',
   'mesh {number}': 'maillage {number}',

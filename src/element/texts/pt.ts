@@ -12,7 +12,6 @@ const texts: CompleteTexts = {
   'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.':
     'Câmera: azimute {theta}°, ângulo polar {phi}°, distância {radius}.',
   'Lights: {lights}.': 'Luzes: {lights}.',
-  'Lights and meshes': 'Luzes e malhas',
   '{name}: directional light, position {position}, diffuse {diffuse}':
     '{name}: luz direcional, posição {position}, difusa {diffuse}',
   '{name}: point light, position {position}, diffuse {diffuse}':
@@ -21,9 +20,7 @@ const texts: CompleteTexts = {
     '{name}: holofote, posição {position}, difusa {diffuse}',
   '{light}, in camera space': '{light}, no espaço da câmera',
   '{name} (off)': '{name} (apagada)',
-  '{name}: mesh': '{name}: malha',
   'More lights: {number}': 'Outras luzes: {number}',
-  'More meshes: {number}': 'Outras malhas: {number}',
   'head-light': 'luz frontal',
   'light {number}': 'luz {number}',
   'mesh {number}': 'malha {number}',

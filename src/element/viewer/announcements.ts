@@ -1,16 +1,13 @@
-// What a screen reader finds beside the picture, and what is announced: a description of keys, camera and lights, a
-// list of lights and meshes by name, and a live region. The list is a sibling of the picture: screen readers do not
-// browse inside an application or an image, and the children are in a slot that is not rendered. Follows drawn frames,
-// at most once a second; announces only what the user changed.
-import { html, noChange, nothing, type ReactiveController, type TemplateResult } from 'lit';
+// What a screen reader finds beside the picture, and what is announced: a description of keys, camera and lights, and
+// a live region. Follows drawn frames, at most once a second; announces only what the user changed.
+import { html, nothing, type ReactiveController, type TemplateResult } from 'lit';
 import { sameValue } from '../../fields/field-store.js';
-import type { ViewerText } from '../fields/text-list.js';
-import { phrase, type ViewerTexts } from '../fields/texts.js';
+import type { ViewerTexts } from '../fields/texts.js';
 import { fieldsOf } from '../internals.js';
 import type { PhongLight, PhongViewer } from '../elements.js';
 import { numberedName } from '../phong-light.js';
 import type { CameraMove, ViewerContext } from './viewer-context.js';
-import { cameraText, lightCountText, lightName, lightsText, lightText, meshText } from './description.js';
+import { cameraText, lightCountText, lightName, lightsText, lightText, NAMED } from './description.js';
 import { keysText } from './naming.js';
 import type { ViewerTree } from './template.js';
 
@@ -23,18 +20,11 @@ const PAUSE = 1000;
 /** Lights in one announcement. */
 const ANNOUNCED = 3;
 
-/** Most items of the list for the lights, and for the meshes. 2,000 of them take 60 ms of the main thread and 5 MB. */
-const MOST_LISTED = 100;
-
 /** Events in which the panel, and what lies over the picture, write to lights. */
 const PANEL_EVENTS = ['input', 'change', 'click', 'keydown', 'pointermove'] as const;
 
 export class ViewerAnnouncements implements ReactiveController {
   readonly #viewer: PhongViewer;
-  /** Texts of the list's items. */
-  #items: readonly string[] = [];
-  /** Those that the tree shows. */
-  #shown: readonly string[] | null = null;
   /** The live region's text; null before its first use. */
   #spoken: string | null = null;
   #timer = 0;
@@ -62,18 +52,9 @@ export class ViewerAnnouncements implements ReactiveController {
         part.addEventListener(type, (event) => (this.#panelEvent = event), { capture: true, passive: true });
   }
 
-  /** What is beside the picture. */
-  template(): TemplateResult {
-    const items = this.#items === this.#shown ? noChange : this.#items.map((item) => html`<li>${item}</li>`);
-    this.#shown = this.#items;
-    // A list without items is a mistake to checkers.
-    return html`${
-      this.#items.length === 0
-        ? nothing
-        : html`<ul role="list" aria-label=${phrase(this.#language, 'Lights and meshes')}>
-            ${items}
-          </ul>`
-    }${this.#spoken === null ? nothing : html`<p aria-live="polite">${this.#spoken}</p>`}`;
+  /** What is beside the picture: the live region. */
+  template(): TemplateResult | typeof nothing {
+    return this.#spoken === null ? nothing : html`<p aria-live="polite">${this.#spoken}</p>`;
   }
 
   /** Keys, camera and lights in words. */
@@ -126,11 +107,10 @@ export class ViewerAnnouncements implements ReactiveController {
   #wait(ms: number): void {
     this.#timer = window.setTimeout(() => {
       this.#timer = 0;
-      const before = [this.#spoken, this.#scene, this.#items, this.#language];
+      const before = [this.#spoken, this.#scene, this.#language];
       this.#announce();
       this.#describe();
-      if (!sameValue([this.#spoken, this.#scene, this.#items, this.#language], before))
-        this.#viewer.requestUpdate();
+      if (!sameValue([this.#spoken, this.#scene, this.#language], before)) this.#viewer.requestUpdate();
     }, ms);
   }
 
@@ -153,22 +133,11 @@ export class ViewerAnnouncements implements ReactiveController {
 
   #describe(): void {
     const texts = (this.#language = this.#texts);
-    const { camera, lights, meshes } = this.#viewer;
-    const first = lights.slice(0, MOST_LISTED);
-    const names = first.map((light, i) => lightName(texts, this.#nameOf(light, i), light));
+    const { camera, lights } = this.#viewer;
+    const names = lights
+      .slice(0, NAMED + 1)
+      .map((light, i) => lightName(texts, this.#nameOf(light, i), light));
     this.#scene = `${cameraText(texts, camera)} ${lightsText(texts, names)}`;
-    const items = [
-      ...this.#listed(lights, 'More lights: {number}', (light, i) => this.#lightText(light, i)),
-      ...this.#listed(meshes, 'More meshes: {number}', (mesh, i) => meshText(texts, mesh, i)),
-    ];
-    if (!sameValue(items, this.#items)) this.#items = items;
-  }
-
-  /** Texts of the first ones, and how many more there are. */
-  #listed<T>(all: readonly T[], more: ViewerText, textOf: (one: T, index: number) => string): string[] {
-    const texts = all.slice(0, MOST_LISTED).map(textOf);
-    const rest = all.length - texts.length;
-    return rest > 0 ? [...texts, phrase(this.#texts, more, { number: String(rest) })] : texts;
   }
 
   #lightText(light: PhongLight, index: number): string {

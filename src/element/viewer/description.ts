@@ -9,8 +9,8 @@ import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { localNumber } from '../page/local-number.js';
 import type { CameraState } from '../elements.js';
 
-/** Lights that the description names. It is read in one go, so it must be short; the list names more. */
-const NAMED = 8;
+/** Lights that the description names. It is read in one go, so it must be short. */
+export const NAMED = 8;
 
 const LIGHTS = 'Lights: {lights}.';
 
@@ -53,9 +53,6 @@ export function lightText(texts: ViewerTexts | null, name: string, values: Light
   });
   return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
 }
-
-export const meshText = (texts: ViewerTexts | null, mesh: MeshNames, index: number): string =>
-  phrase(texts, '{name}: mesh', { name: meshTitle(texts, mesh, index) });
 
 type MeshNames = Pick<MeshValues, 'name' | 'src' | 'geometry'>;
 

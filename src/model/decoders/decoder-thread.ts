@@ -1,6 +1,6 @@
 // Where meshes and textures are decompressed: in a worker, one for each decoder, which keeps the page alive and ends at
 // once with an abort. On the main thread where no worker can start: the package on another origin, a page opened from
-// disk, a policy, a bundler that left the worker's file out.
+// disk, a policy without workers or without WebAssembly, a bundler that left the worker's file out.
 
 /**
  * How long a worker waits for another job, in milliseconds. The models of a page come one after another, and each start
@@ -16,29 +16,21 @@ interface Session<Job, Result> {
 
 /** Jobs are done one after the other: however many models are read, there is one worker. */
 export class DecoderThread<Job, Result> {
-  readonly #workers: readonly (() => Worker | null)[];
+  /** Null once it did not start: it is not tried again. */
+  #worker: (() => Worker | null) | null;
   readonly #code: () => Promise<CreateDecoder<Job, Result>>;
   readonly #setup: string;
   #last: Promise<unknown> = Promise.resolve();
   #session: Promise<Session<Job, Result>> | null = null;
-  /**
-   * The first of {@link #workers} to try. Those before it did not start, although later code is there: do not try them
-   * again.
-   */
-  #first = 0;
   #idle: ReturnType<typeof setTimeout> | undefined;
 
   /**
-   * @param workers start workers with the same decoder; the first that can is used. Null: there is no worker's file.
-   * @param code the same decoder for the main thread. Its error is the caller's, where no worker did start either.
+   * @param worker starts a worker with the decoder. Null: there is no worker's file.
+   * @param code the same decoder for the main thread. Its error is the caller's, where the worker did not start either.
    * @param setup passed to the decoder when it starts.
    */
-  constructor(
-    workers: readonly (() => Worker | null)[],
-    code: () => Promise<CreateDecoder<Job, Result>>,
-    setup: string,
-  ) {
-    this.#workers = workers;
+  constructor(worker: () => Worker | null, code: () => Promise<CreateDecoder<Job, Result>>, setup: string) {
+    this.#worker = worker;
     this.#code = code;
     this.#setup = setup;
   }
@@ -81,7 +73,7 @@ export class DecoderThread<Job, Result> {
     const worker = await this.#openWorker();
     if (worker) return worker;
     const create = await this.#code();
-    this.#first = this.#workers.length;
+    this.#worker = null;
     const decode = await create(this.#setup);
     return {
       decode: async (job) => (await decode(job)).result,
@@ -89,23 +81,18 @@ export class DecoderThread<Job, Result> {
     };
   }
 
-  /** Null if none can start. One that answers with an error, as without WebAssembly, leaves its place to the next. */
+  /** Null if it cannot start. */
   async #openWorker(): Promise<Session<Job, Result> | null> {
-    for (let i = this.#first; i < this.#workers.length; i += 1) {
-      let worker: Worker | null = null;
-      try {
-        worker = this.#workers[i]?.() ?? null;
-        if (worker === null) return null;
-        await answerOf(worker, this.#setup);
-        this.#first = i;
-        return sessionOf(worker);
-      } catch (error) {
-        worker?.terminate();
-        // A policy that refuses one worker refuses all, and reports each.
-        if (worker === null || error instanceof NoAnswer) return null;
-      }
+    let worker: Worker | null = null;
+    try {
+      worker = this.#worker?.() ?? null;
+      if (worker === null) return null;
+      await answerOf(worker, this.#setup);
+      return sessionOf(worker);
+    } catch {
+      worker?.terminate();
+      return null;
     }
-    return null;
   }
 
   /** Ends the session after a while, unless it is used again. */
@@ -134,9 +121,6 @@ const sessionOf = <Job, Result>(worker: Worker): Session<Job, Result> => ({
   },
 });
 
-/** The worker's script did not arrive or has ended. */
-class NoAnswer extends Error {}
-
 /** Sends a message and waits for its answer. */
 async function answerOf<Result>(worker: Worker, message: unknown, signal?: AbortSignal): Promise<Result> {
   const done = new AbortController();
@@ -150,7 +134,7 @@ async function answerOf<Result>(worker: Worker, message: unknown, signal?: Abort
       const failed = (event: Event): void => {
         // Otherwise the browser would report it as the page's own.
         event.preventDefault();
-        reject(new NoAnswer('the decoder has stopped'));
+        reject(new Error('the decoder has stopped'));
       };
       worker.addEventListener('message', answered, until);
       worker.addEventListener('error', failed, until);

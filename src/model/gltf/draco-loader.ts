@@ -17,10 +17,7 @@ const decoderCode = lazyCode(() => import('./draco.js'), 'the Draco decoder');
  * one unpacks in 190 ms.
  */
 const thread = /* @__PURE__ */ new DecoderThread<DracoJob, DracoMesh>(
-  [
-    () => new Worker(new URL('./draco-wasm-worker.ts', import.meta.url), { type: 'module' }),
-    () => new Worker(new URL('./draco-worker.ts', import.meta.url), { type: 'module' }),
-  ],
+  () => new Worker(new URL('./draco-worker.ts', import.meta.url), { type: 'module' }),
   async () => {
     const { createDecoder } = await decoderCode().catch((cause: unknown) => {
       const message = 'The Draco decoder, which this model needs, could not be fetched.';

@@ -1,5 +1,7 @@
-// The worker that decodes Draco data where the one with WebAssembly cannot start.
+// The worker that decodes Draco data, by WebAssembly.
+import createDraco from 'three/examples/jsm/libs/draco/gltf/draco_wasm_wrapper.js';
 import { answerJobs } from '../decoders/answer-jobs.js';
-import { createDecoder } from './draco.js';
+import { startWasm } from '../decoders/start-wasm.js';
+import { meshDecoder } from './draco-mesh.js';
 
-answerJobs(createDecoder);
+answerJobs(async (address) => meshDecoder(await startWasm(createDraco, address)));

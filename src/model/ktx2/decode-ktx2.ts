@@ -8,7 +8,7 @@ import type { Ktx2Job } from './ktx2.js';
 const decoderCode = /* @__PURE__ */ lazyCode(() => import('./ktx2.js'), 'KTX2 textures');
 
 const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
-  [() => new Worker(new URL('./ktx2-worker.ts', import.meta.url), { type: 'module' })],
+  () => new Worker(new URL('./ktx2-worker.ts', import.meta.url), { type: 'module' }),
   async () => {
     // The script for pages opened from disk has no WebAssembly beside it.
     if (transcoder === '')

@@ -1,6 +1,6 @@
-// Where are compressed models unpacked? In one worker for any number of models, by WebAssembly or without, or on the
-// main thread if none can start, with the same bits. The worker ends after an abort or an idle time. The tests' server
-// allows its files no WebAssembly.
+// Where are compressed models unpacked? In one worker for any number of models, by WebAssembly, or on the main thread if
+// it cannot start or may not compile, with the same bits. The worker ends after an abort or an idle time. The tests'
+// server allows its files no WebAssembly; `shown` mounts from one that does.
 
 import type { Locator, Page } from '@playwright/test';
 import type { BufferGeometry } from 'three';
@@ -14,8 +14,17 @@ const bunny = '/assets/models/bunny.glb';
 const scene = `<phong-viewer src="${bunny}"></phong-viewer>`;
 const size = { width: 90, height: 60 };
 const workerFile = /\/draco-worker[^/]*\.js$/;
-const wasmWorkerFile = /\/draco-wasm-worker[^/]*\.js$/;
-const anyWorkerFile = /\/draco(-wasm)?-worker[^/]*\.js$/;
+
+const allowing = await startSite(testMounts, wasmPolicy);
+test.afterAll(() => allowing.close());
+
+/** Mounts where WebAssembly is allowed. */
+async function shown(page: Page, markup: string): Promise<Locator> {
+  const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
+  await page.goto(allowing.page(markup, { csp: wasmPolicy, head }));
+  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  return page.locator('phong-viewer');
+}
 
 /** A hash of each array of each geometry. */
 const fingerprint = (viewer: Locator): Promise<readonly string[]> =>
@@ -53,68 +62,51 @@ function requestsOf(page: Page): Readonly<Record<string, number>> {
   return counts;
 }
 
-test('a model is the same from WebAssembly and without it, from the worker and from the main thread', async ({
+test('a model is the same from WebAssembly in a worker and without it on the main thread', async ({
   page,
   mount,
 }) => {
   const started = workersOf(page);
-  const allowing = await startSite(testMounts, wasmPolicy);
-  const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
   const meshes = `<phong-viewer src="${bunny}"><phong-mesh src="${engine}"></phong-mesh></phong-viewer>`;
-  await page.goto(allowing.page(meshes, { csp: wasmPolicy, head }));
-  const first = page.locator('phong-viewer');
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  const first = await shown(page, meshes);
   await settled(first);
   const compiled = await fingerprint(first);
   expect(compiled.length).toBeGreaterThan(34);
-  expect(started).toEqual([expect.stringMatching(wasmWorkerFile)]);
-  await allowing.close();
+  expect(started).toEqual([expect.stringMatching(workerFile)]);
 
   const requested = requestsOf(page);
-  const threaded = await fingerprint(await mount(meshes, size));
-  expect(threaded).toEqual(compiled);
-  expect(started.slice(1)).toEqual([
-    expect.stringMatching(wasmWorkerFile),
-    expect.stringMatching(workerFile),
-  ]);
+  expect(await fingerprint(await mount(meshes, size))).toEqual(compiled);
   // Refused before the file is fetched.
   expect(Object.keys(requested).filter((name) => name.includes('decoder'))).toEqual([]);
 
-  await page.route(anyWorkerFile, (route) => route.abort());
+  await page.route(workerFile, (route) => route.abort());
   expect(await fingerprint(await mount(meshes, size))).toEqual(compiled);
-  expect(started).toHaveLength(3);
 });
 
-test('the worker without WebAssembly stands in where the file of the other is missing', async ({ page }) => {
-  const started = workersOf(page);
+test('the main thread stands in where the WebAssembly is missing', async ({ page }) => {
   await page.route(/draco_decoder\.wasm$/, (route) => route.fulfill({ status: 404 }));
-  const allowing = await startSite(testMounts, wasmPolicy);
-  const head = '<script type="module" src="/dist/phong-viewer.standalone.js"></script>';
-  await page.goto(allowing.page(scene, { csp: wasmPolicy, head }));
-  const viewer = page.locator('phong-viewer');
-  await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
+  const viewer = await shown(page, scene);
   await settled(viewer);
   expect(await loaded(viewer)).toBe(true);
-  expect(started).toEqual([expect.stringMatching(wasmWorkerFile), expect.stringMatching(workerFile)]);
-  await allowing.close();
 });
 
 test('damaged data give the same error from both', async ({ page, site, mount }) => {
-  const outcome = async (): Promise<string> => {
-    const viewer = await mount('<phong-viewer></phong-viewer>', size);
-    return viewer.evaluate(
+  const damaged = dracoGlb(1, 3, { faces: 1, points: 3 });
+  const outcome = (viewer: Locator, address: string): Promise<string> =>
+    viewer.evaluate(
       (element: PhongViewer, src) =>
         new Promise<string>((resolve) => {
           element.addEventListener('error', ({ detail }) => resolve(`${detail.code}: ${detail.message}`));
           element.src = src;
         }),
-      site.file(dracoGlb(1, 3, { faces: 1, points: 3 })),
+      address,
     );
-  };
-  const threaded = await outcome();
+  const threaded = await outcome(await shown(page, '<phong-viewer></phong-viewer>'), allowing.file(damaged));
   expect(threaded).toMatch(/^bad-model: .*Draco data/);
-  await page.route(anyWorkerFile, (route) => route.abort());
-  expect(await outcome()).toBe(threaded);
+  const empty = await mount('<phong-viewer></phong-viewer>', size);
+  // Each address is named in the message.
+  const name = /\([^()]*\)\.?$/;
+  expect((await outcome(empty, site.file(damaged))).replace(name, '')).toBe(threaded.replace(name, ''));
 });
 
 test('a model is shown under a policy that allows no worker', async ({ mount, consoleGuard }) => {
@@ -123,14 +115,14 @@ test('a model is shown under a policy that allows no worker', async ({ mount, co
   expect(await loaded(viewer)).toBe(true);
 });
 
-test('twenty models at once use one worker', async ({ page, mount }) => {
+test('twenty models at once use one worker', async ({ page }) => {
   const started = workersOf(page);
   // Different addresses, so that nothing is shared.
   const many = Array.from({ length: 20 }, (_, i) => `<phong-mesh src="${bunny}?${i}"></phong-mesh>`).join('');
-  const viewer = await mount(`<phong-viewer>${many}</phong-viewer>`, size);
+  const viewer = await shown(page, `<phong-viewer>${many}</phong-viewer>`);
+  await settled(viewer);
   expect(await loaded(viewer)).toBe(true);
-  // One more was refused its WebAssembly.
-  expect(started).toHaveLength(2);
+  expect(started).toHaveLength(1);
   expect(page.workers()).toHaveLength(1);
 });
 
@@ -144,13 +136,10 @@ test('the worker starts while the meshes are still being downloaded', async ({ p
   expect(await loaded(viewer)).toBe(true);
 });
 
-test('removing the viewer terminates a busy worker, and the next model gets a new one', async ({
-  page,
-  mount,
-}) => {
+test('removing the viewer terminates a busy worker, and the next model gets a new one', async ({ page }) => {
   const started = workersOf(page);
   const starting = page.waitForEvent('worker', (worker) => workerFile.test(worker.url()));
-  await mount(scene, { ...size, waitForReady: false });
+  await shown(page, scene);
   const worker = await starting;
   const ended = worker.waitForEvent('close');
   await page.evaluate(() => document.querySelector('phong-viewer')?.remove());
@@ -167,13 +156,13 @@ test('removing the viewer terminates a busy worker, and the next model gets a ne
   expect(started.filter((url) => workerFile.test(url))).toHaveLength(2);
 });
 
-test('an idle worker ends', async ({ page, mount }) => {
+test('an idle worker ends', async ({ page }) => {
   await page.clock.install();
   const starting = page.waitForEvent('worker', (worker) => workerFile.test(worker.url()));
-  const mounting = mount(scene, size);
+  const viewer = await shown(page, scene);
   const worker = await starting;
   const ended = worker.waitForEvent('close');
-  await mounting;
+  await settled(viewer);
   expect(page.workers()).toHaveLength(1);
   await page.clock.fastForward(6000);
   await ended;
