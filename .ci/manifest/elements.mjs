@@ -82,7 +82,7 @@ function implementsElement({ heritageClauses, name }, className) {
 }
 
 /** The default of an attribute that must be absent for it: false, or an empty list. @param {{ kind: string }} field */
-const absent = ({ kind }) => (kind === 'presence' ? 'false' : '');
+const absent = ({ kind }) => (kind === 'presence' || kind === 'flag-or-words' ? 'false' : '');
 
 function compilerOptions() {
   const { config } = ts.readConfigFile(join(repository, 'tsconfig.json'), ts.sys.readFile);

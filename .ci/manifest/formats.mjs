@@ -159,7 +159,7 @@ const markdown = (value) => ({ kind: 'markdown', value });
 
 /** `v` is VS Code's built-in set for attributes without a value. @param {Value} value */
 function suggestions({ field, choices }) {
-  if (field.kind === 'presence') return { valueSet: 'v' };
+  if (field.kind === 'presence' || field.kind === 'flag-or-words') return { valueSet: 'v' };
   const words = field.kind === 'boolean' ? ['true', 'false'] : choices;
   return words.length > 0 ? { values: words.map((name) => ({ name })) } : {};
 }

@@ -5,7 +5,8 @@ import type { Vec3, Vec4 } from '../math/vector.js';
 import { clip } from './clip.js';
 
 /** How a value is written as text; selects the element's parser and formatter. */
-export type FieldKind = 'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words';
+export type FieldKind =
+  'number' | 'numbers' | 'color' | 'boolean' | 'presence' | 'text' | 'choice' | 'words' | 'flag-or-words';
 
 /** A declared value's default and domain. */
 export interface Field<T> {
@@ -233,6 +234,31 @@ export function subsetField<T extends string>(
       const stray = words.find((word) => !(choices as readonly unknown[]).includes(word));
       if (stray !== undefined) throw new RangeError(`expected ${expected}, got ${show(stray)}`);
       return Object.freeze(choices.filter((choice) => words.includes(choice)));
+    },
+  };
+}
+
+/**
+ * False, true if present without a value or with its own name (as HTML's boolean attributes), or a list of words: all
+ * from one of `lists`, in the order given, each once.
+ */
+export function flagOrWordsField(
+  own: string,
+  expected: string,
+  lists: readonly (readonly string[])[],
+): Field<boolean | readonly string[]> {
+  return {
+    kind: 'flag-or-words',
+    fallback: false,
+    expected,
+    check(value) {
+      if (typeof value === 'boolean') return value;
+      if (!Array.isArray(value) || value.length > MOST_WORDS) throw wrong(expected, value);
+      const words: readonly unknown[] = [...(value as unknown[])];
+      if (words.length === 1 && words[0] === own) return true;
+      if (!lists.some((list) => words.every((word) => (list as readonly unknown[]).includes(word))))
+        throw new RangeError(`expected ${expected}, got ${show(words)}`);
+      return words.length > 0 && Object.freeze([...new Set(words as readonly string[])]);
     },
   };
 }

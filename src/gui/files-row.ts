@@ -13,10 +13,10 @@ const LABEL = 'copy HTML';
 /** How long the button shows the result, ms. */
 const RESULT_MS = 2000;
 
-/** Adds the row. Dispose of the button that it returns. */
-export function addFiles(gui: GUI, viewer: PhongViewer): CopyButton {
+/** Adds the row. `update`: the viewer's values have changed. */
+export function addFiles(gui: GUI, viewer: PhongViewer): { update(): void; dispose(): void } {
   const row = new ButtonRow(gui, 'Files');
-  row.add('open model…', () => {
+  const open = row.add('open model…', () => {
     chooseModel((file) => {
       historyOf(viewer).edit(valuesOf(viewer), () => (viewer.src = file));
     });
@@ -24,11 +24,15 @@ export function addFiles(gui: GUI, viewer: PhongViewer): CopyButton {
   row.add('save PNG', () => {
     void savePicture(viewer);
   });
-  return new CopyButton(row, () => viewer.toHTML());
+  const copy = new CopyButton(row, () => viewer.toHTML());
+  return {
+    update: () => (open.hidden = !viewer.droppable),
+    dispose: () => copy.dispose(),
+  };
 }
 
 /** Writes the markup to the clipboard, or shows it selected if the clipboard is not available. */
-export class CopyButton {
+class CopyButton {
   readonly #row: ButtonRow;
   readonly #button: HTMLButtonElement;
   readonly #text = document.createElement('textarea');

@@ -41,7 +41,7 @@ export class Folder<E extends Editable> {
       this.#rows = addRows(this.gui, this.#place, this.#table);
       this.#built(this.gui);
     }
-    this.#showRows([...this.#rows.values()]);
+    showRows(this.#place.element, [...this.#rows.values()]);
     for (const control of this.gui.controllers) control.updateDisplay();
   }
 
@@ -57,17 +57,16 @@ export class Folder<E extends Editable> {
     const [control] = this.#rows?.get(field)?.controls ?? [];
     control?.domElement.querySelector('input')?.focus();
   }
+}
 
-  /** A row stays while it, or a row under the same condition, is being edited. */
-  #showRows(rows: readonly AddedRow<E>[]): void {
-    for (const { row, controls } of rows) {
-      const { shown } = row;
-      if (shown === undefined) continue;
-      const together = rows.filter((other) => other.row.shown === shown).flatMap((other) => other.controls);
-      const visible =
-        shown(this.#place.element) || together.some(({ domElement }) => domElement.matches(':focus-within'));
-      for (const control of controls) control.show(visible);
-    }
+/** Shows the rows whose condition holds. One stays while it, or a row under the same condition, is being edited. */
+export function showRows<E>(element: E, rows: readonly AddedRow<E>[]): void {
+  for (const { row, controls } of rows) {
+    const { shown } = row;
+    if (shown === undefined) continue;
+    const together = rows.filter((other) => other.row.shown === shown).flatMap((other) => other.controls);
+    const visible = shown(element) || together.some(({ domElement }) => domElement.matches(':focus-within'));
+    for (const control of controls) control.show(visible);
   }
 }
 

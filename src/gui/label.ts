@@ -29,6 +29,25 @@ export function explain(element: HTMLElement, text: ViewerText): void {
   label(element, (say) => (element.title = say(text)));
 }
 
+/** Names the attribute that a row edits, in its tooltip and before a hint. */
+export function nameAttribute(row: HTMLElement, attribute: string): void {
+  const hint = writers.get(row);
+  label(row, (say) => {
+    row.title = '';
+    hint?.(say);
+    row.title = row.title === '' ? attribute : `${attribute}: ${row.title}`;
+  });
+}
+
+/** Says before a row's name whose value it is. */
+export function nameOwner(row: Controller, title: () => string): void {
+  const name = writers.get(row.$name);
+  label(row.$name, (say) => {
+    name?.(say);
+    row.name(`${title()}: ${row.$name.textContent}`);
+  });
+}
+
 /** The viewer's texts have changed. */
 export function relabel(panel: Element): void {
   const say = sayIn(panel);

@@ -1,6 +1,7 @@
 // The control panel: its folders, and which change refreshes which. It writes through the elements' public properties
 // only and requests no frames. Loaded on demand.
 import { GUI } from 'lil-gui';
+import { GUI_FOLDERS } from '../element/fields/viewer-fields.js';
 import type { ViewerTexts } from '../element/fields/texts.js';
 import {
   type CreatePanel,
@@ -16,7 +17,8 @@ import { ChildEditor } from './child-editor.js';
 import { ChildFolders } from './child-folders.js';
 import panelColumn from '../element/page/panel-column.css?inline';
 import controls from './controls.css?inline';
-import { addFiles, type CopyButton } from './files-row.js';
+import { addFiles } from './files-row.js';
+import { FlatRows } from './flat-rows.js';
 import { FullScreenButton } from './full-screen.js';
 import { addGroup, Folder, withoutAnimation } from './folder.js';
 import { label, relabel } from './label.js';
@@ -41,7 +43,88 @@ const STYLES = panelColumn + panelStyles + controls + targets;
 
 export const createPanel: CreatePanel = (viewer, place, root) => new ControlPanel(viewer, place, root);
 
+/** What a panel shows below its title. */
+interface Content {
+  update(change: PanelChange): void;
+  /** A folder was opened: refreshes rows that have become visible. */
+  refreshVisible(): void;
+  /** A model was loaded. */
+  loaded(): void;
+  dispose(): void;
+}
+
 class ControlPanel implements Panel {
+  readonly #viewer: PhongViewer;
+  readonly #gui: GUI;
+  readonly #range: SceneRange;
+  readonly #content: Content;
+  readonly #root: ShadowRoot;
+  readonly #stopWaiting: () => void;
+  /** Those that the panel is written in. */
+  #texts: ViewerTexts | null;
+
+  constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
+    this.#viewer = viewer;
+    this.#texts = viewer.texts;
+    this.#root = root;
+    addStyles(root, STYLES);
+    const gui = newRoot(place);
+    this.#gui = gui;
+    this.#range = new SceneRange(viewer);
+    this.#content = contentOf(viewer, gui, this.#range);
+    gui.onOpenClose(() => {
+      // lil-gui calls before it has marked the folder as open.
+      queueMicrotask(() => {
+        this.#content.refreshVisible();
+        markOpen(place, gui);
+      });
+    });
+    viewer.addEventListener('load', this.#loaded);
+    this.#stopWaiting = openIfWide(gui, viewer);
+    for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.#content.update(change);
+    markOpen(place, gui);
+  }
+
+  update(change: PanelChange): void {
+    if (change === 'viewer' && this.#texts !== this.#viewer.texts) {
+      this.#texts = this.#viewer.texts;
+      relabel(this.#gui.domElement);
+      this.#content.update('lights');
+      this.#content.update('meshes');
+    }
+    this.#content.update(change);
+  }
+
+  dispose(): void {
+    this.#viewer.removeEventListener('load', this.#loaded);
+    this.#stopWaiting();
+    this.#content.dispose();
+    this.#gui.$title.closest('.panel')?.removeAttribute(OPEN_PANEL);
+    this.#gui.destroy();
+    removeStyles(this.#root, STYLES);
+  }
+
+  readonly #loaded = (): void => {
+    this.#range.expire();
+    this.#content.loaded();
+  };
+}
+
+/** All folders, or only the rows that `gui` lists. */
+function contentOf(viewer: PhongViewer, gui: GUI, range: SceneRange): Content {
+  const { gui: listed } = viewer;
+  if (typeof listed === 'boolean') return new Folders(viewer, gui, range, ['lights', 'camera']);
+  const folders = GUI_FOLDERS.filter((name) => listed.includes(name));
+  if (folders.length === listed.length) return new Folders(viewer, gui, range, folders);
+  const rows = new FlatRows(gui, viewer, range, listed);
+  const update = (): void => rows.update();
+  return { update, refreshVisible: update, loaded: update, dispose: () => undefined };
+}
+
+type GuiFolder = (typeof GUI_FOLDERS)[number];
+
+/** The whole panel. */
+class Folders implements Content {
   readonly #viewer: PhongViewer;
   readonly #gui: GUI;
   readonly #range: SceneRange;
@@ -54,24 +137,16 @@ class ControlPanel implements Panel {
   readonly #show: Folder<PhongViewer>;
   /** The surface of the viewer's own `src` or `geometry`; hidden if it has neither. */
   readonly #surface: Folder<PhongViewer>;
-  readonly #copy: CopyButton;
+  readonly #files: ReturnType<typeof addFiles>;
   readonly #fullScreen: FullScreenButton;
-  readonly #root: ShadowRoot;
-  readonly #stopWaiting: () => void;
   readonly #stopHistory: () => void;
   #meshList: readonly PhongMesh[] = [];
-  /** Those that the panel is written in. */
-  #texts: ViewerTexts | null;
 
-  constructor(viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) {
+  constructor(viewer: PhongViewer, gui: GUI, range: SceneRange, open: readonly GuiFolder[]) {
     this.#viewer = viewer;
-    this.#texts = viewer.texts;
-    this.#root = root;
-    addStyles(root, STYLES);
-    const gui = newRoot(place);
     this.#gui = gui;
+    this.#range = range;
     this.#fullScreen = new FullScreenButton(gui.$title, viewer);
-    this.#range = new SceneRange(viewer);
     this.#stopHistory = addUndo(gui, viewer);
     this.#lightGroup = addGroup(gui, 'Lights');
     this.#lights = this.#addLights();
@@ -79,20 +154,17 @@ class ControlPanel implements Panel {
     this.#shading = this.#folder('Shading');
     this.#show = this.#folder('Show');
     this.#surface = this.#folder('Material');
-    this.#meshGroup = addGroup(gui, 'Meshes').close();
+    this.#meshGroup = addGroup(gui, 'Meshes');
     this.#meshes = this.#addMeshes();
-    this.#copy = addFiles(gui, viewer);
-    for (const change of ['lights', 'camera', 'viewer', 'meshes'] as const) this.update(change);
-    gui.onOpenClose(() => {
-      // lil-gui calls before it has marked the folder as open.
-      queueMicrotask(() => {
-        this.#refreshVisible();
-        markOpen(place, gui);
-      });
-    });
-    viewer.addEventListener('load', this.#loaded);
-    this.#stopWaiting = openIfWide(gui, viewer);
-    markOpen(place, gui);
+    this.#files = addFiles(gui, viewer);
+    const groups = {
+      lights: this.#lightGroup,
+      camera: this.#camera.gui,
+      shading: this.#shading.gui,
+      show: this.#show.gui,
+      meshes: this.#meshGroup,
+    } satisfies Record<GuiFolder, GUI>;
+    for (const name of GUI_FOLDERS) groups[name].open(open.includes(name));
   }
 
   #folder(title: 'Camera' | 'Shading' | 'Show' | 'Material'): Folder<PhongViewer> {
@@ -136,35 +208,26 @@ class ControlPanel implements Panel {
     else this.#camera.update();
     if (change !== 'camera') this.#show.update();
     if (change !== 'viewer') return;
-    if (this.#texts !== this.#viewer.texts) this.#relabel();
+    this.#files.update();
     this.#shading.update();
     this.#surface.gui.show(this.#viewer.geometry !== null || this.#viewer.src !== '');
     this.#surface.update();
   }
 
-  #relabel(): void {
-    this.#texts = this.#viewer.texts;
-    relabel(this.#gui.domElement);
-    this.#lights.update(this.#viewer.lights);
-    this.#updateMeshes();
-  }
-
-  dispose(): void {
-    this.#viewer.removeEventListener('load', this.#loaded);
-    this.#stopWaiting();
-    this.#stopHistory();
-    this.#copy.dispose();
-    this.#fullScreen.dispose();
-    this.#gui.$title.closest('.panel')?.removeAttribute(OPEN_PANEL);
-    this.#gui.destroy();
-    removeStyles(this.#root, STYLES);
-  }
-
-  /** A folder was opened: refreshes rows that have become visible. */
-  #refreshVisible(): void {
+  refreshVisible(): void {
     this.#lights.refreshVisible();
     this.#meshes.refreshVisible();
     for (const folder of [this.#camera, this.#shading, this.#show, this.#surface]) folder.refreshVisible();
+  }
+
+  loaded(): void {
+    for (const change of ['lights', 'camera', 'meshes'] as const) this.update(change);
+  }
+
+  dispose(): void {
+    this.#stopHistory();
+    this.#files.dispose();
+    this.#fullScreen.dispose();
   }
 
   #updateMeshes(): void {
@@ -174,13 +237,6 @@ class ControlPanel implements Panel {
     this.#meshGroup.show(meshes.length > 0);
     this.#meshes.update(meshes);
   }
-
-  readonly #loaded = (): void => {
-    this.#range.expire();
-    this.#lights.update(this.#viewer.lights);
-    this.#camera.update();
-    this.#updateMeshes();
-  };
 }
 
 function newRoot(place: HTMLElement): GUI {

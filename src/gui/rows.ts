@@ -1,6 +1,7 @@
 // The rows of a table: one function for each kind of control. A table has a row for each field of an element, or says
 // that the field has none; a folder is built from it. Each write can be undone.
 import { type Controller, FunctionController, type GUI } from 'lil-gui';
+import { attributeOf } from '../element/fields/attribute-text.js';
 import { bindingOf } from '../element/fields/field-binding.js';
 import type { ViewerText } from '../element/fields/text-list.js';
 import type { PhongLight } from '../element/phong-light.js';
@@ -10,7 +11,7 @@ import { historyOf, type Subject, valuesOf } from '../element/viewer/history.js'
 import type { Vec3 } from '../math/vector.js';
 import { bound, type Bound } from './bound.js';
 import { ColorControl } from './color-control.js';
-import { explain, nameRow, type Say } from './label.js';
+import { explain, nameAttribute, nameRow, type Say } from './label.js';
 import { type Axis, type ComponentNames, NumberControl, VectorControl } from './number-controls.js';
 import type { SceneRange } from './scene-range.js';
 import { SelectControl } from './select-control.js';
@@ -75,7 +76,7 @@ export function addRows<E extends Editable>(
   rows: Rows<E>,
 ): ReadonlyMap<string, AddedRow<E>> {
   const { element } = place;
-  const { values } = bindingOf<Record<string, unknown>>(element).store;
+  const { fields, values } = bindingOf<Record<string, unknown>>(element).store;
   const subject = valuesOf(element);
   const added = new Map<string, AddedRow<E>>();
   for (const [key, row] of Object.entries(rows)) {
@@ -89,7 +90,10 @@ export function addRows<E extends Editable>(
       (next) => Reflect.set(element, key, next),
     );
     row.add(gui, place, value as never);
-    added.set(key, { row, controls: gui.controllers.slice(before) });
+    const controls = gui.controllers.slice(before);
+    if (Object.hasOwn(fields, key))
+      for (const { domElement } of controls) nameAttribute(domElement, attributeOf(key));
+    added.set(key, { row, controls });
   }
   return added;
 }

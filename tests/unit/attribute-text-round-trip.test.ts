@@ -47,6 +47,7 @@ function valuesOf(field: Field<unknown>): fc.Arbitrary<unknown> {
     text: fc.string({ unit: 'grapheme' }),
     choice: fc.constantFrom(...words),
     words: fc.subarray(words),
+    'flag-or-words': fc.oneof(fc.boolean(), fc.constantFrom(['lights'], ['cutoff', 'theta'])),
   }[field.kind] as fc.Arbitrary<unknown>;
   const inside = shape.map((value) => {
     const shrink = (x: unknown): unknown => (typeof x === 'number' ? Math.abs(x) % 100 : x);

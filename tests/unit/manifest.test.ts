@@ -60,9 +60,9 @@ describe('the custom elements manifest', () => {
   });
 
   it.each(attributes)('gives $title the default that its absence has', ({ title, default: text }) => {
-    const { fallback, kind } = fieldOf(title);
+    const { fallback } = fieldOf(title);
     if (fallback === null) expect(text).toBeUndefined();
-    else if (kind === 'presence') expect(text).toBe('false');
+    else if (fallback === false) expect(text).toBe('false');
     else expect(text).toBe(tables.formatValue(fallback, fieldOf(title)) ?? '');
   });
 

@@ -28,6 +28,12 @@ function parseFlag(text: string): boolean | undefined {
   return word === 'false' ? false : undefined;
 }
 
+const parseWords = (text: string): readonly string[] =>
+  text
+    .toLowerCase()
+    .split(/[\s,]+/)
+    .filter((word) => word !== '');
+
 const PARSERS: Readonly<Record<FieldKind, Parser>> = {
   number: parseNumber,
   numbers: parseNumbers,
@@ -37,11 +43,8 @@ const PARSERS: Readonly<Record<FieldKind, Parser>> = {
   presence: (text) => parseFlag(text) ?? true,
   text: (text) => text,
   choice: (text) => text.trim().toLowerCase(),
-  words: (text) =>
-    text
-      .toLowerCase()
-      .split(/[\s,]+/)
-      .filter((word) => word !== ''),
+  words: parseWords,
+  'flag-or-words': (text) => parseFlag(text) ?? parseWords(text),
 };
 
 /** A value for `field.check`, or undefined if the text is malformed. */
@@ -54,7 +57,8 @@ export function parseText(text: string, field: Field<unknown>): unknown {
 
 /** The attribute text that {@link parseText} reads as this value; null if the attribute must be absent. */
 export function formatValue(value: unknown, field: Field<unknown>): string | null {
-  if (field.kind === 'presence') return value === true ? '' : null;
+  if (field.kind === 'presence' || field.kind === 'flag-or-words')
+    if (typeof value === 'boolean') return value ? '' : null;
   if (value === null || value === undefined) return null;
   // The empty attribute would mean something else.
   if (field.empty !== undefined && Array.isArray(value) && value.length === 0) return null;

@@ -14,6 +14,7 @@ import type { Fields } from '../../fields/field-store.js';
 import {
   booleanField,
   choiceField,
+  flagOrWordsField,
   numberField,
   optional,
   orWord,
@@ -107,9 +108,48 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   probeAt: Vec3 | null;
   /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
   cameraGroup: string;
-  /** The control panel is shown. Default false. */
-  gui: boolean;
+  /**
+   * The control panel is shown. A list of folders (`lights camera shading show meshes`) opens these; a list of
+   * attributes of lights, meshes and the viewer shows only their rows, in this order and without folders. Default
+   * false.
+   */
+  gui: boolean | readonly string[];
 }
+
+/** Folders of the panel that `gui` can open. */
+export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
+
+/** Attributes whose rows `gui` can show alone: those of all elements that the panel edits. */
+export const GUI_ROWS = [
+  ...[
+    'active',
+    'ambient',
+    'diffuse',
+    'specular',
+    'position',
+    'axis',
+    'aperture',
+    'cutoff',
+    'attenuation',
+    'space',
+  ],
+  ...[
+    'ka',
+    'kd',
+    'ks',
+    'shininess',
+    'segments',
+    'rotation',
+    'scale',
+    'name',
+    'theta',
+    'phi',
+    'radius',
+    'target',
+  ],
+  ...['fov', 'auto-rotate', 'shading', 'reflection', 'terms', 'color-interpolation', 'antialias', 'samples'],
+  ...['view', 'view-light', 'helpers', 'probe'],
+] as const;
 
 export const CAMERA_FIELDS: Fields<CameraValues> = {
   theta: numberField(30, {}),
@@ -148,7 +188,10 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   probe: presenceField(),
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   cameraGroup: textField(),
-  gui: presenceField(),
+  gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [
+    GUI_FOLDERS,
+    GUI_ROWS,
+  ]),
 };
 
 /** Assigning the same value again retries what failed. */

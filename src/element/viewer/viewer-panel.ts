@@ -13,7 +13,7 @@ export class ViewerPanel {
   readonly #viewer: PhongViewer;
   readonly #changes = new Set<PanelChange>();
   #panel: Panel | null = null;
-  #wanted = false;
+  #wanted: Wanted = false;
 
   constructor({ viewer, signals }: ViewerContext) {
     this.#viewer = viewer;
@@ -22,21 +22,21 @@ export class ViewerPanel {
     signals.cameraMoved.listen(() => this.changed('camera'));
   }
 
-  /** Shows the panel in `place` once its code is there, or removes it. */
-  async toggle(wanted: boolean, place: HTMLElement | null): Promise<void> {
-    this.#wanted = wanted;
-    if (!wanted) {
+  /** Shows the panel in `place` once its code is there, with other rows if the list has changed, or removes it. */
+  async toggle(wanted: Wanted, place: HTMLElement | null): Promise<void> {
+    if (wanted !== this.#wanted) {
       this.#panel?.dispose();
       this.#panel = null;
-      return;
     }
+    this.#wanted = wanted;
+    if (wanted === false) return;
     if (loadPanel === null || place === null) return;
     const code = await loadPanel().catch((error: unknown) => {
       console.warn(`<phong-viewer gui>: ${(error as Error).message}`);
     });
     if (code === undefined) return;
     const root = this.#viewer.shadowRoot;
-    if (!this.#wanted || this.#panel !== null || root === null) return;
+    if (this.#wanted === false || this.#panel !== null || root === null) return;
     this.#panel = code.createPanel(this.#viewer, place, root);
   }
 
@@ -53,6 +53,8 @@ export class ViewerPanel {
     for (const change of changes) this.#panel?.update(change);
   };
 }
+
+type Wanted = boolean | readonly string[];
 
 /** Attribute of the panel's place while the panel is open. */
 export const OPEN_PANEL = 'data-open';

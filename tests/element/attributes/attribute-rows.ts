@@ -219,6 +219,13 @@ const presence = (attribute: string): Row => ({
   refused: [[1, 'TypeError']],
 });
 
+const panelList: Row = {
+  ...presence('gui'),
+  valid: [['', true], ['gui', true], ['true', true], ['false', false], ['camera lights', ['camera', 'lights']], ['Cutoff, theta', ['cutoff', 'theta']]], // prettier-ignore
+  outside: ['lights cutoff', 'src', 'x'],
+  refused: [[['lights', 'cutoff'], 'RangeError'], [['x'], 'RangeError'], [1, 'TypeError'], [[1], 'RangeError']], // prettier-ignore
+};
+
 const crossOrigin: Row = {
   ...choice('crossorigin', null, 'anonymous', 'use-credentials'),
   property: 'crossOrigin',
@@ -330,7 +337,7 @@ export const tables: Readonly<Record<string, readonly Row[]>> = {
     presence('probe'),
     { ...vector('probe-at', null, 1e15), property: 'probeAt' },
     { ...text('camera-group', ''), property: 'cameraGroup' },
-    presence('gui'),
+    panelList,
   ],
   'phong-compare': [
     choice('layout', 'split', 'split', 'side'),

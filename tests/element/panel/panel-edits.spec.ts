@@ -296,7 +296,9 @@ test('meshes are renamed, duplicated, reordered and removed', async ({ mount }) 
 
 test('a model file can be chosen for a mesh and for the viewer', async ({ page, mount, consoleGuard }) => {
   consoleGuard.allow(/is a file on this device/, 1);
-  const viewer = await mount('<phong-viewer gui><phong-mesh geometry="box"></phong-mesh></phong-viewer>');
+  const viewer = await mount(
+    '<phong-viewer gui droppable><phong-mesh geometry="box"></phong-mesh></phong-viewer>',
+  );
   const file = fileURLToPath(new URL('../../fixtures/models/textured.glb', import.meta.url));
   await opened(viewer, 'Meshes');
   const folder = await opened(viewer, 'box');

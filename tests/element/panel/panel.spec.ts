@@ -87,7 +87,7 @@ test('never grows wider than the viewer', async ({ mount }) => {
 });
 
 test('never rotates or zooms the camera by input on the panel', async ({ page, mount }) => {
-  const viewer = await mount(scene('gui', 'sun'));
+  const viewer = await mount(scene('gui="lights"', 'sun'));
   await opened(viewer, 'sun');
   const before = await cameraOf(viewer);
   const moves = await record(viewer, 'camera-change');
