@@ -59,7 +59,15 @@ function explained(
       kd: [0.8, 0.8, 0.8],
       ks: [0.4, 0.4, 0.4],
     },
-    ...{ shininess: 8, baseColor: [1, 1, 1], emissive: [0, 0, 0], metalness: 0, unlit: false, opacity: 1 },
+    ...{
+      shininess: 8,
+      baseColor: [1, 1, 1],
+      emissive: [0, 0, 0],
+      metalness: 0,
+      unlit: false,
+      filtered: false,
+      opacity: 1,
+    },
     mesh: {} as PhongViewer,
     object: new Mesh(),
     shares: shares.map(

@@ -117,7 +117,7 @@ export class ErrorMeasure implements Measured {
     if (data[4 * at + 3] !== 255) return NaN;
     const { pick, shadedAt, equation } = this.#code;
     const hit = pick(this.#scene, x, y);
-    if (hit === null || hit.base.opacity < 1) return NaN;
+    if (hit === null || hit.base.opacity < 1 || hit.filtered) return NaN;
     const { color, N, shares } = shadedAt(equation, hit, this.#lights).shaded;
     this.#surfaces[at] = this.#surfaceOf(hit, shares);
     this.#normals.set(N, 3 * at);
