@@ -62,7 +62,7 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
       if (foreign < depth) [nearest, depth] = [null, foreign];
     }
   }
-  return nearest === null || cutOut > depth ? nearest : { ...(nearest as Hit<Owner>), filtered: true };
+  return nearest === null || cutOut > depth ? nearest : { ...nearest, filtered: true };
 }
 
 /**

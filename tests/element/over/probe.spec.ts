@@ -455,7 +455,7 @@ test.describe('the box', () => {
         const fragment = await element.shadeAt(x, 200);
         const share = fragment?.shares[0];
         if (!share || share.NoL > -0.02 || share.diffuse[0] < 0.02) continue;
-        element.probeAt = fragment!.p;
+        element.probeAt = fragment.p;
         return 255 * share.diffuse[0];
       }
       return 0;

@@ -178,6 +178,27 @@ test.describe('shadeAt explains the picture', () => {
       30,
     );
     expect(Math.max(...near.others, ...slanted.others)).toBeLessThanOrEqual(1);
+    // The picture may keep what a mask cuts out of its largest level, and the other way round.
+    const holes = columns(64).map(([c]): Texel => [c, c, c, c]);
+    const src = patch({
+      material: { alphaMode: 'MASK', pbrMetallicRoughness },
+      textures: [holes],
+      mipmaps: true,
+    });
+    await show(
+      viewer,
+      `<phong-viewer target="0 0 0.27" theta="0" phi="90" radius="${2 * radius}"><phong-mesh src="${src}"></phong-mesh>
+         <phong-mesh geometry="box" scale="3" position="0 0 -3"></phong-mesh>${AMBIENT}</phong-viewer>`,
+    );
+    const seen = await viewer.evaluate(async (element: PhongViewer) => {
+      const found: string[] = [];
+      for (let x = 70; x < 90; x++) {
+        const fragment = await element.shadeAt(x, 60);
+        found.push(`${fragment!.object.geometry.type} ${fragment!.filtered}`);
+      }
+      return [...new Set(found)].sort();
+    });
+    expect(seen).toEqual(['BoxGeometry true', 'BufferGeometry true']);
   });
 
   test('by hitting nothing where a mask is transparent', async ({ mount }) => {
