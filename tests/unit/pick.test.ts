@@ -10,18 +10,28 @@ import {
   Group,
   Line,
   LineBasicMaterial,
+  LinearFilter,
+  LinearMipmapLinearFilter,
+  type MagnificationTextureFilter,
   Mesh,
   MeshBasicMaterial,
+  type MinificationTextureFilter,
+  NearestFilter,
+  NearestMipmapNearestFilter,
   type Object3D,
   PlaneGeometry,
   Points,
   Scene,
   Sprite,
+  Texture,
 } from 'three';
+import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import type { Sides } from '../../src/material/back-faces.js';
+import type { BaseLook } from '../../src/material/file-surface.js';
 import { PhongLighting } from '../../src/material/lighting.js';
+import type { ShadingStyle } from '../../src/material/material-values.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
 import { distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
@@ -118,6 +128,83 @@ describe('the pick', () => {
     const faces = new Set<number>();
     for (let at = 40; at <= 60; at++) faces.add(Math.floor(look(at, 97 - at)!.triangle / 2));
     expect([...faces]).toEqual([5]); // the last of its six
+  });
+
+  describe('is filtered', () => {
+    /** Width of a pixel on a wall at z = 0. */
+    const PIXEL = (2 * 3 * Math.tan(Math.PI / 8)) / SIZE;
+    const textureOf = (size: number, minFilter: MinificationTextureFilter = LinearMipmapLinearFilter) =>
+      Object.assign(new Texture(), { image: { width: size, height: size }, minFilter });
+    const texturedWall = (given: Partial<BaseLook>, style: Partial<ShadingStyle> = {}): Mesh => {
+      const mesh = wall();
+      const material = new PhongMaterial(lighting, given);
+      material.setStyle(style);
+      mesh.material = material;
+      return mesh;
+    };
+    const glowing = (emissiveMap: Texture): Mesh => texturedWall({ emissive: [1, 1, 1], emissiveMap });
+
+    it('where a pixel has more than one texel, however the texture is turned, repeated and moved', () => {
+      const some = (min: number, max: number) => fc.double({ min, max, noNaN: true });
+      fc.assert(
+        fc.property(some(0, 360), some(1, 4), some(0.3, 3), some(-0.5, 2), (turn, repeat, texels, z) => {
+          fc.pre(Math.abs(texels - 1) > 0.002);
+          const size = 1024;
+          const texture = textureOf(size);
+          texture.repeat.set(repeat, repeat);
+          texture.rotation = turn;
+          texture.updateMatrix();
+          const mesh = glowing(texture);
+          // As large as it takes for so many texels in a pixel.
+          mesh.scale.setScalar((size * repeat * PIXEL * (1 - z / 3)) / texels);
+          mesh.rotation.z = 3 * turn;
+          mesh.position.z = z;
+          expect(look(47, 58)!.filtered).toBe(texels > 1);
+          mesh.removeFromParent();
+          own = [];
+        }),
+      );
+    });
+
+    it('where one direction has more than one texel', () => {
+      const mesh = glowing(textureOf(64));
+      mesh.scale.setScalar(64 * PIXEL); // at its own size
+      expect(look()!.filtered).toBe(false);
+      mesh.rotation.x = 1;
+      expect(look()!.filtered).toBe(true);
+    });
+
+    it('only by filters that magnification does not have', () => {
+      const filtered = (min: MinificationTextureFilter, mag: MagnificationTextureFilter): boolean => {
+        const mesh = glowing(Object.assign(textureOf(1024, min), { magFilter: mag }));
+        const hit = look()!;
+        mesh.removeFromParent();
+        return hit.filtered;
+      };
+      expect(filtered(LinearFilter, LinearFilter)).toBe(false);
+      expect(filtered(NearestFilter, NearestFilter)).toBe(false);
+      expect(filtered(LinearFilter, NearestFilter)).toBe(true);
+      expect(filtered(NearestMipmapNearestFilter, NearestFilter)).toBe(true);
+    });
+
+    it('by each texture that the surface uses, and by no other', () => {
+      const texture = textureOf(1024);
+      const cases: readonly (readonly [boolean, Partial<BaseLook>, Partial<ShadingStyle>?])[] = [
+        [true, { normalMap: texture }],
+        [false, { normalMap: texture }, { shading: 'flat' }],
+        [true, { metalRoughMap: texture, metalness: 0.5 }, { shading: 'gouraud' }],
+        [true, { metalRoughMap: texture, roughness: 0.5 }],
+        [false, { metalRoughMap: texture, roughness: 0.5 }, { shading: 'gouraud' }],
+        [false, { metalRoughMap: texture }],
+        [false, { emissiveMap: texture, unlit: true }],
+        [false, {}],
+      ];
+      for (const [filtered, given, style] of cases) {
+        const mesh = texturedWall(given, style);
+        expect(look()!.filtered, JSON.stringify([Object.keys(given), style])).toBe(filtered);
+        mesh.removeFromParent();
+      }
+    });
   });
 
   it('is never in front of the near plane or behind the eye', () => {

@@ -1,5 +1,6 @@
 // Do the probe's rows, vectors and words agree with the explanation of a fragment?
 
+import fc from 'fast-check';
 import { Mesh } from 'three';
 import { beforeAll, describe, expect, it, vi } from 'vitest';
 import type { PhongViewer } from '../../src/element/phong-viewer.js';
@@ -7,10 +8,11 @@ import type { FragmentExplanation, LightExplanation } from '../../src/element/ex
 import { srgbDecode } from '../../src/math/color.js';
 import { length, type Vec3 } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
+import { CONTENTS, layoutOf } from '../../src/overlay/probe/columns.js';
 import { drawingOf } from '../../src/overlay/probe/drawing.js';
 import { figureOf, MOST_LIGHTS } from '../../src/overlay/probe/figure.js';
 import { planeOf } from '../../src/overlay/probe/plane.js';
-import { byShare, numberText, sumOf, tripleText } from '../../src/overlay/probe/sum.js';
+import { byShare, numberText, shownAbsence, sumOf, tripleText } from '../../src/overlay/probe/sum.js';
 import { fragmentText, stepsText } from '../../src/overlay/probe/words.js';
 import { LightState, shade, type Surface } from '../../src/reference/index.js';
 
@@ -59,7 +61,15 @@ function explained(
       kd: [0.8, 0.8, 0.8],
       ks: [0.4, 0.4, 0.4],
     },
-    ...{ shininess: 8, baseColor: [1, 1, 1], emissive: [0, 0, 0], metalness: 0, unlit: false, opacity: 1 },
+    ...{
+      shininess: 8,
+      baseColor: [1, 1, 1],
+      emissive: [0, 0, 0],
+      metalness: 0,
+      unlit: false,
+      filtered: false,
+      opacity: 1,
+    },
     mesh: {} as PhongViewer,
     object: new Mesh(),
     shares: shares.map(
@@ -122,6 +132,35 @@ describe('the sum', () => {
     );
     expect(rows.map(({ absence }) => absence)).toEqual([
       ...['behind the surface', 'outside its cone', 'no direction', null],
+    ]);
+    expect(sumOf(explained(TWO, { normal: [0, 0, 0] }), false).rows[0]!.absence).toBe('no normal');
+  });
+
+  it('says it only of terms that are missing: under Gouraud shading the corners may have them', () => {
+    const [row] = sumOf(explained([{ position: [0, -1, 0, 0], ambient: [9, 9, 9] }]), false).rows;
+    expect(shownAbsence(row!)).toBe('behind the surface');
+    expect(shownAbsence({ ...row!, diffuse: [1, 0, 0] })).toBeNull();
+    expect(shownAbsence({ ...row!, absence: 'outside its cone' })).toBeNull();
+  });
+
+  it('has "…" in place of terms that there is no room for, in the rows whose sum has them', () => {
+    const sum = sumOf(explained([TWO[0]!, { ...TWO[2]!, ambient: [0, 0, 0] }]), false);
+    const at = (room: number) => layoutOf(sum, { width: 400, room, fontSize: 12 }, null)!;
+    const seen = new Map<string, readonly string[]>();
+    for (let room = 700; room > 150; room -= 5) {
+      const { columns, digits } = at(room);
+      const more = CONTENTS['…'];
+      if (columns[0] === '…')
+        seen.set(
+          columns.join(' '),
+          sum.rows.map((row) => more(row, digits, columns)),
+        );
+      else expect(columns).toEqual(expect.arrayContaining(['ambient', 'diffuse', 'specular', 'sum']));
+    }
+    expect([...seen]).toEqual([
+      ['… diffuse specular sum', ['…', '']],
+      ['… diffuse sum', ['…', '…']],
+      ['… sum', ['…', '…']],
     ]);
   });
 
@@ -251,5 +290,54 @@ describe('the words', () => {
     expect(stepsText(null, second!, fragment, false)).toBe(
       'light 2: N·L = cos 180° = −1.000 is not above 0, so only ambient.',
     );
+  });
+
+  it('name the limits of the equation, in place of a power or an angle that is none', () => {
+    const steps = (given: Given, options?: { normal?: Vec3; shininess?: number; halfway?: boolean }) => {
+      const fragment = { ...explained([given], options), shininess: options?.shininess ?? 2 };
+      return stepsText(null, sumOf(fragment, false).rows[0]!, fragment, options?.halfway ?? false);
+    };
+    const away: Given = { position: [0, 1, 3, 0] };
+    expect(steps(away)).toBe('light 1: N·L = cos 71.6° = 0.316; R·V = −0.447 is not above 0: no highlight.');
+    expect(steps(away, { shininess: 1e-7 })).toBe(
+      'light 1: N·L = cos 71.6° = 0.316; R·V = cos 116.57° = −0.447, to the power of 0: 1.000.',
+    );
+    expect(steps(away, { normal: [0, 0, 0] })).toBe('light 1: no normal here, so only ambient.');
+    expect(steps({ position: [0, 0, 0, 1] })).toBe('light 1: no direction, so only ambient.');
+    expect(steps({ position: [0, 3, 0, 1], axis: [1, 0, 0], aperture: 10 })).toBe(
+      'light 1: 90° from its axis, outside its cone, so it adds nothing.',
+    );
+  });
+
+  it('are true of the numbers as they are written, for every angle and exponent', () => {
+    const unit = fc.double({ min: -1, max: 1, noNaN: true });
+    const exponent = fc.oneof(
+      fc.double({ min: 0, max: 200, noNaN: true }),
+      fc.constantFrom(1e-6, 0.01, 1e4, 1e6),
+    );
+    const number = (text: string): number => Number(text.replace('−', '-'));
+    fc.assert(
+      fc.property(unit, unit, exponent, fc.boolean(), (NoL, RoV, shininess, halfway) => {
+        fc.pre(RoV <= 0 || RoV > 1e-6); // nine decimals have the rest
+        const fragment = { ...explained([{}]), shininess };
+        const [row] = sumOf(fragment, false).rows;
+        const given = { ...row!, absence: NoL > 0 ? null : ('behind the surface' as const) };
+        const text = stepsText(null, { ...given, share: { ...row!.share, NoL, RoV } }, fragment, halfway);
+        for (const [, angle, cosine] of text.matchAll(/cos ([\d.]+)° = (−?[\d.]+)/g))
+          expect(Math.cos((number(angle!) * Math.PI) / 180), text).toBeCloseTo(number(cosine!), 2.99);
+        const power = /(−?[\d.]+), to the power of ([\d.]+): ([\d.]+)\./.exec(text)?.slice(1).map(number);
+        if (power !== undefined)
+          expect(Math.abs(power[0]! ** power[1]! - power[2]!), text).toBeLessThan(0.01);
+        expect(power !== undefined, text).toBe(NoL > 0 && (RoV > 0 || shininess < 1e-6));
+      }),
+    );
+  });
+
+  it('say where the numbers are of one point of a texture that the picture averages', () => {
+    const fragment = explained(TWO);
+    const said = (filtered: boolean): string =>
+      fragmentText(null, { ...fragment, filtered }, sumOf(fragment, false));
+    expect(said(true)).toContain('these numbers read it at one point, so they can differ.');
+    expect(said(false)).not.toContain('texture');
   });
 });

@@ -75,6 +75,7 @@ const texts: CompleteTexts = {
   'outside its cone': 'außerhalb des Kegels',
   'behind the surface': 'hinter der Fläche',
   'no direction': 'ohne Richtung',
+  'no normal': 'ohne Normale',
   'Point {point}.': 'Punkt {point}.',
   'Colour: red {red}, green {green}, blue {blue}.': 'Farbe: Rot {red}, Grün {green}, Blau {blue}.',
   '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}':
@@ -83,17 +84,23 @@ const texts: CompleteTexts = {
     'Unbeleuchtet: Die Farbe ist die Grundfarbe, unabhängig von den Lichtern.',
   'Gouraud: the terms are those of the triangle’s corners, interpolated.':
     'Gouraud: Die Anteile sind die der Eckpunkte des Dreiecks, interpoliert.',
+  'The picture averages the texture here; these numbers read it at one point, so they can differ.':
+    'Das Bild mittelt hier die Textur; diese Zahlen lesen sie an einem Punkt und können abweichen.',
   'Another surface hides the point.': 'Eine andere Fläche verdeckt den Punkt.',
   'The point is outside the picture.': 'Der Punkt liegt außerhalb des Bildes.',
   'No surface there.': 'Hier ist keine Fläche.',
   '{name}: {angle} from its axis, outside its cone, so it adds nothing.':
     '{name}: {angle} von der Achse, außerhalb des Kegels, trägt also nichts bei.',
   '{name}: no direction, so only ambient.': '{name}: ohne Richtung, also nur der ambiente Anteil.',
+  '{name}: no normal here, so only ambient.': '{name}: hier ohne Normale, also nur der ambiente Anteil.',
   '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.':
     '{name}: N·L = cos {angle} = {cosine} ist nicht größer als 0, also nur der ambiente Anteil.',
   '{name}: N·L = cos {angle} = {cosine};': '{name}: N·L = cos {angle} = {cosine};',
   '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.':
     '{cosines} = cos {angle} = {cosine}, hoch {exponent}: {power}.',
+  '{cosines} = {cosine} is not above 0: no highlight.':
+    '{cosines} = {cosine} ist nicht größer als 0: kein Glanzlicht.',
+  'At the point itself, {steps}': 'Am Punkt selbst, {steps}',
   Controls: 'Einstellungen',
   Lights: 'Lichter',
   Camera: 'Kamera',

@@ -74,6 +74,7 @@ const texts: CompleteTexts = {
   'outside its cone': 'fuera de su cono',
   'behind the surface': 'detrás de la superficie',
   'no direction': 'sin dirección',
+  'no normal': 'sin normal',
   'Point {point}.': 'Punto {point}.',
   'Colour: red {red}, green {green}, blue {blue}.': 'Color: rojo {red}, verde {green}, azul {blue}.',
   '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}':
@@ -82,17 +83,22 @@ const texts: CompleteTexts = {
     'Sin iluminación: el color es el color base, sean cuales sean las luces.',
   'Gouraud: the terms are those of the triangle’s corners, interpolated.':
     'Gouraud: los términos son los de los vértices del triángulo, interpolados.',
+  'The picture averages the texture here; these numbers read it at one point, so they can differ.':
+    'Aquí la imagen promedia la textura; estos números la leen en un punto y pueden diferir.',
   'Another surface hides the point.': 'Otra superficie oculta el punto.',
   'The point is outside the picture.': 'El punto está fuera de la imagen.',
   'No surface there.': 'Aquí no hay ninguna superficie.',
   '{name}: {angle} from its axis, outside its cone, so it adds nothing.':
     '{name}: a {angle} de su eje, fuera de su cono, así que no aporta nada.',
   '{name}: no direction, so only ambient.': '{name}: sin dirección, así que solo luz ambiental.',
+  '{name}: no normal here, so only ambient.': '{name}: aquí sin normal, así que solo luz ambiental.',
   '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.':
     '{name}: N·L = cos {angle} = {cosine} no es mayor que 0, así que solo luz ambiental.',
   '{name}: N·L = cos {angle} = {cosine};': '{name}: N·L = cos {angle} = {cosine};',
   '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.':
     '{cosines} = cos {angle} = {cosine}, elevado a {exponent}: {power}.',
+  '{cosines} = {cosine} is not above 0: no highlight.': '{cosines} = {cosine} no es mayor que 0: sin brillo.',
+  'At the point itself, {steps}': 'En el punto mismo, {steps}',
   Controls: 'Controles',
   Lights: 'Luces',
   Camera: 'Cámara',

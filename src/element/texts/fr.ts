@@ -74,6 +74,7 @@ const texts: CompleteTexts = {
   'outside its cone': 'hors de son cône',
   'behind the surface': 'derrière la surface',
   'no direction': 'sans direction',
+  'no normal': 'sans normale',
   'Point {point}.': 'Point {point}.',
   'Colour: red {red}, green {green}, blue {blue}.': 'Couleur : rouge {red}, vert {green}, bleu {blue}.',
   '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}':
@@ -82,17 +83,23 @@ const texts: CompleteTexts = {
     'Non éclairé : la couleur est la couleur de base, quelles que soient les lumières.',
   'Gouraud: the terms are those of the triangle’s corners, interpolated.':
     'Gouraud : les termes sont ceux des sommets du triangle, interpolés.',
+  'The picture averages the texture here; these numbers read it at one point, so they can differ.':
+    'L’image fait ici la moyenne de la texture ; ces nombres la lisent en un point et peuvent différer.',
   'Another surface hides the point.': 'Une autre surface cache le point.',
   'The point is outside the picture.': 'Le point est hors de l’image.',
   'No surface there.': 'Aucune surface ici.',
   '{name}: {angle} from its axis, outside its cone, so it adds nothing.':
     '{name} : à {angle} de son axe, hors de son cône, donc sans contribution.',
   '{name}: no direction, so only ambient.': '{name} : sans direction, donc seulement ambiante.',
+  '{name}: no normal here, so only ambient.': '{name} : sans normale ici, donc seulement ambiante.',
   '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.':
     '{name} : N·L = cos {angle} = {cosine} n’est pas supérieur à 0, donc seulement ambiante.',
   '{name}: N·L = cos {angle} = {cosine};': '{name} : N·L = cos {angle} = {cosine} ;',
   '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.':
     '{cosines} = cos {angle} = {cosine}, à la puissance {exponent} : {power}.',
+  '{cosines} = {cosine} is not above 0: no highlight.':
+    '{cosines} = {cosine} n’est pas supérieur à 0 : pas de reflet.',
+  'At the point itself, {steps}': 'Au point même, {steps}',
   Controls: 'Réglages',
   Lights: 'Lumières',
   Camera: 'Caméra',

@@ -74,6 +74,7 @@ const texts: CompleteTexts = {
   'outside its cone': 'fora do seu cone',
   'behind the surface': 'atrás da superfície',
   'no direction': 'sem direção',
+  'no normal': 'sem normal',
   'Point {point}.': 'Ponto {point}.',
   'Colour: red {red}, green {green}, blue {blue}.': 'Cor: vermelho {red}, verde {green}, azul {blue}.',
   '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}':
@@ -82,17 +83,22 @@ const texts: CompleteTexts = {
     'Sem iluminação: a cor é a cor base, quaisquer que sejam as luzes.',
   'Gouraud: the terms are those of the triangle’s corners, interpolated.':
     'Gouraud: os termos são os dos vértices do triângulo, interpolados.',
+  'The picture averages the texture here; these numbers read it at one point, so they can differ.':
+    'Aqui a imagem faz a média da textura; estes números leem-na num ponto e podem diferir.',
   'Another surface hides the point.': 'Outra superfície esconde o ponto.',
   'The point is outside the picture.': 'O ponto está fora da imagem.',
   'No surface there.': 'Não há superfície aqui.',
   '{name}: {angle} from its axis, outside its cone, so it adds nothing.':
     '{name}: a {angle} do seu eixo, fora do seu cone, por isso não contribui.',
   '{name}: no direction, so only ambient.': '{name}: sem direção, por isso só luz ambiente.',
+  '{name}: no normal here, so only ambient.': '{name}: sem normal aqui, por isso só luz ambiente.',
   '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.':
     '{name}: N·L = cos {angle} = {cosine} não é maior que 0, por isso só luz ambiente.',
   '{name}: N·L = cos {angle} = {cosine};': '{name}: N·L = cos {angle} = {cosine};',
   '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.':
     '{cosines} = cos {angle} = {cosine}, elevado a {exponent}: {power}.',
+  '{cosines} = {cosine} is not above 0: no highlight.': '{cosines} = {cosine} não é maior que 0: sem brilho.',
+  'At the point itself, {steps}': 'No próprio ponto, {steps}',
   Controls: 'Controles',
   Lights: 'Luzes',
   Camera: 'Câmera',

@@ -49,6 +49,7 @@ export async function shadeAt(
     emissive: frozen(surface.emissive),
     metalness: surface.metalness,
     unlit: surface.unlit,
+    filtered: hit.filtered,
     opacity,
     shares: Object.freeze(
       shaded.shares.map((share, i) => {

@@ -10,7 +10,7 @@ import { layoutOf, type TableLayout } from './columns.js';
 import { PLANE, planeOf } from './plane.js';
 import { type Sum, type SumRow, tripleText } from './sum.js';
 import { type Chosen, STEPS, SumTable } from './sum-table.js';
-import { GOURAUD, stepsText, UNLIT } from './words.js';
+import { FILTERED, GOURAUD, stepsText, UNLIT } from './words.js';
 
 /** A fragment with its sum. */
 export interface BoxContent {
@@ -110,7 +110,7 @@ export class ProbeBox {
       aria-label=${phrase(texts, 'Probe')}
     >
       <p class="head">
-        ${isEmpty ? noChange : colorTemplate(content.sum.color, texts, layout?.digits ?? 0)}
+        ${isEmpty ? noChange : colorTemplate(content, texts, layout?.digits ?? 0)}
         <button
           class="release"
           type="button"
@@ -137,7 +137,7 @@ export class ProbeBox {
         class="steps"
         id=${STEPS}
         dir="auto"
-        .textContent=${row === null ? '' : stepsText(texts, row, fragment, halfway)}
+        .textContent=${row === null ? '' : stepsOf(content, row, texts)}
       ></p>
     `;
   }
@@ -187,16 +187,27 @@ const classMap = (kinds: Readonly<Record<string, boolean>>): string =>
     .filter((kind) => kinds[kind])
     .join(' ');
 
-const noteOf = ({ fragment, gouraud }: BoxContent, texts: ViewerTexts | null): string =>
-  fragment.unlit ? phrase(texts, UNLIT) : gouraud ? phrase(texts, GOURAUD) : '';
+function noteOf({ fragment, gouraud }: BoxContent, texts: ViewerTexts | null): string {
+  const notes: string[] = [];
+  if (fragment.unlit) notes.push(phrase(texts, UNLIT));
+  else if (gouraud) notes.push(phrase(texts, GOURAUD));
+  if (fragment.filtered) notes.push(phrase(texts, FILTERED));
+  return notes.join(' ');
+}
+
+/** Under Gouraud shading the row has the corners' terms, so the steps say whose they are. */
+function stepsOf({ fragment, halfway, gouraud }: BoxContent, row: SumRow, texts: ViewerTexts | null): string {
+  const steps = stepsText(texts, row, fragment, halfway);
+  return gouraud ? phrase(texts, 'At the point itself, {steps}', { steps }) : steps;
+}
 
 // The colour as a property: a strict CSP refuses style attributes.
 const colorTemplate = (
-  color: Sum['color'],
+  { fragment, sum: { color } }: BoxContent,
   texts: ViewerTexts | null,
   digits: number,
 ): TemplateResult => html`
   <span class="swatch" .style=${`background-color: rgb(${color.map((x) => x.toFixed(2)).join(' ')})`}></span>
-  <span class="codes" dir="ltr">${tripleText(color, digits)}</span>
+  <span class="codes" dir="ltr">${fragment.filtered ? '≈ ' : ''}${tripleText(color, digits)}</span>
   <span class="scale" aria-hidden="true">${phrase(texts, 'of 255')}</span>
 `;

@@ -173,6 +173,8 @@ class Probe implements Extra, ProbeInputHost {
 
   /** The place that was pressed, else {@link #chosen}. */
   async #explained(): Promise<ProbedPoint | null> {
+    // Before the first picture there is nothing to explain.
+    if (this.#host.viewer.stats.frames === 0) return null;
     const toPin = this.#toPin;
     if (toPin !== null) {
       const shown = await this.#at(toPin);
@@ -208,7 +210,9 @@ class Probe implements Extra, ProbeInputHost {
 
   /** The fragment at the pixel of a point of the scene; null while the scene is not there yet. */
   async #ofPoint(point: Vec3): Promise<ProbedPoint | null> {
-    const { viewer } = this.#host;
+    const { viewer, viewport } = this.#host;
+    // As shadeAt does: an `auto` camera may not have followed the scene yet.
+    viewport.settle();
     const { projection } = this.#view;
     const at = projection.point(point);
     const without = (text: keyof ViewerTexts): ProbedPoint => ({

@@ -3,8 +3,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
-import { CONTENTS, type TableLayout } from './columns.js';
-import { type Sum, type SumRow, tripleText } from './sum.js';
+import { CONTENTS, type TableLayout, titleOf } from './columns.js';
+import { shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
@@ -54,7 +54,8 @@ export class SumTable {
       </caption>
       <thead>
         <tr>
-          ${(['light', ...columns] as const).map((column) => html`<th scope="col">${phrase(texts, column)}</th>`)}
+          <th scope="col">${phrase(texts, 'light')}</th>
+          ${columns.map((column) => html`<th scope="col">${titleOf(column, texts)}</th>`)}
         </tr>
       </thead>
       <tbody>
@@ -62,7 +63,7 @@ export class SumTable {
           (row, i) =>
             html`<tr class=${row === shown ? 'shown' : nothing}>
               <th scope="row">${this.#headTemplate(row, i === stop, texts)}</th>
-              ${columns.map((column) => html`<td dir="ltr">${CONTENTS[column](row, digits)}</td>`)}
+              ${columns.map((column) => html`<td dir="ltr">${CONTENTS[column](row, digits, columns)}</td>`)}
             </tr>`,
         )}
       </tbody>
@@ -79,11 +80,9 @@ export class SumTable {
   }
 
   /** The light's name, and why it adds less than one might expect. */
-  #headTemplate(
-    { light, name, absence }: SumRow,
-    isStop: boolean,
-    texts: ViewerTexts | null,
-  ): TemplateResult {
+  #headTemplate(row: SumRow, isStop: boolean, texts: ViewerTexts | null): TemplateResult {
+    const { light, name } = row;
+    const absence = shownAbsence(row);
     return html`<button
         type="button"
         aria-describedby=${STEPS}

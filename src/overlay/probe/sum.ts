@@ -3,17 +3,20 @@
 import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { localNumber } from '../../element/page/local-number.js';
+import { isBlack } from '../../light/light-features.js';
+import { radians } from '../../math/angle.js';
 import { srgbDecode } from '../../math/color.js';
-import { add, map, type Vec3 } from '../../math/vector.js';
+import { add, length, map, type Vec3 } from '../../math/vector.js';
 
 /** Why a light adds less than its surroundings suggest; null if it adds its diffuse and specular terms. */
-export type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | null;
+export type Absence = 'outside its cone' | 'behind the surface' | 'no direction' | 'no normal' | null;
 
 /** One active light's row. */
 export interface SumRow {
   /** Null for the head-light. */
   readonly light: PhongLight | null;
   readonly name: string;
+  /** At the point itself, whatever the terms: under Gouraud shading they are those of the corners. */
   readonly absence: Absence;
   readonly ambient: Vec3;
   readonly diffuse: Vec3;
@@ -41,7 +44,8 @@ export interface Sum {
 /** `linear`: the viewer shades in linear light, so terms and sum are decoded and the sum is encoded last. */
 export function sumOf(fragment: FragmentExplanation, linear: boolean): Sum {
   const { shares, unlit, emissive, sum, color } = fragment;
-  const rows = unlit ? [] : shares.filter((share) => share !== null).map(rowOf);
+  const hasNormal = length(fragment.N) > 0;
+  const rows = unlit ? [] : shares.filter((share) => share !== null).map((share) => rowOf(share, hasNormal));
   const own = map(unlit ? fragment.baseColor : emissive, (x) => 255 * (linear ? srgbDecode(x) : x));
   const totals: TotalRow[] = [];
   if (unlit) totals.push({ label: 'base colour', color: own });
@@ -55,12 +59,12 @@ export function sumOf(fragment: FragmentExplanation, linear: boolean): Sum {
   return { rows, totals, color: shown };
 }
 
-function rowOf(share: LightExplanation): SumRow {
+function rowOf(share: LightExplanation, hasNormal: boolean): SumRow {
   const [ambient, diffuse, specular] = [codes(share.ambient), codes(share.diffuse), codes(share.specular)];
   return {
     light: share.light,
     name: share.name,
-    absence: absenceOf(share),
+    absence: absenceOf(share, hasNormal),
     ambient,
     diffuse,
     specular,
@@ -71,10 +75,17 @@ function rowOf(share: LightExplanation): SumRow {
   };
 }
 
-function absenceOf({ insideCone, L, NoL }: LightExplanation): Absence {
+function absenceOf({ insideCone, L, NoL }: LightExplanation, hasNormal: boolean): Absence {
   if (!insideCone) return 'outside its cone';
-  if (L.every((x) => x === 0)) return 'no direction';
+  if (length(L) === 0) return 'no direction';
+  if (!hasNormal) return 'no normal';
   return NoL > 0 ? null : 'behind the surface';
+}
+
+/** The absence that a row's terms show; null where they show another one than the point itself has. */
+export function shownAbsence({ absence, ambient, diffuse, specular }: SumRow): Absence {
+  const missing = absence === 'outside its cone' ? [ambient, diffuse, specular] : [diffuse, specular];
+  return missing.every(isBlack) ? absence : null;
 }
 
 /** The rows by what they add, the largest first. Equal ones keep their order. */
@@ -99,8 +110,11 @@ export const tripleText = (color: Vec3, digits: number): string =>
 
 /** A term that adds nothing is one zero: most are, and the others are easier to find. */
 export const termText = (color: Vec3, digits: number): string =>
-  color.every((x) => x === 0) ? '0' : tripleText(color, digits);
+  isBlack(color) ? '0' : tripleText(color, digits);
 
-/** The angle whose cosine this is, in whole degrees. */
-export const degreesText = (cosine: number): string =>
-  `${localNumber(String(Math.round((Math.acos(Math.min(Math.max(cosine, -1), 1)) * 180) / Math.PI)))}°`;
+/** The angle whose cosine this is, in degrees. */
+export const degreesOf = (cosine: number): number =>
+  Math.acos(Math.min(Math.max(cosine, -1), 1)) / radians(1);
+
+export const degreesText = (cosine: number, digits = 0): string =>
+  `${numberText(degreesOf(cosine), digits)}°`;

@@ -4,7 +4,17 @@ import { localNumber } from '../../element/page/local-number.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { LEAST_EXPONENT } from '../../light/light-layout.js';
-import { byShare, degreesText, numberText, type Sum, type SumRow, tripleText } from './sum.js';
+import { cosDegrees } from '../../math/angle.js';
+import {
+  byShare,
+  degreesOf,
+  degreesText,
+  numberText,
+  shownAbsence,
+  type Sum,
+  type SumRow,
+  tripleText,
+} from './sum.js';
 
 /** Lights that an announcement names. It is heard in one go; the table has all of them. */
 const NAMED = 3;
@@ -17,6 +27,7 @@ export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplan
     phrase(texts, 'Colour: red {red}, green {green}, blue {blue}.', { red, green, blue }),
   ];
   if (fragment.unlit) parts.push(phrase(texts, UNLIT));
+  if (fragment.filtered) parts.push(phrase(texts, FILTERED));
   const shown = byShare(sum.rows).slice(0, NAMED);
   for (const row of shown) parts.push(rowText(texts, row));
   const more = sum.rows.length - shown.length;
@@ -26,6 +37,8 @@ export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplan
 
 export const UNLIT = 'Unlit: the colour is the base colour, whatever the lights.';
 export const GOURAUD = 'Gouraud: the terms are those of the triangle’s corners, interpolated.';
+export const FILTERED =
+  'The picture averages the texture here; these numbers read it at one point, so they can differ.';
 export const HIDDEN = 'Another surface hides the point.';
 export const OUTSIDE = 'The point is outside the picture.';
 export const NOTHING = 'No surface there.';
@@ -38,41 +51,69 @@ function rowText(texts: ViewerTexts | null, row: SumRow): string {
     specular: tripleText(row.specular, 0),
   };
   const text = phrase(texts, '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}', values);
-  return row.absence === null ? `${text}.` : `${text}, ${phrase(texts, row.absence)}.`;
+  const absence = shownAbsence(row);
+  return absence === null ? `${text}.` : `${text}, ${phrase(texts, absence)}.`;
 }
 
 const placeText = ({ p }: FragmentExplanation): string =>
   p.map((x) => localNumber(String(Number(x.toPrecision(3)))).replace('-', '−')).join(' ');
 
-/** The steps from a light's vectors through its cosines to its terms. */
+/** The steps from a light's vectors through its cosines to its terms, at the point itself. */
 export function stepsText(
   texts: ViewerTexts | null,
-  { share, name, absence }: SumRow,
+  { light, share, name, absence }: SumRow,
   { shininess }: FragmentExplanation,
   halfway: boolean,
 ): string {
-  if (absence === 'outside its cone')
+  if (absence === 'outside its cone') {
+    const isOutside = (digits: number): boolean =>
+      light === null || rounded(degreesOf(share.c), digits) > light.aperture;
     return phrase(texts, '{name}: {angle} from its axis, outside its cone, so it adds nothing.', {
       name,
-      angle: degreesText(share.c),
+      angle: degreesText(share.c, decimals(0, isOutside)),
     });
+  }
   if (absence === 'no direction') return phrase(texts, '{name}: no direction, so only ambient.', { name });
-  const normal = { name, angle: degreesText(share.NoL), cosine: numberText(share.NoL, 3) };
+  if (absence === 'no normal') return phrase(texts, '{name}: no normal here, so only ambient.', { name });
+  const normal = { name, ...cosineWords(share.NoL, 3) };
   if (absence !== null)
     return phrase(texts, '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.', normal);
-  const lobe = {
-    cosines: halfway ? 'N·H' : 'R·V',
-    angle: degreesText(share.RoV),
-    cosine: numberText(share.RoV, 3),
-    exponent: localNumber(String(Number(shininess.toPrecision(3)))),
-    power: numberText(powerOf(share.RoV, shininess), 3),
-  };
-  return [
-    phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal),
-    phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', lobe),
-  ].join(' ');
+  return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, share.RoV, shininess, halfway)}`;
 }
 
-/** As the equation's table of limits has it: x^0 is 1 for every x. */
-const powerOf = (cosine: number, exponent: number): number =>
-  exponent < LEAST_EXPONENT ? 1 : Math.max(cosine, 0) ** exponent;
+function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, halfway: boolean): string {
+  const cosines = halfway ? 'N·H' : 'R·V';
+  // As the equation's table of limits has it: x^0 is 1 for every x.
+  const exponent = shininess < LEAST_EXPONENT ? 0 : shininess;
+  if (exponent > 0 && cosine <= 0)
+    return phrase(texts, '{cosines} = {cosine} is not above 0: no highlight.', {
+      cosines,
+      cosine: numberText(cosine, 3),
+    });
+  const power = cosine ** exponent;
+  // A large exponent magnifies what the cosine is rounded by.
+  const digits = decimals(3, (n) => Math.abs(rounded(cosine, n) ** exponent - power) < 0.005);
+  return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
+    cosines,
+    ...cosineWords(cosine, digits),
+    exponent: localNumber(String(Number(exponent.toPrecision(3)))),
+    power: numberText(power, 3),
+  });
+}
+
+/** A cosine with this many decimals, and its angle with as many as it takes to have that cosine. */
+function cosineWords(cosine: number, digits: number): Readonly<Record<'angle' | 'cosine', string>> {
+  const text = numberText(cosine, digits);
+  const hasCosine = (n: number): boolean =>
+    numberText(cosDegrees(rounded(degreesOf(cosine), n)), digits) === text;
+  return { angle: degreesText(cosine, decimals(0, hasCosine)), cosine: text };
+}
+
+/** The fewest decimals, from `least` to nine, that make a statement of rounded numbers true. */
+function decimals(least: number, isTrue: (digits: number) => boolean): number {
+  let digits = least;
+  while (digits < 9 && !isTrue(digits)) digits += 1;
+  return digits;
+}
+
+const rounded = (x: number, digits: number): number => Number(x.toFixed(digits));

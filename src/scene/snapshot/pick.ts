@@ -13,7 +13,8 @@ import type { ShadingFrame } from '../../material/lighting.js';
 import { radians } from '../../math/angle.js';
 import { add, cross, dot, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import type { Drawn, DrawnLook, SceneSnapshot } from './scene-snapshot.js';
-import { type BaseColor, baseColorAt } from './surface-at.js';
+import type { PixelSlopes } from './sample.js';
+import { type BaseColor, baseColorAt, isFiltered } from './surface-at.js';
 import { forEachHit, type TriangleHit, type ViewRay } from './ray-triangles.js';
 
 /** The point of a Phong-lit surface seen through a pixel. */
@@ -23,6 +24,8 @@ export interface Hit<Owner = unknown> extends TriangleHit {
   /** Place relative to the frame's origin. */
   readonly p: Vec3;
   readonly base: BaseColor;
+  /** The picture averages a texture that is read at one point here. */
+  readonly filtered: boolean;
 }
 
 /** An object that an element declares. */
@@ -41,20 +44,25 @@ export function pick<Owner>(snapshot: SceneSnapshot<Owner>, column: number, row:
   const { width, height, camera } = snapshot;
   if (!(column >= -0.5 && column < width - 0.5 && row >= -0.5 && row < height - 0.5)) return null;
   const ray = viewRay(snapshot, (column + 0.5) / width, (row + 0.5) / height);
+  const tan = tanOf(camera);
+  const pixel: PixelSlopes = [(2 * tan * camera.aspect) / width, (-2 * tan) / height];
   let nearest: Hit<Owner> | null = null;
   let depth = Infinity;
+  // Of what a mask cuts out here, and may not cut out in the picture.
+  let cutOut = Infinity;
   for (const drawn of snapshot.objects) {
     if (isOwn(drawn)) {
-      for (const hit of phongHits(drawn, ray, camera)) {
+      for (const hit of phongHits(drawn, ray, camera, pixel)) {
+        if (hit.base.discarded) cutOut = hit.filtered ? Math.min(cutOut, hit.depth) : cutOut;
         // As the depth test does: of two at the same depth the later one stays.
-        if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
+        else if (hit.depth <= depth * (1 + COPLANAR)) ({ depth } = nearest = hit);
       }
     } else {
       const foreign = foreignDepth(drawn, camera, ray);
       if (foreign < depth) [nearest, depth] = [null, foreign];
     }
   }
-  return nearest;
+  return nearest === null || cutOut > depth ? nearest : { ...nearest, filtered: true };
 }
 
 /**
@@ -71,8 +79,8 @@ export function distanceAlong(snapshot: SceneSnapshot, from: Vec3, along: Vec3):
   for (const drawn of snapshot.objects) {
     if (!isOwn(drawn)) nearest = Math.min(nearest, foreignDepth(drawn, snapshot.camera, ray));
     else
-      forEachSurface(drawn, ray, ({ depth }) => {
-        nearest = Math.min(nearest, depth);
+      forEachSurface(drawn, ray, ({ depth }, { discarded }) => {
+        if (!discarded) nearest = Math.min(nearest, depth);
       });
   }
   return nearest;
@@ -90,23 +98,32 @@ const isOwn = <Owner>(drawn: Drawn<Owner>): drawn is OwnDrawn<Owner> =>
 
 /** The ray through a place in the picture; `across` and `down` run from 0 to 1. */
 function viewRay({ frame, camera }: SceneSnapshot, across: number, down: number): ViewRay {
-  const { near, far, fov, aspect } = camera;
-  const tan = Math.tan(radians(fov) / 2);
+  const { near, far, aspect } = camera;
+  const tan = tanOf(camera);
   return { frame, slopeX: (2 * across - 1) * tan * aspect, slopeY: (1 - 2 * down) * tan, near, far };
 }
 
-function phongHits<Owner>(drawn: OwnDrawn<Owner>, ray: ViewRay, camera: PerspectiveCamera): Hit<Owner>[] {
+/** Of half the camera's angle of view, top to bottom. */
+const tanOf = ({ fov }: PerspectiveCamera): number => Math.tan(radians(fov) / 2);
+
+function phongHits<Owner>(
+  drawn: OwnDrawn<Owner>,
+  ray: ViewRay,
+  camera: PerspectiveCamera,
+  pixel: PixelSlopes,
+): Hit<Owner>[] {
   const { geometry, matrixWorld, phong } = drawn;
   const culled = cullsBackFaces(phong.sides, geometry, matrixWorld, camera);
   const hits: Hit<Owner>[] = [];
   forEachSurface(drawn, ray, (hit, base) => {
     if (culled && !hit.front) return;
-    hits.push({ ...hit, drawn, base, frame: ray.frame, p: placeAt(ray, hit.depth) });
+    const filtered = isFiltered(phong, geometry, hit, pixel);
+    hits.push({ ...hit, drawn, base, filtered, frame: ray.frame, p: placeAt(ray, hit.depth) });
   });
   return hits;
 }
 
-/** All of an object that is not cut out by its texture, from either side. */
+/** All of an object, what its texture cuts out included, from either side. */
 function forEachSurface(
   { geometry, matrixWorld, phong }: OwnDrawn,
   ray: ViewRay,
@@ -116,8 +133,7 @@ function forEachSurface(
   const count = (index ?? geometry.getAttribute('position')).count;
   const range = [Math.max(drawRange.start, 0), Math.min(drawRange.start + drawRange.count, count)] as const;
   forEachHit(ray, geometry, matrixWorld, range, (hit) => {
-    const base = baseColorAt(phong.look, geometry, hit, phong.linear);
-    if (!base.discarded) visit(hit, base);
+    visit(hit, baseColorAt(phong.look, geometry, hit, phong.linear));
   });
 }
 

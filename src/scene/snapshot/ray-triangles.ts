@@ -3,7 +3,7 @@
 // 2013), and flattened, mirrored or huge matrices need no inverse.
 import type { BufferGeometry, Matrix4 } from 'three';
 import type { ShadingFrame } from '../../material/lighting.js';
-import { dot, subtract, type Vec3 } from '../../math/vector.js';
+import { dot, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { type BoxList, forEachRun } from '../triangle-boxes.js';
 
 /** A ray from the eye: along right · slopeX + up · slopeY − back. */
@@ -27,6 +27,8 @@ export interface TriangleHit {
   readonly depth: number;
   /** Seen from the front: the corners appear counter-clockwise. */
   readonly front: boolean;
+  /** Each corner's distance right of the ray and above it, at the corner's depth, and that depth. */
+  readonly rayPlaces: readonly [Vec3, Vec3, Vec3];
 }
 
 /** Coefficients of x, y, z and 1: an affine function of a vertex in its geometry's own space. */
@@ -61,17 +63,17 @@ export function forEachHit(
       const cy = along(rowY, c);
       // Needed besides the areas below, which can underflow to 0 for a triangle seen edge-on.
       if ((ay > 0 && by > 0 && cy > 0) || (ay < 0 && by < 0 && cy < 0)) continue;
-      // Twice the signed areas between the ray and each side; their sum is twice the triangle's area.
-      const atA = bx * cy - by * cx;
-      const atB = cx * ay - cy * ax;
-      const atC = ax * by - ay * bx;
+      const [atA, atB, atC] = areas(ax, ay, bx, by, cx, cy);
       const area = atA + atB + atC;
       const inside = area > 0 ? atA >= 0 && atB >= 0 && atC >= 0 : atA <= 0 && atB <= 0 && atC <= 0;
       if (!inside || area === 0) continue;
       const weights: Vec3 = [atA / area, atB / area, atC / area];
-      const depth = dot(weights, [along(rowDepth, a), along(rowDepth, b), along(rowDepth, c)]);
+      const [az, bz, cz] = [along(rowDepth, a), along(rowDepth, b), along(rowDepth, c)];
+      const depth = dot(weights, [az, bz, cz]);
       if (!(depth >= ray.near && depth <= ray.far)) continue;
-      visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front: area > 0 !== mirrored });
+      const front = area > 0 !== mirrored;
+      const rayPlaces = [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] as const; // prettier-ignore
+      visit({ triangle: corner / 3, corners: [a, b, c], weights, depth, front, rayPlaces });
     }
   };
   // Runs begin at whole triangles of the index.
@@ -82,6 +84,20 @@ export function forEachHit(
     forEachRun(geometry, meets, (from, to) => test(Math.max(from, first), Math.min(to, end)));
   }
 }
+
+/** The weights where a ray whose slopes are larger by x and y meets the triangle's plane, inside it or not. */
+export function weightsBeside({ rayPlaces }: TriangleHit, x: number, y: number): Vec3 {
+  const [a, b, c] = rayPlaces.map(([right, up, depth]) => [right - x * depth, up - y * depth] as const);
+  const beside = areas(...a!, ...b!, ...c!);
+  return scale(beside, 1 / (beside[0] + beside[1] + beside[2]));
+}
+
+/** Twice the signed areas between the ray and each side; their sum is twice the triangle's area. */
+const areas = (ax: number, ay: number, bx: number, by: number, cx: number, cy: number): Vec3 => [
+  bx * cy - by * cx,
+  cx * ay - cy * ax,
+  ax * by - ay * bx,
+];
 
 /**
  * Vertex to ray space: distance right of the ray and above it, along the picture's axes, and depth. The eye is

@@ -1,5 +1,6 @@
 // The value of a magnified texture, or of a vertex attribute, at a point of a triangle. Textures are filtered and
-// wrapped by their own settings, in float64, without mipmaps.
+// wrapped by their own settings, in float64, without mipmaps: which level a GPU takes, and how it makes the levels, is
+// up to its driver.
 import {
   ClampToEdgeWrapping,
   MirroredRepeatWrapping,
@@ -9,7 +10,7 @@ import {
   type BufferGeometry,
 } from 'three';
 import type { Vec4 } from '../../math/vector.js';
-import type { TriangleHit } from './ray-triangles.js';
+import { type TriangleHit, weightsBeside } from './ray-triangles.js';
 import { NoWebGL2Error } from '../gpu/stage.js';
 
 /** The settings of a texture that sampling depends on. */
@@ -50,19 +51,62 @@ function wrap(i: number, size: number, wrapping: Wrapping): number {
 }
 
 /** A texture at the hit, through its own coordinates and transform. */
-export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: TriangleHit): Vec4 {
-  const { channel, matrix } = texture;
-  const [u = 0, v = 0] = interpolated(geometry, channel === 0 ? 'uv' : `uv${String(channel)}`, hit);
+export function sampleAt(texture: Texture, geometry: BufferGeometry, hit: Place): Vec4 {
+  return sample(texelsOf(texture), texture, ...coordinatesAt(texture, geometry, hit));
+}
+
+/** Corners and weights of a triangle's point. */
+type Place = Pick<TriangleHit, 'corners' | 'weights'>;
+
+/** u, v after the texture's transform. */
+function coordinatesAt(
+  { channel, matrix }: Texture,
+  geometry: BufferGeometry,
+  place: Place,
+): [number, number] {
+  const [u = 0, v = 0] = interpolated(geometry, channel === 0 ? 'uv' : `uv${String(channel)}`, place);
   const m = matrix.elements;
-  return sample(texelsOf(texture), texture, m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]);
+  return [m[0] * u + m[3] * v + m[6], m[1] * u + m[4] * v + m[7]];
+}
+
+/** Slopes of the view ray from one pixel to the next, across and down. */
+export type PixelSlopes = readonly [across: number, down: number];
+
+/**
+ * Texels in a pixel from which on several of them are averaged; more than 1 by the rounding of a texture that is drawn
+ * at its own size. A level that is so much too coarse is 0.2 codes off between black and white.
+ */
+const MOST_TEXELS = 1.001;
+
+/** Whether the GPU averages texels at the hit: the texture is drawn smaller than it is, with another filter. */
+export function isMinified(
+  texture: Texture,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  [across, down]: PixelSlopes,
+): boolean {
+  const { minFilter, magFilter } = texture;
+  // The filters without mipmaps are those of magnification.
+  if ((minFilter as number) === magFilter) return false;
+  const { width, height } = texture.image as Image;
+  const [u, v] = coordinatesAt(texture, geometry, hit);
+  const texelsTo = (x: number, y: number): readonly [number, number] => {
+    const weights = weightsBeside(hit, x, y);
+    const [there, below] = coordinatesAt(texture, geometry, { corners: hit.corners, weights });
+    return [(there - u) * width, (below - v) * height];
+  };
+  // A GPU takes differences within squares of four pixels, so its neighbour is on either side.
+  return [1, -1].some((side) => {
+    const [a, b] = texelsTo(side * across, 0);
+    const [c, d] = texelsTo(0, side * down);
+    // The larger singular value: no step as long as a pixel's side crosses more, whatever its direction.
+    const most = (Math.hypot(a + d, b - c) + Math.hypot(a - d, b + c)) / 2;
+    return !(most <= MOST_TEXELS);
+  });
 }
 
 /** A vertex attribute at the hit; empty if the geometry lacks it. */
-export function interpolated(
-  geometry: BufferGeometry,
-  name: string,
-  { corners, weights }: TriangleHit,
-): number[] {
+export function interpolated(geometry: BufferGeometry, name: string, { corners, weights }: Place): number[] {
   if (!geometry.hasAttribute(name)) return [];
   const attribute = geometry.getAttribute(name);
   return Array.from({ length: attribute.itemSize }, (_, c) =>

@@ -1,7 +1,13 @@
 // A file's surface values at one point: base colour and opacity, emissive colour, metalness, roughness, mapped normal.
 // From its textures, in float64, as phong.frag.glsl computes them.
 import type { BufferGeometry, Texture } from 'three';
-import { exponentOfRoughness, lobeScale, type BaseLook } from '../../material/file-surface.js';
+import {
+  type BaseLook,
+  exponentOfRoughness,
+  hasMetalness,
+  lobeScale,
+  usesRoughnessMap,
+} from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { srgbDecode, srgbEncode } from '../../math/color.js';
 import {
@@ -17,7 +23,7 @@ import {
 } from '../../math/vector.js';
 import type { DrawnLook } from './scene-snapshot.js';
 import type { TriangleHit } from './ray-triangles.js';
-import { sampleAt, interpolated } from './sample.js';
+import { interpolated, isMinified, type PixelSlopes, sampleAt } from './sample.js';
 
 /** A surface as the reference equation takes it. */
 export interface SurfaceHere extends Readonly<SurfaceValues> {
@@ -53,6 +59,23 @@ export function surfaceAt(
     emissive: unlit ? BLACK : emissive,
     unlit,
   };
+}
+
+/** Whether the GPU averages texels of a texture that the surface is read from at one point. */
+export function isFiltered(
+  { look, style }: DrawnLook,
+  geometry: BufferGeometry,
+  hit: TriangleHit,
+  pixel: PixelSlopes,
+): boolean {
+  const { unlit, map, emissiveMap, metalRoughMap, normalMap } = look;
+  const textures = [
+    map,
+    unlit ? null : emissiveMap,
+    hasMetalness(look) || usesRoughnessMap(look, style) ? metalRoughMap : null,
+    unlit || style.shading !== 'phong' ? null : normalMap,
+  ];
+  return textures.some((texture) => texture !== null && isMinified(texture, geometry, hit, pixel));
 }
 
 /**

@@ -2,6 +2,7 @@
 // pixels of the viewer, which lies at the page's top left.
 
 import type { Locator, Page } from '@playwright/test';
+import { patch, type Texel } from '../../support/gltf.js';
 import { expect, test } from '../../support/test.js';
 import { assign, drag, nextFrame, type PhongViewer, pointerAway, settled } from '../support/viewer.js';
 
@@ -439,6 +440,68 @@ test.describe('the box', () => {
     await expect(box(viewer).getByRole('rowheader')).toHaveText([/^sun/, /^lamp/, 'sum', 'encoded']);
     const row = box(viewer).locator('tfoot tr').last().locator('td');
     await expect(row).toHaveText((await codes(viewer).textContent())!);
+  });
+
+  test('says under Gouraud shading that the steps are of the point itself, where the row has other terms', async ({
+    mount,
+  }) => {
+    const viewer = await mount(
+      `<phong-viewer probe geometry="sphere" segments="8" shading="gouraud" theta="30" phi="80" radius="1.8" target="0 0 0">
+         <phong-light name="side" position="1 0.1 -0.9 0" diffuse="255"></phong-light></phong-viewer>`,
+    );
+    // Behind the surface, of which a corner has the light.
+    const diffuse = await viewer.evaluate(async (element: PhongViewer) => {
+      for (let x = 100; x < 500; x += 5) {
+        const fragment = await element.shadeAt(x, 200);
+        const share = fragment?.shares[0];
+        if (!share || share.NoL > -0.02 || share.diffuse[0] < 0.02) continue;
+        element.probeAt = fragment.p;
+        return 255 * share.diffuse[0];
+      }
+      return 0;
+    });
+    expect(diffuse).toBeGreaterThan(1);
+    await expect(box(viewer).locator('.steps')).toHaveText(
+      /^At the point itself, side: N·L = cos [\d.]+° = −[\d.]+ is not above 0, so only ambient\.$/,
+    );
+    await expect(box(viewer).locator('tbody td').nth(1)).toHaveText(new RegExp(`^${diffuse.toFixed(1)} `));
+    await expect(box(viewer).locator('tbody small')).toHaveText('');
+  });
+
+  test('says where the picture averages a texture', async ({ mount }) => {
+    const columns = Array.from({ length: 64 * 64 }, (_, i): Texel =>
+      i % 2 === 0 ? [255, 255, 255] : [0, 0, 0],
+    );
+    const material = { pbrMetallicRoughness: { baseColorTexture: { index: 0 } } };
+    const src = patch({ material, textures: [columns], mipmaps: true });
+    const viewer = await mount(
+      scene(`probe probe-at="0 0 0.3" src="${src}"`).replace('geometry="sphere"', '').replace('1.6', '30'),
+    );
+    const note = box(viewer).locator('.note');
+    await expect(note).toHaveText(/^The picture averages the texture here;/);
+    await expect(codes(viewer)).toHaveText(/^≈ /);
+    await assign(viewer, { radius: 2 });
+    await expect(codes(viewer)).not.toHaveText(/≈/);
+    await expect(note).toHaveText('');
+  });
+
+  test('is not there before the first picture', async ({ page, mount }) => {
+    const later = scene('probe probe-at="0 0 0.5" id="later"')
+      .replace('radius="1.6"', '')
+      .replace('geometry="sphere"', 'geometry="box"');
+    const first = await mount(scene('probe probe-at="0 0 0.5"') + later, {
+      css: '#later { margin-top: 4000px }',
+      waitForReady: false,
+    });
+    await expect(box(first)).toBeVisible();
+    const viewer = page.locator('#later');
+    await expect(box(viewer)).toBeAttached();
+    await assign(viewer, { fov: 40 });
+    for (let i = 0; i < 5; i++) await nextFrame(page);
+    expect(await viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(0);
+    await expect(box(viewer)).toBeHidden();
+    await viewer.scrollIntoViewIfNeeded();
+    await expect(codes(viewer)).toHaveText(/^\d/);
   });
 
   test('says why a light adds nothing', async ({ page, mount }) => {

@@ -113,13 +113,13 @@ test.describe('the probe between the dividers of a comparison', () => {
       all,
       'ambient diffuse specular att',
       'ambient diffuse specular',
-      'diffuse specular',
-      'diffuse',
-      '',
+      '… diffuse specular',
+      '… diffuse',
+      '…',
     ];
     expect([...new Set(seen)]).toEqual(order.filter((each) => seen.includes(each)));
     expect(seen[0]).toBe(all);
-    expect(seen.at(-1)).toBe('');
+    expect(seen.at(-1)).toBe('…');
     await viewer.evaluate((element) => (element.style.width = '143px'));
     await laidOut(page);
     await expect(viewer.locator('[part=probe] .codes')).toBeVisible();

@@ -4,6 +4,7 @@
 import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { expect as equationExpect } from '../../support/built-playwright.js';
+import { patch, type Texel } from '../../support/gltf.js';
 import { expect, test } from '../../support/test.js';
 import { randomScene, sceneMarkup } from '../../visual/random-scene.js';
 import { comparedWithPicture, type Compared } from './shade-at-support.js';
@@ -141,6 +142,65 @@ test.describe('shadeAt explains the picture', () => {
     expect(blended).toBeLessThan(1);
   });
 
+  test('within one code, or says that the picture averages a texture, at every size of it', async ({
+    mount,
+  }) => {
+    const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+    const columns = (size: number): Texel[] =>
+      Array.from({ length: size * size }, (_, i) => (i % 2 === 0 ? [255, 255, 255] : [0, 0, 0]));
+    const noise = (size: number): Texel[] =>
+      Array.from({ length: size * size }, (_, i) => [(i * 37) % 256, (i * 91) % 256, (i * 53) % 256]);
+    const pbrMetallicRoughness = { metallicFactor: 0, baseColorTexture: { index: 0 } };
+    /** The square's edge is 64 pixels wide at this distance. */
+    const radius = 120 / 64 / Math.tan(Math.PI / 8);
+    const shown = async (texels: Texel[], attributes: string) => {
+      const src = patch({ material: { pbrMetallicRoughness }, textures: [texels], mipmaps: true });
+      await show(
+        viewer,
+        `<phong-viewer src="${src}" target="0 0 0.27" ${attributes}>${AMBIENT}</phong-viewer>`,
+      );
+      const all = await comparedWithPicture(viewer, 3);
+      // A sixteenth of a pixel changes a steep texture by more than a code.
+      const excess = ({ drawn, explained, steepness }: Compared): number =>
+        Math.max(...explained.map((x, i) => Math.abs(Math.round(x) - drawn[i]!))) - steepness / 16;
+      const [filtered, others] = [true, false].map((is) =>
+        all.filter((here) => here.filtered === is).map(excess),
+      );
+      return { filtered: filtered!, others: others! };
+    };
+    const half = await shown(columns(64), `theta="0" phi="90" radius="${2 * radius}"`);
+    expect(half.others, 'two texels a pixel').toEqual([]);
+    expect(half.filtered.filter((x) => x > 1).length).toBeGreaterThan(50);
+    const near = await shown(noise(16), `theta="0" phi="90" radius="${radius}"`);
+    expect(near.filtered, 'four pixels a texel').toEqual([]);
+    const slanted = await shown(noise(64), `theta="62" phi="70" radius="${radius / 2.5}"`);
+    expect(Math.min(slanted.filtered.length, slanted.others.length), 'both in one picture').toBeGreaterThan(
+      30,
+    );
+    expect(Math.max(...near.others, ...slanted.others)).toBeLessThanOrEqual(1);
+    // The picture may keep what a mask cuts out of its largest level, and the other way round.
+    const holes = columns(64).map(([c]): Texel => [c, c, c, c]);
+    const src = patch({
+      material: { alphaMode: 'MASK', pbrMetallicRoughness },
+      textures: [holes],
+      mipmaps: true,
+    });
+    await show(
+      viewer,
+      `<phong-viewer target="0 0 0.27" theta="0" phi="90" radius="${2 * radius}"><phong-mesh src="${src}"></phong-mesh>
+         <phong-mesh geometry="box" scale="3" position="0 0 -3"></phong-mesh>${AMBIENT}</phong-viewer>`,
+    );
+    const seen = await viewer.evaluate(async (element: PhongViewer) => {
+      const found: string[] = [];
+      for (let x = 70; x < 90; x++) {
+        const fragment = await element.shadeAt(x, 60);
+        found.push(`${fragment!.object.geometry.type} ${fragment!.filtered}`);
+      }
+      return [...new Set(found)].sort();
+    });
+    expect(seen).toEqual(['BoxGeometry true', 'BufferGeometry true']);
+  });
+
   test('by hitting nothing where a mask is transparent', async ({ mount }) => {
     const viewer = await mount(model(texturedModel(LINEAR, [REPEAT, MIRRORED], 'MASK')), SIZE);
     const counts = await viewer.evaluate(async (element: PhongViewer) => {
@@ -162,6 +222,8 @@ test.describe('shadeAt explains the picture', () => {
     expect(Math.min(counts.hit, counts.missed)).toBeGreaterThan(200);
   });
 });
+
+const AMBIENT = '<phong-light position="0 0 1 0" ambient="255" diffuse="0" specular="0"></phong-light>';
 
 // glTF's numbers, which are OpenGL's.
 const [NEAREST, LINEAR, REPEAT, CLAMPED, MIRRORED] = [9728, 9729, 10497, 33071, 33648];

@@ -12,6 +12,8 @@ export interface Compared {
   /** 255 times the explained colour, not rounded. */
   readonly explained: readonly number[];
   readonly opacity: number;
+  /** The picture averages a texture there. */
+  readonly filtered: boolean;
   /** Angle in radians to the nearest edge of a cone or horizon of a light. */
   readonly edgeMargin: number;
   /** Largest difference of a channel from the eight neighbours. */
@@ -70,6 +72,7 @@ export const comparedWithPicture = (viewer: Locator, step: number): Promise<Comp
           drawn: [...data.subarray(pixel, pixel + 4)],
           explained: here.color.map((x) => x * 255),
           opacity: here.opacity,
+          filtered: here.filtered,
           edgeMargin,
           steepness,
         });

@@ -69,6 +69,7 @@ test.describe('shadeAt returns', () => {
       emissive: [0, 0, 0],
       metalness: 0,
       unlit: false,
+      filtered: false,
       opacity: 1,
       sum: [1, 0.8, 0].map((ka) => close(ka * (0.2 + DECAY) + OTHER_TERMS)),
       color: [1, 1, close(OTHER_TERMS)],
