@@ -57,7 +57,7 @@ const REACH = 0.5 + 2 ** -4;
 
 /**
  * Widest range of a channel in a pixel that is judged, in codes. Half of it is how far a wrong colour can be from the
- * right one and still pass. 42 % of a torus knot's pixels are within it at 300 × 200, 17 % within half of it.
+ * right one and still pass. 44 % of a torus knot's pixels are within it at 300 × 200, 17 % within half of it.
  */
 const WIDEST = 8;
 
