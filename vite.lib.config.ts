@@ -88,8 +88,9 @@ export default defineConfig(({ mode }) => ({
     outDir: outputFolder('dist'),
     emptyOutDir: mode === 'index',
     target: 'es2022',
-    sourcemap: true,
-    minify: true,
+    // Node's entry runs as it is. A map would point stack traces to sources that the package does not have.
+    sourcemap: mode !== 'playwright',
+    minify: mode !== 'playwright',
     lib: {
       entry: { [mode]: entries[mode] ?? missing(mode) },
       formats: ['es'],
@@ -102,7 +103,7 @@ export default defineConfig(({ mode }) => ({
       preserveEntrySignatures: 'allow-extension',
       output: {
         chunkFileNames: 'shared/[name].js',
-        minify: true,
+        minify: mode !== 'playwright',
         codeSplitting: { groups: [{ name: mode, tags: ['$initial'] }, ...modelChunks] },
       },
     },

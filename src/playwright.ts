@@ -3,9 +3,8 @@
  * with the equation rather than with files. Runs in Node; knows the elements by their public API only.
  */
 import { errors, expect as playwrightExpect, type Locator, test } from '@playwright/test';
-import { LIGHT_FIELDS } from './light/light-state.js';
 import type { PhongViewer } from './index.js';
-import { changeByCss, judgeInPage, otherElement, settleInPage } from './playwright/in-page.js';
+import { changeByCss, judgeInPage, otherElement, settleInPage, whyIncomplete } from './playwright/in-page.js';
 import type { Judgement } from './playwright/judge-in-page.js';
 import { verdictOf } from './playwright/verdict.js';
 
@@ -21,19 +20,13 @@ export interface EquationOptions extends SettledOptions {
    */
   readonly codes?: number;
   /**
-   * The same in outlines and at edges of triangles, for `antialias="full"`, where a pixel is the mean of its samples.
-   * Whole, 0–255. Default: what one sample can change, 255 / samples, and 4 more.
-   */
-  readonly outlineCodes?: number;
-  /**
    * Least share of the surfaces' pixels that can be judged, 0–1, default 0.25. Fewer fail the test, because it would
-   * say little: make the viewer larger or move the camera closer. Small triangles leave few pixels inside a single
-   * face.
+   * say little: make the viewer larger or move the camera closer.
    */
   readonly share?: number;
   /**
-   * Pixels that are judged at least, where the picture has them: whole, at least 1, default 10,000, in groups spread
-   * over the picture at random; or `'all'`. Each takes a call of `shadeAt` or two.
+   * Pixels that are judged at least, where the picture has them: whole, at least 1, default 10,000, spread over the
+   * picture; or `'all'`. Each takes five calls of `shadeAt`.
    */
   readonly pixels?: number | 'all';
   /** Chooses the pixels: the same number, the same pixels. Whole, default 1. */
@@ -54,8 +47,8 @@ type Png = Awaited<ReturnType<Locator['screenshot']>>;
 /** The package is built without Node's types, because all other entries run in browsers. */
 const { Buffer } = globalThis as unknown as { Buffer: { from(text: string, encoding: 'base64'): Png } };
 
-/** Suspects that are looked at closely. A picture with more is wrong anyway. */
-const MOST_SUSPECTS = 2000;
+/** Wrong pixels that a message lists. */
+const LISTED = 5;
 
 /** Pixels judged by default: about half of what a viewer of 300 × 200 covers. */
 const PIXELS = 10_000;
@@ -124,21 +117,20 @@ export async function snapshot(
 /** Playwright's `expect` with the matcher of this package. `mergeExpects` combines it with others. */
 export const expect = playwrightExpect.extend({
   /**
-   * The viewer's picture is the shading equation's, in float64, at every pixel that lies on one face, and with
-   * `antialias="full"` its mean in outlines. A pixel also passes if the equation takes its colour within one step of
-   * the device's subpixel grid, to which rasterisers move vertices. Judges a sample unless `pixels` is `'all'`. Never
-   * judged: edges of triangles in other pictures, translucent surfaces, textures with several texels to a pixel, and
-   * own objects in `scene`. The message and an annotation of the test report how many pixels were judged. What CSS
-   * makes of the picture is not judged: a `filter` or an `opacity` gets a warning.
+   * The viewer's picture is the shading equation's, in float64, at every pixel in which a single smooth surface shows
+   * and its colour hardly changes: what is drawn lies between the least and the greatest that the equation takes at the
+   * pixel's centre and corners, give or take `codes`. Judges a sample unless `pixels` is `'all'`. Never judged:
+   * outlines, creases, translucent surfaces, textures drawn smaller than they are, and own objects in `scene`. The
+   * message and an annotation of the test report how many pixels were judged. What CSS makes of the picture is not
+   * judged: a `filter` or an `opacity` gets a warning. Throws for a viewer that is empty or shows an error.
    */
   async toShowTheEquation(viewer: Locator, options: EquationOptions = {}) {
-    const { codes = 1, outlineCodes, share = 0.25, pixels = PIXELS, seed = 1 } = options;
+    const { codes = 1, share = 0.25, pixels = PIXELS, seed = 1 } = options;
     const { timeout = 20_000 } = options;
-    for (const [name, limit] of Object.entries({ codes, outlineCodes: outlineCodes ?? 0 }))
-      if (!Number.isInteger(limit) || limit < 0 || limit > 255)
-        throw new RangeError(
-          `toShowTheEquation: ${name} must be a whole number from 0 to 255, got ${String(limit)}`,
-        );
+    if (!Number.isInteger(codes) || codes < 0 || codes > 255)
+      throw new RangeError(
+        `toShowTheEquation: codes must be a whole number from 0 to 255, got ${String(codes)}`,
+      );
     if (!(share >= 0 && share <= 1))
       throw new RangeError(`toShowTheEquation: share must be from 0 to 1, got ${String(share)}`);
     if (pixels !== 'all' && !(Number.isInteger(pixels) && pixels >= 1))
@@ -148,15 +140,15 @@ export const expect = playwrightExpect.extend({
     if (!Number.isInteger(seed))
       throw new RangeError(`toShowTheEquation: seed must be a whole number, got ${String(seed)}`);
     await settled(viewer, { timeout });
+    const fault = await viewer.evaluate(whyIncomplete);
+    if (fault !== null) throw new Error(`toShowTheEquation: ${fault}`);
     const change = await viewer.evaluate(changeByCss);
     if (change !== null) warn(`toShowTheEquation: ${change}`);
     const judgement: Judgement = await viewer.evaluate(judgeInPage, {
       codes,
-      outlineCodes: outlineCodes ?? null,
       pixels: pixels === 'all' ? null : pixels,
       seed,
-      most: MOST_SUSPECTS,
-      lightKeys: Object.keys(LIGHT_FIELDS),
+      most: LISTED,
     });
     const { pass, summary, message } = verdictOf(judgement, { codes, share }, seed);
     test.info().annotations.push({ type: 'equation', description: summary });

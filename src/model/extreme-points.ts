@@ -114,9 +114,10 @@ export function shareExtremePoints(geometry: BufferGeometry, copy: BufferGeometr
   if (points !== undefined) declareExtremePoints(copy, points);
 }
 
-/** The vertices have changed. */
-export function forgetExtremePoints(geometry: BufferGeometry): void {
+/** The vertices may have changed. Whether they have not, because the declared size still holds. */
+export function forgetExtremePoints(geometry: BufferGeometry): boolean {
   known.delete(geometry);
+  return declaredOf(geometry) !== undefined;
 }
 
 /** A computation in steps. */

@@ -1,13 +1,13 @@
 // A viewer's picture, and what shadeAt explains of it. Runs inside the page. Positions are device pixels from the top left.
 import type { PhongViewer } from '../index.js';
-import type { Explained } from './texture-fault.js';
-import type { Tile } from './tiles.js';
 
-/** What shadeAt explains of pixels in a row; null where no Phong-lit surface is drawn. */
-export type Row = readonly (Explained | null)[];
+/** What shadeAt gives for a point of a surface. */
+export type Explained = NonNullable<Awaited<ReturnType<PhongViewer['shadeAt']>>> & {
+  readonly filtered?: boolean;
+};
 
-/** Explains the fragment at the centre of pixel x, y; or with `exact` the point at x, y. */
-export type Explain = (x: number, y: number, exact?: boolean) => Promise<Explained | null>;
+/** Explains the point at x, y; null where no Phong-lit surface is drawn. */
+export type Explain = (x: number, y: number) => Promise<Explained | null>;
 
 /** The picture's pixels, without premultiplication or a colour conversion. */
 export async function pictureOf(viewer: PhongViewer): Promise<ImageData> {
@@ -23,15 +23,6 @@ export async function pictureOf(viewer: PhongViewer): Promise<ImageData> {
   return context.getImageData(0, 0, width, height);
 }
 
-/** Bits of the grid that the device moves vertices to. */
-export function deviceSubpixelBits(): number {
-  const gl = document.createElement('canvas').getContext('webgl2');
-  if (gl === null) throw new Error('the viewer cannot be drawn here');
-  const bits = Number(gl.getParameter(gl.SUBPIXEL_BITS));
-  gl.getExtension('WEBGL_lose_context')?.loseContext();
-  return bits;
-}
-
 export function explainer(viewer: PhongViewer, width: number, height: number): Explain {
   const surface = viewer.shadowRoot?.querySelector('[part=surface]');
   if (!surface) throw new Error('the viewer cannot be drawn here');
@@ -40,16 +31,5 @@ export function explainer(viewer: PhongViewer, width: number, height: number): E
   const zoom = (surface as { currentCSSZoom?: number }).currentCSSZoom ?? 1;
   const cssX = (parseFloat(style.width) * zoom) / width;
   const cssY = (parseFloat(style.height) * zoom) / height;
-  return (x, y, exact = false) => {
-    const centre = exact ? 0 : 0.5;
-    return viewer.shadeAt((x + centre) * cssX, (y + centre) * cssY, { exact });
-  };
+  return (x, y) => viewer.shadeAt(x * cssX, y * cssY, { exact: true });
 }
-
-/** The pixels of a tile and those around it. */
-export const rowsOf = (explain: Explain, { left, top, right, bottom }: Tile): Promise<Row[]> =>
-  Promise.all(
-    Array.from({ length: bottom - top + 2 }, (_, i) =>
-      Promise.all(Array.from({ length: right - left + 2 }, (_, k) => explain(left - 1 + k, top - 1 + i))),
-    ),
-  );

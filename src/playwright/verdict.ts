@@ -1,7 +1,5 @@
 // Says in words what a judgement has found. Runs in Node.
-import type { Judgement } from './judge-in-page.js';
-import type { Kind } from './judge-means.js';
-import { codesOff } from './subpixel.js';
+import type { Judgement, WrongPixel } from './judge-in-page.js';
 
 export interface Verdict {
   readonly pass: boolean;
@@ -18,73 +16,41 @@ export interface Limits {
   readonly share: number;
 }
 
-/** Failed pixels that a message lists. */
-const LISTED = 5;
-
-interface Wrong {
-  readonly x: number;
-  readonly y: number;
-  readonly kind: Kind;
-  readonly drawn: readonly number[];
-  readonly expected: readonly number[];
-}
-
 /** `seed`: what the pixels were chosen by. */
 export function verdictOf(judgement: Judgement, { codes, share }: Limits, seed: number): Verdict {
-  const { judged, surface, edges, means, suspects, suspectCount } = judgement;
-  const wrong: readonly Wrong[] =
-    means?.wrong ??
-    suspects
-      .filter((suspect) => codesOff(suspect, judgement) > codes)
-      .map((suspect) => ({ ...suspect, kind: 'inside' }));
-  const failed = wrong.length + suspectCount - suspects.length;
-  const judgeable = means === null ? judged : judged + edges;
-  const enough = judged + (means?.outlines ?? 0) > 0 && judgeable >= share * surface;
+  const { counts, surface, wrong, wrongCount } = judgement;
+  const enough = counts.judged > 0 && counts.judged >= share * surface;
   const summary = summaryOf(judgement, seed);
-  const limit = `${count(codes, 'code')}${means === null ? '' : `, or ${count(means.limit, 'code')} in outlines`}`;
   const reason = enough
-    ? `${String(failed)}${means?.ended === true ? ' or more' : ''} of them differ by more than ${limit}.`
+    ? `${String(wrongCount)} of them differ by more than ${String(codes)} code${codes === 1 ? '' : 's'}.`
     : `At least ${percent(share)} are needed: make the viewer larger, move the camera closer, or lower \`share\`.`;
   return {
-    pass: enough && failed === 0,
+    pass: enough && wrongCount === 0,
     summary,
-    message: [`${summary} ${reason}`, ...wrong.slice(0, LISTED).map(line)].join('\n'),
+    message: [`${summary} ${reason}`, ...(enough ? wrong.map(line) : [])].join('\n'),
   };
 }
 
-function summaryOf(
-  { judged, surface, edges, translucent, minified, means, sampled }: Judgement,
-  seed: number,
-): string {
+function summaryOf({ counts, surface, sampled }: Judgement, seed: number): string {
   if (surface === 0) return 'The picture shows no surface.';
+  const { judged, edges, steep, translucent, filtered } = counts;
   const part =
     sampled === 1 ? '' : ` in a sample of ${percent(sampled)} of the picture (seed ${String(seed)})`;
   const left = Object.entries({
-    'at edges': means === null ? edges : 0,
+    'at edges': edges,
+    'where the colour changes fast': steep,
     translucent,
-    'with minified textures': minified,
+    'with textures drawn smaller than they are': filtered,
   })
     .filter(([, number]) => number > 0)
     .map(([name, number]) => `${String(number)} ${name}`);
   const rest = left.length === 0 ? '' : `; not judged: ${left.join(', ')}`;
-  const outlines =
-    means === null
-      ? ''
-      : `, and ${String(means.outlines)} of ${String(means.outlinesFound)} in outlines, by the mean of ${count(means.samples, 'sample')} (at most ${count(means.largest, 'code')} off)`;
-  return `${String(judged)} of ${String(surface)} pixels of surfaces${part} were judged (${percent(judged / surface)}${rest})${outlines}.`;
+  return `${String(judged)} of ${String(surface)} pixels of surfaces${part} were judged (${percent(judged / surface)}${rest}).`;
 }
 
-/** Where a wrong pixel is; nothing is said of most. */
-const PLACES: Readonly<Record<Kind, string>> = {
-  inside: '',
-  contour: ', in an outline',
-  crease: ', at an edge between triangles',
-  steep: ', where the colour changes fast',
-};
-
-const line = ({ x, y, kind, drawn, expected }: Wrong): string =>
-  `  pixel ${String(x)}, ${String(y)}${PLACES[kind]}: ${drawn.join(' ')} is drawn, ${expected.map((code) => code.toFixed(2)).join(' ')} is the equation's`;
-
-const count = (number: number, noun: string): string => `${String(number)} ${noun}${number === 1 ? '' : 's'}`;
+function line({ x, y, drawn, least, greatest }: WrongPixel): string {
+  const range = least.map((low, k) => `${low.toFixed(1)}–${greatest[k]!.toFixed(1)}`).join(' ');
+  return `  pixel ${String(x)}, ${String(y)}: ${drawn.join(' ')} is drawn, ${range} is the equation's`;
+}
 
 const percent = (share: number): string => `${String(Math.round(100 * share))} %`;

@@ -128,8 +128,8 @@ export function forgetBounds(root: Object3D): void {
     const measured = object as { boundingBox?: unknown; boundingSphere?: unknown };
     if (measured.boundingBox !== undefined) measured.boundingBox = null;
     if (measured.boundingSphere !== undefined) measured.boundingSphere = null;
-    if (geometry === undefined) return;
-    forgetExtremePoints(geometry);
+    // A shape's own bounds hold whatever its segments: on a new page, and in viewers that share the geometry.
+    if (geometry === undefined || forgetExtremePoints(geometry)) return;
     // three.js culls by the one, lights are culled by the other.
     geometry.boundingSphere = null;
     geometry.boundingBox = null;

@@ -1,5 +1,6 @@
 // Does phong-viewer/playwright judge pictures correctly? Right pictures pass, a single wrong pixel fails, and messages
 // give the reason.
+import { existsSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { expect, settled, snapshot } from '../support/built-playwright.js';
 import type { PhongViewer } from '../element/support/viewer.js';
@@ -38,27 +39,27 @@ const spoil = (viewer: Locator, x: number, y: number, channel: number, by: numbe
     { x, y, channel, by },
   );
 
-/** What a still picture can have wrong: where its outlines are, and their colours. */
-type Fault = 'shifted by half a pixel' | 'dark along outlines';
-
-/** Gives every later picture this fault in place of an earlier one. */
-const giveFault = (viewer: Locator, fault: Fault | null): Promise<void> =>
-  viewer.evaluate((element: PhongViewer, kind) => {
-    Reflect.deleteProperty(element, 'toBlob');
-    if (kind === null) return;
-    const draw = element.toBlob.bind(element);
-    element.toBlob = async (options) => {
-      const bitmap = await createImageBitmap(await draw(options));
+/** Every later picture is that of the viewer with these attributes, or moved to the right. */
+const giveFault = (viewer: Locator, attributes: Readonly<Record<string, string>>, moved = 0): Promise<void> =>
+  viewer.evaluate(
+    async (element: PhongViewer, fault) => {
+      const wrong = element.cloneNode(true) as PhongViewer;
+      for (const [name, value] of Object.entries(fault.attributes))
+        (wrong.querySelector(`[${name}]`) ?? wrong).setAttribute(name, value);
+      element.after(wrong);
+      await wrong.ready;
+      const bitmap = await createImageBitmap(await wrong.toBlob());
+      wrong.remove();
       const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
-      const context = canvas.getContext('2d')!;
-      context.drawImage(bitmap, kind === 'dark along outlines' ? 0 : 0.5, 0);
-      const picture = context.getImageData(0, 0, bitmap.width, bitmap.height);
-      for (let i = 0; i < picture.data.length && kind === 'dark along outlines'; i++)
-        if (i % 4 !== 3) picture.data[i]! *= picture.data[i - (i % 4) + 3]! / 255;
-      context.putImageData(picture, 0, 0);
-      return canvas.convertToBlob();
-    };
-  }, fault);
+      canvas.getContext('2d')!.drawImage(bitmap, fault.moved, 0);
+      const blob = await canvas.convertToBlob();
+      element.toBlob = () => Promise.resolve(blob);
+    },
+    { attributes, moved },
+  );
+
+/** Those with `segments="auto"`: their triangles are smaller than pixels. */
+const ROUND = ['sphere', 'torus', 'torus-knot', 'teapot', 'cone', 'cylinder'] as const;
 
 test.describe('toShowTheEquation', () => {
   for (const [what, markup] of Object.entries({
@@ -105,30 +106,42 @@ test.describe('toShowTheEquation', () => {
     expect(surface).toBeGreaterThan(1000);
   });
 
-  test('judges outlines where `antialias="full"` averages samples, and finds wrong ones', async ({
-    mount,
-  }, info) => {
-    const viewer = await mount(
-      `<phong-viewer geometry="box" antialias="full" samples="16" radius="3">${LIGHTS}
-        <phong-mesh geometry="cone" position="0 0.6 0.9"></phong-mesh></phong-viewer>`,
-      SIZE,
-    );
-    await expect(viewer).toShowTheEquation();
-    expect(info.annotations.at(-1)?.description).toMatch(
-      /^\d+ of \d+ pixels of surfaces were judged \(\d+ %\), and \d\d\d of \d+ in outlines, by the mean of 16 samples \(at most \d codes? off\)\.$/,
-    );
-    for (const fault of ['shifted by half a pixel', 'dark along outlines'] as const) {
-      await giveFault(viewer, fault);
-      const message = await refusal(viewer);
-      expect(message, fault).toMatch(/ differ by more than 1 code, or \d+ codes in outlines\.\n/);
-      expect(message, fault).toMatch(
-        /pixel \d+, \d+, in an outline: (\d+ ){4}is drawn, ([\d.]+ ){4}is the equation's/,
+  for (const antialias of ['edges', 'full'])
+    test(`judges enough of every shape as it is by default, with antialias="${antialias}"`, async ({
+      mount,
+    }) => {
+      test.slow();
+      const viewers = ROUND.map(
+        (geometry) =>
+          `<phong-viewer geometry="${geometry}" antialias="${antialias}" samples="16"></phong-viewer>`,
       );
-    }
-    await giveFault(viewer, null);
-    await spoil(viewer, 56, 48, 1, -2);
-    expect(await refusal(viewer)).toContain('pixel 56, 48: ');
-    await expect(viewer).toShowTheEquation({ codes: 2 });
+      const first = await mount(viewers.join(''), { width: 300, height: 200 });
+      const all = first.page().locator('phong-viewer');
+      for (const [i, geometry] of ROUND.entries())
+        await expect(all.nth(i), geometry).toShowTheEquation({ pixels: 1500 });
+    });
+
+  test('finds a wrong light, a wrong exponent, a colour that is a few codes off, and a picture that is shifted', async ({
+    mount,
+  }) => {
+    test.slow();
+    const wrongs: readonly (readonly [string, Readonly<Record<string, string>>, number?])[] = [
+      ['a brighter light', { diffuse: '186 180 170' }],
+      ['another direction', { position: '1.1 2 1 0' }],
+      ['another exponent', { shininess: '20' }],
+      ['a pixel to the right', {}, 1],
+    ];
+    for (const scene of ['sphere', 'torus" antialias="full" samples="16'])
+      for (const [what, attributes, moved] of wrongs) {
+        const viewer = await mount(
+          `<phong-viewer geometry="${scene}" shininess="24">${LIGHTS}</phong-viewer>`,
+          { width: 150, height: 100 },
+        );
+        await giveFault(viewer, attributes, moved);
+        expect(await refusal(viewer, { share: 0.1 }), `${scene}: ${what}`).toMatch(
+          /\n {2}pixel \d+, \d+: (\d+ ){4}is drawn, ([\d.]+–[\d.]+ ){3}is the equation's/,
+        );
+      }
   });
 
   test('judges a sample of 10,000 pixels by default, and every pixel on request', async ({ mount }, info) => {
@@ -186,7 +199,7 @@ test.describe('toShowTheEquation', () => {
     await spoil(viewer, 56, 42, 1, -2);
     const message = await refusal(viewer);
     expect(message).toContain('1 of them differ by more than 1 code.');
-    expect(message).toMatch(/pixel 56, 42: \d+ \d+ \d+ 255 is drawn, [\d.]+ [\d.]+ [\d.]+ is the equation's/);
+    expect(message).toMatch(/pixel 56, 42: \d+ \d+ \d+ 255 is drawn, ([\d.]+–[\d.]+ ){3}is the equation's/);
     await expect(viewer).toShowTheEquation({ codes: 2 });
     await expect(viewer).not.toShowTheEquation({ codes: 0 });
   });
@@ -197,19 +210,40 @@ test.describe('toShowTheEquation', () => {
     expect(await refusal(viewer)).toContain('pixel 56, 42');
   });
 
-  test('refuses pictures that it could hardly judge', async ({ mount }) => {
-    const fine = await mount('<phong-viewer geometry="sphere" segments="256"></phong-viewer>', SIZE);
-    expect(await refusal(fine)).toMatch(/^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/);
-    const empty = await mount('<phong-viewer></phong-viewer>', SIZE);
-    expect(await refusal(empty, { share: 0 })).toContain('The picture shows no surface.');
-    const averaged = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
-    expect(await refusal(averaged, { codes: 0.5 })).toContain('codes must be a whole number');
-    expect(await refusal(averaged, { outlineCodes: 256 })).toContain('outlineCodes must be a whole number');
-    expect(await refusal(averaged, { share: 2 })).toContain('share must be from 0 to 1');
-    expect(await refusal(averaged, { pixels: 0 })).toContain(
-      "pixels must be a whole number from 1 on, or 'all'",
+  test('refuses pictures that it could hardly judge, and values that mean nothing', async ({ mount }) => {
+    const tiny = await mount('<phong-viewer geometry="torus-knot"></phong-viewer>', {
+      width: 30,
+      height: 20,
+    });
+    expect(await refusal(tiny)).toMatch(/^\d+ of \d+ .*At least 25 % are needed: make the viewer larger/);
+    await tiny.evaluate((element: PhongViewer) => (element.target = [9, 9, 9]));
+    expect(await refusal(tiny, { share: 0 })).toContain('The picture shows no surface.');
+    expect(await refusal(tiny, { codes: 0.5 })).toContain('codes must be a whole number');
+    expect(await refusal(tiny, { share: 2 })).toContain('share must be from 0 to 1');
+    expect(await refusal(tiny, { pixels: 0 })).toContain("pixels must be a whole number from 1 on, or 'all'");
+    expect(await refusal(tiny, { seed: 0.5 })).toContain('seed must be a whole number');
+  });
+
+  test('names a file that is missing, and says that a viewer is empty', async ({ mount, consoleGuard }) => {
+    consoleGuard.allow(/404/);
+    const missing = await mount(
+      '<phong-viewer><phong-mesh geometry="box"></phong-mesh><phong-mesh src="/no/nope.glb"></phong-mesh></phong-viewer>',
+      SIZE,
     );
-    expect(await refusal(averaged, { seed: 0.5 })).toContain('seed must be a whole number');
+    expect(await refusal(missing)).toContain('toShowTheEquation: nope.glb: load-failed (');
+    await expect(expect(missing).not.toShowTheEquation()).rejects.toThrow('nope.glb: load-failed');
+    expect(await refusal(await mount('<phong-viewer></phong-viewer>', SIZE))).toContain(
+      'toShowTheEquation: the viewer is empty',
+    );
+  });
+
+  test('has stack traces that name files of the package', async () => {
+    const error = await settled(undefined as unknown as Locator).catch((reason: unknown) => reason);
+    const { stack = '' } = error as Error;
+    const files = [...stack.matchAll(/(?:\(|at )(?:file:\/\/)?(\/[^)]*?):\d+:\d+/g)].map(([, file]) => file!);
+    expect(files[0]).toMatch(/\/playwright\.js$/);
+    for (const file of files) expect(existsSync(file), file).toBe(true);
+    expect(stack).not.toContain('/src/');
   });
 
   test('leaves out textures that are drawn smaller than they are, and translucent surfaces', async ({

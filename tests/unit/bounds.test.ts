@@ -151,11 +151,15 @@ describe('the measure of a scene', () => {
         expect(geometry.boundingSphere!.radius).toBe(radius);
         forgetBounds(scene);
         expect(measure(scene).radiusAbout([0, 0, 0])).toBe(radius);
+        // Faces and lights are culled by these: after refit() as on a new page.
+        expect(geometry.boundingBox?.max.toArray()).toEqual(half);
+        expect(geometry.boundingSphere?.radius).toBe(radius);
         const position = geometry.getAttribute('position');
         position.setX(0, 7);
         position.needsUpdate = true;
         forgetBounds(scene);
         expect(measure(scene).radiusAbout([0, 0, 0])).toBeGreaterThan(3);
+        expect(geometry.boundingBox?.max.x).toBe(7);
       }
     },
   );

@@ -128,6 +128,8 @@ const messageTemplate = (
         class="notice"
         part="notice"
         dir="auto"
+        data-code=${code}
+        data-url=${url ?? nothing}
         .textContent=${texts?.[code] === undefined ? message : phrase(texts, code, { message, url: url ?? '' })}
       ></p>
       <button
