@@ -6,8 +6,7 @@ import { fitRadius } from '../../src/camera/fit.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import { scale } from '../../src/math/vector.js';
 import { levelFor, segmentsIn } from '../../src/scene/mesh/levels.js';
-import { finish } from '../../src/scene/mesh/shapes/grid-geometry.js';
-import { beginGeometry, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
+import { createGeometry, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
 import { outlineErrors } from '../support/caster/outlines.js';
 import { firstOf, fullOr } from '../support/repeats.js';
 import type { CastMaterial, CastShape } from '../support/caster/scene.js';
@@ -28,7 +27,7 @@ async function built(
   segments: number,
   isLevel: boolean,
 ): Promise<CastShape> {
-  const geometry = finish(await beginGeometry(name, segments, isLevel));
+  const geometry = await createGeometry(name, segments, isLevel);
   return {
     kind: 'triangles',
     positions: geometry.getAttribute('position').array,

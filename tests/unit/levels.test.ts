@@ -4,8 +4,7 @@ import { Matrix4 } from 'three';
 import { describe, expect, it } from 'vitest';
 import { basisOf } from '../../src/camera/orbit.js';
 import { levelFor, segmentsIn } from '../../src/scene/mesh/levels.js';
-import { finish } from '../../src/scene/mesh/shapes/grid-geometry.js';
-import { beginGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
+import { createGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
 import type { View } from '../../src/scene/view-cut.js';
 import {
   boxOf,
@@ -88,8 +87,8 @@ describe('a level', () => {
     async (name) => {
       const { out, half, radius } = roundOf(name)!;
       // A level of the teapot has more vertices.
-      const plain = finish(await beginGeometry(name, 32, name === 'teapot'));
-      const level = finish(await beginGeometry(name, 32, true));
+      const plain = await createGeometry(name, 32, name === 'teapot');
+      const level = await createGeometry(name, 32, true);
       const distance = out / 32 ** 2;
       const [from, to] = [plain, level].map((geometry) => geometry.getAttribute('position').array) as [
         Float32Array,

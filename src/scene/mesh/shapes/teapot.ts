@@ -2,8 +2,7 @@
 // because of three.js's table of control points.
 import { TeapotGeometry } from 'three/addons/geometries/TeapotGeometry.js';
 import type { BufferGeometry } from 'three';
-import { add, cross, scale, type Vec3 } from '../../../math/vector.js';
-import { type Grid, gridGeometry, put, type Vertices } from './grid-geometry.js';
+import { type Grid, gridGeometry, put } from './grid-geometry.js';
 
 const PATCHES = 32;
 /** Bézier patches that make one turn round the body. */
@@ -44,52 +43,70 @@ function patchGrid(patch: number, rows: number, columns: number): Grid {
     ...{ columns, rows, corners: [0, 1, 3, 0, 3, 2], closedFirst },
     row: (row, into, first) => {
       const s = down[row]!;
+      // The row is a cubic, and so is the way in which it changes: four points of each, x y z.
+      const points = new Float64Array(3 * SAMPLES).map((_, k) => mix(s.value, samples, k, 3 * SAMPLES));
+      const slopes = new Float64Array(3 * SAMPLES).map((_, k) => mix(s.slope, samples, k, 3 * SAMPLES));
       for (let column = 0; column <= columns; column++) {
         const t = across[closedFirst && row === 0 ? 0 : column]!;
-        const along = (i: number, weights: Weights): Vec3 => mix(weights, (j) => samples[SAMPLES * i + j]!);
-        const p = mix(s.value, (i) => along(i, t.value));
-        const a = mix(s.slope, (i) => along(i, t.value));
-        const b = mix(s.value, (i) => along(i, t.slope));
-        putVertex(p, cross(b, a), 1 - column / columns, 1 - row / rows, into, first + column);
+        const ax = mix(t.value, slopes, 0, 3);
+        const ay = mix(t.value, slopes, 1, 3);
+        const az = mix(t.value, slopes, 2, 3);
+        const bx = mix(t.slope, points, 0, 3);
+        const by = mix(t.slope, points, 1, 3);
+        const bz = mix(t.slope, points, 2, 3);
+        const x = mix(t.value, points, 0, 3);
+        const y = mix(t.value, points, 1, 3);
+        const z = mix(t.value, points, 2, 3);
+        let nx = by * az - bz * ay;
+        let ny = bz * ax - bx * az;
+        let nz = bx * ay - by * ax;
+        const length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        if (length > NO_NORMAL) {
+          nx /= length;
+          ny /= length;
+          nz /= length;
+        } else [nx, ny, nz] = [0, y > 0 ? 1 : -1, 0];
+        const u = 1 - column / columns;
+        const v = 1 - row / rows;
+        put(into, first + column, (x - CENTER) / EXTENT, y / EXTENT, z / EXTENT, nx, ny, nz, u, v);
       }
     },
   };
 }
 
-/** Both ends first: what patches share is the same number, whichever end of it a patch begins with. */
-function mix(weights: Weights, at: (i: number) => Vec3): Vec3 {
-  const part = (i: number): Vec3 => scale(at(i), weights[i]!);
-  return add(add(part(0), part(3)), add(part(1), part(2)));
-}
-
-function putVertex([x, y, z]: Vec3, N: Vec3, u: number, v: number, into: Vertices, vertex: number): void {
-  const length = Math.hypot(...N);
-  const [nx, ny, nz] = length > NO_NORMAL ? scale(N, 1 / length) : [0, y > 0 ? 1 : -1, 0];
-  put(into, vertex, (x - CENTER) / EXTENT, y / EXTENT, z / EXTENT, nx, ny, nz, u, v);
+/**
+ * The sum of four values, `step` apart from `first` on. Both ends first: what two patches share is the same number,
+ * whichever end of it a patch begins with.
+ */
+function mix(weights: Weights, values: ArrayLike<number>, first: number, step: number): number {
+  const ends = weights[0] * values[first]! + weights[3] * values[first + 3 * step]!;
+  return ends + (weights[1] * values[first + step]! + weights[2] * values[first + 2 * step]!);
 }
 
 /** Vertices along the side of a patch that determine it: it is bicubic. */
 const SAMPLES = 4;
 
-let coarse: readonly Vec3[] | null = null;
+let coarse: Float32Array | null = null;
 
 /** The coarse teapot's vertices of a patch. three.js does not give its control points away. */
-function samplesOf(patch: number): readonly Vec3[] {
-  coarse ??= welded(new TeapotGeometry(1, SAMPLES - 1).getAttribute('position').array);
-  const first = SAMPLES * SAMPLES * patch;
-  return coarse.slice(first, first + SAMPLES * SAMPLES);
+function samplesOf(patch: number): Float32Array {
+  coarse ??= welded(new TeapotGeometry(1, SAMPLES - 1).getAttribute('position').array as Float32Array);
+  const size = 3 * SAMPLES * SAMPLES;
+  return coarse.subarray(size * patch, size * (patch + 1));
 }
 
 /** Equal points differ by roundings where patches meet, by up to 5e-7; others are 1e-2 apart. */
 const SAME_POINT = 1e-5;
 
-/** The points, those in one place as one point. */
-function welded(values: ArrayLike<number>): Vec3[] {
-  const points: Vec3[] = [];
-  for (let i = 0; i < values.length; i += 3) {
-    const p: Vec3 = [values[i]!, values[i + 1]!, values[i + 2]!];
-    points.push(points.find((other) => p.every((x, axis) => Math.abs(x - other[axis]!) < SAME_POINT)) ?? p);
-  }
+/** Moves each point to the first one in its place. */
+function welded(points: Float32Array): Float32Array {
+  for (let i = 0; i < points.length; i += 3)
+    for (let j = 0; j < i; j += 3) {
+      const apart = (axis: number): number => Math.abs(points[i + axis]! - points[j + axis]!);
+      if (Math.max(apart(0), apart(1), apart(2)) > SAME_POINT) continue;
+      points.copyWithin(i, j, j + 3);
+      break;
+    }
   return points;
 }
 
