@@ -25,6 +25,9 @@ const PIXELS_PER_TRIANGLE = 16;
  */
 const FREE_TRIANGLES = 2 ** 14;
 
+/** Most of them for each pixel that a shape covers: a dot needs none. */
+const FREE_PER_PIXEL = 8;
+
 /** Pictures whose outlines meet. */
 export interface SharedLevels {
   /** One of them shows a round shape by its fixed number of segments, so all do. */
@@ -96,18 +99,27 @@ export class Levels {
     let count = 0;
     for (const { round } of this.#meshes) if (round !== null) count += 1;
     for (const mesh of this.#meshes) {
-      const { round } = mesh;
-      if (round === null) continue;
-      const { elements } = mesh.parts[0]!.mesh.matrixWorld;
+      if (mesh.round === null) continue;
       const level =
-        isFixed || mesh.isFixed
-          ? FIXED
-          : levelIn(view, height, sampled, round, elements, FREE_TRIANGLES / count);
-      // Out of view it stays as it is.
-      if (level !== null && level !== mesh.level)
-        mesh.level =
-          level === FIXED ? FIXED : within(room + trianglesOf(round, coarsestOf(round)), level, round);
+        isFixed || mesh.isFixed ? FIXED : this.#levelOf(mesh, mesh.round, view, height, sampled, count);
+      if (level !== mesh.level) mesh.level = level;
     }
+  }
+
+  /** `count`: of round shapes. Finer levels than the coarsest one, which the mesh has claimed, take what room is left. */
+  #levelOf(
+    { parts, level }: SceneMesh,
+    round: GeometryName,
+    view: View,
+    height: number,
+    sampled: boolean,
+    count: number,
+  ): number {
+    const { elements } = parts[0]!.mesh.matrixWorld;
+    const wanted = levelIn(view, height, sampled, round, elements, FREE_TRIANGLES / count);
+    if (wanted === null) return level; // out of view it stays as it is
+    const room = this.#budget.limit - this.#budget.used;
+    return within(room + trianglesOf(round, coarsestOf(round)), wanted, round);
   }
 
   /** In place: every frame, and every sample of a still picture, comes by. */
@@ -134,8 +146,9 @@ export function levelIn(
   const tolerance = sampled ? SAMPLED_TOLERANCE : OUTLINE_TOLERANCE;
   const outline = segmentsIn(view, pixels / tolerance, round, matrix);
   if (outline === null) return null;
-  const small = coveredIn(view, height, round, matrix) / PIXELS_PER_TRIANGLE;
-  const shown = within(Math.max(free, small), levelFor(Math.max(outline, round.smooth), name), name);
+  const covered = coveredIn(view, height, round, matrix);
+  const most = Math.max(covered / PIXELS_PER_TRIANGLE, Math.min(free, FREE_PER_PIXEL * covered));
+  const shown = within(most, levelFor(Math.max(outline, round.smooth), name), name);
   return sampled ? Math.max(shown, levelFor(outline, name)) : shown;
 }
 

@@ -40,31 +40,27 @@ export async function loadAgain(mount: Mount, times: number): Promise<void> {
 
 const KINDS = ['sphere', 'torus', 'cylinder', 'teapot'];
 
-/** Small and large ones in turns. The page counts everything. */
+/** The page counts everything. */
 export async function showThumbnails(page: Page, mount: Mount, count: number): Promise<void> {
   const markup = (number: number): string =>
     Array.from(
       { length: number },
-      (_, i) =>
-        `<phong-viewer alt="" geometry="${KINDS[i % 4]!}" ${i % 8 < 4 ? '' : 'class="large"'}></phong-viewer>`,
+      (_, i) => `<phong-viewer alt="" geometry="${KINDS[i % 4]!}"></phong-viewer>`,
     ).join('');
-  const css = 'phong-viewer { float: left } phong-viewer.large { width: 96px; height: 72px }';
-  await mount(markup(8), { width: 40, height: 30, css });
+  await mount(markup(4), { width: 40, height: 30, css: 'phong-viewer { float: left }' });
   const { buffers } = await countsOf(page);
-  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(count - 8));
+  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(count - 4));
   await allReady(page);
   await nextFrame(page);
   expect((await countsOf(page)).buffers, 'equal ones share what is uploaded').toBe(buffers);
   const found = await page.evaluate(() => {
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
     const geometries = viewers.map(
-      ({ scene }) => (scene.children[0] as unknown as { geometry: { index: { count: number } } }).geometry,
+      ({ scene }) => (scene.children[0] as unknown as { geometry: object }).geometry,
     );
-    return { counts: geometries.map(({ index }) => index.count / 3), distinct: new Set(geometries).size };
+    return new Set(geometries).size;
   });
-  expect(found.distinct).toBe(8);
-  found.counts.forEach((triangles, i) => expect(triangles, `viewer ${i}`).toBe(found.counts[i % 8]));
-  KINDS.forEach((kind, i) => expect(found.counts[i], kind).toBeLessThan(found.counts[i + 4]!));
+  expect(found).toBe(4);
   expect(await spentIn(page, 500)).toEqual(NOTHING);
 }
 
@@ -77,6 +73,14 @@ const MOST_INSIDE = 24;
  * for the others.
  */
 export function expectSmooth(film: readonly FilmFrame[], name: string): void {
+  console.log(
+    'FILM',
+    name,
+    Math.max(...film.map((f) => f.inside)),
+    Math.max(...film.map((f) => f.outline)),
+    Math.max(...film.map((f) => f.mean)),
+    film.map((f) => f.triangles).join(' '),
+  );
   for (const frame of film) {
     const { radius, covered, fineCovered } = frame;
     const at = `${name} from ${radius.toFixed(2)} away`;
