@@ -162,13 +162,13 @@ describe('the number of segments that a shape needs', () => {
     expect(n).toBeLessThan(66);
   });
 
-  it('is none out of view, and grows without bound where the eye is on the surface', () => {
+  it('is none out of view, and bounded where the eye is on the surface', () => {
     const view = viewFrom(3);
     expect(segmentsIn(view, 1000, sphere, at(0, 0, 4, 1))).toBeNull();
     expect(segmentsIn(view, 1000, sphere, at(9, 0, 0, 1))).toBeNull();
     expect(segmentsIn(view, 1000, sphere, at(0, 9, 0, 1))).toBeNull();
-    expect(segmentsIn(view, 1000, sphere, at(0, 0, 2.5, 1))).toBe(Infinity);
-    expect(segmentsIn(view, 1000, roundOf('torus')!, at(0, 0, 2.9, 1))).toBe(Infinity);
+    expect(segmentsIn(view, 1000, sphere, at(0, 0, 2.5, 1))).toBeLessThan(250);
+    expect(segmentsIn(view, 1000, roundOf('torus')!, at(0, 0, 2.9, 1))).toBeLessThan(300);
     expect(segmentsIn(view, 1000, sphere, at(0, 0, 3, 1))).toBeLessThan(200);
   });
 

@@ -220,10 +220,9 @@ export function segmentsIn(
   if (depth < -reach) return null;
   const squared = x * x + y * y + z * z;
   const distance = Math.sqrt(squared);
-  // Where the eye's rays touch a ball; other shapes reach up to the front of their sphere.
-  const outline = !isBall(half, m, reach)
-    ? Math.max(0, distance - reach)
-    : Math.sqrt(Math.abs(squared - reach * reach));
+  // Where the eye's rays touch a ball; other shapes may reach up to the front of their sphere.
+  const away = isBall(half, m, reach) ? Math.sqrt(Math.abs(squared - reach * reach)) : distance - reach;
+  const outline = Math.max(away, NEAREST * reach);
   // The farther from the middle of the view, the more pixels an angle has.
   let cos = 1 / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
   if (distance > reach) {
@@ -234,6 +233,12 @@ export function segmentsIn(
   }
   return Math.sqrt((gap * size * finest) / (outline * cos * cos));
 }
+
+/**
+ * The nearest outline that counts, in radii of the bounding sphere. An eye so close sees faces, most outlines are farther
+ * away, and slivers narrower than a pixel are shaded worse than wider triangles.
+ */
+const NEAREST = 1 / 8;
 
 /** Whether a shape is still a ball, of radius `reach`, under its matrix. */
 function isBall(half: Vec3, m: readonly number[], reach: number): boolean {

@@ -23,7 +23,7 @@ test('a sphere has the segments that its size and the camera need, and the camer
   expect(await triangles(viewer)).toBe(sphereOf(16));
   await assign(viewer, { radius: 0.501 });
   await settled(viewer);
-  expect(await triangles(viewer)).toBe(sphereOf(360));
+  expect(await triangles(viewer)).toBe(sphereOf(128));
   await assign(viewer, { radius: 'auto' });
   await settled(viewer);
   expect(await triangles(viewer)).toBe(first);
