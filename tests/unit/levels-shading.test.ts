@@ -1,6 +1,6 @@
 // Is what the levels of `segments="auto"` show within a face what the round shape shows? The share of pixels within one
 // code of it, in float64, for a headlight on the default material. Random pixels whose centre and corners meet one
-// smooth face. More shapes and sizes in a release run; there the limits are those of the smallest and the largest.
+// smooth face. All four sizes in a release run.
 import { expect, it } from 'vitest';
 import { fitRadius } from '../../src/camera/fit.js';
 import { basisOf } from '../../src/camera/orbit.js';
