@@ -273,7 +273,7 @@ class ViewerElement extends LitElement implements PublicViewer {
     if (this.#loading.pending || this.#extras.pending !== null) return false;
     const { viewport } = this.#context;
     const converging = viewport.converging && !this.#camera.moving;
-    return !viewport.drawable || (viewport.upToDate && !viewport.levels.pending && !converging);
+    return !viewport.drawable || (viewport.upToDate && !converging);
   }
 }
 

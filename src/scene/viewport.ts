@@ -11,7 +11,7 @@ import { forgetBounds } from './bounds.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from './snapshot/scene-snapshot.js';
 import { Painter, type ViewportStats } from './painter.js';
-import { Levels, OUTLINE_TOLERANCE, SAMPLED_TOLERANCE } from './mesh/levels.js';
+import { Levels } from './mesh/levels.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { TriangleBudget } from './mesh/triangle-budget.js';
@@ -72,9 +72,7 @@ export class Viewport implements StageClient, Framed {
     this.#painter = new Painter(lights, meshes);
     ({ scene: this.scene, lighting: this.lighting } = this.#painter);
     this.materials = new SharedMaterials(this.#painter.lighting);
-    this.levels = new Levels(meshes, this.budget, this.materials, (samples) =>
-      samples ? this.animate() : this.invalidate(),
-    );
+    this.levels = new Levels(meshes, this.budget, this.materials);
     this.#tree = new SceneTree(this.#painter.scene, meshes);
     this.fit = new AutoFit(this.#tree, this.orbit);
     this.#signals = signals;
@@ -287,15 +285,8 @@ export class Viewport implements StageClient, Framed {
     if (this.drawable && this.upToDate && !this.#moving) this.#still.finish(deadline);
   }
 
-  refine(atOnce: boolean): boolean {
-    // First the plain picture gets what it lacks.
-    if (!atOnce && this.levels.pending) return false;
-    this.#bringInStep(this, atOnce, SAMPLED_TOLERANCE);
-    return !this.levels.pending;
-  }
-
   sampler(): PaintPart {
-    this.#bringInStep(this, false, SAMPLED_TOLERANCE); // a file of another size may have been drawn since
+    this.#bringInStep(this, true); // a file of another size may have been drawn since
     return (renderer, part, samples) => {
       this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
       this.#painter.paintAgain(renderer, this.#view, samples);
@@ -326,7 +317,7 @@ export class Viewport implements StageClient, Framed {
   capture(width: number, height: number, shown = false): HTMLCanvasElement {
     const isShown = !this.#dirty && width === this.width && height === this.height;
     const isMean = shown && isShown && this.#still.samples > 0;
-    if (!isMean) this.#bringInStep({ width, height }, true);
+    if (!isMean) this.#bringInStep({ width, height });
     this.#releaseUnlessAttached();
     return stage.capture({ width, height }, (renderer, part) => {
       if (isMean) this.#still.copy(renderer, part);
@@ -343,13 +334,13 @@ export class Viewport implements StageClient, Framed {
    */
   captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
     return this.#still.capture({ width, height }, samples, () => {
-      this.#bringInStep({ width, height }, true, SAMPLED_TOLERANCE);
+      this.#bringInStep({ width, height }, true);
       this.#releaseUnlessAttached();
       const view = new ViewCamera(new Orbit(this.orbit.pose));
       const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
       const draw = this.#painter.sampler(view);
       const paint: PaintPart = (renderer, part, count) => {
-        this.levels.outlineTolerance = SAMPLED_TOLERANCE; // the page may have shown its own since
+        // The page may have shown its own since.
         this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
         view.aim(fov, this.scene, bounds, width, height, part);
         draw(renderer, count);
@@ -363,7 +354,7 @@ export class Viewport implements StageClient, Framed {
   snapshot<Owner>(ownerOf: (mesh: SceneMesh) => Owner): SceneSnapshot<Owner> {
     const { width, height } = this;
     // The triangles of the picture that is shown.
-    this.#bringInStep(this, false, this.#still.samples > 0 ? SAMPLED_TOLERANCE : OUTLINE_TOLERANCE);
+    this.#bringInStep(this, this.#still.samples > 0);
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
     const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
@@ -399,7 +390,7 @@ export class Viewport implements StageClient, Framed {
 
   /** False where there is no context. */
   readonly #paint = (): boolean => {
-    this.#bringInStep(this, false);
+    this.#bringInStep(this);
     return stage.draw(this, this.#render);
   };
 
@@ -415,13 +406,12 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** Order, matrices and camera of the scene as they are now, and its shapes as this size shows them. */
-  #bringInStep(size: Size, atOnce: boolean, tolerance = OUTLINE_TOLERANCE): void {
+  #bringInStep(size: Size, sampled = false): void {
     this.settle();
     this.#tree.update();
     this.lighting.places = this.#tree.moves;
-    this.levels.outlineTolerance = tolerance;
     const view = this.#view.look(this.#fov, size.width / size.height);
-    this.levels.choose(view, size.height, atOnce, this.orbit.version, this.#tree.moves);
+    this.levels.choose(view, size.height, sampled, this.orbit.version, this.#tree.moves);
   }
 
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */

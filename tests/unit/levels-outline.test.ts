@@ -5,9 +5,8 @@ import { describe, expect, it } from 'vitest';
 import { fitRadius } from '../../src/camera/fit.js';
 import { basisOf } from '../../src/camera/orbit.js';
 import { scale } from '../../src/math/vector.js';
-import { levelFor, segmentsIn } from '../../src/scene/mesh/levels.js';
-import { finish } from '../../src/scene/mesh/shapes/grid-geometry.js';
-import { beginGeometry, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
+import { levelIn } from '../../src/scene/mesh/levels.js';
+import { createGeometry, roundOf } from '../../src/scene/mesh/shapes/shapes.js';
 import { outlineErrors } from '../support/caster/outlines.js';
 import { firstOf, fullOr } from '../support/repeats.js';
 import type { CastMaterial, CastShape } from '../support/caster/scene.js';
@@ -28,7 +27,7 @@ async function built(
   segments: number,
   isLevel: boolean,
 ): Promise<CastShape> {
-  const geometry = finish(await beginGeometry(name, segments, isLevel));
+  const geometry = await createGeometry(name, segments, isLevel);
   return {
     kind: 'triangles',
     positions: geometry.getAttribute('position').array,
@@ -39,7 +38,7 @@ async function built(
 
 describe.each(['sphere', 'torus', 'teapot'] as const)('the outlines of a %s', (name) => {
   it.each(name === 'teapot' ? firstOf([100, 400, 1600], 1) : firstOf([400, 100, 1600], 1))(
-    'of %i pixels are within 1/8 of a pixel of the round ones',
+    'of %i pixels are within 1/4 of a pixel of the round ones',
     async (size) => {
       const distance = fitRadius(roundOf(name)!.radius, FOV, 1);
       const slope = Math.tan((FOV * Math.PI) / 360);
@@ -50,7 +49,8 @@ describe.each(['sphere', 'torus', 'teapot'] as const)('the outlines of a %s', (n
         const eye = scale(basis.back, distance);
         const frame = { origin: [0, 0, 0] as const, eye, ...basis };
         const view = { frame, slopeX: slope, slopeY: slope, radius: distance };
-        level = levelFor(segmentsIn(view, (8 * size) / (2 * slope), roundOf(name)!, IDENTITY)!, name);
+        // In a picture that may have as many triangles as the outline needs.
+        level = levelIn(view, size, false, name, IDENTITY, Infinity)!;
         const tracer = (shape: CastShape): Tracer =>
           new Tracer(
             { camera: { ...basis, eye, fov: FOV }, lights: [], objects: [{ shape, material: MATERIAL }] },
@@ -67,7 +67,7 @@ describe.each(['sphere', 'torus', 'teapot'] as const)('the outlines of a %s', (n
       const text = `${name}, ${String(size)} pixels: ${String(level)} segments, ${worst.toFixed(3)} of a pixel`;
       console.log(`${text} in ${String(compared)} places, ${String(missed)} without a counterpart`);
       expect(compared).toBeGreaterThan(LINES);
-      expect(worst).toBeLessThan(0.125);
+      expect(worst).toBeLessThan(0.25);
     },
   );
 });

@@ -1,31 +1,32 @@
 // Gives the round shapes of a picture as many segments as its pixels show. The choice follows from camera, transforms
 // and size alone: the same scene at the same size has the same triangles.
-import { lazyCode } from '../../model/lazy-code.js';
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { View } from '../view-cut.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
-import { FIXED, isBuilt, levelKey } from './shapes/shared-shapes.js';
-import {
-  coarsestOf,
-  flatTrianglesOf,
-  GEOMETRIES,
-  type GeometryName,
-  type Round,
-  roundOf,
-  trianglesOf,
-} from './shapes/shapes.js';
+import { FIXED } from './shapes/shared-shapes.js';
+import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes/shapes.js';
 import type { TriangleBudget } from './triangle-budget.js';
 
 /** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
-export const OUTLINE_TOLERANCE = 1 / 8;
+export const OUTLINE_TOLERANCE = 1 / 4;
 
 /** The same in the samples of a still picture, whose mean shows an eighth of a plain picture's error. */
 export const SAMPLED_TOLERANCE = 1 / 64;
 
-/** Triangles that a frame may build before it is drawn: 2 ms for a sphere, 10 ms for a teapot. */
-const AT_ONCE = 2 ** 16;
+/** Fewest pixels of a plain picture that a triangle covers, on average over its shape. Smaller ones cost as much. */
+const PIXELS_PER_TRIANGLE = 16;
+
+/**
+ * So many triangles are never too many in a picture, as many as the teapot's fixed number. Without them 24 % of the
+ * pixels of a torus 60 pixels wide would be within a code of the round one's, and 31 % of a teapot in 400 × 400; with
+ * them it is 100 % and 91 %. Meshes share them, so a thousand dots are not a thousand fine spheres.
+ */
+const FREE_TRIANGLES = 2 ** 14;
+
+/** Most of them for each pixel that a shape covers: a dot needs none. */
+const FREE_PER_PIXEL = 8;
 
 /** Pictures whose outlines meet. */
 export interface SharedLevels {
@@ -36,48 +37,23 @@ export interface SharedLevels {
 }
 
 /** What a choice follows from, beside the meshes. */
-type Condition =
-  'camera' | 'moves' | 'slopeX' | 'slopeY' | 'height' | 'used' | 'limit' | 'isFixed' | 'atOnce';
-
-const buildsCode = /* @__PURE__ */ lazyCode(() => import('./level-builds.js'), 'finer shapes');
+type Condition = 'camera' | 'moves' | 'slopeX' | 'slopeY' | 'height' | 'room' | 'isFixed' | 'sampled';
 
 export class Levels {
   readonly #meshes: ReadonlySet<SceneMesh>;
   readonly #budget: TriangleBudget;
   readonly #materials: SharedMaterials;
-  readonly #built: (samples: boolean) => void;
-  #tolerance = OUTLINE_TOLERANCE;
   #shared: SharedLevels | null = null;
   /** As {@link shared} was last told. */
   #wasFixed = false;
   #stale = true;
   /** What the last choice was made for. */
   readonly #chosenFor: Partial<Record<Condition, number | boolean>> = {};
-  // The round shapes and their levels in the present choice, and the levels that are being built for them.
-  readonly #round: SceneMesh[] = [];
-  readonly #levels: number[] = [];
-  readonly #building = new Set<string>();
-  /** Triangles that a frame may build, and what is left of them in the present one. */
-  #inFrames = AT_ONCE;
-  #mayBuild = 0;
 
-  /** `built` is called when a level that was missing is there; `samples`: for the samples of a still picture. */
-  constructor(
-    meshes: ReadonlySet<SceneMesh>,
-    budget: TriangleBudget,
-    materials: SharedMaterials,
-    built: (samples: boolean) => void,
-  ) {
+  constructor(meshes: ReadonlySet<SceneMesh>, budget: TriangleBudget, materials: SharedMaterials) {
     this.#meshes = meshes;
     this.#budget = budget;
     this.#materials = materials;
-    this.#built = built;
-  }
-
-  /** Most that an outline may be off the round shape. Device pixels, above 0. */
-  set outlineTolerance(pixels: number) {
-    this.#stale ||= pixels !== this.#tolerance;
-    this.#tolerance = pixels;
   }
 
   /** Chooses together with other pictures; null, the default: alone. */
@@ -95,11 +71,6 @@ export class Levels {
     this.#shared.reshaded();
   }
 
-  /** Some round shapes are still coarser than they will be. */
-  get pending(): boolean {
-    return this.#building.size > 0;
-  }
-
   /** The number of segments of round shapes is part of this picture: Gouraud or flat shading shows it. */
   get isFixed(): boolean {
     if (this.#materials.style.shading !== 'phong') return true;
@@ -108,28 +79,47 @@ export class Levels {
   }
 
   /**
-   * Chooses for a picture of `height` device pixels, and shows what is chosen as far as it is built. `camera` and
-   * `moves`: the versions of the camera and of the meshes' places; for other changes see {@link changed}. `atOnce`:
-   * builds all that is missing now. World matrices must be up to date.
+   * Chooses for a picture of `height` device pixels, and builds and shows what is chosen. `sampled`: for the samples of
+   * a still picture. `camera` and `moves`: the versions of the camera and of the meshes' places; for other changes see
+   * {@link changed}. World matrices must be up to date.
    */
-  choose(view: View, height: number, atOnce: boolean, camera: number, moves: number): void {
-    const { used, limit } = this.#budget;
+  choose(view: View, height: number, sampled: boolean, camera: number, moves: number): void {
+    const room = this.#budget.limit - this.#budget.used;
     const isFixed = this.#shared?.isFixed ?? false;
     this.#compare('camera', camera);
     this.#compare('moves', moves);
     this.#compare('slopeX', view.slopeX);
     this.#compare('slopeY', view.slopeY);
     this.#compare('height', height);
-    this.#compare('used', used);
-    this.#compare('limit', limit);
+    this.#compare('room', room);
     this.#compare('isFixed', isFixed);
-    this.#compare('atOnce', atOnce);
+    this.#compare('sampled', sampled);
     if (!this.#stale) return;
     this.#stale = false;
-    this.#list(view, height / (2 * view.slopeY), isFixed);
-    while (this.#triangles() > limit - used && this.#coarsen());
-    this.#mayBuild = atOnce ? Infinity : this.#inFrames;
-    this.#round.forEach((mesh, i) => this.#show(mesh, this.#levels[i]!));
+    let count = 0;
+    for (const { round } of this.#meshes) if (round !== null) count += 1;
+    for (const mesh of this.#meshes) {
+      if (mesh.round === null) continue;
+      const level =
+        isFixed || mesh.isFixed ? FIXED : this.#levelOf(mesh, mesh.round, view, height, sampled, count);
+      if (level !== mesh.level) mesh.level = level;
+    }
+  }
+
+  /** `count`: of round shapes. Finer levels than the coarsest one, which the mesh has claimed, take what room is left. */
+  #levelOf(
+    { parts, level }: SceneMesh,
+    round: GeometryName,
+    view: View,
+    height: number,
+    sampled: boolean,
+    count: number,
+  ): number {
+    const { elements } = parts[0]!.mesh.matrixWorld;
+    const wanted = levelIn(view, height, sampled, round, elements, FREE_TRIANGLES / count);
+    if (wanted === null) return level; // out of view it stays as it is
+    const room = this.#budget.limit - this.#budget.used;
+    return within(room + trianglesOf(round, coarsestOf(round)), wanted, round);
   }
 
   /** In place: every frame, and every sample of a still picture, comes by. */
@@ -137,98 +127,33 @@ export class Levels {
     this.#stale ||= value !== this.#chosenFor[condition];
     this.#chosenFor[condition] = value;
   }
-
-  /** `pixels`: of a unit of length at depth 1. */
-  #list(view: View, pixels: number, isFixed: boolean): void {
-    this.#round.length = this.#levels.length = 0;
-    for (const mesh of this.#meshes) {
-      const { round: name } = mesh;
-      if (name === null) continue;
-      const round = roundOf(name)!;
-      const { elements } = mesh.parts[0]!.mesh.matrixWorld;
-      const needed =
-        isFixed || mesh.isFixed ? FIXED : segmentsIn(view, pixels / this.#tolerance, round, elements);
-      this.#round.push(mesh);
-      // Out of view it stays as it is.
-      this.#levels.push(needed === null ? mesh.level : needed === FIXED ? FIXED : levelFor(needed, name));
-    }
-  }
-
-  /** What the levels hold beyond the coarsest one, which the meshes have claimed. Equal ones count once. */
-  #triangles(): number {
-    distinct.clear();
-    let total = 0;
-    this.#round.forEach((mesh, i) => {
-      const round = mesh.round!;
-      const level = this.#levels[i]!;
-      // Most are like the one before, and this is every frame's.
-      if (level === this.#levels[i - 1] && round === this.#round[i - 1]!.round) return;
-      const key = levelNumber(round, level);
-      if (level === FIXED || distinct.has(key)) return;
-      distinct.add(key);
-      const more = trianglesOf(round, level) - trianglesOf(round, coarsestOf(round));
-      total += mesh.wantsFlat ? more + flatTrianglesOf(more) : more;
-    });
-    return total;
-  }
-
-  /** The next coarser levels, all of them. False where there is none. */
-  #coarsen(): boolean {
-    let changed = false;
-    this.#round.forEach(({ round }, i) => {
-      const level = this.#levels[i]!;
-      const coarser = level === FIXED ? FIXED : coarserThan(level, round!);
-      changed ||= coarser < level;
-      this.#levels[i] = coarser;
-    });
-    return changed;
-  }
-
-  #show(mesh: SceneMesh, level: number): void {
-    if (level === mesh.level) return;
-    const name = mesh.round!;
-    if (this.#isAtHand(name, level)) mesh.level = level;
-    else {
-      this.#order(name, level);
-      let next = level;
-      // If it is the first picture, or the camera has jumped: what can be had at once.
-      while (next > mesh.level && !this.#isAtHand(name, next)) next = coarserThan(next, name);
-      if (next > mesh.level) mesh.level = next;
-    }
-  }
-
-  /** It is built, or may be built in this frame. */
-  #isAtHand(name: GeometryName, level: number): boolean {
-    if (level === FIXED || isBuilt(levelKey(name, level))) return true;
-    const triangles = trianglesOf(name, level);
-    if (triangles > this.#mayBuild) return false;
-    this.#mayBuild -= triangles;
-    return true;
-  }
-
-  #order(name: GeometryName, level: number): void {
-    const text = `${name} ${String(level)}`;
-    if (this.#building.has(text)) return;
-    this.#building.add(text);
-    const wanted = (): boolean =>
-      this.#round.some((mesh, i) => mesh.round === name && this.#levels[i] === level);
-    const build = async (): Promise<void> => {
-      try {
-        await (await buildsCode()).buildLevel(levelKey(name, level), wanted);
-      } catch {
-        this.#inFrames = Infinity; // without that code, or the memory, finer shapes take longer frames
-      }
-      this.#building.delete(text);
-      this.#stale = true;
-      this.#built(this.#tolerance === SAMPLED_TOLERANCE);
-    };
-    void build();
-  }
 }
 
-const distinct = new Set<number>();
+/**
+ * The level of a shape under its world matrix, for a picture of `height` pixels; null out of view. `free`: triangles
+ * that it may have however small they are.
+ */
+export function levelIn(
+  view: View,
+  height: number,
+  sampled: boolean,
+  name: GeometryName,
+  matrix: readonly number[],
+  free: number,
+): number | null {
+  const round = roundOf(name)!;
+  const pixels = height / (2 * view.slopeY);
+  const tolerance = sampled ? SAMPLED_TOLERANCE : OUTLINE_TOLERANCE;
+  const outline = segmentsIn(view, pixels / tolerance, round, matrix);
+  if (outline === null) return null;
+  const covered = coveredIn(view, height, round, matrix);
+  const most = Math.max(covered / PIXELS_PER_TRIANGLE, Math.min(free, FREE_PER_PIXEL * covered));
+  const shown = within(most, levelFor(Math.max(outline, round.smooth), name), name);
+  return sampled ? Math.max(shown, levelFor(outline, name)) : shown;
+}
 
-const levelNumber = (name: GeometryName, level: number): number => GEOMETRIES.indexOf(name) * 2 ** 12 + level;
+/** The step from a level of about so many segments to the next. */
+const stepAt = (segments: number): number => (segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8);
 
 /**
  * At least so many segments as a level: a multiple of an eighth of the next power of two, so that at most a quarter is
@@ -238,17 +163,41 @@ export function levelFor(segments: number, name: GeometryName): number {
   const least = coarsestOf(name);
   const { most } = roundOf(name)!;
   if (segments >= most) return most;
-  const step = segments <= 64 ? 8 : 2 ** Math.ceil(Math.log2(segments)) / 8;
+  const step = stepAt(segments);
   const level = Math.ceil(segments / step) * step;
   return level > least ? Math.min(level, most) : least;
 }
 
-/** A coarser level, about half the triangles; the coarsest one itself. */
-const coarserThan = (level: number, name: GeometryName): number => levelFor(level / 1.5, name);
+/** The finest level up to this one that has at most so many triangles; the coarsest one if none has. */
+function within(triangles: number, level: number, name: GeometryName): number {
+  const least = coarsestOf(name);
+  if (trianglesOf(name, least) >= triangles) return least;
+  while (trianglesOf(name, level) > triangles) level = levelFor(level - stepAt(level), name);
+  return level;
+}
+
+/** Pixels that a shape covers, about: its mean share of its bounding sphere's disc, at most the picture. */
+function coveredIn(
+  { frame, slopeX, slopeY }: View,
+  height: number,
+  { cover, radius }: Round,
+  m: readonly number[],
+): number {
+  const { origin, eye } = frame;
+  const picture = (height * height * slopeX) / slopeY;
+  const x = m[12]! - origin[0] - eye[0];
+  const y = m[13]! - origin[1] - eye[1];
+  const z = m[14]! - origin[2] - eye[2];
+  const reach = radius * stretch(m);
+  const beyond = x * x + y * y + z * z - reach * reach; // squared: from the eye to where its rays touch the sphere
+  if (beyond <= 0) return picture;
+  const disc = (reach * height) / (2 * slopeY);
+  return Math.min(picture, (cover * Math.PI * disc * disc) / beyond);
+}
 
 /**
- * Segments that keep the outline of a round shape close enough to the true one. `finest`: how many times the allowed
- * distance goes into a unit of length at depth 1. Null where the shape is out of view.
+ * Segments that keep the outline of a round shape close enough to the true one, by its bounding sphere. `finest`: how
+ * many times the allowed distance goes into a unit of length at depth 1. Null where the shape is out of view.
  */
 export function segmentsIn(
   { frame, slopeX, slopeY }: View,
@@ -271,10 +220,9 @@ export function segmentsIn(
   if (depth < -reach) return null;
   const squared = x * x + y * y + z * z;
   const distance = Math.sqrt(squared);
-  const ball = isBall(half, m, reach);
-  const outline = ball
-    ? ballOutline(distance, reach)
-    : Math.max(distance - reach, distanceToBox(half, m, x, y, z));
+  // Where the eye's rays touch a ball; other shapes may reach up to the front of their sphere.
+  const away = isBall(half, m, reach) ? Math.sqrt(Math.abs(squared - reach * reach)) : distance - reach;
+  const outline = Math.max(away, NEAREST * reach);
   // The farther from the middle of the view, the more pixels an angle has.
   let cos = 1 / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
   if (distance > reach) {
@@ -283,43 +231,20 @@ export function segmentsIn(
     const sinMiddle = Math.sqrt(across * across + upward * upward) / distance;
     cos = Math.max(cos, (depth / distance) * cosReach - sinMiddle * sinReach);
   }
-  // The view's corner that is farthest from the middle of the shape.
-  const corner = depth - slopeX * across - slopeY * upward;
-  const cornerSquared = corner > 0 ? (corner * corner) / (1 + slopeX * slopeX + slopeY * slopeY) : 0;
-  const fillsView = ball && (distance < reach || cornerSquared >= squared - reach * reach);
-  const nearest = fillsView ? Math.max(outline, FACES * Math.abs(distance - reach)) : outline;
-  return Math.sqrt((gap * size * finest) / (nearest * cos * cos));
+  return Math.sqrt((gap * size * finest) / (outline * cos * cos));
 }
 
 /**
- * How many times farther from the round shape a picture without its outline may be. In the plain picture that is a
- * pixel: shading moves by at most as much, and has no edge that would show it. A sphere that fills the view takes 1.5
- * times as long in software without this (one light; see the bench).
+ * The nearest outline that counts, in radii of the bounding sphere. An eye so close sees faces, most outlines are farther
+ * away, and slivers narrower than a pixel are shaded worse than wider triangles.
  */
-const FACES = 8;
+const NEAREST = 1 / 8;
 
 /** Whether a shape is still a ball, of radius `reach`, under its matrix. */
 function isBall(half: Vec3, m: readonly number[], reach: number): boolean {
   for (let axis = 0; axis < 3; axis++)
     if (Math.abs(half[axis as 0] * columnLength(m, axis) - reach) > ROUNDING * reach) return false;
   return true;
-}
-
-/** From the eye to where its rays touch a ball. Seen from inside it has no outline, and its surface counts. */
-const ballOutline = (distance: number, radius: number): number =>
-  distance < radius ? radius - distance : Math.sqrt(distance * distance - radius * radius);
-
-/** At most the distance from the eye to a shape's box, whose middle is x, y, z away. */
-function distanceToBox(half: Vec3, m: readonly number[], x: number, y: number, z: number): number {
-  let outside = 0; // squared
-  for (let axis = 0; axis < 3; axis++) {
-    const length = columnLength(m, axis);
-    if (length === 0) continue;
-    const along = Math.abs(x * m[4 * axis]! + y * m[4 * axis + 1]! + z * m[4 * axis + 2]!) / length;
-    const beyond = along - half[axis as 0] * length;
-    if (beyond > 0) outside += beyond * beyond;
-  }
-  return Math.sqrt(outside);
 }
 
 function columnLength(m: readonly number[], axis: number): number {

@@ -36,8 +36,9 @@ export interface ShapeValues extends SurfaceValues {
   /** A built-in shape; null for none. */
   geometry: GeometryName | null;
   /**
-   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as keep a round shape's outline within 1/8
-   * of a device pixel, otherwise the shape's own number, as for shapes with flat faces. Default auto.
+   * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's outline (1/4 of a device
+   * pixel) and the shading of its faces (one code) need, within what its pixels allow; otherwise the shape's own number,
+   * as for shapes with flat faces. Default auto.
    */
   segments: number | 'auto';
   /**

@@ -100,7 +100,7 @@ export class TriangleBudget {
 
   /**
    * Triangles that are held now, weighed by memory. Round shapes with automatic segments count by their coarsest level:
-   * finer ones take what is left.
+   * a finer one takes at most what is left.
    */
   get used(): number {
     return this.#used;

@@ -18,11 +18,6 @@ export { SampledCapture } from './sampled-capture.js';
 export interface Sampled extends Size {
   /** In view. */
   readonly visible: boolean;
-  /**
-   * Shows shapes as finely as samples do. False: some are still being built; call again in the next animation frame.
-   * `atOnce` builds them now.
-   */
-  refine(atOnce: boolean): boolean;
   /** Returns what draws the samples of one batch, all of them in this task. */
   sampler(): PaintPart;
   /** Shows the kept picture. `last`: it has all samples. */
@@ -82,7 +77,6 @@ export class ConvergingPicture {
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
     try {
-      if (this.#run === null && !this.#subject.refine(false)) return true;
       if (!stage.drawAside(this.#draw)) this.pause();
     } catch (error) {
       this.#fail();
@@ -100,7 +94,6 @@ export class ConvergingPicture {
     seize(this);
     const before = this.#samples;
     try {
-      this.#subject.refine(true);
       while (this.pending && performance.now() < deadline && stage.drawAside(this.#drawNow));
       this.pause();
     } catch (error) {

@@ -40,41 +40,37 @@ export async function loadAgain(mount: Mount, times: number): Promise<void> {
 
 const KINDS = ['sphere', 'torus', 'cylinder', 'teapot'];
 
-/** Small and large ones in turns. The page counts everything. */
+/** The page counts everything. */
 export async function showThumbnails(page: Page, mount: Mount, count: number): Promise<void> {
   const markup = (number: number): string =>
     Array.from(
       { length: number },
-      (_, i) =>
-        `<phong-viewer alt="" geometry="${KINDS[i % 4]!}" ${i % 8 < 4 ? '' : 'class="large"'}></phong-viewer>`,
+      (_, i) => `<phong-viewer alt="" geometry="${KINDS[i % 4]!}"></phong-viewer>`,
     ).join('');
-  const css = 'phong-viewer { float: left } phong-viewer.large { width: 96px; height: 72px }';
-  await mount(markup(8), { width: 40, height: 30, css });
+  await mount(markup(4), { width: 40, height: 30, css: 'phong-viewer { float: left }' });
   const { buffers } = await countsOf(page);
-  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(count - 8));
+  await page.evaluate((html) => document.body.insertAdjacentHTML('beforeend', html), markup(count - 4));
   await allReady(page);
   await nextFrame(page);
   expect((await countsOf(page)).buffers, 'equal ones share what is uploaded').toBe(buffers);
   const found = await page.evaluate(() => {
     const viewers = [...document.querySelectorAll<PhongViewer>('phong-viewer')];
     const geometries = viewers.map(
-      ({ scene }) => (scene.children[0] as unknown as { geometry: { index: { count: number } } }).geometry,
+      ({ scene }) => (scene.children[0] as unknown as { geometry: object }).geometry,
     );
-    return { counts: geometries.map(({ index }) => index.count / 3), distinct: new Set(geometries).size };
+    return new Set(geometries).size;
   });
-  expect(found.distinct).toBe(8);
-  found.counts.forEach((triangles, i) => expect(triangles, `viewer ${i}`).toBe(found.counts[i % 8]));
-  KINDS.forEach((kind, i) => expect(found.counts[i], kind).toBeLessThan(found.counts[i + 4]!));
+  expect(found).toBe(4);
   expect(await spentIn(page, 500)).toEqual(NOTHING);
 }
 
 /** Codes that frames may differ by, but for outlines and edges: what steps by more from pixel to pixel is an edge. */
-const MOST_INSIDE = 24;
+const MOST_INSIDE = 12;
 
 /**
  * The film shows no jump: with automatic segments it is that of 256 in every frame, but for the samples that an outline
- * passes and small codes inside. Measured: 128 on outlines, two of four samples; inside 21 near the tip of a cone, 11
- * for the others.
+ * passes and small codes inside. Measured: 128 on outlines, two of four samples; inside 4 for a cone, 2 for a
+ * sphere.
  */
 export function expectSmooth(film: readonly FilmFrame[], name: string): void {
   for (const frame of film) {

@@ -16,14 +16,14 @@ test('a sphere has the segments that its size and the camera need, and the camer
 }) => {
   const viewer = await mount('<phong-viewer geometry="sphere"></phong-viewer>', SIZE);
   const first = await triangles(viewer);
-  expect(first).toBe(sphereOf(56));
+  expect(first).toBe(sphereOf(64));
   const { radius } = await viewer.evaluate((element: PhongViewer) => element.camera);
   await assign(viewer, { radius: 100 });
   await settled(viewer);
   expect(await triangles(viewer)).toBe(sphereOf(16));
   await assign(viewer, { radius: 0.501 });
   await settled(viewer);
-  expect(await triangles(viewer)).toBe(sphereOf(360));
+  expect(await triangles(viewer)).toBe(sphereOf(128));
   await assign(viewer, { radius: 'auto' });
   await settled(viewer);
   expect(await triangles(viewer)).toBe(first);
@@ -60,7 +60,7 @@ test('a file has the segments of its own size, and the picture keeps its own', a
   expect(Math.abs(corners.small / share - 1)).toBeLessThan(0.004);
   await viewer.evaluate((element: PhongViewer) => element.requestRender());
   await settled(viewer);
-  expect(await triangles(viewer)).toBe(sphereOf(56));
+  expect(await triangles(viewer)).toBe(sphereOf(64));
 });
 
 test('Gouraud and flat pictures keep the fixed number, and so does a Phong one beside them', async ({
@@ -68,8 +68,8 @@ test('Gouraud and flat pictures keep the fixed number, and so does a Phong one b
   page,
 }) => {
   await mount(
-    `<phong-compare layout="side" labels=""><phong-viewer geometry="sphere" radius="6" target="0 0 0"></phong-viewer><phong-viewer
-      geometry="sphere" radius="6" target="0 0 0"></phong-viewer></phong-compare>`,
+    `<phong-compare layout="side" labels=""><phong-viewer geometry="sphere" radius="12" target="0 0 0"></phong-viewer><phong-viewer
+      geometry="sphere" radius="12" target="0 0 0"></phong-viewer></phong-compare>`,
     { width: 240, height: 120 },
   );
   const [left, right] = [page.locator('phong-viewer').first(), page.locator('phong-viewer').last()];

@@ -15,5 +15,5 @@ test('the first pictures of equal spheres send one level of them, once', async (
   await mount(sphere + sphere, { width: 120, height: 120 });
   const { bufferBytes, draws } = await glSpent(page);
   expect(draws).toBe(2);
-  expect(bufferBytes).toBe(bytesOf(56));
+  expect(bufferBytes).toBe(bytesOf(64));
 });

@@ -1,8 +1,5 @@
-// Builds geometries of curved surfaces row by row, so that a large one can be built in slices.
+// Builds geometries of curved surfaces row by row.
 import { BufferAttribute, BufferGeometry } from 'three';
-
-/** A geometry that is built in steps, each of some hundred vertices; `return` gives it. */
-export type Steps = Generator<undefined, BufferGeometry, undefined>;
 
 /** Place, unit normal and texture coordinates of all vertices, one after the other. */
 export interface Vertices {
@@ -57,7 +54,7 @@ const FEW = 2 ** 16;
 type Indices = Uint16Array | Uint32Array;
 
 /** One geometry of all these grids. */
-export function* gridGeometry(grids: readonly Grid[]): Steps {
+export function gridGeometry(grids: readonly Grid[]): BufferGeometry {
   let vertices = 0;
   let triangles = 0;
   for (const { columns, rows, closedFirst, closedLast } of grids) {
@@ -76,7 +73,6 @@ export function* gridGeometry(grids: readonly Grid[]): Steps {
       grid.row(row, into, first);
       if (row > 0) corner = indexRow(index, corner, grid, row, first);
       first += grid.columns + 1;
-      yield;
     }
   }
   const geometry = new BufferGeometry();
@@ -106,10 +102,8 @@ function indexRow(index: Indices, corner: number, grid: Grid, row: number, first
   return corner + step * columns;
 }
 
-/** All steps at once. */
-export function finish(steps: Steps): BufferGeometry {
-  for (;;) {
-    const { done, value } = steps.next();
-    if (done === true) return value;
-  }
+/** Cosines and sines of the angles that divide a circle into n parts. The last ones are the first ones, exactly. */
+export function circle(n: number): { readonly cos: Float64Array; readonly sin: Float64Array } {
+  const angles = Float64Array.from({ length: n + 1 }, (_, i) => ((i % n) / n) * Math.PI * 2);
+  return { cos: angles.map(Math.cos), sin: angles.map(Math.sin) };
 }

@@ -1,10 +1,8 @@
 // The geometries of shapes that meshes show now. Meshes of the whole page with the same shape and segments share one;
-// users are counted. Levels of `segments="auto"` are kept for a while after their last use: a camera that goes back
-// needs them again.
-import { finish } from './grid-geometry.js';
+// users are counted.
 import {
-  beginGeometry,
   coarsestOf,
+  createGeometry,
   effectiveSegments,
   flatTrianglesOf,
   type GeometryName,
@@ -13,7 +11,6 @@ import {
   trianglesOf,
 } from './shapes.js';
 import type { Need } from '../triangle-budget.js';
-import type { BufferGeometry } from 'three';
 
 /** Segments as written, `undefined` for the shape's default; or a level of `auto`. */
 export interface ShapeKey {
@@ -52,14 +49,6 @@ interface Shared {
 
 const shared = new Map<string, Shared>();
 
-/** Levels without users, the one used last at the end, and their triangles. */
-const unused = new Map<string, number>();
-let unusedTriangles = 0;
-let usedLevels = 0;
-
-/** Most triangles of levels without users: 7 MB in the page and on the GPU together. */
-const UNUSED_LIMIT = 2 ** 17;
-
 const keyOf = ({ name, segments, isLevel }: ShapeKey): string =>
   `${isLevel ? 'auto ' : ''}${name} ${String(effectiveSegments(name, segments))}`;
 
@@ -82,78 +71,33 @@ export function acquireGeometry(key: ShapeKey): PendingGeometry {
   const text = keyOf(key);
   let entry = shared.get(text);
   if (entry === undefined) {
-    const steps = beginGeometry(key.name, key.segments, key.isLevel);
-    entry = { geometry: steps instanceof Promise ? steps.then(finish) : finish(steps), users: 0 };
-    add(text, entry, key.isLevel);
-  }
-  if (key.isLevel) {
-    usedLevels += 1;
-    takeUnused(text);
+    entry = { geometry: createGeometry(key.name, key.segments, key.isLevel), users: 0 };
+    add(text, entry);
   }
   entry.users += 1;
   return entry.geometry;
 }
 
-function add(text: string, entry: Shared, isLevel: boolean): void {
+function add(text: string, entry: Shared): void {
   shared.set(text, entry);
   if (!(entry.geometry instanceof Promise)) return;
   entry.geometry.then(
     (geometry) => (entry.geometry = geometry),
     () => {
       if (shared.get(text) === entry) shared.delete(text);
-      if (isLevel) usedLevels -= entry.users;
     },
   );
 }
 
-/** Whether it is there, and costs nothing to acquire. */
-export const isBuilt = (key: ShapeKey): boolean => shared.has(keyOf(key));
-
-/** A level that was built in slices: it is there for whoever wants it. */
-export function offerLevel(key: ShapeKey, geometry: BufferGeometry): void {
-  const text = keyOf(key);
-  if (shared.has(text) || usedLevels === 0) {
-    geometry.dispose();
-    return;
-  }
-  shared.set(text, { geometry, users: 0 });
-  keepUnused(text, key);
-}
-
-/** Ends one use; the last one frees the geometry, or keeps it if it is a level. More releases than uses do nothing. */
+/** Ends one use; the last one frees the geometry. More releases than uses do nothing. */
 export function releaseGeometry(key: ShapeKey): void {
   const text = keyOf(key);
   const entry = shared.get(text);
-  if (entry === undefined || entry.users === 0) return;
+  if (entry === undefined) return;
   entry.users -= 1;
-  if (key.isLevel) usedLevels -= 1;
-  if (entry.users === 0) {
-    if (key.isLevel) keepUnused(text, key);
-    else drop(text);
-  }
-  if (usedLevels === 0) for (const each of [...unused.keys()]) drop(each);
-}
-
-function keepUnused(text: string, { name, segments }: ShapeKey): void {
-  const triangles = trianglesOf(name, segments);
-  unused.set(text, triangles);
-  unusedTriangles += triangles;
-  for (const oldest of unused.keys()) {
-    if (unusedTriangles <= UNUSED_LIMIT) return;
-    drop(oldest);
-  }
-}
-
-function takeUnused(text: string): void {
-  unusedTriangles -= unused.get(text) ?? 0;
-  unused.delete(text);
-}
-
-function drop(text: string): void {
-  takeUnused(text);
-  const entry = shared.get(text);
+  if (entry.users > 0) return;
   shared.delete(text);
-  if (entry?.geometry instanceof Promise) {
+  if (entry.geometry instanceof Promise) {
     // A rejection was reported to the caller of acquireGeometry; there is nothing to free.
     entry.geometry.then(
       (geometry) => {
@@ -162,6 +106,6 @@ function drop(text: string): void {
       () => undefined,
     );
   } else {
-    entry?.geometry.dispose();
+    entry.geometry.dispose();
   }
 }

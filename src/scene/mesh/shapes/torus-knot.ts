@@ -1,6 +1,7 @@
 // The (2, 3) torus knot: three.js's, moved and scaled so that the round shape fits the unit box.
 import { cross, normalize, subtract, type Vec3 } from '../../../math/vector.js';
-import { gridGeometry, put, type Steps } from './grid-geometry.js';
+import { circle, gridGeometry, put } from './grid-geometry.js';
+import type { BufferGeometry } from 'three';
 
 // three.js's defaults: the strands do not touch.
 const RADIUS = 1;
@@ -17,14 +18,15 @@ const AHEAD = 0.01;
  * @param rows along the knot, at least 32; those around the tube grow with them, from 8 on.
  * @param out how far the vertices are outside the tube.
  */
-export function torusKnot(rows: number, out: number): Steps {
+export function torusKnot(rows: number, out: number): BufferGeometry {
   const columns = Math.max(8, Math.round(rows / 8));
   const tube = TUBE / EXTENT + out;
+  const { cos, sin } = circle(columns);
   return gridGeometry([
     {
       ...{ columns, rows, corners: [0, 2, 1, 2, 3, 1] },
       row: (row, into, first) => {
-        const angle = (row / rows) * 4 * Math.PI;
+        const angle = ((row % rows) / rows) * 4 * Math.PI;
         const [x, y, z] = curve(angle);
         const next = curve(angle + AHEAD);
         const along = subtract(next, [x, y, z]);
@@ -32,8 +34,7 @@ export function torusKnot(rows: number, out: number): Steps {
         const B = normalize(cross(along, sum));
         const N = normalize(cross(B, along));
         for (let i = 0; i <= columns; i++) {
-          const v = (i / columns) * Math.PI * 2;
-          const [cx, cy] = [-Math.cos(v), Math.sin(v)];
+          const [cx, cy] = [-cos[i]!, sin[i]!];
           const nx = cx * N[0] + cy * B[0];
           const ny = cx * N[1] + cy * B[1];
           const nz = cx * N[2] + cy * B[2];
