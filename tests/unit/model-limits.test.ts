@@ -5,6 +5,7 @@ import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { CORNER_LIMIT, MEMORY_LIMIT, PART_LIMIT, PIXEL_LIMIT, VALUE_LIMIT } from '../../src/model/limits.js';
 import { ModelBudget } from '../../src/model/model-budget.js';
+import { Slices } from '../../src/model/slices.js';
 import { readDocument } from '../../src/model/gltf/document.js';
 import { modelContent } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
@@ -154,14 +155,15 @@ describe('every accessor that is read is counted', () => {
     },
   );
 
-  it('and one that is not read gives no numbers', () => {
+  it('and one that is not read gives no numbers', async () => {
     const json = {
       ...whole,
       nodes: [...(whole['nodes'] as Json[]), { mesh: 1 }],
       meshes: [...(whole['meshes'] as Json[]), { primitives: [{ attributes: { POSITION: accessors.length } }] }], // prettier-ignore
       accessors: [...accessors, { componentType: 5126, count: claim, type: 'VEC3' }],
     };
-    const { json: reduced } = readDocument(json, new ModelBudget());
+    const slices = new Slices(new AbortController().signal);
+    const { json: reduced } = await readDocument(json, new ModelBudget(), slices);
     const counts = (reduced['accessors'] as readonly Json[]).map(({ count }) => count);
     expect(counts.at(-1)).toBe(0);
     expect(counts.slice(0, -1)).toEqual(accessors.map(({ count }) => count));
@@ -214,7 +216,9 @@ const SPARSE = {
 
 describe('parts', () => {
   it('of 200,000 nodes are too-large', async () => {
-    expect(await outcome(instancesGlb(200_000, true))).toMatch(/^too-large: The model has .* (draws|nodes)/);
+    expect(await outcome(instancesGlb(200_000, true))).toMatch(
+      /^too-large: The model has .* (draws|nodes|values in one part of its JSON)/,
+    );
   });
 
   it('of two thousand nodes load, and equal ones share one geometry', async () => {
@@ -370,7 +374,7 @@ describe('documents that are wrong', () => {
   });
 
   it('report JSON that is too deep or has millions of values', async () => {
-    expect(await outcome(glbOfText('['.repeat(1e6)))).toMatch(/^bad-model/);
+    expect(await outcome(glbOfText('['.repeat(1e6)))).toMatch(/^too-large/);
     expect(await outcome(glbOfText(`[${'{},'.repeat(2e6)}0]`))).toMatch(/^too-large: .*values in its JSON/);
   });
 
