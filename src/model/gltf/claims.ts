@@ -41,7 +41,6 @@ export async function countClaims(
   const packed = new Map<number, DracoClaims>();
   for (const { primitives, instances, skin } of nodes) {
     const copies = instances?.count ?? 1;
-    if (copies === 0) continue;
     for (const accessor of primitives.length > 0 ? Object.values(instances?.lists ?? {}) : [])
       accessors.read(accessor);
     for (const primitive of primitives) {

@@ -230,7 +230,9 @@ async function readNodes(
       node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
     const mesh = index === undefined ? undefined : meshes[index];
     const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
-    const { primitives = [], targets = 0, bound = false, weights: fallback = [] } = mesh ?? {};
+    const instances = readInstances(node, accessors, what, dropped);
+    const { targets = 0, bound = false, weights: fallback = [] } = mesh ?? {};
+    const primitives = instances?.count === 0 ? [] : (mesh?.primitives ?? []);
     // A float64 each, in the file's list and in the pose.
     budget.add({ values: 4 * targets });
     const given = node['weights'] === undefined ? fallback : listAt(node['weights'], `${what}.weights`);
@@ -243,7 +245,7 @@ async function readNodes(
       hidden: visible === false,
       mesh: primitives.length > 0 ? index : undefined,
       primitives,
-      instances: readInstances(node, accessors, what, dropped),
+      instances,
       skin: bind === undefined ? undefined : skins[bind],
       skinIndex: bind,
       weights: Array.from({ length: targets }, (_, k) => numberAt(given[k], `${what}.weights`, 0)),

@@ -121,7 +121,12 @@ export class Geometries {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
     let corners = await this.#cornersOf(source, count);
-    const split = await this.#completeNormals(attributes, corners);
+    const moves = isSkinned(mesh) || targets.length > 0;
+    const split = await this.#completeNormals(
+      attributes,
+      corners,
+      (moves ? 17 : 0) + (tangents === null ? 0 : 16),
+    );
     const flat = !attributes.has('normal');
     if (corners && (flat || split || usesFew(corners.length, count))) {
       for (const [name, attribute] of attributes) {
@@ -139,8 +144,7 @@ export class Geometries {
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
     if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
-    if (isSkinned(mesh) || targets.length > 0)
-      await this.#deform(mesh, geometry, flat, attributes, targets.length);
+    if (moves) await this.#deform(mesh, geometry, flat, attributes, targets.length);
     return geometry;
   }
 
@@ -191,26 +195,32 @@ export class Geometries {
   /**
    * Normals of the file that have no direction are computed anew. If all of them, they count as absent. Gives 1 for each
    * corner that takes its face's own normal; null for none.
+   * @param more what else a vertex costs, in values, besides its attributes.
    */
   async #completeNormals(
     attributes: Map<string, Attribute>,
     corners: ArrayLike<number> | null,
+    more: number,
   ): Promise<Uint8Array | null> {
     const source = attributes.get('normal') as BufferAttribute | undefined;
     if (source === undefined) return null;
     const missing = this.#missing.get(source) ?? (await countMissing(source, this.#slices));
     this.#missing.set(source, missing);
     if (missing === 0) return null;
-    const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, 0);
-    // At most: a copy of each vertex for each corner, as it moves, and its tangent.
-    this.#source.budget.add({ values: (corners?.length ?? source.count) * (items + 48) + 9 * source.count });
+    const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, more);
+    const { budget } = this.#source;
+    const copies = { values: (corners?.length ?? source.count) * (items + 3) };
     if (missing === source.count) {
+      budget.add(copies);
       for (const name of ['normal', 'tangent']) attributes.delete(name);
       return null;
     }
+    // A copy, and sums in float64.
+    budget.add({ values: 9 * source.count });
     const { array } = attributes.get('position')!;
     const { normals, split } = await completeNormals(array, source, corners, this.#slices);
     attributes.set('normal', normals);
+    if (split !== null) budget.add(copies);
     return split;
   }
 

@@ -32,6 +32,7 @@ export async function parseJson(bytes: Uint8Array, budget: ModelBudget, slices: 
     budget.add({ json: values });
     values = 0;
   };
+  let inString = false;
   let next = STEP;
   for (let at = 0; at < bytes.length; at += 1) {
     if (at >= next) {
@@ -40,11 +41,14 @@ export async function parseJson(bytes: Uint8Array, budget: ModelBudget, slices: 
       requireAtMost(values, JSON_LIMIT, 'values in its JSON');
       await slices.pauseIfDue();
     }
-    const byte = bytes[at];
-    if (byte === QUOTE) {
-      at = endOfString(bytes, at);
+    if (inString) {
+      at = bytes.indexOf(QUOTE, at);
+      if (at < 0) break; // a text that ends in a string
+      inString = isEscaped(bytes, at);
       continue;
     }
+    const byte = bytes[at];
+    inString = byte === QUOTE;
     const opens = byte === OPEN_LIST || byte === OPEN_OBJECT;
     const closes = byte === CLOSE_LIST || byte === CLOSE_OBJECT;
     if (opens) depth += 1;
@@ -73,14 +77,11 @@ export async function parseJson(bytes: Uint8Array, budget: ModelBudget, slices: 
   );
 }
 
-/** The place of the quote that ends the string which begins at `start`; the last byte if none does. */
-function endOfString(bytes: Uint8Array, start: number): number {
-  for (let at = bytes.indexOf(QUOTE, start + 1); at > 0; at = bytes.indexOf(QUOTE, at + 1)) {
-    let escapes = at;
-    while (bytes[escapes - 1] === BACKSLASH) escapes -= 1;
-    if ((at - escapes) % 2 === 0) return at;
-  }
-  return bytes.length - 1;
+/** Whether the character is preceded by an odd number of backslashes. */
+function isEscaped(bytes: Uint8Array, at: number): boolean {
+  let first = at;
+  while (bytes[first - 1] === BACKSLASH) first -= 1;
+  return (at - first) % 2 === 1;
 }
 
 function textOf(bytes: Uint8Array, from: number, to?: number): string {
