@@ -12,9 +12,14 @@ import { type Content, ModelError } from '../../src/model/model.js';
 import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {
+  channelsGlb,
   deepGlb,
   dracoGlb,
+  fanGlb,
   instancesGlb,
+  instancingGlb,
+  jointsGlb,
+  longListGlb,
   texturedGlb,
   triangleDocument,
   triangleGlb,
@@ -385,4 +390,22 @@ describe('documents that are wrong', () => {
     );
     expect(await outcome(glbOfText(document, floats(0, 0, 0, 1, 0, 0, 0, 1, 0)))).toBe('1 parts');
   });
+});
+
+describe('work', () => {
+  // Where each user of a list reads it again, these take minutes.
+  it.each([
+    ['a hundred channels over a million keyframes', channelsGlb(100, 1e6)],
+    ['nodes without instances of a mesh of many parts', instancingGlb(0, 9000, 30_000, ['SCALE'])],
+    ['ten thousand nodes of a skin of many joints', jointsGlb(60_000, 9000)],
+    ['three million corners at one vertex', fanGlb(3e6)],
+    ['200,000 buffer views', longListGlb('bufferViews', 200_000)],
+    ['200,000 nodes', longListGlb('nodes', 200_000)],
+  ])(
+    'of %s ends within seconds',
+    async (_, file) => {
+      expect(await outcome(file)).toMatch(/parts$|^too-large|^bad-model/);
+    },
+    10_000,
+  );
 });
