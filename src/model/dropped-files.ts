@@ -1,5 +1,6 @@
 // Finds the model among files that were dropped or chosen together. The others are kept with it, for the names in it.
 // Knows the formats' extensions only.
+import { listed } from './listed.js';
 import { setFileGroup } from './file-group.js';
 import { modelExtensions, supportedFormats } from './format.js';
 import { ModelError } from './model.js';
@@ -74,6 +75,5 @@ function problemOf(files: Files, models: readonly string[]): ModelError | null {
       `None of the ${String(files.size)} files is a model: ${supportedFormats}.`,
     );
   }
-  const listed = models.slice(0, 5).join(', ') + (models.length > 5 ? ', …' : '');
-  return new ModelError('bad-model', `There are ${String(models.length)} models: ${listed}. Drop one of them, with its own files.`); // prettier-ignore
+  return new ModelError('bad-model', `There are ${String(models.length)} models: ${listed(models)}. Drop one of them, with its own files.`); // prettier-ignore
 }

@@ -2,6 +2,7 @@
 // names; nothing is fetched.
 import { fileName } from './file-name.js';
 import { BYTE_LIMIT } from './limits.js';
+import { listed } from './listed.js';
 import { ModelError } from './model.js';
 
 export interface FileGroup {
@@ -75,14 +76,6 @@ export function openFile(model: Blob): OpenedModel {
       throw new MissingFileError(name, [...missing]);
     },
   };
-}
-
-/** Names beyond these are counted only. */
-const MOST_LISTED = 10;
-
-export function listed(names: readonly string[]): string {
-  const more = names.length - MOST_LISTED;
-  return names.slice(0, MOST_LISTED).join(', ') + (more > 0 ? ` and ${String(more)} more` : '');
 }
 
 export const DROP_TOGETHER = 'Drop them together with it, or drop the folder that holds them all.';

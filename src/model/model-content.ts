@@ -4,9 +4,10 @@
 import { clip } from '../fields/clip.js';
 import { isOutOfMemory } from './limits.js';
 import { byteFetcher } from './fetch-bytes.js';
-import { DROP_TOGETHER, listed, MissingFileError, openFile, type OpenedModel } from './file-group.js';
+import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './file-group.js';
 import { nameOf } from './file-name.js';
 import { formatOf, type ReadOptional } from './format.js';
+import { listed } from './listed.js';
 import { asUtf8 } from './text/utf-16.js';
 import { type Content, ModelError } from './model.js';
 import type { CrossOrigin, FileRequest } from './request-file.js';
@@ -65,7 +66,7 @@ export async function modelContent(
     }
     if (missing.size > 0) warnOfMissing(name, missing);
     const dropped = [...(model.dropped ?? [])];
-    if (dropped.length > 0) console.warn(`${nameOf(url)} is shown without ${dropped.join(', ')}.`);
+    if (dropped.length > 0) console.warn(`${nameOf(url)} is shown without ${listed(dropped)}.`);
     return { ...model, missing: [...missing.keys()] };
   } catch (cause) {
     signal.throwIfAborted();
@@ -150,7 +151,7 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   if (!url)
     throw new ModelError(
       'load-failed',
-      `The file "${uri}", which ${nameOf(model)} names, has no valid address.`,
+      `The file "${clip(uri)}", which ${nameOf(model)} names, has no valid address.`,
     );
   if (anywhere && /^https?:$/.test(url.protocol)) return url;
   const folder = model.pathname.slice(0, model.pathname.lastIndexOf('/') + 1);
@@ -165,7 +166,7 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   if (below) return url;
   throw new ModelError(
     'load-failed',
-    `The file "${uri}" is not in the folder of ${nameOf(model)}, which names it. ` +
+    `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it. ` +
       'Put it beside the model, or set crossorigin to allow it.',
   );
 }

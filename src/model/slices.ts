@@ -10,6 +10,9 @@ const SLICE = 2 ** 13;
 /** Steps between two looks at the clock, minus 1, in loops that call {@link Slices.pause} themselves. */
 export const PAUSE_MASK = 0x7ff;
 
+/** As {@link PAUSE_MASK}, for {@link Slices.map}. */
+const MAP_MASK = 0xff;
+
 /** Loops that share a clock and end when the load is aborted. */
 export class Slices {
   readonly #signal: AbortSignal;
@@ -24,13 +27,28 @@ export class Slices {
 
   /**
    * Calls `work` for consecutive ranges from 0 to `count`, all a multiple of 3 long but the last.
+   * @param cost of an item, where it takes that many times as long as a usual one.
    * @throws the signal's reason after an abort.
    */
-  async over(count: number, work: (from: number, to: number) => void): Promise<void> {
-    for (let from = 0; from < count; from += SLICE * 3) {
-      work(from, Math.min(from + SLICE * 3, count));
+  async over(count: number, work: (from: number, to: number) => void, cost = 1): Promise<void> {
+    const step = Math.ceil(SLICE / cost) * 3;
+    for (let from = 0; from < count; from += step) {
+      work(from, Math.min(from + step, count));
       await this.pauseIfDue();
     }
+  }
+
+  /** The results of `work`, whose steps take at most 20 µs each, for all items. */
+  async map<Item, Result>(
+    items: readonly Item[],
+    work: (item: Item, i: number) => Result,
+  ): Promise<Result[]> {
+    const results: Result[] = [];
+    for (const [i, item] of items.entries()) {
+      results.push(work(item, i));
+      if ((i & MAP_MASK) === MAP_MASK) await this.pauseIfDue();
+    }
+    return results;
   }
 
   /** Whether the task has taken long enough: call {@link pause}. */

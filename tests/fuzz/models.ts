@@ -128,6 +128,84 @@ function varint(value: number): Buffer {
   }
 }
 
+/** The triangle, which moves by `channels` channels that share one sampler of `keys` keyframes of zeros. */
+export function channelsGlb(channels: number, keys: number, animations = 1): Buffer {
+  const channel = { sampler: 0, target: { node: 0, path: 'translation' } };
+  const animation = { samplers: [{ input: 1, output: 2 }], channels: Array<Json>(channels).fill(channel) };
+  return triangleGlb({
+    accessors: [
+      { bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' },
+      { componentType: FLOAT, count: keys, type: 'SCALAR' },
+      { componentType: FLOAT, count: keys, type: 'VEC3' },
+    ],
+    animations: Array<Json>(animations).fill(animation),
+  });
+}
+
+/** Nodes that have `count` instances each, in the origin, of a mesh of `primitives` triangles. */
+export function instancingGlb(
+  count: number,
+  primitives: number,
+  nodes: number,
+  attributes: readonly string[],
+): Buffer {
+  const lists = Object.fromEntries(attributes.map((name) => [name, name === 'ROTATION' ? 2 : 1]));
+  const node = { mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: lists } } };
+  return triangleGlb({
+    accessors: [
+      { bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' },
+      { componentType: FLOAT, count, type: 'VEC3' },
+      { componentType: FLOAT, count, type: 'VEC4' },
+    ],
+    meshes: [{ primitives: Array<Json>(primitives).fill({ attributes: { POSITION: 0 } }) }],
+    scenes: [{ nodes: Array.from({ length: nodes }, (_, i) => i) }],
+    nodes: Array<Json>(nodes).fill(node),
+  });
+}
+
+/** A list of the document with `length` entries more: what each is alone is repeated. */
+export function longListGlb(list: string, length: number): Buffer {
+  const document = triangleDocument({
+    materials: [{}],
+    textures: [],
+    skins: [{ joints: [0] }],
+    animations: [],
+  });
+  const entries = document[list] as readonly Json[];
+  return glbOf(
+    { ...document, [list]: [...entries, ...Array<Json>(length).fill(entries[0] ?? {})] },
+    TRIANGLE,
+  );
+}
+
+/** A fan: triangles of `corners` corners in all that meet at vertex 0, whose normals have no direction. */
+export function fanGlb(corners: number): Buffer {
+  const primitive = { attributes: { POSITION: 0, NORMAL: 1 }, indices: 2 };
+  return triangleGlb({
+    accessors: [
+      { bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' },
+      { componentType: FLOAT, count: 3, type: 'VEC3' },
+      { componentType: 5125, count: corners, type: 'SCALAR' },
+    ],
+    meshes: [{ primitives: [primitive] }],
+  });
+}
+
+/** Nodes that share a skin, whose joints are one node again and again. */
+export function jointsGlb(joints: number, nodes: number): Buffer {
+  return triangleGlb({
+    accessors: [
+      { bufferView: 0, componentType: FLOAT, count: 3, type: 'VEC3' },
+      { componentType: 5121, count: 3, type: 'VEC4' },
+      { componentType: FLOAT, count: 3, type: 'VEC4' },
+    ],
+    meshes: [{ primitives: [{ attributes: { POSITION: 0, JOINTS_0: 1, WEIGHTS_0: 2 } }] }],
+    skins: [{ joints: Array<number>(joints).fill(nodes) }],
+    scenes: [{ nodes: Array.from({ length: nodes }, (_, i) => i) }],
+    nodes: [...Array<Json>(nodes).fill({ mesh: 0, skin: 0 }), {}],
+  });
+}
+
 /** A skinned, morphed and animated bar, as a GLB whose buffer is a data: URI. */
 export const barGlb = (more: Json = {}): Buffer => glbOf({ ...bar(), ...more });
 
@@ -192,6 +270,43 @@ const CONSTRUCTED: readonly Construct[] = [
   (random) => {
     const depth = whole(random, 10, 100_000);
     return { what: `${depth} levels`, bytes: deepGlb(depth) };
+  },
+  (random) => {
+    const [channels, keys, animations] = [
+      whole(random, 1, 2e4),
+      whole(random, 1, 2e7),
+      whole(random, 1, 100),
+    ];
+    const times = Math.max(1, Math.floor(Math.min(animations, 1e5 / channels)));
+    return {
+      what: `${times} animations of ${channels} channels over ${keys} keyframes`,
+      bytes: channelsGlb(channels, keys, times),
+    };
+  },
+  (random) => {
+    const [count, primitives, nodes] = [whole(random, 1, 1e9), whole(random, 1, 1e4), whole(random, 1, 3e4)];
+    const attributes = ['TRANSLATION', 'ROTATION', 'SCALE', '_COLOR_0'].filter(() => random.chance(0.5));
+    const instances = random.chance(0.3) ? 0 : count;
+    return {
+      what: `${nodes} nodes of ${instances} instances (${attributes.join(' ')}) of ${primitives} primitives`,
+      bytes: instancingGlb(instances, primitives, nodes, attributes),
+    };
+  },
+  (random) => {
+    const list = random.pick([
+      ...['nodes', 'meshes', 'accessors', 'bufferViews', 'buffers', 'scenes'],
+      ...['materials', 'textures', 'skins', 'animations'],
+    ]);
+    const length = whole(random, 10, 3e5);
+    return { what: `${length} ${list} more`, bytes: longListGlb(list, length) };
+  },
+  (random) => {
+    const corners = whole(random, 3, 3e7);
+    return { what: `${corners} corners at a vertex without normal`, bytes: fanGlb(corners) };
+  },
+  (random) => {
+    const [joints, nodes] = [whole(random, 1, 7e4), whole(random, 1, 9e3)];
+    return { what: `${nodes} nodes of a skin of ${joints} joints`, bytes: jointsGlb(joints, nodes) };
   },
   (random) => {
     const [faces, points] = [whole(random, 1, 2e9), whole(random, 1, 2e9)];

@@ -35,3 +35,19 @@ it('reports a program that does not link, once', () => {
   expect(String(reported.mock.calls[0]?.[0])).toContain('broken by hand');
   vi.unstubAllGlobals();
 });
+
+it('does not report a program whose context is lost while it links', () => {
+  const reported = vi.fn();
+  vi.stubGlobal('reportError', reported);
+  const { renderer } = drawn(false);
+  const gl = renderer.getContext();
+  let lost = false;
+  gl.isContextLost = () => lost;
+  gl.getProgramParameter = () => {
+    lost = true;
+    return null;
+  };
+  new LinkCheck(renderer).check(renderer);
+  expect(reported).not.toHaveBeenCalled();
+  vi.unstubAllGlobals();
+});

@@ -164,7 +164,7 @@ describe('the factors of a map whose image is missing', () => {
     const metallicRoughnessTexture = { index: 0 };
     const lost = await lookOf({ pbrMetallicRoughness: { ...factors, metallicRoughnessTexture } });
     expect(lost).toMatchObject({ metalness: 0, roughness: null });
-    expect(await lookOf({ pbrMetallicRoughness: factors })).toMatchObject({ metalness: 1, roughness: 1 });
+    expect(await lookOf({ pbrMetallicRoughness: factors })).toMatchObject({ metalness: 0, roughness: null });
   });
 });
 

@@ -190,13 +190,17 @@ interface Program {
 const programOf = ({ renderer, material }: Probe): Program | undefined =>
   (renderer.properties.get(material) as { currentProgram?: Program }).currentProgram;
 
-/** Reports a program that does not link to the page's error handlers, with the driver's logs. */
+/**
+ * Reports a program that does not link to the page's error handlers, with the driver's logs. Not where the context was
+ * lost meanwhile: then no program links.
+ */
 export function reportLinkFailure(
   gl: WebGLRenderingContext | WebGL2RenderingContext,
   program: WebGLProgram,
 ): void {
   const shaders = gl.getAttachedShaders(program) ?? [];
   const logs = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
+  if (gl.isContextLost()) return;
   const text = logs.filter((log) => log !== null && log !== '').join('\n');
   reportError(new Error(`PhongMaterial: a program does not link: ${text}`));
 }

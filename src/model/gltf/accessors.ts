@@ -1,6 +1,7 @@
 // The accessors of a glTF document: counts, alignment and byte lengths against their buffer views, and what reading
 // them costs.
 import type { ModelBudget } from '../model-budget.js';
+import type { Slices } from '../slices.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
 import { readMeshoptView, type MeshoptView } from './meshopt-views.js';
 
@@ -30,11 +31,20 @@ export class Accessors {
   readonly #budget: ModelBudget;
   readonly #read = new Set<Entry>();
 
-  constructor(json: JsonObject, views: readonly BufferView[], budget: ModelBudget) {
-    this.#entries = objectsAt(json['accessors'], 'accessors').map((accessor, i) =>
-      entryOf(accessor, i, views),
-    );
+  /** Use {@link Accessors.of}. */
+  constructor(entries: readonly Entry[], budget: ModelBudget) {
+    this.#entries = entries;
     this.#budget = budget;
+  }
+
+  static async of(
+    json: JsonObject,
+    views: readonly BufferView[],
+    budget: ModelBudget,
+    slices: Slices,
+  ): Promise<Accessors> {
+    const definitions = objectsAt(json['accessors'], 'accessors');
+    return new Accessors(await slices.map(definitions, (accessor, i) => entryOf(accessor, i, views)), budget);
   }
 
   /** The accessor that a value in the document names. */
@@ -56,8 +66,8 @@ export class Accessors {
   }
 
   /** For the parser. Call it when everything that is needed was read. */
-  definitions(): readonly JsonObject[] {
-    return this.#entries.map((entry) => {
+  definitions(slices: Slices): Promise<readonly JsonObject[]> {
+    return slices.map(this.#entries, (entry) => {
       // The parser looks up the types of attributes that Draco data hold.
       const { definition } = entry;
       return this.#read.has(entry)
@@ -94,8 +104,12 @@ const COMPONENTS: ReadonlyMap<unknown, number> = new Map([
   ['MAT4', 16],
 ]);
 
-export function readBufferViews(json: JsonObject, buffers: number): readonly BufferView[] {
-  return objectsAt(json['bufferViews'], 'bufferViews').map((view, i) => {
+export function readBufferViews(
+  json: JsonObject,
+  buffers: number,
+  slices: Slices,
+): Promise<readonly BufferView[]> {
+  return slices.map(objectsAt(json['bufferViews'], 'bufferViews'), (view, i) => {
     const what = `bufferViews[${String(i)}]`;
     const byteStride = view['byteStride'] || undefined; // some exporters write 0 for "packed"
     return {

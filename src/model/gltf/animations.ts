@@ -2,7 +2,9 @@
 // fit their properties. An animation with a mistake is left out, and the model is shown without it. Knows the JSON
 // only.
 import type { ModelBudget } from '../model-budget.js';
+import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
+import { leftOutOf } from './extensions.js';
 import { indexAt, objectAt, objectsAt, textAt, type JsonObject } from './json.js';
 import type { Interpolation } from './tracks.js';
 
@@ -37,16 +39,18 @@ export interface AnimationContext {
 }
 
 /** @param dropped gets the animations with mistakes. */
-export function readAnimations(
+export async function readAnimations(
   json: JsonObject,
   context: AnimationContext,
   dropped: Set<string>,
-): readonly GltfAnimation[] {
+  slices: Slices,
+): Promise<readonly GltfAnimation[]> {
   const counted = new Set<Accessor>();
-  return objectsAt(json['animations'], 'animations').flatMap((animation, i) => {
+  const animations: GltfAnimation[] = [];
+  for (const [i, animation] of objectsAt(json['animations'], 'animations').entries()) {
     try {
-      const channels = readChannels(animation, context);
-      if (channels.length === 0) return [];
+      const channels = await readChannels(animation, context, dropped, slices);
+      if (channels.length === 0) continue;
       for (const { input, output, width } of channels) {
         // In float64: the value without animation, and the present one.
         context.budget.add({ values: 4 * width });
@@ -58,23 +62,30 @@ export function readAnimations(
           context.budget.add({ values: 2 * accessor.count * accessor.components });
         }
       }
-      return [{ name: textAt(animation['name']), channels }];
+      animations.push({ name: textAt(animation['name']), channels });
     } catch (error) {
       if (!(error instanceof Error) || error.name !== 'Error') throw error; // too large
       dropped.add(`animations[${String(i)}] (${error.message})`);
-      return [];
     }
-  });
+    await slices.pauseIfDue();
+  }
+  return animations;
 }
 
-function readChannels(animation: JsonObject, context: AnimationContext): readonly Channel[] {
+async function readChannels(
+  animation: JsonObject,
+  context: AnimationContext,
+  dropped: Set<string>,
+  slices: Slices,
+): Promise<readonly Channel[]> {
   const { accessors, targets } = context;
   const samplers = objectsAt(animation['samplers'], 'samplers');
-  return objectsAt(animation['channels'], 'channels').flatMap((channel, i) => {
+  const channels = await slices.map(objectsAt(animation['channels'], 'channels'), (channel, i): Channel[] => {
     const what = `channels[${String(i)}]`;
     const target = objectAt(channel['target'], `${what}.target`);
     const path = textAt(target['path']);
     // Extensions can animate other properties, which are not named by a node.
+    for (const name of leftOutOf(target)) dropped.add(name);
     if (target['node'] === undefined || !isPath(path)) return [];
     const node = indexAt(target['node'], targets.length, `${what}.target.node`);
     const sampler = samplers[indexAt(channel['sampler'], samplers.length, `${what}.sampler`)] ?? {};
@@ -91,6 +102,7 @@ function readChannels(animation: JsonObject, context: AnimationContext): readonl
       throw new Error(`${what} has values of another type`);
     return [{ node, path, input, output, width, interpolation }];
   });
+  return channels.flat();
 }
 
 const isPath = (path: string): path is ChannelPath => Object.hasOwn(WIDTHS, path);

@@ -24,7 +24,7 @@ export const floatPositions: Conversion = async (source, slices) => {
   return positions;
 };
 
-/** Unit vectors. A normal without direction becomes zero: only ambient light. */
+/** Unit vectors. A normal without direction becomes zero. */
 export const unitNormals: Conversion = async (source, slices) => {
   const values = new Float32Array(source.count * 3);
   await slices.over(source.count, (from, to) => {

@@ -2,14 +2,10 @@
 // JSON alone before anything is allocated. Must agree with parts.ts about what is shared and what is copied.
 import { DRACO_LIMIT } from '../limits.js';
 import { requireAtMost, type ModelBudget } from '../model-budget.js';
+import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
+import type { Instances } from './instances.js';
 import type { Primitive } from './primitives.js';
-
-/**
- * Nodes inside nodes. Beyond it three.js, which visits children by recursion, would overflow the stack in some
- * browsers.
- */
-const DEPTH_LIMIT = 1000;
 
 /** Shared by all nodes of one document while they are counted. */
 export interface ClaimContext {
@@ -18,9 +14,9 @@ export interface ClaimContext {
 }
 
 export interface ClaimedNode {
-  readonly children: readonly number[];
   /** Primitives of its mesh. */
   readonly primitives: readonly Primitive[];
+  readonly instances: Instances | undefined;
   readonly skin: ClaimedSkin | undefined;
 }
 
@@ -31,22 +27,26 @@ export interface ClaimedSkin {
 }
 
 /**
- * Visits the nodes below `roots`, which must be trees.
+ * @param nodes all that are drawn.
  * @returns the largest claims of what each Draco buffer view holds.
- * @throws ModelError `too-large` past a limit, a plain Error if nodes are nested too deeply.
+ * @throws ModelError `too-large` past a limit.
  */
-export function countClaims(
+export async function countClaims(
   nodes: readonly ClaimedNode[],
-  roots: readonly number[],
   { accessors, budget }: ClaimContext,
-): ReadonlyMap<number, DracoClaims> {
+  slices: Slices,
+): Promise<ReadonlyMap<number, DracoClaims>> {
   const geometries = new Map<ClaimedSkin | undefined, Set<string>>();
   const converted = new Map<string, Set<Accessor | string>>();
   const packed = new Map<number, DracoClaims>();
-  for (const { primitives, skin } of visited(nodes, roots, budget)) {
+  for (const { primitives, instances, skin } of nodes) {
+    const copies = instances?.count ?? 1;
+    for (const accessor of primitives.length > 0 ? Object.values(instances?.lists ?? {}) : [])
+      accessors.read(accessor);
     for (const primitive of primitives) {
       const { corners, vertices } = primitive;
-      budget.add({ parts: 1, corners });
+      budget.add({ parts: copies, corners: copies * corners });
+      await slices.pauseIfDue();
       const known = geometries.get(skin) ?? new Set();
       // The weights of morph targets belong to a node.
       if (primitive.targets.length === 0 && known.has(primitive.key)) continue;
@@ -86,10 +86,10 @@ export interface DracoClaims {
 const TANGENT_VALUES = 16;
 
 /**
- * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, and its joints
- * and their weights.
+ * What a vertex with joints or morph targets costs, in values: position, normal and tangent once more, its joints and
+ * their weights, and whether they mirror it.
  */
-const MOVING_VALUES = 16;
+const MOVING_VALUES = 17;
 
 /** Values that no other geometry shares: indices, or a copy of the vertices for each corner (see parts.ts). */
 function ownValues(primitive: Primitive, skinned: boolean): number {
@@ -104,6 +104,8 @@ function ownValues(primitive: Primitive, skinned: boolean): number {
     (separate ? corners * items : indexed ? corners : 0) +
     (flat ? corners * 3 : 0) +
     (skinned || targets.length > 0 ? own * MOVING_VALUES : 0) +
+    // Its own index, where joints mirror it.
+    (skinned ? corners : 0) +
     // As in the file, and as floats.
     targets.reduce((sum, target) => sum + Object.keys(target).length, 0) * (vertices + own) * 3 +
     (tangents ? own * TANGENT_VALUES : 0)
@@ -112,19 +114,3 @@ function ownValues(primitive: Primitive, skinned: boolean): number {
 
 /** Whether a primitive uses so few of its vertices that it gets a copy of its own. */
 export const usesFew = (corners: number, vertices: number): boolean => corners * 2 < vertices;
-
-function* visited(
-  nodes: readonly ClaimedNode[],
-  roots: readonly number[],
-  budget: ModelBudget,
-): Iterable<ClaimedNode> {
-  let level: readonly number[] = roots;
-  for (let depth = 0; level.length > 0; depth += 1) {
-    if (depth > DEPTH_LIMIT)
-      throw new Error(`its nodes are nested deeper than ${String(DEPTH_LIMIT)} levels`);
-    budget.add({ nodes: level.length });
-    const here = level.flatMap((index) => nodes[index] ?? []);
-    yield* here;
-    level = here.flatMap(({ children }) => children);
-  }
-}

@@ -2,6 +2,7 @@
 import {
   type BufferGeometry,
   DoubleSide,
+  Matrix4,
   Mesh,
   type MeshStandardMaterial,
   NoColorSpace,
@@ -13,8 +14,9 @@ import type { BaseLook } from '../../material/file-surface.js';
 import type { ContentPart } from '../model.js';
 import { mapsOfLook } from '../owned-model.js';
 import type { Slices } from '../slices.js';
-import { Geometries, type GeometrySource, isSkinned } from './geometries.js';
-import type { Movable } from './motion.js';
+import { Geometries, type GeometrySource, isSkinned, nodeOf } from './geometries.js';
+import { type Instance, placeInstances } from './instances.js';
+import type { Movable, RigidPart } from './motion.js';
 import { coefficientsOf, mapsOf, surfaceOf } from './surfaces.js';
 
 export interface Parts {
@@ -25,35 +27,50 @@ export interface Parts {
 export async function collectParts(scene: Object3D, source: GeometrySource, slices: Slices): Promise<Parts> {
   const geometries = new Geometries(source, slices);
   const parts: ContentPart[] = [];
-  const rigid: { part: ContentPart; mesh: Mesh }[] = [];
+  const rigid: RigidPart[] = [];
   scene.updateMatrixWorld(true);
   const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
   scene.traverse((object) => {
     if (object instanceof Mesh) meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
   });
   for (const mesh of meshes) {
+    const instances = await instancesOf(mesh, source, slices);
+    if (instances.length === 0) continue;
     const geometry = await geometries.of(mesh);
-    const matrix = mesh.matrixWorld.clone();
-    if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
-    if (isSkinned(mesh)) matrix.identity();
+    const looks = new Map<string, BaseLook>();
+    const name = nameOf(mesh);
     const { material } = mesh;
-    const look = lookOf(material, geometry);
-    const part: ContentPart = {
-      name: nameOf(mesh),
-      geometry,
-      matrix,
-      look,
-      sides: material.side === DoubleSide ? 'double' : 'single',
-      surface: coefficientsOf(material, look),
-    };
-    parts.push(part);
-    if (!isSkinned(mesh)) rigid.push({ part, mesh });
+    await slices.map(instances, ({ matrix: within, color }) => {
+      const matrix = isSkinned(mesh) ? new Matrix4() : mesh.matrixWorld.clone();
+      if (within !== null) matrix.multiply(within);
+      if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
+      // Equal looks are one object: materials are compared by it.
+      const key = String(color);
+      const look = looks.get(key) ?? lookOf(material, geometry, color ?? WHITE);
+      looks.set(key, look);
+      const sides = material.side === DoubleSide ? 'double' : 'single';
+      const part = { name, geometry, matrix, look, sides, surface: coefficientsOf(material, look) } as const;
+      parts.push(part);
+      if (!isSkinned(mesh)) rigid.push({ part, mesh, within });
+    });
   }
   if (parts.length === 0) throw new Error('it has no triangles');
   // Last, because parts can share a map and each has read its channel above.
   for (const { look } of parts) for (const map of mapsOfLook(look)) readUndecoded(map);
   const { deformations, weights, joints } = geometries;
   return { parts, movable: { scene, rigid, joints: [...joints.values()], deformations, weights } };
+}
+
+const WHITE = [1, 1, 1, 1];
+const ITSELF: readonly { readonly matrix: null; readonly color: null }[] = [{ matrix: null, color: null }];
+
+function instancesOf(
+  mesh: Mesh,
+  source: GeometrySource,
+  slices: Slices,
+): Promise<readonly (Instance | (typeof ITSELF)[number])[]> | typeof ITSELF {
+  const instances = source.instances[nodeOf(mesh, source) ?? -1];
+  return instances === undefined ? ITSELF : placeInstances(instances, source.accessor, slices);
 }
 
 /** The original name of the nearest named node. The loader's own names are altered to be unique. */
@@ -65,8 +82,11 @@ function nameOf(object: Object3D): string {
   return '';
 }
 
-function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry): BaseLook {
-  const { color, opacity, transparent, alphaTest } = material;
+/** @param tint multiplies base colour and opacity; linear. */
+function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry, tint: readonly number[]): BaseLook {
+  const { color, transparent, alphaTest } = material;
+  const [red = 1, green = 1, blue = 1, alpha = 1] = tint;
+  const opacity = material.opacity * alpha;
   const encode = (linear: number): number => srgbEncode(Math.min(Math.max(linear, 0), 1));
   const maps = mapsOf(material, geometry);
   const { map } = maps;
@@ -76,7 +96,7 @@ function lookOf(material: MeshStandardMaterial, geometry: BufferGeometry): BaseL
   const blends = transparent && (opacity < 1 || map !== null || vertexAlpha);
   const alphaMode = blends ? 'blend' : alphaTest > 0 ? 'mask' : 'opaque';
   return {
-    baseColor: [encode(color.r), encode(color.g), encode(color.b)],
+    baseColor: [encode(color.r * red), encode(color.g * green), encode(color.b * blue)],
     opacity: alphaMode === 'opaque' ? 1 : Math.min(Math.max(opacity, 0), 1),
     alphaMode,
     alphaCutoff: alphaTest,

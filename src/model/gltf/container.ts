@@ -1,5 +1,7 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of the file.
 import type { ModelBudget } from '../model-budget.js';
+import type { Slices } from '../slices.js';
+import { parseJson } from './json-text.js';
 
 export interface Container {
   readonly json: unknown;
@@ -14,10 +16,14 @@ const HEADER = 12;
 const CHUNK_HEADER = 8;
 
 /** @param budget gets the values of the JSON. */
-export function openContainer(bytes: Uint8Array<ArrayBuffer>, budget: ModelBudget): Container {
+export async function openContainer(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<Container> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.byteLength < HEADER || view.getUint32(0, true) !== MAGIC) {
-    return { json: parseText(bytes, budget), body: null };
+    return { json: await parseJson(bytes, budget, slices), body: null };
   }
   const version = view.getUint32(4, true);
   if (version !== 2)
@@ -34,33 +40,10 @@ export function openContainer(bytes: Uint8Array<ArrayBuffer>, budget: ModelBudge
     const start = at + CHUNK_HEADER;
     if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
     const chunk = bytes.subarray(start, start + size);
-    if (type === CHUNK_JSON && json === undefined) json = parseText(chunk, budget);
+    if (type === CHUNK_JSON && json === undefined) json = await parseJson(chunk, budget, slices);
     if (type === CHUNK_BIN && body === null) body = chunk;
     at = start + size;
   }
   if (json === undefined) throw new Error('it has no JSON chunk');
   return { json, body };
 }
-
-function parseText(bytes: Uint8Array, budget: ModelBudget): unknown {
-  budget.add({ json: countValues(bytes) });
-  try {
-    return JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes)) as unknown;
-  } catch (cause) {
-    throw new Error('its JSON is broken', { cause });
-  }
-}
-
-/** A value follows each opening bracket and comma. Those within strings count too; base64 has none. */
-function countValues(bytes: Uint8Array): number {
-  let count = 0;
-  for (let i = 0; i < bytes.length; i += 1) {
-    const byte = bytes[i];
-    if (byte === COMMA || byte === BRACKET || byte === BRACE) count += 1;
-  }
-  return count;
-}
-
-const COMMA = 0x2c;
-const BRACKET = 0x5b;
-const BRACE = 0x7b;

@@ -1,6 +1,6 @@
 // The vertices of a mesh with joints or morph targets, computed on the CPU, at load and whenever the pose changes, so
 // that bounds, culling and picking read the vertices that are drawn.
-import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
+import { Box3, BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
 import { writeFaceNormals } from '../face-normals.js';
 import type { Slices } from '../slices.js';
 import { COORDINATE_LIMIT, type Attribute } from './attributes.js';
@@ -43,6 +43,12 @@ export class Deformation {
   readonly #indices: Uint16Array;
   readonly #weights: Float32Array;
   readonly #applied: Float64Array;
+  /** 1 for each vertex that its joints mirror. */
+  readonly #mirrored: Uint8Array;
+  /** {@link #mirrored} has changed since the triangles were turned. */
+  #turned = false;
+  /** The file's own order of corners; null if each vertex is a corner. */
+  readonly #order: ArrayLike<number> | null;
   #version = -1;
   /** Two, in turns: a new object says that the bounds have changed. */
   readonly #bounds = [new Box3(), new Box3()] as const;
@@ -69,6 +75,8 @@ export class Deformation {
     this.#indices = new Uint16Array(links);
     this.#weights = new Float32Array(links);
     this.#applied = new Float64Array(rig.weights.length);
+    this.#mirrored = new Uint8Array(rig.joints === null ? 0 : this.#position.length / 3);
+    this.#order = geometry.index?.array ?? null;
   }
 
   /** The first pose, in slices. Rejects with an Error if a vertex leaves the domain of coordinates. */
@@ -77,17 +85,24 @@ export class Deformation {
     await slices.over(count, (from, to) => {
       this.#link(from, to);
     });
-    await slices.over(count, (from, to) => {
+    const deform = (from: number, to: number): void => {
       this.#deform(from, to);
+    };
+    await slices.over(count, deform, 1 + this.#rig.targets.length);
+    await slices.over(count / 3, (from, to) => {
+      this.#writeFaceNormals(from, to);
     });
-    const normals = this.#normal;
-    if (this.#rig.flat && normals !== null)
-      await slices.over(count / 3, (from, to) => {
-        writeFaceNormals(this.#position, normals, from, to);
+    const positions = this.#position;
+    await slices.over(positions.length, (from, to) => {
+      for (let i = from; i < to; i += 1)
+        if (!(Math.abs(positions[i]!) <= COORDINATE_LIMIT))
+          throw new Error(`a vertex has the coordinate ${String(positions[i])}; ±1e15 is the limit`);
+    });
+    const index = this.#turnedIndex();
+    if (index !== null)
+      await slices.over(index.length, (from, to) => {
+        this.#turnFaces(index, from, to);
       });
-    for (const value of this.#position)
-      if (!(Math.abs(value) <= COORDINATE_LIMIT))
-        throw new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
     this.#remember();
   }
 
@@ -98,18 +113,65 @@ export class Deformation {
 
   /** Updates the geometry if joints or weights have changed. */
   update(): void {
-    const { joints, weights, flat } = this.#rig;
+    const { joints, weights } = this.#rig;
     const still = this.#version === (joints?.pose.version ?? 0);
     if (still && weights.every((weight, i) => weight === this.#applied[i])) return;
     const count = this.#position.length / 3;
     this.#deform(0, count);
-    if (flat && this.#normal !== null) writeFaceNormals(this.#position, this.#normal, 0, count / 3);
+    this.#writeFaceNormals(0, count / 3);
+    const index = this.#turnedIndex();
+    if (index !== null) this.#turnFaces(index, 0, index.length);
     this.#measure();
     for (const name of MOVING) {
       const attribute = this.#attribute(name);
       if (attribute !== null) attribute.needsUpdate = true;
     }
     this.#remember();
+  }
+
+  /** Those of triangles that the joints mirror are turned as their corners are. */
+  #writeFaceNormals(from: number, to: number): void {
+    const normals = this.#normal;
+    if (!this.#rig.flat || normals === null) return;
+    writeFaceNormals(this.#position, normals, from, to);
+    if (this.#mirrored.length === 0) return;
+    for (let face = from; face < to; face += 1) {
+      if (!this.#isMirrored(3 * face, 3 * face + 1, 3 * face + 2)) continue;
+      for (let i = 9 * face; i < 9 * face + 9; i += 1) normals[i] = -normals[i]!;
+    }
+  }
+
+  #isMirrored(a: number, b: number, c: number): boolean {
+    const mirrored = this.#mirrored;
+    return mirrored[a]! + mirrored[b]! + mirrored[c]! >= 2;
+  }
+
+  /** An index of this geometry alone if triangles must be turned, else null. */
+  #turnedIndex(): Uint16Array | Uint32Array | null {
+    if (!this.#turned) return null;
+    this.#turned = false;
+    const geometry = this.#geometry;
+    if (geometry.index === null || geometry.index.array === this.#order) {
+      const count = this.#position.length / 3;
+      const Type = count > 0xffff ? Uint32Array : Uint16Array;
+      geometry.setIndex(new BufferAttribute(new Type(this.#order?.length ?? count), 1));
+    }
+    const { index } = geometry;
+    if (index === null) return null;
+    index.needsUpdate = true;
+    return index.array as Uint16Array | Uint32Array;
+  }
+
+  /** Triangles that the joints mirror name their corners the other way round: their outside stays outside. */
+  #turnFaces(index: Uint16Array | Uint32Array, from: number, to: number): void {
+    const cornerAt = (i: number): number => this.#order?.[i] ?? i;
+    for (let i = from; i < to; i += 3) {
+      const [a, b, c] = [cornerAt(i), cornerAt(i + 1), cornerAt(i + 2)];
+      const mirrored = this.#isMirrored(a, b, c);
+      index[i] = a;
+      index[i + 1] = mirrored ? c : b;
+      index[i + 2] = mirrored ? b : c;
+    }
   }
 
   #attribute(name: string): BufferAttribute | null {
@@ -207,7 +269,12 @@ export class Deformation {
       const ax = e * j - f * h;
       const ay = f * g - d * j;
       const az = d * h - e * g;
-      const sign = a * ax + b * ay + c * az < 0 ? -1 : 1;
+      const mirrored = a * ax + b * ay + c * az < 0 ? 1 : 0;
+      if (mirrored !== this.#mirrored[i]) {
+        this.#mirrored[i] = mirrored;
+        this.#turned = true;
+      }
+      const sign = 1 - 2 * mirrored;
       if (normals !== null) {
         const nx = sign * normals[i * 3]!;
         const ny = sign * normals[i * 3 + 1]!;
@@ -228,6 +295,7 @@ export class Deformation {
         tangents[i * 4] = a * ux + d * uy + g * uz;
         tangents[i * 4 + 1] = b * ux + e * uy + h * uz;
         tangents[i * 4 + 2] = c * ux + f * uy + j * uz;
+        tangents[i * 4 + 3] = sign * tangents[i * 4 + 3]!;
       }
     }
   }

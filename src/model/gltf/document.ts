@@ -3,10 +3,14 @@
 // index and size that the parser will use is checked here. Knows the JSON only, no bytes.
 import { clip } from '../../fields/clip.js';
 import type { ModelBudget } from '../model-budget.js';
+import { requireAtMost } from '../model-budget.js';
 import { ModelError } from '../model.js';
+import type { Slices } from '../slices.js';
 import { type Accessor, Accessors, readBufferViews, type BufferView } from './accessors.js';
 import { readAnimations, type GltfAnimation } from './animations.js';
 import { countClaims, type DracoClaims } from './claims.js';
+import { extensionsLeftOut, unreadable, VISIBILITY } from './extensions.js';
+import { type Instances, readInstances } from './instances.js';
 import {
   countAt,
   indexAt,
@@ -20,7 +24,13 @@ import {
   type JsonObject,
 } from './json.js';
 import { readMaterials, readTextures, type GltfTexture } from './materials.js';
-import { DRACO, type MorphAccessors, readPrimitives, type Primitive } from './primitives.js';
+import {
+  DRACO,
+  type MorphAccessors,
+  type Primitive,
+  type PrimitiveContext,
+  readPrimitives,
+} from './primitives.js';
 
 export interface GltfDocument {
   /** The reduced document for three's parser. It has no buffers and images: a plugin provides their bytes by index. */
@@ -37,19 +47,27 @@ export interface GltfDocument {
   readonly targets: readonly (readonly (readonly MorphAccessors[])[])[];
   /** The weights of each node's morph targets; empty without. */
   readonly weights: readonly (readonly number[])[];
+  /** The instances of each node's mesh; undefined where the node itself is the only one. */
+  readonly instances: readonly (Instances | undefined)[];
   /** What the Draco data in a buffer view must decode to at most, by the view's index. */
   readonly draco: ReadonlyMap<number, DracoClaims>;
 }
 
-/** Required extensions that do not change what is shown, or that are handled elsewhere. */
-const HARMLESS =
-  /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_mesh_quantization|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
+/**
+ * Nodes inside nodes. Beyond it three.js, which visits children by recursion, would overflow the stack in some
+ * browsers.
+ */
+const DEPTH_LIMIT = 1000;
 
 /**
  * @param budget gets everything that the document claims, but images.
  * @throws ModelError for unsupported or too much content, a plain Error for broken content.
  */
-export function readDocument(value: unknown, budget: ModelBudget): GltfDocument {
+export async function readDocument(
+  value: unknown,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<GltfDocument> {
   const json = objectAt(value, 'the document');
   const version = textAt(optionalObject(json['asset'], 'asset')['version']);
   if (!version.startsWith('2.')) {
@@ -58,44 +76,40 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
       `The model is glTF ${clip(version) || 'of no version'}; only glTF 2 is supported.`,
     );
   }
-  for (const required of listAt(json['extensionsRequired'], 'extensionsRequired')) {
-    if (!HARMLESS.test(String(required))) throw unsupported(String(required));
-  }
+  const required = unreadable(json);
+  if (required !== undefined) throw unsupported(required);
+  budget.add({ nodes: listAt(json['nodes'], 'nodes').length });
+  const dropped = new Set(extensionsLeftOut(json));
   const bufferDefs = objectsAt(json['buffers'], 'buffers');
-  const bufferViews = readBufferViews(json, bufferDefs.length);
-  const accessors = new Accessors(json, bufferViews, budget);
+  const bufferViews = await readBufferViews(json, bufferDefs.length, slices);
+  const accessors = await Accessors.of(json, bufferViews, budget, slices);
   const images = objectsAt(json['images'], 'images');
-  const textures = readTextures(json, images.length);
-  const { definitions: materials, dropped: unused } = readMaterials(json, textures);
-  const dropped = new Set(unused);
-  const context = { accessors, materials, views: bufferViews.length };
-  const meshes = objectsAt(json['meshes'], 'meshes').map((mesh) => ({
-    name: textAt(mesh['name']),
-    weights: listAt(mesh['weights'], 'weights').map((weight) => numberAt(weight, 'weights', 0)),
-    primitives: readPrimitives(mesh, context),
-  }));
+  const textures = await readTextures(json, images.length, slices);
+  const materials = await readMaterials(json, textures, dropped, slices);
+  const meshes = await readMeshes(json, { accessors, materials, views: bufferViews.length, dropped }, slices);
   const skins = readSkins(json, accessors);
-  const { nodes, roots } = readNodes(json, meshes, skins, budget);
-  const draco = countClaims(nodes, roots, { accessors, budget });
+  const nodes = hiddenLeftOut(await readNodes(json, { meshes, skins, accessors, budget, dropped }, slices));
+  const roots = readRoots(json, nodes);
   const inScene = withChildren(nodes, roots);
+  const drawn = Array.from(inScene, (index) => nodes[index]!);
+  const draco = await countClaims(drawn, { accessors, budget }, slices);
   const shown = withJoints(nodes, inScene);
-  budget.add({ nodes: shown.size - inScene.size });
   const weights = nodes.map((node) => node.weights);
   const targets = weights.map((list, i) => (shown.has(i) ? list.length : undefined));
-  const animations = readAnimations(json, { accessors, targets, budget }, dropped);
+  const animations = await readAnimations(json, { accessors, targets, budget }, dropped, slices);
   return {
     json: {
       asset: { version: '2.0' },
       scene: 0,
       scenes: [{ nodes: roots }],
-      nodes: nodes.map(({ definition, mesh, children, skinIndex }, i) => ({
+      nodes: await slices.map(nodes, ({ definition, mesh, children, skinIndex }, i) => ({
         ...definition,
         // A joint outside the scene is a place, no more.
         children: children.filter((child) => shown.has(child)),
         ...(inScene.has(i) ? { mesh, skin: skinIndex } : {}),
       })),
       // A mesh without triangles stays as an empty group, so that indices stay valid.
-      meshes: meshes.map(({ name, primitives }) => ({
+      meshes: await slices.map(meshes, ({ name, primitives }) => ({
         name,
         primitives: primitives.map(({ definition }) => definition),
       })),
@@ -105,7 +119,7 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
       })),
       materials,
       textures: textures.map(() => ({})),
-      accessors: accessors.definitions(),
+      accessors: await accessors.definitions(slices),
       bufferViews: bufferViews.map(({ byteLength, byteStride }) => ({ byteLength, byteStride })),
       extensionsUsed: [...(draco.size > 0 ? [DRACO] : []), 'KHR_mesh_quantization', 'KHR_texture_transform'],
     },
@@ -120,6 +134,7 @@ export function readDocument(value: unknown, budget: ModelBudget): GltfDocument 
     animations,
     targets: meshes.map(({ primitives }) => primitives.map((primitive) => primitive.targets)),
     weights,
+    instances: nodes.map((node) => node.instances),
     draco,
   };
 }
@@ -151,52 +166,89 @@ function readSkins(json: JsonObject, accessors: Accessors): readonly Skin[] {
   });
 }
 
+interface GltfMesh {
+  readonly name: string;
+  readonly primitives: readonly Primitive[];
+  readonly weights: readonly number[];
+  /** The most morph targets of a primitive. */
+  readonly targets: number;
+  /** All primitives have joints. */
+  readonly bound: boolean;
+}
+
+async function readMeshes(
+  json: JsonObject,
+  context: PrimitiveContext,
+  slices: Slices,
+): Promise<readonly GltfMesh[]> {
+  const meshes: GltfMesh[] = [];
+  for (const mesh of objectsAt(json['meshes'], 'meshes')) {
+    const primitives = await readPrimitives(mesh, context, slices);
+    meshes.push({
+      name: textAt(mesh['name']),
+      primitives,
+      weights: listAt(mesh['weights'], 'weights').map((weight) => numberAt(weight, 'weights', 0)),
+      targets: primitives.reduce((most, { targets }) => Math.max(most, targets.length), 0),
+      bound:
+        primitives.length > 0 && primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes),
+    });
+  }
+  return meshes;
+}
+
 interface GltfNode {
   /** Name and place, for the parser. */
   readonly definition: JsonObject;
+  readonly hidden: boolean;
   /** Undefined where none of it is drawn. */
   readonly mesh: number | undefined;
   readonly children: readonly number[];
   readonly primitives: readonly Primitive[];
+  readonly instances: Instances | undefined;
   readonly skin: Skin | undefined;
   readonly skinIndex: number | undefined;
   readonly weights: readonly number[];
 }
 
-function readNodes(
+interface NodeContext {
+  readonly meshes: readonly GltfMesh[];
+  readonly skins: readonly Skin[];
+  readonly accessors: Accessors;
+  readonly budget: ModelBudget;
+  readonly dropped: Set<string>;
+}
+
+async function readNodes(
   json: JsonObject,
-  meshes: readonly { readonly primitives: readonly Primitive[]; readonly weights: readonly number[] }[],
-  skins: readonly Skin[],
-  budget: ModelBudget,
-): { nodes: readonly GltfNode[]; roots: readonly number[] } {
+  { meshes, skins, accessors, budget, dropped }: NodeContext,
+  slices: Slices,
+): Promise<readonly GltfNode[]> {
   const defs = objectsAt(json['nodes'], 'nodes');
-  const nodes = defs.map((node, i): GltfNode => {
+  const nodes = await slices.map(defs, (node, i): GltfNode => {
     const what = `nodes[${String(i)}]`;
-    const mesh =
+    const index =
       node['mesh'] === undefined ? undefined : indexAt(node['mesh'], meshes.length, `${what}.mesh`);
+    const mesh = index === undefined ? undefined : meshes[index];
     const skin = node['skin'] === undefined ? undefined : indexAt(node['skin'], skins.length, `${what}.skin`);
-    const primitives = mesh === undefined ? [] : (meshes[mesh]?.primitives ?? []);
-    const targets = primitives.reduce((most, primitive) => Math.max(most, primitive.targets.length), 0);
+    const instances = readInstances(node, accessors, what, dropped);
+    const { targets = 0, bound = false, weights: fallback = [] } = mesh ?? {};
+    const primitives = instances?.count === 0 ? [] : (mesh?.primitives ?? []);
     // A float64 each, in the file's list and in the pose.
     budget.add({ values: 4 * targets });
-    const given = node['weights'] === undefined ? undefined : listAt(node['weights'], `${what}.weights`);
-    const fallback = mesh === undefined ? [] : (meshes[mesh]?.weights ?? []);
-    const bound =
-      skin !== undefined &&
-      primitives.length > 0 &&
-      primitives.every(({ definition }) => 'WEIGHTS_0' in definition.attributes);
-    const children = listAt(node['children'], `${what}.children`).map((child) =>
-      indexAt(child, defs.length, what),
-    );
+    const given = node['weights'] === undefined ? fallback : listAt(node['weights'], `${what}.weights`);
+    const bind = bound ? skin : undefined;
+    const visible = optionalObject(optionalObject(node['extensions'], what)[VISIBILITY], what)['visible'];
     return {
-      children,
-      mesh: primitives.length > 0 ? mesh : undefined,
-      primitives,
-      skin: bound ? skins[skin] : undefined,
-      skinIndex: bound ? skin : undefined,
-      weights: Array.from({ length: targets }, (_, k) =>
-        numberAt((given ?? fallback)[k], `${what}.weights`, 0),
+      children: listAt(node['children'], `${what}.children`).map((child) =>
+        indexAt(child, defs.length, what),
       ),
+      hidden: visible === false,
+      mesh: primitives.length > 0 ? index : undefined,
+      primitives,
+      instances,
+      skin: bind === undefined ? undefined : skins[bind],
+      skinIndex: bind,
+      weights: Array.from({ length: targets }, (_, k) => numberAt(given[k], `${what}.weights`, 0)),
       definition: {
         name: textAt(node['name']),
         matrix: numbersAt(node['matrix'], 16, `${what}.matrix`),
@@ -207,7 +259,23 @@ function readNodes(
     };
   });
   requireTree(nodes.map((node) => node.children));
-  return { nodes, roots: readRoots(json, nodes) };
+  return nodes;
+}
+
+/** Hidden nodes and all below them are places, no more: they can be joints. */
+function hiddenLeftOut(nodes: readonly GltfNode[]): readonly GltfNode[] {
+  const hidden = withChildren(
+    nodes,
+    nodes.flatMap((node, i) => (node.hidden ? i : [])),
+  );
+  const nothing = {
+    mesh: undefined,
+    primitives: [],
+    instances: undefined,
+    skin: undefined,
+    skinIndex: undefined,
+  };
+  return nodes.map((node, i) => (hidden.has(i) ? { ...node, ...nothing, weights: [] } : node));
 }
 
 /**
@@ -238,11 +306,15 @@ function withChildren(nodes: readonly GltfNode[], roots: readonly number[]): Rea
 /** The nodes of the scene, and the joints of its skins, which may lie outside it. */
 function withJoints(nodes: readonly GltfNode[], inScene: ReadonlySet<number>): ReadonlySet<number> {
   const shown = new Set(inScene);
-  for (const index of inScene) for (const joint of nodes[index]?.skin?.joints ?? []) shown.add(joint);
+  const skins = new Set(Array.from(inScene, (index) => nodes[index]?.skin));
+  for (const skin of skins) for (const joint of skin?.joints ?? []) shown.add(joint);
   return shown;
 }
 
-/** Throws for a cycle of nodes, on which the parser would wait forever. */
+/**
+ * Throws for a cycle of nodes, on which the parser would wait forever.
+ * @throws ModelError `too-large` if nodes are nested too deeply.
+ */
 function requireTree(children: readonly (readonly number[])[]): void {
   const parents = new Map<number, number>();
   children.forEach((list, node) => {
@@ -251,17 +323,16 @@ function requireTree(children: readonly (readonly number[])[]): void {
       parents.set(child, node);
     }
   });
-  const checked = new Set<number>();
-  for (const start of parents.keys()) {
+  const depths = new Map<number, number>();
+  for (const start of children.keys()) {
     const path = new Set<number>();
-    for (
-      let node: number | undefined = start;
-      node !== undefined && !checked.has(node);
-      node = parents.get(node)
-    ) {
+    let node: number | undefined = start;
+    for (; node !== undefined && !depths.has(node); node = parents.get(node)) {
       if (path.has(node)) throw new Error(`nodes[${String(node)}] contains itself`);
       path.add(node);
     }
-    for (const node of path) checked.add(node);
+    let depth = node === undefined ? 0 : depths.get(node)!;
+    for (const below of [...path].reverse()) depths.set(below, (depth += 1));
+    requireAtMost(depth, DEPTH_LIMIT, 'levels of nodes inside nodes');
   }
 }

@@ -10,6 +10,7 @@ import {
   SkinnedMesh,
 } from 'three';
 import { faceNormals } from '../face-normals.js';
+import type { ModelBudget } from '../model-budget.js';
 import type { Slices } from '../slices.js';
 import {
   type Attribute,
@@ -23,7 +24,9 @@ import {
 import type { Accessor } from './accessors.js';
 import { usesFew } from './claims.js';
 import { Deformation, type MorphTarget } from './deformation.js';
+import type { Instances } from './instances.js';
 import { JointPose } from './joint-pose.js';
+import { completeNormals, countMissing } from './missing-normals.js';
 import { CORNERS, FAN, MORPHED, type MorphAccessors, STRIP } from './primitives.js';
 import { mapsOf, uvNameOf } from './surfaces.js';
 import { addTangents, unitTangents } from './tangents.js';
@@ -40,11 +43,23 @@ export interface GeometrySource {
   /** Undefined for an object that no node and no mesh of the file stands for. */
   indicesOf(object: Object3D): FileIndices | undefined;
   /** The numbers of an accessor that was counted. */
-  accessor(accessor: Accessor): Promise<Attribute>;
+  readonly accessor: (accessor: Accessor) => Promise<Attribute>;
   /** By mesh and primitive. */
   readonly targets: readonly (readonly (readonly MorphAccessors[])[])[];
   /** Weights of morph targets, by node. */
   readonly weights: readonly (readonly number[])[];
+  /** By node. */
+  readonly instances: readonly (Instances | undefined)[];
+  readonly budget: ModelBudget;
+}
+
+/** The index of the node that an object is, or is part of. */
+export function nodeOf(object: Object3D, source: Pick<GeometrySource, 'indicesOf'>): number | undefined {
+  for (let node: Object3D | null = object; node !== null; node = node.parent) {
+    const index = source.indicesOf(node)?.nodes;
+    if (index !== undefined) return index;
+  }
+  return undefined;
 }
 
 /**
@@ -61,6 +76,8 @@ export class Geometries {
   readonly #source: GeometrySource;
   readonly #slices: Slices;
   readonly #cache = new Map<string, BufferGeometry>();
+  /** Vectors without direction in each attribute of normals. */
+  readonly #missing = new Map<BufferAttribute, number>();
   readonly #converted = new Map<Conversion, Map<Attribute, BufferAttribute>>();
 
   constructor(source: GeometrySource, slices: Slices) {
@@ -94,7 +111,6 @@ export class Geometries {
     targets: readonly MorphAccessors[],
   ): Promise<BufferGeometry> {
     const source = mesh.geometry;
-    const flat = !source.hasAttribute('normal');
     const attributes = await this.#attributesOf(source, uvs, tangents !== null);
     const count = attributes.get('position')?.count ?? 0;
     const shown = [...attributes.keys()];
@@ -105,22 +121,30 @@ export class Geometries {
       if (attribute.count < count) throw new Error(`a mesh has fewer ${name} than vertices`);
     }
     let corners = await this.#cornersOf(source, count);
-    if (corners && (flat || usesFew(corners.length, count))) {
+    const moves = isSkinned(mesh) || targets.length > 0;
+    const split = await this.#completeNormals(
+      attributes,
+      corners,
+      (moves ? 17 : 0) + (tangents === null ? 0 : 16),
+    );
+    const flat = !attributes.has('normal');
+    if (corners && (flat || split || usesFew(corners.length, count))) {
       for (const [name, attribute] of attributes) {
         attributes.set(name, await gathered(attribute, corners, this.#slices));
       }
       corners = null;
     }
     const geometry = new BufferGeometry();
-    for (const name of shown) geometry.setAttribute(name, attributes.get(name)!);
-    if (flat) {
+    for (const name of shown) if (attributes.has(name)) geometry.setAttribute(name, attributes.get(name)!);
+    if (flat || split) {
       const { array } = geometry.getAttribute('position');
-      geometry.setAttribute('normal', await faceNormals(array, this.#slices));
+      const own = await faceNormals(array, this.#slices);
+      if (split) await replaceNormals(own, geometry.getAttribute('normal').array, split, this.#slices);
+      geometry.setAttribute('normal', own);
     }
     if (corners) geometry.setIndex(new BufferAttribute(corners, 1));
     if (tangents !== null && !attributes.has('tangent')) await addTangents(geometry, tangents, this.#slices);
-    if (isSkinned(mesh) || targets.length > 0)
-      await this.#deform(mesh, geometry, flat, attributes, targets.length);
+    if (moves) await this.#deform(mesh, geometry, flat, attributes, targets.length);
     return geometry;
   }
 
@@ -168,6 +192,38 @@ export class Geometries {
     return corners;
   }
 
+  /**
+   * Normals of the file that have no direction are computed anew. If all of them, they count as absent. Gives 1 for each
+   * corner that takes its face's own normal; null for none.
+   * @param more what else a vertex costs, in values, besides its attributes.
+   */
+  async #completeNormals(
+    attributes: Map<string, Attribute>,
+    corners: ArrayLike<number> | null,
+    more: number,
+  ): Promise<Uint8Array | null> {
+    const source = attributes.get('normal') as BufferAttribute | undefined;
+    if (source === undefined) return null;
+    const missing = this.#missing.get(source) ?? (await countMissing(source, this.#slices));
+    this.#missing.set(source, missing);
+    if (missing === 0) return null;
+    const items = [...attributes.values()].reduce((sum, { itemSize }) => sum + itemSize, more);
+    const { budget } = this.#source;
+    const copies = { values: (corners?.length ?? source.count) * (items + 3) };
+    if (missing === source.count) {
+      budget.add(copies);
+      for (const name of ['normal', 'tangent']) attributes.delete(name);
+      return null;
+    }
+    // A copy, and sums in float64.
+    budget.add({ values: 9 * source.count });
+    const { array } = attributes.get('position')!;
+    const { normals, split } = await completeNormals(array, source, corners, this.#slices);
+    attributes.set('normal', normals);
+    if (split !== null) budget.add(copies);
+    return split;
+  }
+
   /** Brings the geometry into the file's pose. Its attributes are those of the undeformed mesh. */
   async #deform(
     mesh: Mesh,
@@ -210,12 +266,7 @@ export class Geometries {
 
   /** All primitives of a node share its weights; those with fewer targets use the first ones. */
   #weightsOf(mesh: Mesh, targets: number): Float64Array {
-    let node: Object3D | null = mesh;
-    let index: number | undefined;
-    while (node !== null && index === undefined) {
-      index = this.#source.indicesOf(node)?.nodes;
-      node = node.parent;
-    }
+    const index = nodeOf(mesh, this.#source);
     if (index === undefined) return new Float64Array(targets);
     const weights = this.weights.get(index) ?? Float64Array.from(this.#source.weights[index] ?? []);
     this.weights.set(index, weights);
@@ -229,6 +280,19 @@ export class Geometries {
     known.set(source, result);
     return result;
   }
+}
+
+/** Writes `normals` into `own` where `split` is 0. */
+function replaceNormals(
+  own: BufferAttribute,
+  normals: ArrayLike<number>,
+  split: Uint8Array,
+  slices: Slices,
+): Promise<void> {
+  return slices.over(split.length, (from, to) => {
+    for (let i = from; i < to; i += 1)
+      if (split[i] === 0) own.setXYZ(i, normals[i * 3]!, normals[i * 3 + 1]!, normals[i * 3 + 2]!);
+  });
 }
 
 const JOINTS = ['skinIndex', 'skinWeight'] as const;

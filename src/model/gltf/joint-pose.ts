@@ -1,6 +1,6 @@
 // The joints of a skeleton: their matrices as plain numbers, which deformations read, and a version that says when one
 // has changed.
-import { Matrix4, type Skeleton } from 'three';
+import { type Bone, Matrix4, type Skeleton } from 'three';
 import { COORDINATE_LIMIT } from './attributes.js';
 
 /**
@@ -14,9 +14,12 @@ export class JointPose {
   version = 0;
   readonly #skeleton: Skeleton;
   readonly #matrix = new Matrix4();
+  /** Joints that lie outside the scene that is shown, each once. */
+  readonly #roots: ReadonlySet<Bone>;
 
   constructor(skeleton: Skeleton) {
     this.#skeleton = skeleton;
+    this.#roots = new Set(skeleton.bones.filter((bone) => bone.parent === null));
     this.matrices = new Float64Array(skeleton.bones.length * 16);
   }
 
@@ -28,8 +31,7 @@ export class JointPose {
     const { bones, boneInverses } = this.#skeleton;
     const { matrices } = this;
     let changes = 0;
-    // A joint can lie outside the scene that is shown.
-    for (const bone of bones) if (bone.parent === null) bone.updateWorldMatrix(false, true);
+    for (const bone of this.#roots) bone.updateWorldMatrix(false, true);
     bones.forEach((bone, i) => {
       const { elements } = this.#matrix.multiplyMatrices(bone.matrixWorld, boneInverses[i] ?? IDENTITY);
       if (!elements.every((element) => Math.abs(element) <= COORDINATE_LIMIT)) return;

@@ -3,9 +3,12 @@
 export type JsonObject = Readonly<Record<string, unknown>>;
 
 export function objectAt(value: unknown, what: string): JsonObject {
-  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as JsonObject;
+  if (isObject(value)) return value;
   throw new Error(`${what} is not an object`);
 }
+
+const isObject = (value: unknown): value is JsonObject =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
 
 /** As {@link objectAt}; an absent value gives an empty object. */
 export const optionalObject = (value: unknown, what: string): JsonObject =>
@@ -13,7 +16,11 @@ export const optionalObject = (value: unknown, what: string): JsonObject =>
 
 /** A list of objects; an absent value gives an empty list. */
 export function objectsAt(value: unknown, what: string): readonly JsonObject[] {
-  return listAt(value, what).map((item, i) => objectAt(item, `${what}[${String(i)}]`));
+  const list = listAt(value, what);
+  list.forEach((item, i) => {
+    if (!isObject(item)) throw new Error(`${what}[${String(i)}] is not an object`);
+  });
+  return list as readonly JsonObject[];
 }
 
 /** A list; an absent value gives an empty list. */

@@ -1,5 +1,6 @@
 // The parts of a glTF material that the equation uses. Numbers and indices are checked. Knows the JSON only;
 // surfaces.ts turns what was read into the equation's terms.
+import type { Slices } from '../slices.js';
 import { indexAt, numberAt, numbersAt, objectsAt, optionalObject, textAt, type JsonObject } from './json.js';
 
 export interface GltfTexture {
@@ -15,9 +16,13 @@ const IMAGE_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'];
 /** Used where there is no other image: those need no transcoder, and have more of the original's colours. */
 const KTX2 = 'KHR_texture_basisu';
 
-export function readTextures(json: JsonObject, images: number): readonly GltfTexture[] {
+export function readTextures(
+  json: JsonObject,
+  images: number,
+  slices: Slices,
+): Promise<readonly GltfTexture[]> {
   const samplers = objectsAt(json['samplers'], 'samplers');
-  return objectsAt(json['textures'], 'textures').map((texture, i) => {
+  return slices.map(objectsAt(json['textures'], 'textures'), (texture, i) => {
     const what = `textures[${String(i)}]`;
     const extensions = optionalObject(texture['extensions'], `${what}.extensions`);
     const sourceOf = (name: string): unknown => optionalObject(extensions[name], what)['source'];
@@ -37,7 +42,7 @@ export interface MaterialValues {
   readonly unlit: boolean;
   readonly emissive: readonly number[];
   /**
-   * Null: the file says nothing of metalness and roughness. glTF's own default, a rough metal, would be black without
+   * Null: the file leaves metalness and roughness at glTF's default, a rough metal, which shows nothing but its
    * surroundings.
    */
   readonly metalRough: { readonly metalness: number; readonly roughness: number } | null;
@@ -48,26 +53,22 @@ export interface MaterialValues {
   readonly mapped: { readonly emissive: boolean; readonly metalRough: boolean };
 }
 
-/** Parts of a material that the equation has no place for. */
-const DROPPED =
-  /^KHR_materials_(anisotropy|clearcoat|diffuse_transmission|dispersion|ior|iridescence|sheen|transmission|volume|variants)$/;
-
-interface Materials {
-  /** For the parser: textures where it expects them, {@link MaterialValues} as `extras.surface`. */
-  readonly definitions: readonly JsonObject[];
-  /** What is left out, by the file's own names. */
-  readonly dropped: ReadonlySet<string>;
-}
-
-export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]): Materials {
-  const dropped = new Set<string>();
-  const definitions = objectsAt(json['materials'], 'materials').map((material, i) => {
+/**
+ * For the parser: textures where it expects them, {@link MaterialValues} as `extras.surface`.
+ * @param dropped receives the textures that are left out, by the file's own names.
+ */
+export function readMaterials(
+  json: JsonObject,
+  textures: readonly GltfTexture[],
+  dropped: Set<string>,
+  slices: Slices,
+): Promise<readonly JsonObject[]> {
+  return slices.map(objectsAt(json['materials'], 'materials'), (material, i) => {
     const what = `materials[${String(i)}]`;
     const metallic = optionalObject(material['pbrMetallicRoughness'], what);
     const extensions = optionalObject(material['extensions'], what);
     const glossy = optionalObject(extensions['KHR_materials_pbrSpecularGlossiness'], what);
     const specular = optionalObject(extensions['KHR_materials_specular'], what);
-    for (const name of Object.keys(extensions)) if (DROPPED.test(name)) dropped.add(name);
     if ('occlusionTexture' in material) dropped.add('occlusionTexture');
     if ('specularGlossinessTexture' in glossy) dropped.add('specularGlossinessTexture');
     for (const name of ['specularTexture', 'specularColorTexture']) if (name in specular) dropped.add(name);
@@ -101,7 +102,6 @@ export function readMaterials(json: JsonObject, textures: readonly GltfTexture[]
       },
     };
   });
-  return { definitions, dropped };
 }
 
 const BLACK = [0, 0, 0];
@@ -120,16 +120,21 @@ function readMetalRough(
   what: string,
 ): MaterialValues['metalRough'] {
   const { metallicFactor, roughnessFactor, metallicRoughnessTexture } = metallic;
-  const { glossinessFactor } = glossy;
-  if (glossinessFactor !== undefined)
-    return { metalness: 0, roughness: 1 - share(glossinessFactor, `${what}.glossinessFactor`, 1) };
-  if (metallicFactor === undefined && roughnessFactor === undefined && metallicRoughnessTexture === undefined)
-    return null;
-  return {
-    metalness: share(metallicFactor, `${what}.metallicFactor`, 1),
-    roughness: share(roughnessFactor, `${what}.roughnessFactor`, 1),
-  };
+  const glossiness = share(glossy['glossinessFactor'], `${what}.glossinessFactor`, 1);
+  if (glossiness < 1) return { metalness: 0, roughness: 1 - glossiness };
+  const metalness = share(metallicFactor, `${what}.metallicFactor`, 1);
+  const roughness = share(roughnessFactor, `${what}.roughnessFactor`, 1);
+  if (metallicRoughnessTexture !== undefined) return { metalness, roughness };
+  return metalness === 1 && roughness === 1
+    ? null
+    : { metalness: Math.min(metalness, MOST_METAL), roughness };
 }
+
+/**
+ * Metalness of a metal all over, without a texture. What it shows of its surroundings is not in the equation; half of
+ * Kd stands for that.
+ */
+const MOST_METAL = 0.5;
 
 function readSpecular(specular: JsonObject, glossy: JsonObject, what: string): readonly number[] | null {
   const color = specular['specularColorFactor'] ?? glossy['specularFactor'];

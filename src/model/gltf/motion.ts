@@ -1,7 +1,10 @@
 // The motion of a glTF model. Keyframes set its nodes, its nodes move parts and joints, and joints and weights deform
 // geometries.
-import { BufferGeometry, Mesh, type Object3D } from 'three';
+import { BufferGeometry, Matrix4, Mesh, type Object3D } from 'three';
 import type { ContentPart, Motion } from '../model.js';
+import { clip } from '../../fields/clip.js';
+import type { Slices } from '../slices.js';
+import { listed } from '../listed.js';
 import type { Accessor } from './accessors.js';
 import type { Channel, ChannelPath, GltfAnimation } from './animations.js';
 import type { Attribute } from './attributes.js';
@@ -13,11 +16,18 @@ import { type Keyframes, sample } from './tracks.js';
 export interface Movable {
   readonly scene: Object3D;
   /** Parts that follow a node, in the model's order. */
-  readonly rigid: readonly { readonly part: ContentPart; readonly mesh: Mesh }[];
+  readonly rigid: readonly RigidPart[];
   readonly joints: readonly JointPose[];
   readonly deformations: readonly Deformation[];
   /** The weights of each node with morph targets, by the node's index; overwritten when it moves. */
   readonly weights: ReadonlyMap<number, Float64Array>;
+}
+
+export interface RigidPart {
+  readonly part: ContentPart;
+  readonly mesh: Mesh;
+  /** The place of an instance within its node; null for the node's own. */
+  readonly within: Matrix4 | null;
 }
 
 export interface MotionSource {
@@ -35,13 +45,27 @@ export async function readMotion(
   animations: readonly GltfAnimation[],
   source: MotionSource,
   movable: Movable,
-  dropped: Set<string>,
+  { dropped, slices }: { readonly dropped: Set<string>; readonly slices: Slices },
 ): Promise<Motion | null> {
   const clips: Clip[] = [];
+  const numbers = new Map<Attribute, Promise<Numbers>>();
+  const numbersOf = async (accessor: Accessor): Promise<Numbers> => {
+    const attribute = await source.accessor(accessor);
+    const known = numbers.get(attribute) ?? readNumbers(attribute, slices);
+    numbers.set(attribute, known);
+    return known;
+  };
   for (const [i, { name, channels }] of animations.entries()) {
-    const tracks = await Promise.all(channels.map((channel) => readTrack(channel, source, movable)));
-    const usable = tracks.flatMap((track) => track ?? []);
-    if (tracks.length === usable.length) clips.push(new Clip(name, usable));
+    const tracks: Track[] = [];
+    for (const channel of channels) {
+      const keyframes = await readKeyframes(channel, numbersOf);
+      if (keyframes === null) break;
+      const node = await source.node(channel.node);
+      const weights = movable.weights.get(channel.node) ?? new Float64Array(channel.width);
+      tracks.push({ keyframes, ...targetOf(node, channel.path, weights) });
+      await slices.pauseIfDue();
+    }
+    if (tracks.length === channels.length) clips.push(new Clip(name, tracks));
     else dropped.add(`animations[${String(i)}] (its times or values are not in order or no numbers)`);
   }
   return clips.length === 0 ? null : motionOf(file, clips, poser(clips, movable));
@@ -49,13 +73,12 @@ export async function readMotion(
 
 function motionOf(file: string, clips: readonly Clip[], pose: Pose): Motion {
   const unknown = new Set<string>();
+  const quoted = (name: string): string => JSON.stringify(clip(name));
   const clipOf = (wanted: string): Clip | undefined => {
     const found = wanted === '' ? clips[0] : clips.find(({ name }) => name === wanted);
     if (found === undefined && !unknown.has(wanted)) {
-      const names = clips.map(({ name }) => JSON.stringify(name)).join(', ');
-      console.warn(
-        `${file} has no animation ${JSON.stringify(wanted)}, so its first one is shown. It has: ${names}`,
-      );
+      const names = listed(clips.map(({ name }) => quoted(name)));
+      console.warn(`${file} has no animation ${quoted(wanted)}, so its first one is shown. It has: ${names}`);
       unknown.add(wanted);
     }
     return found ?? clips[0];
@@ -81,15 +104,18 @@ function poser(clips: readonly Clip[], movable: Movable): Pose {
   });
   for (const deformation of deformations) deformation.keep();
   const tracks = clips.flatMap((clip) => clip.tracks);
+  const matrix = new Matrix4();
   let posed: Clip | null = null;
   return (clip, seconds) => {
     if (clip !== posed) for (const { rest, set } of tracks) set(rest);
     posed = clip;
     clip?.set(seconds);
     scene.updateMatrixWorld();
-    for (const { part, mesh } of rigid) {
+    for (const { part, mesh, within } of rigid) {
+      if (within === null) matrix.copy(mesh.matrixWorld);
+      else matrix.multiplyMatrices(mesh.matrixWorld, within);
       // Scales inside scales can leave the range of numbers. The part then stays where it was.
-      if (mesh.matrixWorld.elements.every(Number.isFinite)) part.matrix.copy(mesh.matrixWorld);
+      if (matrix.elements.every(Number.isFinite)) part.matrix.copy(matrix);
     }
     for (const pose of joints) pose.update();
     for (const deformation of deformations) deformation.update();
@@ -127,20 +153,15 @@ class Clip {
   }
 }
 
-/** Null if the keyframes are unusable. */
-async function readTrack(channel: Channel, source: MotionSource, movable: Movable): Promise<Track | null> {
-  const { path, width, interpolation } = channel;
-  const [input, output] = await Promise.all([
-    source.accessor(channel.input),
-    source.accessor(channel.output),
-  ]);
-  const times = numbersOf(input);
-  const values = numbersOf(output);
-  const ordered = times.every((time, i) => time >= (i === 0 ? 0 : times[i - 1]!) && time < Infinity);
-  if (!ordered || !values.every(Number.isFinite)) return null;
-  const keyframes = { times, values, width, interpolation, rotation: path === 'rotation' };
-  const node = await source.node(channel.node);
-  return { keyframes, ...targetOf(node, path, movable.weights.get(channel.node) ?? new Float64Array(width)) };
+/** Null if they are unusable. */
+async function readKeyframes(
+  { path, width, interpolation, input, output }: Channel,
+  numbersOf: (accessor: Accessor) => Promise<Numbers>,
+): Promise<Keyframes | null> {
+  const times = await numbersOf(input);
+  const values = await numbersOf(output);
+  if (!times.ordered || !values.finite) return null;
+  return { times: times.array, values: values.array, width, interpolation, rotation: path === 'rotation' };
 }
 
 function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Omit<Track, 'keyframes'> {
@@ -162,16 +183,26 @@ function targetOf(node: Object3D, path: ChannelPath, weights: Float64Array): Omi
   }
 }
 
-const known = new WeakMap<Attribute, Float32Array>();
+/** The numbers of an accessor as plain floats. Read and checked once, however many channels use it. */
+interface Numbers {
+  readonly array: Float32Array;
+  readonly finite: boolean;
+  /** Finite, at least 0, and none smaller than the one before. */
+  readonly ordered: boolean;
+}
 
-/** Plain floats; the same array for the same accessor. */
-function numbersOf(source: Attribute): Float32Array {
-  const present = known.get(source);
-  if (present) return present;
+async function readNumbers(source: Attribute, slices: Slices): Promise<Numbers> {
   const { count, itemSize } = source;
-  const values = new Float32Array(count * itemSize);
-  for (let i = 0; i < values.length; i += 1)
-    values[i] = source.getComponent(Math.floor(i / itemSize), i % itemSize);
-  known.set(source, values);
-  return values;
+  const array = new Float32Array(count * itemSize);
+  const faults = { finite: 0, ordered: 0 };
+  await slices.over(array.length, (from, to) => {
+    for (let i = from; i < to; i += 1) {
+      const value = source.getComponent(Math.floor(i / itemSize), i % itemSize);
+      array[i] = value;
+      if (!Number.isFinite(value)) faults.finite += 1;
+      if (!(value >= (i === 0 ? 0 : array[i - 1]!))) faults.ordered += 1;
+    }
+  });
+  const finite = faults.finite === 0;
+  return { array, finite, ordered: finite && faults.ordered === 0 };
 }

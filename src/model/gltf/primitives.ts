@@ -1,6 +1,8 @@
 // The primitives of a glTF mesh that are drawn, and what they cost. Triangles only, with the attributes that are used.
 // Knows the JSON only.
+import type { Slices } from '../slices.js';
 import type { Accessor, Accessors } from './accessors.js';
+import { leftOutOf } from './extensions.js';
 import { countAt, indexAt, objectAt, objectsAt, optionalObject, type JsonObject } from './json.js';
 
 export const DRACO = 'KHR_draco_mesh_compression';
@@ -57,6 +59,8 @@ export interface PrimitiveContext {
   readonly materials: readonly JsonObject[];
   /** Number of buffer views. */
   readonly views: number;
+  /** Receives what is left out, by the file's own names. */
+  readonly dropped: Set<string>;
 }
 
 /** The attributes that are used, and the numbers per vertex that they become. */
@@ -78,18 +82,24 @@ const TRIANGLES = 4;
 const STRIPS = 5;
 const FANS = 6;
 
-export function readPrimitives(mesh: JsonObject, context: PrimitiveContext): readonly Primitive[] {
-  return objectsAt(mesh['primitives'], 'primitives')
-    .filter((primitive) => isDrawn(primitive))
-    .map((primitive) => readPrimitive(primitive, context))
-    .filter(({ corners }) => corners > 0);
+export async function readPrimitives(
+  mesh: JsonObject,
+  context: PrimitiveContext,
+  slices: Slices,
+): Promise<readonly Primitive[]> {
+  const primitives = await slices.map(objectsAt(mesh['primitives'], 'primitives'), (primitive) =>
+    isDrawn(primitive, context.dropped) ? readPrimitive(primitive, context) : null,
+  );
+  return primitives.flatMap((primitive) => (primitive !== null && primitive.corners > 0 ? primitive : []));
 }
 
-function isDrawn(primitive: JsonObject): boolean {
+function isDrawn(primitive: JsonObject, dropped: Set<string>): boolean {
   const mode = countAt(primitive['mode'], 'mode', TRIANGLES);
-  return (
-    mode >= TRIANGLES && mode <= FANS && 'POSITION' in optionalObject(primitive['attributes'], 'attributes')
-  );
+  const attributes = optionalObject(primitive['attributes'], 'attributes');
+  if (mode < TRIANGLES) dropped.add(mode === 0 ? 'points' : 'lines');
+  for (const name of leftOutOf(primitive)) dropped.add(name);
+  if ('JOINTS_1' in attributes) dropped.add('JOINTS_1');
+  return mode >= TRIANGLES && mode <= FANS && 'POSITION' in attributes;
 }
 
 function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primitive {
@@ -122,7 +132,7 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
     mode: TRIANGLES,
     extensions: packed ? { [DRACO]: packed } : {},
   };
-  const targets = readTargets(primitive, vertices, accessors);
+  const targets = readTargets(primitive, vertices, context);
   const unpacked = attributes.filter(({ name }) => !(packed && Object.hasOwn(packed.attributes, name)));
   const mapped =
     definition.material !== undefined &&
@@ -148,9 +158,11 @@ function readPrimitive(primitive: JsonObject, context: PrimitiveContext): Primit
 function readTargets(
   primitive: JsonObject,
   vertices: number,
-  accessors: Accessors,
+  { accessors, dropped }: PrimitiveContext,
 ): readonly MorphAccessors[] {
   return objectsAt(primitive['targets'], 'targets').map((target, i) => {
+    for (const name of Object.keys(target))
+      if (!(MORPHED as readonly string[]).includes(name)) dropped.add(`morph targets of ${name}`);
     const read: Partial<Record<(typeof MORPHED)[number], Accessor>> = {};
     for (const name of MORPHED) {
       if (target[name] === undefined) continue;

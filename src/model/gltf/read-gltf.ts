@@ -22,9 +22,8 @@ import { gltfTextures } from './textures.js';
 export const readGltf: ModelReader = async (source) => {
   const budget = new ModelBudget(source.onValues);
   const slices = new Slices(source.signal);
-  const { json, body } = openContainer(source.bytes, budget);
-  await slices.pauseIfDue();
-  const document = readDocument(json, budget);
+  const { json, body } = await openContainer(source.bytes, budget, slices);
+  const document = await readDocument(json, budget, slices);
   await slices.pauseIfDue();
   const bytes = gltfBytes(document, body, source);
   const textures = gltfTextures(document, bytes, budget, source);
@@ -47,17 +46,20 @@ export const readGltf: ModelReader = async (source) => {
   try {
     if (document.draco.size > 0) loader.setDRACOLoader(dracoLoader(slices, source.signal));
     source.signal.throwIfAborted();
-    const { scene, parser } = await loader.parseAsync(JSON.stringify(document.json), '');
+    // It takes a parsed document too, whatever its types say: a text would be parsed in one task.
+    const { scene, parser } = await loader.parseAsync(document.json as unknown as string, '');
     source.signal.throwIfAborted();
-    const { animations, targets, weights } = document;
+    const { animations, targets, weights, instances } = document;
     const accessor = ({ index }: Accessor): Promise<Attribute> =>
       parser.getDependency('accessor', index) as Promise<Attribute>;
     const node = (index: number): Promise<Object3D> =>
       parser.getDependency('node', index) as Promise<Object3D>;
     const indicesOf = (object: Object3D): FileIndices | undefined => parser.associations.get(object);
-    const { parts, movable } = await collectParts(scene, { indicesOf, accessor, targets, weights }, slices);
+    const file = { indicesOf, accessor, targets, weights, instances, budget };
+    const { parts, movable } = await collectParts(scene, file, slices);
     const dropped = new Set(document.dropped);
-    const motion = await readMotion(nameOf(source.url), animations, { node, accessor }, movable, dropped);
+    const place = nameOf(source.url);
+    const motion = await readMotion(place, animations, { node, accessor }, movable, { dropped, slices });
     source.signal.throwIfAborted();
     return { ...ownedModel(parts, () => void textures.close()), motion, dropped };
   } catch (error) {

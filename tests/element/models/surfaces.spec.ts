@@ -156,16 +156,18 @@ for (const [name, options] of Object.entries(MATERIALS)) {
 test.describe('by the rules of src/MODELS.md', () => {
   const base = RED.slice(0, 3).map(encoded);
 
-  test('a metal has its base colour in Ks and no Kd', async ({ mount }) => {
+  test('a metal without a texture keeps half of Kd, and half of Ks has its base colour', async ({
+    mount,
+  }) => {
     const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
     await show(viewer, viewerOf(MATERIALS['metal']!, '', 'ka="255" kd="255"'));
     const { ka, kd, ks, shininess, metalness } = await middle(viewer);
-    expect(metalness).toBe(1);
-    expect(kd).toEqual([0, 0, 0]);
+    expect(metalness).toBe(0.5);
     expect(shininess).toBeCloseTo(7.5, 12); // (1 / 0.5⁴ − 1) / 2
     base.forEach((c, i) => {
       expect(ka[i]).toBeCloseTo(c, 6);
-      expect(ks[i]).toBeCloseTo((c * 128) / 255, 6);
+      expect(kd[i]).toBeCloseTo(c / 2, 6);
+      expect(ks[i]).toBeCloseTo(((c / 2 + 9.5 / 34 / 2) * 128) / 255, 6); // the lobe's share: (7.5 + 2) / 34
     });
   });
 

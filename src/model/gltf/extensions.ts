@@ -1,0 +1,34 @@
+// What a glTF document says by its extensions, and which are left out.
+import { listAt, objectsAt, optionalObject, type JsonObject } from './json.js';
+
+export const INSTANCING = 'EXT_mesh_gpu_instancing';
+export const VISIBILITY = 'KHR_node_visibility';
+
+/** Extensions that a document can require: without them it is shown still, or they are shown. */
+const READABLE =
+  /^(KHR_draco_mesh_compression|(EXT|KHR)_meshopt_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|KHR_node_visibility|KHR_texture_\w+|EXT_texture_\w+|KHR_materials_\w+|KHR_lights_punctual|KHR_animation_pointer|KHR_xmp\w*)$/;
+
+/** Extensions that are shown, or that change no picture. */
+const SHOWN =
+  /^(KHR_draco_mesh_compression|KHR_mesh_quantization|EXT_mesh_gpu_instancing|KHR_node_visibility|KHR_node_(hover|select)ability|KHR_materials_(unlit|emissive_strength|specular|pbrSpecularGlossiness)|KHR_xmp\w*|EXT_(structural_metadata|mesh_features|instance_features)|GODOT_single_root)$/;
+
+/** The first extension that the document requires and that is not supported. */
+export const unreadable = (json: JsonObject): string | undefined =>
+  listAt(json['extensionsRequired'], 'extensionsRequired')
+    .map(String)
+    .find((name) => !READABLE.test(name));
+
+/** The lists whose objects change the picture by their extensions; materials and primitives count as such. */
+const EXTENDED = ['scenes', 'nodes', 'meshes', 'materials'] as const;
+
+/** The names of the extensions in use that are left out. Those of textures are reported with their images. */
+export function* extensionsLeftOut(json: JsonObject): Iterable<string> {
+  yield* leftOutOf(json);
+  for (const name of EXTENDED) for (const object of objectsAt(json[name], name)) yield* leftOutOf(object);
+}
+
+/** As {@link extensionsLeftOut}, of one object. */
+export const leftOutOf = ({ extensions }: JsonObject): readonly string[] =>
+  extensions === undefined
+    ? []
+    : Object.keys(optionalObject(extensions, 'extensions')).filter((name) => !SHOWN.test(name));
