@@ -66,8 +66,8 @@ export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<Readon
   const materials = new Map<string, Draft>();
   let material: Draft | null = null;
   const scanner = new TextScanner(bytes);
+  let { at } = scanner;
   for (let more = scanner.nextWord(); more; more = scanner.nextLine()) {
-    const { at } = scanner;
     const keyword = scanner.word().toLowerCase();
     if (keyword === 'newmtl') {
       if (materials.size >= MATERIAL_LIMIT) break;
@@ -77,6 +77,7 @@ export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<Readon
       readStatement(keyword, scanner, material);
     }
     if (slices.took(1 + (scanner.at - at) / 8)) await slices.pause();
+    ({ at } = scanner);
   }
   return new Map(Array.from(materials, ([name, draft]) => [name, finished(draft)]));
 }

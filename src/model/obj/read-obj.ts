@@ -47,7 +47,10 @@ export const readObj: ModelReader = async (source) => {
     if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
     materials.nameLeftOut(leftOut);
     const dropped = await leftOut.names(bytes, slices);
-    return { ...ownedModel(parts, () => void textures.close()), dropped };
+    const closeImages = (): void => {
+      textures.close();
+    };
+    return { ...ownedModel(parts, closeImages), dropped };
   } catch (error) {
     textures.close();
     throw error;
@@ -95,7 +98,7 @@ async function readLibraries(
     const found = await optional(
       library,
       () => linked(addressOf(library)),
-      (bytes) => readMtl(asUtf8(bytes), slices),
+      async (bytes) => readMtl(await asUtf8(bytes, slices), slices),
     );
     const folder = library.slice(0, library.lastIndexOf('/') + 1);
     return found === null ? null : Array.from(found, (entry) => placedIn(folder, entry));

@@ -7,6 +7,7 @@ import type { Slices } from '../slices.js';
 import {
   CornerLists,
   type Growing,
+  NONE,
   NOT_THERE,
   UNSTATED,
   wrongCoordinate,
@@ -91,7 +92,7 @@ const stripsReader: MakeReader = ({ properties }, file) => {
 };
 
 const skipping: MakeReader = ({ name, properties, count }, file) => {
-  if (count > 0) file.leftOut.feature(`its ${String(count)} rows of ${clip(name, 40)}`);
+  if (count > 0) file.leftOut.feature(`the element ${clip(name, 40)}`);
   return { columns: columnsOf(properties, file) };
 };
 
@@ -293,12 +294,12 @@ function faceReader({ properties }: PlyElement, file: PlyFile, { ofFaces }: AllC
     list: ({ name }) => (/^vertex_ind(ices|ex)$/.test(name) ? taker : null),
     number: (property) => row.takerOf(property),
   });
-  if (!row.has('red', 'green', 'blue')) return { columns, begin: () => void polygons.begin() };
+  const withColors = row.has('red', 'green', 'blue');
   const begin = (): void => {
-    polygons.begin(UNSTATED, ofFaces.list.length / 3);
+    polygons.begin(UNSTATED, withColors ? ofFaces.list.length / 3 : NONE);
   };
   const end = (): void => {
-    ofFaces.push(row);
+    if (withColors) ofFaces.push(row);
   };
   return { begin, columns, end };
 }

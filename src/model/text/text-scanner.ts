@@ -84,8 +84,8 @@ export class TextScanner {
 
   /** Whether no word follows on this line. Skips the blanks before it. */
   atLineEnd(): boolean {
+    if (this.#pending === 'nothing') this.#skipBlanks();
     if (this.#pending !== 'nothing') return true;
-    this.#skipBlanks();
     const byte = this.#bytes[this.at];
     return byte === undefined || isLineEnd(byte);
   }
@@ -168,6 +168,7 @@ export class TextScanner {
   problemOf(start: number, count: number): string | null {
     const { at } = this;
     this.at = start;
+    this.#pending = 'nothing';
     let problem: string | null = null;
     for (let i = 0; i < count && problem === null; i += 1) {
       const from = this.atLineEnd() ? NOTHING : this.at;

@@ -175,12 +175,17 @@ export class Growing<A extends NumberArray> {
   }
 
   push(value: number): void {
-    if (this.length === this.array.length) this.#grow();
+    if (this.isFull) this.grow();
     this.array[this.length] = value;
     this.length += 1;
   }
 
-  #grow(): void {
+  /** Whether the next item makes it grow, which takes 30 ms for 64 MB. */
+  get isFull(): boolean {
+    return this.length === this.array.length;
+  }
+
+  grow(): void {
     const larger = new this.#make(Math.max(this.array.length * 2, FIRST_LENGTH));
     larger.set(this.array);
     this.array = larger;

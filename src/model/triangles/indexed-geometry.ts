@@ -27,6 +27,10 @@ export async function indexedGeometry(
   for (const { start, end } of ranges) {
     for (let corner = start; corner < end; corner += 1) {
       if (slices.took(1 / 4)) await slices.pause();
+      for (const list of vertices.full) {
+        list.grow();
+        await slices.pauseIfDue();
+      }
       const position = lists.corners.array[corner] ?? 0;
       if (position === NOT_THERE) continue;
       index[next] = vertices.numberOf(
@@ -79,6 +83,8 @@ async function gathered(
   return new BufferAttribute(values, size);
 }
 
+const NO_LISTS: readonly Growing<Int32Array>[] = [];
+
 /** Distinct quadruples of numbers, in the order in which they first come. A hash table with open addressing. */
 class Vertices {
   readonly positions = new Growing(Int32Array);
@@ -94,6 +100,11 @@ class Vertices {
 
   get length(): number {
     return this.positions.length;
+  }
+
+  /** The lists that the next vertex makes grow, to be grown one by one. */
+  get full(): readonly Growing<Int32Array>[] {
+    return this.positions.isFull ? [this.positions, this.uvs, this.normals, this.colors] : NO_LISTS;
   }
 
   numberOf(position: number, uv: number, normal: number, color: number): number {
