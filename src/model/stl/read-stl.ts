@@ -138,7 +138,12 @@ async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Pro
   budget.add({ parts: 1, corners, values: corners * (colorOf === null ? 6 : 9) });
   const geometry = new BufferGeometry();
   const filled = places.array.length === 3 * corners;
-  const positions = filled ? places.array : places.array.slice(0, 3 * corners);
+  const positions = filled ? places.array : new Float32Array(3 * corners);
+  if (!filled) {
+    await slices.over(positions.length, (from, to) => {
+      positions.set(places.array.subarray(from, to), from);
+    });
+  }
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', await faceNormals(positions, slices));
   if (colorOf !== null) {
