@@ -15,7 +15,7 @@ export function isBinaryStl(bytes: Uint8Array): boolean {
 
 /** Comments before `solid`, which some programs write although the format has none. */
 const TEXT =
-  /^(ï»¿)?(\s*(#|;|!|\/\/)[^\r\n]*[\r\n])*\s*solid\b[^\r\n]*([\r\n]\s*facet|\s+facet\s+normal|\s+endsolid)\b/i;
+  /^(ï»¿)?(\s*(#|;|!|\/\/)[^\r\n]*[\r\n])*\s*solid\b[^\r\n]*([\r\n]\s*(facet|endsolid)|\s(facet\s+normal|endsolid))\b/i;
 
 /** Whether it begins as a text file does, with a byte order mark or without, with lines or in one. */
 export function isTextStl(bytes: Uint8Array): boolean {
