@@ -7,8 +7,8 @@ const TASK_MS = 8;
 /** Items between two looks at the clock. Even the costliest item, a skinned vertex, takes less than a microsecond. */
 const SLICE = 2 ** 13;
 
-/** Steps between two looks at the clock, minus 1, in loops that call {@link Slices.pause} themselves. */
-export const PAUSE_MASK = 0x7ff;
+/** Items between two looks at the clock in loops that call {@link Slices.took}. */
+const TOOK = 2 ** 11;
 
 /** As {@link PAUSE_MASK}, for {@link Slices.map}. */
 const MAP_MASK = 0xff;
@@ -18,6 +18,7 @@ export class Slices {
   readonly #signal: AbortSignal;
   readonly #taskMs: number;
   #since = performance.now();
+  #work = 0;
 
   /** `taskMs`: time that a task may take. Default: half a frame at 60 Hz. */
   constructor(signal: AbortSignal, taskMs = TASK_MS) {
@@ -54,6 +55,17 @@ export class Slices {
   /** Whether the task has taken long enough: call {@link pause}. */
   get due(): boolean {
     return performance.now() - this.#since > this.#taskMs;
+  }
+
+  /**
+   * Counts work done, in items of a microsecond at most. True where it is time to call {@link pause}: for loops that
+   * call it only then, as waiting costs more than an item.
+   */
+  took(items = 1): boolean {
+    this.#work += items;
+    if (this.#work < TOOK) return false;
+    this.#work = 0;
+    return this.due;
   }
 
   /** Call between pieces of work that know no number of items. */

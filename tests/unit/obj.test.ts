@@ -131,19 +131,88 @@ describe('the geometry of an OBJ file', () => {
   });
 
   it.each([
+    [
+      'a texture coordinate or a normal that is missing',
+      'vt 0 0\nf 1/1 2/2 3/3/9 4/-7',
+      /: 1 face's texture coordinates \(line 6: .*\), 1 face's normals \(/,
+    ],
+    ['a reference of 0', 'f 1/0/0 2/0 3//0 4', /: 1 face's texture coordinates .*1 face's normals/],
+    ['slashes with nothing behind them', 'f 1/ 2// 3/// 4', null],
+    [
+      'a fourth reference',
+      'f 1/1/1/1 2 3 4\nvt 0 0\nvn 0 0 1',
+      /: 1 end of a corner of a face \(line 5: "1\/1\/1\/1"/,
+    ],
+    [
+      'a word in the place of a texture coordinate',
+      'f 1 2/e 3 4',
+      /: 1 face's texture coordinates \(line 5: "2\/e"/,
+    ],
+    [
+      'a vertex that is no number and no face uses',
+      'v nan nan nan\nv 1e16 0 0\nf 1 2 3 4',
+      /: 2 vertices \(line 5: "nan"/,
+    ],
+    ['faces with such a vertex', 'v nan 0 0\nf 1 2 5 4\nf 5 1 2\nf 1 2 3 4', /: 1 vertex .*, 2 faces/],
+    [
+      'faces whose vertex is missing',
+      'f 1 2 3 9\nf 1 2 0\nf 1 -9 2\nf x y z\nf 1;2 2 3\nf 1 2 3 4',
+      /: 5 faces \(line 6: .*not there/,
+    ],
+    [
+      'lines, points and curves',
+      'f 1 2 3 4\nl 1 2\nl 2 3 4\np 1\ncurv 0 1 1 2',
+      /: 2 lines, 1 point, 1 curve/,
+    ],
+  ])('is shown without %s', async (_, text, warning) => {
+    // prettier-ignore
+    const model = await obj(QUAD + text);
+    expect(indexOf(model)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
+    expect(warnings).toHaveLength(warning === null ? 0 : 1);
+    if (warning !== null) expect(warnings[0]?.replace('a.obj is shown without', ':')).toMatch(warning);
+  });
+
+  it.each(['0 0 0', 'nan nan nan', 'inf 0 0', ''])(
+    'computes a normal where the file has `vn %s`',
+    async (vn) => {
+      const model = await obj(`${QUAD}vn ${vn}\nf 1//1 2//1 3//1 4//1`);
+      expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
+    },
+  );
+
+  it('turns faces whose corners run clockwise around their normals', async () => {
+    const model = await obj(`${QUAD}vt 0 0\nvn 0 0 1\nf 4//1 3//1 2//1 1/1/1\nf 1//1 2//1 3//1`);
+    const corners = cornersOf(model, 'position');
+    for (let i = 0; i < corners.length; i += 3) {
+      const [[ax = 0, ay = 0] = [], [bx = 0, by = 0] = [], [cx = 0, cy = 0] = []] = corners.slice(i, i + 3);
+      expect((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).toBe(1);
+    }
+  });
+
+  it('gives a face its own normal where the smoothed one is not on its side', async () => {
+    const twoSided = await obj(`${QUAD}s 1\nf 1 2 3 4\nf 4 3 2 1`);
+    const [front, back] = [[0, 0, 1], [0, 0, -1]]; // prettier-ignore
+    expect(cornersOf(twoSided, 'normal')).toEqual(Array.from({ length: 12 }, (_, i) => (i < 6 ? front : back))); // prettier-ignore
+    // A tilted one: the sums cancel but for rounding.
+    const tilted = await obj('v 0.1 0.2 0.3\nv 1.7 0.4 0.9\nv 0.3 1.1 1.3\ns 1\nf 1 2 3\nf 3 2 1\nf 2 1 3');
+    const [[x = 0, y = 0, z = 0] = [], , , ...others] = cornersOf(tilted, 'normal');
+    expect(Math.hypot(x, y, z)).toBeCloseTo(1, 5);
+    for (const [ox = 0, oy = 0, oz = 0] of others) expect(ox * x + oy * y + oz * z).toBeCloseTo(-1, 5);
+  });
+
+  it.each([
     ['v 0 0\nf 1 1 1', /line 1: a number is missing/],
     ['v 0 0 3.1+e2\nf 1 1 1', /line 1: "3\.1\+e2" is not a number/],
     [`v 0 ${'x'.repeat(500)} 0\nf 1 1 1`, /line 1: "x{100}\.\.\." is not a number/],
     ['v 0 0 ü\nf 1 1 1', /line 1: "ü" is not a number/],
     ['# x\r\n\r\nv 0 0 1e16', /line 3: .*1e15/],
     [`${QUAD}\nf 1 2 9`, /line 6: it refers to vertex 9, but there are only 4/],
-    [`${QUAD}f 1/1 2/1 3/1`, /line 5: it refers to texture coordinate 1, but there are only 0/],
-    [`${QUAD}f 1//2 2//1 3//1`, /line 5: it refers to normal 2/],
     [`${QUAD}f 1 2 0`, /line 5: .*not there/],
     [`${QUAD}f 1 2 -5`, /line 5: .*not there/],
     [`${QUAD}f 1 2 c`, /line 5: "c" is not a corner of a face/],
-    [`${QUAD}f 1 2/e 3`, /line 5: "2\/e" is not a corner of a face/],
     [`${QUAD}f 1;2 2 3`, /line 5: .*v\/vt\/vn/],
+    [`${QUAD}f 1 2 8\nf 1 2 9`, /line 6: it refers to vertex 9/],
     [QUAD, /no faces/],
     [`${QUAD}l 1 2 3`, /no faces/],
     [`${QUAD}f 1 2`, /no faces/],
@@ -237,6 +306,61 @@ describe('the materials of an OBJ file', () => {
     model.dispose();
     model.dispose();
     expect(images.closed()).toBe(1);
+  });
+
+  it('emit Ke, and its map', async () => {
+    standInImages();
+    expect(await withMtl('newmtl m\nKe 0.8 0.4 0')).toMatchObject({
+      emissive: [0.8, 0.4, 0],
+      emissiveMap: null,
+    });
+    expect(await withMtl('newmtl m\nKd 1 1 1\nKe 0 0 0\nmap_Ke x.png')).toMatchObject({ emissive: [0, 0, 0], emissiveMap: null }); // prettier-ignore
+    const files = { 'a.obj': `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\nf 1/1 2/1 3/1`, 'a.mtl': 'newmtl m\nmap_Ke x.png', 'x.png': png() }; // prettier-ignore
+    const [part] = (await loadFiles(files)).parts;
+    expect(part?.look).toMatchObject({ emissive: [1, 1, 1], map: null });
+    expect(part?.look.emissiveMap).not.toBeNull();
+  });
+
+  it('name what they leave out once, if a face uses them', async () => {
+    const text = `mtllib a.mtl\n${QUAD}usemtl m\nf 1 2 3\nusemtl n\nf 1 2 4\nusemtl none\nf 2 3 4`;
+    const mtl = 'newmtl m\nmap_Bump b.png\nTf 1 1 1\nillum 2\nNi 1\nmap_Kd k.png\nmap_Ka k.png\nnewmtl n\nmap_bump c.png\nTf 0.5 1 1\nnewmtl o\ndisp d.png'; // prettier-ignore
+    await loadFiles({ 'a.obj': text, 'a.mtl': mtl });
+    expect(warnings).toEqual(['a.obj is shown without 1 material that no library has (none), map_bump, Tf.']);
+  });
+
+  it.each([
+    ['mtllib "a b.mtl"', 'newmtl m', 'usemtl m'],
+    ['mtllib none.txt "a b.mtl"', 'newmtl m', 'usemtl m'],
+    ['mtllib a b.mtl # of the house', 'newmtl m', 'usemtl m'],
+    ['mtllib other.mtl a b.mtl', 'newmtl m', 'usemtl m'],
+    ['mtllib\ta b.mtl', 'newmtl m # red', 'usemtl m # the red one'],
+    ['mtllib a b.mtl', 'newmtl "m"', 'usemtl m'],
+    ['mtllib a b.mtl', 'newmtl m n', 'usemtl "m n"'],
+    ['mtllib a b.mtl', 'newmtl Material #25\nKd 0 1 0\nnewmtl Material #26', 'usemtl Material #26'],
+  ])('are found by their names: %s, %s, %s', async (library, newmtl, usemtl) => {
+    const files = { 'a.obj': `${library}\n${QUAD}${usemtl}\nf 1 2 3`, 'a b.mtl': `${newmtl}\nKd 1 0 0`, 'other.mtl': '' }; // prettier-ignore
+    expect((await loadFiles(files)).parts[0]?.surface).toMatchObject({ kd: [255, 0, 0] });
+  });
+
+  it.each([
+    ['"a b.png"', 1, false],
+    ['-s 2 2 1 a b.png', 2, false],
+    ['a b.png -s 2 2 1 -clamp on', 2, true],
+    ['"a b.png" -S 2 2 1 -clamp on', 2, true],
+    ['-clamp on -s 2 2 "a b.png"', 2, true],
+    ['a b.png # the wood', 1, false],
+    ['.\\a b.png -bm 1', 1, false],
+  ])('have an image by its name: %s', async (written, repeat, clamped) => {
+    standInImages();
+    const text = `mtllib a.mtl\n${QUAD}vt 0 0\nusemtl m\nf 1/1 2/1 3/1`;
+    const model = await loadFiles({
+      'a.obj': text,
+      'a.mtl': `newmtl m\nmap_Kd ${written}`,
+      'a b.png': png(),
+    });
+    const map = model.parts[0]?.look.map as Texture;
+    expect(map.repeat.toArray()).toEqual([repeat, repeat]);
+    expect(map.wrapS).toBe(clamped ? ClampToEdgeWrapping : RepeatWrapping);
   });
 
   it('are left out with one warning that lists the files that are missing', async () => {

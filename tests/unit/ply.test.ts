@@ -1,6 +1,6 @@
 // Is a PLY file read as written, as text and in both byte orders: vertices, normals, colours, polygons and strips?
 import { describe, expect, it } from 'vitest';
-import { cornersOf, failureOf, indexOf, loadFiles, numbersOf } from './model-files.js';
+import { cornersOf, failureOf, heardWarnings, indexOf, loadFiles, numbersOf } from './model-files.js';
 
 const header = (...lines: readonly string[]): string => ['ply', 'format ascii 1.0', ...lines, 'end_header\n'].join('\n'); // prettier-ignore
 const xyz = ['property float x', 'property float y', 'property float z'];
@@ -56,6 +56,8 @@ function binary(little: boolean, lineEnd: string): Uint8Array<ArrayBuffer> {
   return bytes;
 }
 
+const warnings = heardWarnings();
+
 describe('a PLY file', () => {
   it.each([
     [true, '\n'],
@@ -104,6 +106,116 @@ describe('a PLY file', () => {
   it('may have strips of triangles, every second one reversed', async () => {
     const text = header('element vertex 4', ...xyz, 'element tristrips 1', 'property list int int vertex_indices') + `${SQUARE}8 0 1 3 2 -1 0 1 2`; // prettier-ignore
     expect(indexOf(await loadFiles({ 'a.ply': text }))).toEqual([0, 1, 2, 2, 1, 3, 0, 1, 3]);
+  });
+
+  const rgb = (type: string): string[] =>
+    ['red', 'green', 'blue', 'alpha'].map((name) => `property ${type} ${name}`);
+  const RED = [1, 0, 0];
+  const BLUE = [0, 0, 1];
+
+  it.each([
+    ['bytes before the corners', rgb('uchar').slice(0, 3), [], '255 0 0 3 0 1 2\n0 0 255 3 0 2 3\n'],
+    ['floats behind them, with an alpha', [], rgb('float'), '3 0 1 2 1 0 0 1\n3 0 2 3 0 0 1 1\n'],
+  ])('has the colours of its faces: %s', async (_, before, behind, rows) => {
+    const list = 'property list uchar int vertex_indices';
+    const text =
+      header('element vertex 4', ...xyz, 'element face 2', ...before, list, ...behind) + SQUARE + rows;
+    const model = await loadFiles({ 'a.ply': text });
+    expect(cornersOf(model, 'color')).toEqual([RED, RED, RED, BLUE, BLUE, BLUE]);
+    expect(warnings).toEqual([]);
+  });
+
+  it.each([
+    [
+      'its faces where its vertices have all the same',
+      '9 9 9',
+      [RED, RED, RED, BLUE, BLUE, BLUE],
+      /without the colours of its vertices/,
+    ],
+    [
+      'its vertices where they differ',
+      '0 0 255',
+      [
+        [0, 0, 1],
+        [0, 0, 1],
+        [0.035294, 0.035294, 0.035294],
+      ],
+      /without the colours of its faces/,
+    ],
+  ])('has the colours of %s', async (_, first, colors, warning) => {
+    // prettier-ignore
+    const vertices = `0 0 0 ${first}\n1 0 0 ${first}\n1 1 0 9 9 9\n0 1 0 9 9 9\n`;
+    const text = header('element vertex 4', ...xyz, ...rgb('uchar').slice(0, 3), ...faces(2), ...rgb('uchar').slice(0, 3)) + `${vertices}3 0 1 2 255 0 0\n3 0 2 3 0 0 255\n`; // prettier-ignore
+    expect(cornersOf(await loadFiles({ 'a.ply': text }), 'color').slice(0, colors.length)).toEqual(colors);
+    expect(warnings).toHaveLength(1);
+    expect(warnings[0]).toMatch(warning);
+  });
+
+  const normals = ['property float nx', 'property float ny', 'property float nz'];
+  it.each(['0 0 0', 'nan nan nan', '0 0 1'])(
+    'has normals on the side of its faces where the file has %s',
+    async (n) => {
+      const vertices = SQUARE.replaceAll('\n', ` ${n}\n`);
+      const turned = n === '0 0 1';
+      const text = header('element vertex 4', ...xyz, ...normals, ...faces(1)) + `${vertices}4 ${turned ? '3 2 1 0' : '0 1 2 3'}\n`; // prettier-ignore
+      const model = await loadFiles({ 'a.ply': text });
+      expect(numbersOf(model, 'normal')).toEqual([0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1]);
+      const [[ax = 0, ay = 0] = [], [bx = 0, by = 0] = [], [cx = 0, cy = 0] = []] = cornersOf(
+        model,
+        'position',
+      );
+      expect((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)).toBe(1);
+    },
+  );
+
+  const five = header('element vertex 5', ...xyz, ...faces(2));
+  it.each([
+    [
+      'a vertex that is no number and no face uses',
+      `${five}nan 0 0\n${SQUARE}3 1 2 3\n3 1 3 4`,
+      /1 vertex \("nan" is not a number\)/,
+    ],
+    [
+      'a face that uses it',
+      `${five}${SQUARE}1 1e99 1\n4 0 1 2 3\n3 0 1 4`,
+      /1 vertex \(.*1e\+99.*\), 1 face/,
+    ],
+    [
+      'faces whose vertex is missing',
+      `${header('element vertex 4', ...xyz, ...faces(3))}${SQUARE}4 0 1 2 3\n4 0 1 2 -1\n3 0 1 4`,
+      /2 faces \(a face refers to the vertex -1\)/,
+    ],
+    [
+      'values that its header does not name',
+      `${header('element vertex 4', ...xyz, ...faces(1))}${SQUARE}4 0 1 2 3 6 0.5 1 1\n`,
+      /1 line with more values/,
+    ],
+    [
+      'a texture',
+      header('comment TextureFile a.png', 'element vertex 4', ...xyz, ...faces(1)) + `${SQUARE}4 0 1 2 3`,
+      /TextureFile/,
+    ],
+    [
+      'a comment, without a word',
+      `${header('element vertex 4', ...xyz, ...faces(1))}comment a\n${SQUARE}# b\n4 0 1 2 3`,
+      null,
+    ],
+  ])('is shown without %s', async (_, text, warning) => {
+    // prettier-ignore
+    const model = await loadFiles({ 'a.ply': text });
+    expect(indexOf(model)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(warnings).toHaveLength(warning === null ? 0 : 1);
+    if (warning !== null) expect(warnings[0]).toMatch(warning);
+  });
+
+  it.each([
+    ['rows in several lines', '0 0\n0 1 0 0 1 1\n0 0 1 0\n4\n0 1\n2 3'],
+    ['all rows in one line', '0 0 0 1 0 0 1 1 0 0 1 0 4 0 1 2 3'],
+    ['two rows in a line', '0 0 0 1 0 0\n1 1 0 0 1 0\n4 0 1 2 3'],
+  ])('may have %s', async (_, rows) => {
+    const model = await loadFiles({ 'a.ply': header('element vertex 4', ...xyz, ...faces(1)) + rows });
+    expect(indexOf(model)).toEqual([0, 1, 2, 0, 2, 3]);
+    expect(warnings).toEqual([]);
   });
 
   it.each([

@@ -1,6 +1,8 @@
 // Is an STL file read as written, binary and text: triangles, face normals, names, and colours by both conventions?
 import { describe, expect, it } from 'vitest';
-import { failureOf, loadFiles, numbersOf } from './model-files.js';
+import { failureOf, heardWarnings, loadFiles, numbersOf } from './model-files.js';
+
+const warnings = heardWarnings();
 
 const TRIANGLE = [0, 0, 0, 1, 0, 0, 0, 1, 0];
 
@@ -77,6 +79,20 @@ describe('a binary STL file', () => {
     expect(model.parts[0]?.look).toMatchObject({ opacity: 0.2, alphaMode: 'blend' });
   });
 
+  it('is shown without a triangle that is no number, the others with their own colours', async () => {
+    const [red, blue] = [0x8000 | (31 << 10), 0x8000 | 31];
+    const bad = [NaN, 0, 0, 0, 0, 0, 0, 0, 0];
+    const model = await loadFiles({ 'a.stl': binary([{ bits: red }, { corners: bad }, { bits: blue }]) });
+    expect(numbersOf(model, 'position')).toEqual([...TRIANGLE, ...TRIANGLE]);
+    expect(numbersOf(model, 'color').slice(6, 12)).toEqual([1, 0, 0, 0, 0, 1]);
+    expect(warnings).toHaveLength(1);
+    expect(warnings[0]).toMatch(/without 1 triangle \(a vertex has the coordinate NaN/);
+  });
+
+  it('has all triangles that follow a count of 0', async () => {
+    expect(numbersOf(await loadFiles({ 'a.stl': binary([{}, {}], '', 0) }), 'position')).toHaveLength(18);
+  });
+
   it.each([
     [binary([{}], '', 2), 'bad-model', /truncated: 134 of 184 bytes for 2 triangles/],
     [binary([{}], '', 0xffffffff), 'bad-model', /truncated/],
@@ -110,6 +126,33 @@ describe('a text STL file', () => {
       expect(model.parts.map(({ name }) => name)).toEqual(['a facet plate', 'b']);
       expect(numbersOf(model, 'position', 1)).toEqual(TRIANGLE);
     }
+  });
+
+  it.each([
+    ['comments', `# made by hand\n; 2\n// 3\nsolid a\n${facet}endsolid a\n`, 'a'],
+    [
+      'a name made of words of the format',
+      `solid vertex 1 2 3 facet normal\n${facet}endsolid vertex 1 2 3 facet normal\n`,
+      'vertex 1 2 3 facet normal',
+    ],
+    [
+      'such a name, in upper case',
+      `SOLID FACET ENDLOOP\n${facet.toUpperCase()}ENDSOLID FACET ENDLOOP\n`,
+      'FACET ENDLOOP',
+    ],
+  ])('can begin with %s', async (_, text, name) => {
+    // prettier-ignore
+    const model = await loadFiles({ 'a.stl': text });
+    expect(model.parts.map((part) => part.name)).toEqual([name]);
+    expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
+    expect(warnings).toEqual([]);
+  });
+
+  it('is shown without facets that have not three sound vertices', async () => {
+    const bad = [['1 0 0', 'nan 0 0'], ['vertex 0 1 0\n', ''], ['endloop', 'vertex 1 1 1']].map(([from = '', to = '']) => facet.replace(from, to)); // prettier-ignore
+    const model = await loadFiles({ 'a.stl': `solid\n${bad.join('')}${facet}endsolid` });
+    expect(numbersOf(model, 'position')).toEqual(TRIANGLE);
+    expect(warnings).toEqual(['a.stl is shown without 3 triangles (line 5: "nan" is not a number).']);
   });
 
   it.each([

@@ -1,8 +1,11 @@
 // Reads the materials of an MTL file. Ka, Kd, Ks, Ns and d are the coefficients of the equation and are kept as they
-// are written (encoded sRGB, no conversion), except an Ns of 0. Other statements are skipped.
+// are written (encoded sRGB, no conversion), except an Ns of 0; Ke is what the surface emits. Other statements are
+// skipped, and named if they would change the picture.
 import type { Vec3 } from '../../math/vector.js';
 import { LIMITS } from '../../light/light-state.js';
+import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
+import { imageName } from './material-names.js';
 
 export interface MtlMaterial {
   /** Ambient; the diffuse colour if the file does not give it. Undefined if it gives neither. */
@@ -12,10 +15,17 @@ export interface MtlMaterial {
   readonly shininess?: number;
   /** 0 to 1. */
   readonly opacity: number;
+  /** Multiplies Ka and Kd. */
   readonly map: MtlMap | null;
+  /** E, the emission. White if the file gives only its map, black if it gives neither. */
+  readonly ke: Vec3;
+  /** Multiplies E. */
+  readonly keMap: MtlMap | null;
+  /** Statements that are left out, as the format's documents write them. */
+  readonly leftOut: ReadonlySet<string>;
 }
 
-/** A texture that multiplies Ka and Kd. */
+/** A texture. */
 export interface MtlMap {
   /** As it is written, with slashes instead of backslashes. */
   readonly file: string;
@@ -29,22 +39,45 @@ export interface MtlMap {
 /** Materials beyond this are skipped: a model cannot have that many draws. */
 const MATERIAL_LIMIT = 10_000;
 
-type Draft = { -readonly [K in keyof MtlMaterial]: MtlMaterial[K] } & { dissolved: boolean };
+export const NO_MATERIAL: MtlMaterial = {
+  opacity: 1,
+  map: null,
+  ke: [0, 0, 0],
+  keMap: null,
+  leftOut: new Set(),
+};
 
-/** Materials by name. Never throws: a statement that cannot be read is as good as missing. */
-export function readMtl(bytes: Uint8Array): ReadonlyMap<string, MtlMaterial> {
+/** What a material's statements say. */
+interface Draft {
+  readonly colors: Partial<Record<ColorKey, Vec3>>;
+  readonly maps: Partial<Record<'map_ka' | 'map_kd' | 'map_ke', MtlMap | null>>;
+  readonly leftOut: Set<string>;
+  shininess?: number;
+  opacity: number;
+  dissolved: boolean;
+}
+
+const COLOR_KEYS = ['ka', 'kd', 'ks', 'ke'] as const;
+type ColorKey = (typeof COLOR_KEYS)[number];
+const isColor = (keyword: string): keyword is ColorKey => COLOR_KEYS.some((key) => key === keyword);
+
+/** Materials by name. A statement that cannot be read is as good as missing. */
+export async function readMtl(bytes: Uint8Array, slices: Slices): Promise<ReadonlyMap<string, MtlMaterial>> {
   const materials = new Map<string, Draft>();
   let material: Draft | null = null;
   const scanner = new TextScanner(bytes);
+  let { at } = scanner;
   for (let more = scanner.nextWord(); more; more = scanner.nextLine()) {
     const keyword = scanner.word().toLowerCase();
     if (keyword === 'newmtl') {
       if (materials.size >= MATERIAL_LIMIT) break;
-      material = { opacity: 1, map: null, dissolved: false };
+      material = { colors: {}, maps: {}, leftOut: new Set(), opacity: 1, dissolved: false };
       materials.set(scanner.rest(NAME_LENGTH), material);
     } else if (material !== null) {
       readStatement(keyword, scanner, material);
     }
+    if (slices.took(1 + (scanner.at - at) / 8)) await slices.pause();
+    ({ at } = scanner);
   }
   return new Map(Array.from(materials, ([name, draft]) => [name, finished(draft)]));
 }
@@ -53,9 +86,9 @@ export function readMtl(bytes: Uint8Array): ReadonlyMap<string, MtlMaterial> {
 const NAME_LENGTH = 256;
 
 function readStatement(keyword: string, scanner: TextScanner, material: Draft): void {
-  if (keyword === 'ka' || keyword === 'kd' || keyword === 'ks') {
+  if (isColor(keyword)) {
     const color = readColor(scanner);
-    if (color !== null) material[keyword] = color;
+    if (color !== null) material.colors[keyword] = color;
   } else if (keyword === 'ns') {
     const exponent = scanner.number();
     if (exponent >= 0) material.shininess = Math.min(exponent, LIMITS.exponent);
@@ -72,10 +105,40 @@ function readStatement(keyword: string, scanner: TextScanner, material: Draft): 
     if (Number.isNaN(transparency) || material.dissolved) return;
     // 1 would be invisible. Programs that write it mean opaque.
     material.opacity = transparency < 1 ? 1 - clamped(transparency) : 1;
-  } else if (keyword === 'map_kd') {
-    material.map = readMap(scanner.rest());
+  } else if (keyword === 'map_kd' || keyword === 'map_ke' || keyword === 'map_ka') {
+    material.maps[keyword] = readMap(scanner.rest());
+  } else {
+    const name = LEFT_OUT.get(keyword);
+    if (name !== undefined && !NEUTRAL.get(name)?.test(scanner.rest())) material.leftOut.add(name);
   }
 }
+
+/** Statements that change the picture in other programs, by their lower-case keywords. */
+const LEFT_OUT: ReadonlyMap<string, string> = new Map(
+  [
+    ...[
+      'map_Ks',
+      'map_Ns',
+      'map_d',
+      'map_Tr',
+      'map_bump',
+      'bump',
+      'norm',
+      'disp',
+      'decal',
+      'refl',
+      'map_refl',
+    ],
+    ...['Tf', 'Pr', 'Pm', 'Ps', 'Pc', 'Pcr', 'aniso', 'map_Pr', 'map_Pm', 'map_Ps'],
+  ].map((name) => [name.toLowerCase(), name]),
+);
+
+/** Values that change nothing, as exporters write them. */
+const ZERO = /^[0.]*$/;
+const NEUTRAL: ReadonlyMap<string, RegExp> = new Map([
+  ...['Pm', 'Ps', 'Pc', 'Pcr', 'aniso'].map((name) => [name, ZERO] as const),
+  ['Tf', /^(1(\.0*)?\s*)*$/],
+]);
 
 /** Three numbers, or one for grey. Null for the spectral and CIE XYZ forms, which exporters do not write. */
 function readColor(scanner: TextScanner): Vec3 | null {
@@ -109,47 +172,74 @@ const OPTIONS: Readonly<Record<string, number>> = {
 /** Options with fewer numbers than they can take: the others are defaults. */
 const VECTORS = new Set(['-o', '-s', '-t']);
 
+/** An option and what may be its values. */
+const OPTION = /^\s*(-[a-z]+)(?=\s)/i;
+/** An option behind the name. A name may contain what looks like one, but not with a number or a switch behind it. */
+const TRAILING =
+  /\s-(?:blend[uv]|bm|boost|cc|clamp|imfchan|mm|[ost]|texres|type)\s+(?:[-+.\d]|on\b|off\b|[rgbmlz]\b)/i;
+
 function readMap(text: string): MtlMap | null {
+  const options: Options = { scale: [1, 1], offset: [0, 0], clamped: false };
+  let rest = takeOptions(text, options);
+  const [, quoted, behind] = /^\s*("[^"]+")(.*)$/.exec(rest) ?? [];
+  const end = quoted === undefined ? (TRAILING.exec(rest)?.index ?? rest.length) : 0;
+  takeOptions(behind ?? rest.slice(end), options);
+  rest = quoted ?? rest.slice(0, end);
+  const file = imageName(rest);
+  return file === '' ? null : { file, ...options };
+}
+
+type Options = { -readonly [K in Exclude<keyof MtlMap, 'file'>]: MtlMap[K] };
+
+/** Reads the options at the start of a text. Returns what follows them. */
+function takeOptions(text: string, options: Options): string {
   let rest = text;
-  let scale: readonly [number, number] = [1, 1];
-  let offset: readonly [number, number] = [0, 0];
-  let clampedMap = false;
   for (;;) {
-    const [, option = '', after = ''] = /^(-[a-z]+)\s+(.*)$/i.exec(rest) ?? [];
-    const most = Object.hasOwn(OPTIONS, option.toLowerCase()) ? (OPTIONS[option.toLowerCase()] ?? 0) : 0;
-    if (most === 0) break;
-    const vector = VECTORS.has(option);
+    const option = OPTION.exec(rest)?.[1]?.toLowerCase() ?? '';
+    const most = Object.hasOwn(OPTIONS, option) ? (OPTIONS[option] ?? 0) : 0;
+    if (most === 0) return rest;
     const values: string[] = [];
-    rest = after;
+    rest = rest.trimStart().slice(option.length);
     while (values.length < most) {
-      const [, value = '', next = ''] = /^(\S+)\s+(.*)$/.exec(rest) ?? [];
+      const value = /^\s*(\S+)/.exec(rest)?.[1];
       // The name of a file may follow after one or two numbers.
-      if (value === '' || (vector && values.length > 0 && Number.isNaN(Number(value)))) break;
+      if (value === undefined || (VECTORS.has(option) && values.length > 0 && Number.isNaN(Number(value))))
+        break;
       values.push(value);
-      rest = next;
+      rest = rest.trimStart().slice(value.length);
     }
     const [u = NaN, v = NaN] = values.map(Number);
-    if (option === '-s') scale = [finite(u, 1), finite(v, 1)];
-    if (option === '-o') offset = [finite(u, 0), finite(v, 0)];
-    if (option === '-clamp') clampedMap = values[0]?.toLowerCase() === 'on';
+    if (option === '-s') options.scale = [finite(u, 1), finite(v, 1)];
+    if (option === '-o') options.offset = [finite(u, 0), finite(v, 0)];
+    if (option === '-clamp') options.clamped = values[0]?.toLowerCase() === 'on';
   }
-  const file = rest.trim().replace(/\\/g, '/');
-  return file === '' ? null : { file, scale, offset, clamped: clampedMap };
 }
 
 const finite = (value: number, fallback: number): number => (Number.isFinite(value) ? value : fallback);
 
-/**
- * `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for plain surfaces. As an
- * exponent it would add all of Ks to every lit point.
- */
-const PLAIN = { ks: [0, 0, 0] } as const;
-
-function finished({ dissolved: _, ...draft }: Draft): MtlMaterial {
-  const material = draft.shininess === 0 ? { ...draft, ...PLAIN } : draft;
-  const { kd, map } = material;
+function finished({ colors, maps, shininess, opacity, leftOut }: Draft): MtlMaterial {
+  const map = maps.map_kd ?? null;
+  const keMap = maps.map_ke ?? null;
   // A texture without a colour is shown as it is.
-  const diffuse = kd ?? (map === null ? undefined : ([1, 1, 1] as const));
-  if (diffuse === undefined) return material;
-  return { ...material, kd: diffuse, ka: material.ka ?? diffuse };
+  const kd = colors.kd ?? (map === null ? undefined : WHITE);
+  const ka = colors.ka ?? kd;
+  // `Ns 0` stands for no highlight: MeshLab, Blender and 3ds Max write it beside a bright Ks for plain surfaces. As an
+  // exponent it would add all of Ks to every lit point.
+  const ks = shininess === 0 ? BLACK : colors.ks;
+  // The map of Kd is that of Ka too.
+  if (maps.map_ka && maps.map_ka.file !== map?.file) leftOut.add('map_Ka');
+  return {
+    ...(ka && { ka }),
+    ...(kd && { kd }),
+    ...(ks && { ks }),
+    ...(shininess !== undefined && { shininess }),
+    opacity,
+    map,
+    ke: colors.ke ?? (keMap === null ? BLACK : WHITE),
+    keMap,
+    leftOut,
+  };
 }
+
+const WHITE: Vec3 = [1, 1, 1];
+const BLACK: Vec3 = [0, 0, 0];

@@ -1,11 +1,21 @@
 // Reads the text of an OBJ file: vertices, polygons as triangles, and which object and material each belongs to. Lines,
-// points, curves and surfaces are skipped.
+// points, curves and surfaces are skipped, and so is a face that refers to what is not there.
+import type { LeftOut, LeftOutKind } from '../left-out.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
 import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { CornerLists, FACETED, NONE, setItem, UNSTATED } from '../triangles/corner-lists.js';
-import { requirePolygon, Triangulator } from '../triangles/triangulate.js';
+import { unquoted } from './material-names.js';
+import {
+  CornerLists,
+  FACETED,
+  NONE,
+  NOT_THERE,
+  UNSTATED,
+  wrongCoordinate,
+} from '../triangles/corner-lists.js';
+import { keepSoundFaces } from '../triangles/sound-faces.js';
+import { Polygons } from '../triangles/triangulate.js';
 
 /** Consecutive triangles of one object with one material. */
 export interface ObjRun {
@@ -30,70 +40,80 @@ export interface ObjText {
 const RUN_LIMIT = 2 ** 17;
 /** Material libraries that are read. Files have one, seldom two. */
 const LIBRARY_LIMIT = 16;
-/** Lines between two looks at the clock, minus 1. */
-const LINE_MASK = 0x3f;
+/** Most corners of a face that are read at once. */
+const CORNERS_AT_ONCE = 1024;
 
 const SLASH = 47;
 const HASH = 35;
 
-/** @throws Error that names the line, for broken text; ModelError `too-large`. */
-export async function readObjText(bytes: Uint8Array, slices: Slices): Promise<ObjText> {
-  const reader = new ObjReader(bytes);
-  try {
-    for (let line = 0; reader.readLine(); line += 1) {
-      if ((line & LINE_MASK) === 0 && slices.due) await slices.pause();
-    }
-    return reader.finish();
-  } catch (cause) {
-    if (!(cause instanceof Error) || cause instanceof ModelError || cause.name === 'AbortError') throw cause;
-    throw new Error(`line ${String(reader.line)}: ${cause.message}`, { cause });
+/** @throws Error that names the line, if no face is left; ModelError `too-large`. */
+export async function readObjText(bytes: Uint8Array, leftOut: LeftOut, slices: Slices): Promise<ObjText> {
+  const reader = new ObjReader(bytes, leftOut);
+  while (reader.readPiece()) {
+    if (slices.took(reader.work)) await slices.pause();
   }
+  const text = reader.finish();
+  await keepSoundFaces(text.lists, leftOut, slices);
+  return text;
 }
 
 class ObjReader {
   readonly #scanner: TextScanner;
+  readonly #leftOut: LeftOut;
   readonly #lists = new CornerLists();
-  readonly #triangulator = new Triangulator(this.#lists.places);
+  readonly #polygons = new Polygons(this.#lists);
   readonly #runs: ObjRun[] = [];
   readonly #libraries: string[] = [];
   readonly #materials = new Set<string>();
   #begun = false;
   #lineStart = 0;
+  /** Whether the line is a face with more corners to come. */
+  #inFace = false;
+  /** What the last piece took, as {@link Slices.took} counts it. */
+  #work = 0;
   #object = '';
   #group = '';
   #material = '';
   #smoothing = UNSTATED;
   /** First corner of the run. */
   #runStart = 0;
-  /** The current polygon: position, texture coordinates and normal of each corner. */
-  readonly #polygon: { readonly v: number[]; readonly t: number[]; readonly n: number[] } = {
-    v: [],
-    t: [],
-    n: [],
-  };
   /** The largest numbers used, and where. Lists may follow the polygons that use them. */
   readonly #highest = {
-    v: { index: -1, at: 0 },
-    t: { index: -1, at: 0 },
-    n: { index: -1, at: 0 },
+    face: { index: -1, at: 0 },
+    uv: { index: -1, at: 0 },
+    normal: { index: -1, at: 0 },
   };
 
-  constructor(bytes: Uint8Array) {
+  constructor(bytes: Uint8Array, leftOut: LeftOut) {
     this.#scanner = new TextScanner(bytes);
+    this.#leftOut = leftOut;
   }
 
-  /** For messages. */
-  get line(): number {
-    return this.#scanner.lineAt(this.#lineStart);
+  get work(): number {
+    return this.#work;
   }
 
-  /** False at the end. */
-  readLine(): boolean {
-    const scanner = this.#scanner;
-    if (!(this.#begun ? scanner.nextLine() : scanner.nextWord())) return false;
+  /** Reads a line, or a part of a long one. False at the end. */
+  readPiece(): boolean {
+    const { at } = this.#scanner;
+    const { steps } = this.#polygons;
+    const more = this.#inFace || this.#nextLine();
+    if (this.#inFace) this.#corners();
+    else if (more) this.#statement();
+    this.#work = (this.#scanner.at - at) / 8 + (this.#polygons.steps - steps) / 16;
+    return more;
+  }
+
+  #nextLine(): boolean {
+    const more = this.#begun ? this.#scanner.nextLine() : this.#scanner.nextWord();
     this.#begun = true;
-    this.#lineStart = scanner.at;
-    if (scanner.peek() === HASH) return true;
+    this.#lineStart = this.#scanner.at;
+    return more;
+  }
+
+  #statement(): void {
+    const scanner = this.#scanner;
+    if (scanner.peek() === HASH) return;
     switch (scanner.word()) {
       case 'v':
         this.#vertex();
@@ -106,7 +126,9 @@ class ObjReader {
         break;
       case 'f':
       case 'fo': // an older spelling
-        this.#face();
+        this.#polygons.begin(this.#smoothing);
+        this.#inFace = true;
+        this.#corners();
         break;
       case 'o':
         this.#endRun();
@@ -126,21 +148,29 @@ class ObjReader {
       case 'mtllib':
         this.#libraryNames(scanner.rest());
         break;
+      case 'l':
+        this.#leftOut.add('line');
+        break;
+      case 'p':
+        this.#leftOut.add('point');
+        break;
+      case 'curv':
+      case 'curv2':
+      case 'surf':
+        this.#leftOut.add('curve');
+        break;
     }
-    return true;
   }
 
   finish(): ObjText {
     this.#endRun();
     const lists = this.#lists;
-    const counts = { v: lists.places.count, t: lists.uvs.length / 2, n: lists.normals.length / 3 };
+    const counts = { face: lists.places.count, uv: lists.uvs.length / 2, normal: lists.normals.length / 3 };
     for (const [kind, what] of KINDS) {
       const { index, at } = this.#highest[kind];
       if (index < counts[kind]) continue;
-      this.#lineStart = at;
-      throw new Error(
-        `it refers to ${what} ${String(index + 1)}, but there are only ${String(counts[kind])}`,
-      );
+      const reason = `it refers to ${what} ${String(index + 1)}, but there are only ${String(counts[kind])}`;
+      this.#leftOut.because(kind, reason, at);
     }
     return { lists, runs: this.#runs, libraries: this.#libraries };
   }
@@ -148,7 +178,9 @@ class ObjReader {
   #vertex(): void {
     const scanner = this.#scanner;
     const { places, colors } = this.#lists;
-    places.push(scanner.requiredNumber(), scanner.requiredNumber(), scanner.requiredNumber());
+    const start = scanner.at;
+    const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
+    if (!places.push(x, y, z)) this.#leaveOut(start, x, y, z);
     if (scanner.atLineEnd()) {
       if (colors.length > 0) pushColor(colors, 1, 1, 1);
       return;
@@ -175,51 +207,64 @@ class ObjReader {
     uvs.push(Number.isFinite(v) ? 1 - v : 1);
   }
 
-  #face(): void {
-    const scanner = this.#scanner;
-    const { v, t, n } = this.#polygon;
-    v.length = t.length = n.length = 0;
-    const lists = this.#lists;
-    while (!scanner.atLineEnd() && scanner.peek() !== HASH) {
-      requirePolygon(v.length);
-      v.push(this.#index('v', lists.places.count));
-      const slash = scanner.take(SLASH);
-      t.push(slash && !this.#endsHere ? this.#index('t', lists.uvs.length / 2) : NONE);
-      n.push(slash && scanner.take(SLASH) ? this.#index('n', lists.normals.length / 3) : NONE);
-      if (!scanner.atBreak) throw new Error('a corner of a face is not written as v, v/vt, v//vn or v/vt/vn');
-    }
-    if (v.length < 3) return; // a point or a line
-    if (lists.corners.length + 3 * (v.length - 2) > CORNER_LIMIT) {
-      const most = CORNER_LIMIT.toLocaleString('en');
-      throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
-    }
-    this.#triangulator.cut(v, this.#emit);
+  #leaveOut(start: number, x: number, y: number, z: number): void {
+    this.#leftOut.add('vertex');
+    if (this.#leftOut.hasReason('vertex')) return;
+    const problem = this.#scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z);
+    this.#leftOut.because('vertex', problem, this.#lineStart);
   }
 
-  readonly #emit = (a: number, b: number, c: number): void => {
-    const { v, t, n } = this.#polygon;
-    const lists = this.#lists;
-    if (this.#smoothing !== UNSTATED) setItem(lists.groups, lists.triangles, this.#smoothing);
-    for (const i of [a, b, c]) {
-      const corner = lists.corners.length;
-      lists.corners.push(v[i] ?? 0);
-      setItem(lists.cornerUvs, corner, t[i] ?? NONE);
-      setItem(lists.cornerNormals, corner, n[i] ?? NONE);
+  /** The next corners of a face, and its triangles after the last. */
+  #corners(): void {
+    const scanner = this.#scanner;
+    for (let i = 0; !scanner.atLineEnd() && scanner.peek() !== HASH; i += 1) {
+      if (i === CORNERS_AT_ONCE) return;
+      this.#corner();
     }
-  };
+    this.#inFace = false;
+    this.#polygons.end();
+  }
 
-  /** In `v//vn` the second slash follows at once. */
-  get #endsHere(): boolean {
-    return this.#scanner.nextIs(SLASH) || this.#scanner.atBreak;
+  #corner(): void {
+    const scanner = this.#scanner;
+    const { places, uvs, normals } = this.#lists;
+    const v = this.#index('face', places.count);
+    const t = this.#isNext() ? this.#index('uv', uvs.length / 2) : NONE;
+    const n = this.#isNext() ? this.#index('normal', normals.length / 3) : NONE;
+    this.#polygons.add(scanner.atBreak || !this.#endCorner() ? v : NOT_THERE, t, n);
+  }
+
+  /** Steps over a slash. Whether a number follows: in `v//vn` the second slash follows at once. */
+  #isNext(): boolean {
+    const scanner = this.#scanner;
+    return scanner.take(SLASH) && !scanner.nextIs(SLASH) && !scanner.atBreak;
+  }
+
+  /** Passes over what is left of a corner. Returns whether its vertex is in doubt. */
+  #endCorner(): boolean {
+    const scanner = this.#scanner;
+    const hasSlash = scanner.take(SLASH);
+    while (scanner.take(SLASH)); // with nothing behind it, it does no harm
+    if (hasSlash && scanner.atBreak) return false;
+    const word = scanner.quotedWord();
+    const why = `${word} is not written as v, v/vt, v//vn or v/vt/vn`;
+    this.#leftOut.because(hasSlash ? 'corner' : 'face', why, this.#lineStart);
+    if (hasSlash) this.#leftOut.add('corner');
+    return !hasSlash;
   }
 
   /** A reference, counted from 0. Negative ones in the file count back from the last item. */
-  #index(kind: 'v' | 't' | 'n', count: number): number {
+  #index(kind: ReferenceKind, count: number): number {
     const written = this.#scanner.integerHere();
-    if (Number.isNaN(written)) throw new Error(`${this.#scanner.quotedWord()} is not a corner of a face`);
     const index = written > 0 ? written - 1 : count + written;
     if (!(written !== 0 && index >= 0 && index < CORNER_LIMIT)) {
-      throw new Error(`a corner of a face refers to something that is not there`);
+      if (!this.#leftOut.hasReason(kind)) {
+        const why = Number.isNaN(written)
+          ? `${this.#scanner.quotedWord()} is not a corner of a face`
+          : 'a corner of a face refers to something that is not there';
+        this.#leftOut.because(kind, why, this.#lineStart);
+      }
+      return NOT_THERE;
     }
     const highest = this.#highest[kind];
     if (index > highest.index) {
@@ -229,13 +274,12 @@ class ObjReader {
     return index;
   }
 
-  /** Names that end in .mtl, apart by blanks, which they may also contain. */
+  /** Names in quotes, or that end in .mtl, apart by blanks, which they may also contain. */
   #libraryNames(text: string): void {
-    for (const written of text.split(/(?<=\.mtl)\s+/i)) {
-      const name = written.replace(/\\/g, '/');
-      if (name !== '' && !this.#libraries.includes(name) && this.#libraries.length < LIBRARY_LIMIT) {
-        this.#libraries.push(name);
-      }
+    for (const written of text.match(/"[^"]+"|[^"]*?\.mtl(?=["\s]|$)|[^"]+$/gi) ?? []) {
+      if (this.#libraries.length >= LIBRARY_LIMIT) return;
+      const name = unquoted(written.trim()).replace(/\\/g, '/');
+      if (name !== '' && !name.startsWith('#') && !this.#libraries.includes(name)) this.#libraries.push(name);
     }
   }
 
@@ -263,10 +307,12 @@ class ObjReader {
   }
 }
 
+type ReferenceKind = LeftOutKind & ('face' | 'uv' | 'normal');
+
 const KINDS = [
-  ['v', 'vertex'],
-  ['t', 'texture coordinate'],
-  ['n', 'normal'],
+  ['face', 'vertex'],
+  ['uv', 'texture coordinate'],
+  ['normal', 'normal'],
 ] as const;
 
 /** Longest name of an object or material in bytes. */

@@ -1,10 +1,12 @@
 // Reads an OBJ file with its MTL libraries. One part per object and material; the material's coefficients are those of
 // the equation. Corners without a normal get one by smoothing group. A separate chunk.
-import type { ModelReader, ModelSource } from '../format.js';
-import { ModelBudget } from '../model-budget.js';
-import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
+import { type BaseLook, emits, PLAIN_LOOK } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { scale } from '../../math/vector.js';
+import { clip } from '../../fields/clip.js';
+import type { ModelReader, ModelSource } from '../format.js';
+import { LeftOut } from '../left-out.js';
+import { ModelBudget } from '../model-budget.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
@@ -12,53 +14,100 @@ import { asUtf8 } from '../text/utf-16.js';
 import { indexedGeometry, type CornerRange } from '../triangles/indexed-geometry.js';
 import { smoothNormals } from '../triangles/smooth-normals.js';
 import { addressOf, MapTextures } from './map-textures.js';
-import { readMtl, type MtlMaterial } from './mtl.js';
+import { plainName } from './material-names.js';
+import { type MtlMaterial, NO_MATERIAL, readMtl } from './mtl.js';
 import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
 export const readObj: ModelReader = async (source) => {
+  const { bytes } = source;
   const slices = new Slices(source.signal);
-  const text = await readObjText(source.bytes, slices);
-  if (text.runs.length === 0) throw new Error('it has no faces');
-  const materials = await readLibraries(text, source);
+  const leftOut = new LeftOut();
+  const text = await readObjText(bytes, leftOut, slices);
+  const materials = await readLibraries(text, source, slices);
   await smoothNormals(text.lists, slices);
   const budget = new ModelBudget(source.onValues);
   const textures = new MapTextures(source, budget);
   try {
     const parts: ContentPart[] = [];
-    for (const { name, material, ranges } of groupsOf(text.runs)) {
-      const definition = materials.get(material) ?? NO_MATERIAL;
-      const withUvs = definition.map !== null && text.lists.uvs.length > 0;
+    for (const { name, material, ranges } of await groupsOf(text.runs, slices)) {
+      const definition = materials.named(material);
+      const { map, keMap } = definition;
+      const withUvs = (map !== null || keMap !== null) && text.lists.uvs.length > 0;
       const geometry = await indexedGeometry(text.lists, ranges, withUvs, budget, slices);
-      const map = withUvs ? await textures.of(definition.map) : null;
-      const look = lookOf(definition, map, geometry.hasAttribute('color'));
+      if (geometry === null) continue;
+      const look = lookOf(definition, geometry.hasAttribute('color'));
+      const maps = withUvs
+        ? { map: await textures.of(map), emissiveMap: emits(look) ? await textures.of(keMap) : null }
+        : {};
       const { matrix } = text.lists.places;
-      parts.push({ name, geometry, matrix, look, sides: 'double', surface: surfaceOf(definition) });
+      const surface = surfaceOf(definition);
+      parts.push({ name, geometry, matrix, look: { ...look, ...maps }, sides: 'double', surface });
+      if (slices.took(16)) await slices.pause();
     }
-    return ownedModel(parts, () => {
+    if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no faces');
+    materials.nameLeftOut(leftOut);
+    const dropped = await leftOut.names(bytes, slices);
+    const closeImages = (): void => {
       textures.close();
-    });
+    };
+    return { ...ownedModel(parts, closeImages), dropped };
   } catch (error) {
     textures.close();
     throw error;
   }
 };
 
-const NO_MATERIAL: MtlMaterial = { opacity: 1, map: null };
+/** The materials of a model's libraries. */
+class Materials {
+  readonly #byName: ReadonlyMap<string, MtlMaterial>;
+  readonly #byPlainName: ReadonlyMap<string, MtlMaterial>;
+  /** Whether every library was read. A missing one is reported by itself. */
+  readonly #complete: boolean;
+  readonly #used = new Set<MtlMaterial>();
+  readonly #unknown = new Set<string>();
+
+  constructor(entries: readonly (readonly [string, MtlMaterial])[], complete: boolean) {
+    this.#byName = new Map(entries);
+    this.#byPlainName = new Map(entries.map(([name, material]) => [plainName(name), material]));
+    this.#complete = complete;
+  }
+
+  named(name: string): MtlMaterial {
+    const found = this.#byName.get(name) ?? this.#byPlainName.get(plainName(name));
+    if (found) this.#used.add(found);
+    else if (name !== '') this.#unknown.add(name);
+    return found ?? NO_MATERIAL;
+  }
+
+  /** What those that were asked for leave out, and those that are in no library. */
+  nameLeftOut(leftOut: LeftOut): void {
+    for (const material of this.#used) for (const name of material.leftOut) leftOut.feature(name);
+    const [first] = this.#unknown;
+    if (!this.#complete || first === undefined) return;
+    leftOut.add('material', this.#unknown.size);
+    leftOut.because('material', clip(first, 40));
+  }
+}
 
 async function readLibraries(
   { libraries }: ObjText,
   { linked, optional }: ModelSource,
-): Promise<ReadonlyMap<string, MtlMaterial>> {
+  slices: Slices,
+): Promise<Materials> {
   const read = libraries.map(async (library) => {
     const found = await optional(
       library,
       () => linked(addressOf(library)),
-      (bytes) => readMtl(asUtf8(bytes)),
+      async (bytes) => readMtl(await asUtf8(bytes, slices), slices),
     );
     const folder = library.slice(0, library.lastIndexOf('/') + 1);
-    return Array.from(found ?? [], (entry) => placedIn(folder, entry));
+    return found === null ? null : Array.from(found, (entry) => placedIn(folder, entry));
   });
-  return new Map((await Promise.all(read)).flat());
+  const found = await Promise.all(read);
+  return new Materials(
+    found.flatMap((entries) => entries ?? []),
+    !found.includes(null),
+  );
 }
 
 /** Images are named relative to the library. */
@@ -66,8 +115,8 @@ function placedIn(
   folder: string,
   [name, material]: readonly [string, MtlMaterial],
 ): readonly [string, MtlMaterial] {
-  const { map } = material;
-  return [name, map === null ? material : { ...material, map: { ...map, file: folder + map.file } }];
+  const placed = (map: MtlMaterial['map']): MtlMaterial['map'] => map && { ...map, file: folder + map.file };
+  return [name, { ...material, map: placed(material.map), keMap: placed(material.keMap) }];
 }
 
 interface Group {
@@ -83,24 +132,33 @@ interface Group {
 const OBJECT_LIMIT = 1000;
 
 /** Runs by object and material. Past {@link OBJECT_LIMIT} objects of the same material become one part. */
-function groupsOf(runs: readonly ObjRun[]): Iterable<Group> {
-  const byObject = groupedBy(runs, ({ object, material }) => JSON.stringify([object, material]));
-  return byObject.length <= OBJECT_LIMIT ? byObject : groupedBy(runs, ({ material }) => material);
+async function groupsOf(runs: readonly ObjRun[], slices: Slices): Promise<readonly Group[]> {
+  const byObject = await groupedBy(
+    runs,
+    ({ object, material }) => JSON.stringify([object, material]),
+    slices,
+  );
+  return byObject.length <= OBJECT_LIMIT ? byObject : groupedBy(runs, ({ material }) => material, slices);
 }
 
-function groupedBy(runs: readonly ObjRun[], keyOf: (run: ObjRun) => string): readonly Group[] {
+async function groupedBy(
+  runs: readonly ObjRun[],
+  keyOf: (run: ObjRun) => string,
+  slices: Slices,
+): Promise<readonly Group[]> {
   const groups = new Map<string, Group>();
   for (const run of runs) {
     const key = keyOf(run);
     const group = groups.get(key) ?? { name: run.object || run.material, material: run.material, ranges: [] };
     groups.set(key, group);
     group.ranges.push(run);
+    if (slices.took(2)) await slices.pause();
   }
   return [...groups.values()];
 }
 
-function lookOf({ opacity }: MtlMaterial, map: BaseLook['map'], vertexColors: boolean): BaseLook {
-  return { ...PLAIN_LOOK, opacity, alphaMode: opacity < 1 ? 'blend' : 'opaque', map, vertexColors };
+function lookOf({ opacity, ke }: MtlMaterial, vertexColors: boolean): BaseLook {
+  return { ...PLAIN_LOOK, opacity, alphaMode: opacity < 1 ? 'blend' : 'opaque', emissive: ke, vertexColors };
 }
 
 /** Colours from 0 to 255, as in HTML. What the file leaves out is left out. */

@@ -21,6 +21,8 @@ export interface PlyElement {
 export interface PlyHeader {
   readonly encoding: PlyEncoding;
   readonly elements: readonly PlyElement[];
+  /** Whether it names a texture, in a comment as MeshLab does. */
+  readonly hasTexture: boolean;
   /** Position of the first byte after the header. */
   readonly end: number;
 }
@@ -64,22 +66,26 @@ const ENCODINGS: Readonly<Record<string, PlyEncoding>> = {
 /** Most elements and properties. Files have two elements and about ten properties. */
 const DECLARATION_LIMIT = 1000;
 
+/** Most bytes of a header: it is read in one piece. */
+const HEADER_LIMIT = 2 ** 20;
+
 const LF = 10;
 const CR = 13;
 
 /** @throws Error for a header that is broken, or that claims more values than the file has bytes for. */
 export function readPlyHeader(bytes: Uint8Array): PlyHeader {
-  const scanner = new TextScanner(bytes);
+  const scanner = new TextScanner(bytes.subarray(0, HEADER_LIMIT));
   scanner.word(); // `ply`
   let encoding: PlyEncoding | null = null;
   const elements: { name: string; count: number; properties: PlyProperty[] }[] = [];
   let declarations = 0;
+  let hasTexture = false;
   while (scanner.nextLine()) {
     const at = scanner.at;
     const keyword = scanner.word();
     if (keyword === 'end_header') {
       if (encoding === null) throw new Error('its header has no format');
-      const header = { encoding, elements, end: afterLineEnd(bytes, scanner.at) };
+      const header = { encoding, elements, hasTexture, end: afterLineEnd(bytes, scanner.at) };
       requireBytes(header, bytes.byteLength - header.end);
       return header;
     }
@@ -97,6 +103,7 @@ export function readPlyHeader(bytes: Uint8Array): PlyHeader {
       if (!element) throw wrong(scanner, at, 'a property comes before any element');
       element.properties.push(readProperty(scanner, at));
     } else {
+      hasTexture ||= keyword === 'comment' && scanner.word() === 'TextureFile';
       continue; // comments, and what other programs add
     }
     declarations += 1;

@@ -3,30 +3,59 @@ import { TextScanner } from '../text/text-scanner.js';
 import { PLY_TYPE_SIZES, type PlyHeader, type PlyType } from './ply-header.js';
 
 export interface PlyValues {
-  /** @throws Error at the end of the file. Text that is no number is NaN. */
+  /** Position of the next byte. */
+  readonly at: number;
+  /** Goes to the next row. False where it is not there yet: call again. @throws Error at the end of the file. */
+  beginRow(): boolean;
+  /** Whether values are left that no property names. */
+  endRow(): boolean;
+  /** @throws Error at the end of the file, or of the row if rows are lines. Text that is no number is NaN. */
   next(type: PlyType): number;
-  /** As `next`. @throws Error that quotes text which is no number. */
-  required(type: PlyType): number;
+  /** Why the last value is no number, in words. */
+  problem(): string;
+  /** Passes over as many of `count` values as can be passed at once, and returns their number. */
+  skip(type: PlyType, count: number): number;
 }
 
-export function plyValues(bytes: Uint8Array<ArrayBuffer>, { encoding, end }: PlyHeader): PlyValues {
+/** @param byLines whether each row of a text is a line, and may have more values than its header names. */
+export function plyValues(
+  bytes: Uint8Array<ArrayBuffer>,
+  { encoding, end }: PlyHeader,
+  byLines: boolean,
+): PlyValues {
   return encoding === 'text'
-    ? textValues(bytes, end)
+    ? textValues(bytes, end, byLines)
     : binaryValues(bytes, end, encoding === 'little-endian');
 }
 
 const truncated = (): Error => new Error('it is truncated: it ends before its last value');
 
-function textValues(bytes: Uint8Array, start: number): PlyValues {
+/** `c` and `#`: no number begins with them. */
+const COMMENTS: ReadonlySet<number> = new Set([0x63, 0x23]);
+
+function textValues(bytes: Uint8Array, start: number, byLines: boolean): PlyValues {
   const scanner = new TextScanner(bytes, start);
+  let begun = false;
+  const next = (): number => {
+    if (byLines ? scanner.atLineEnd() : !scanner.nextWord()) throw truncated();
+    return scanner.number();
+  };
   return {
-    next: () => {
-      if (!scanner.nextWord()) throw truncated();
-      return scanner.number();
+    get at() {
+      return scanner.at;
     },
-    required: () => {
-      if (!scanner.nextWord()) throw truncated();
-      return scanner.requiredNumber();
+    beginRow: () => {
+      if (!byLines) return true;
+      if (!(begun ? scanner.nextLine() : scanner.nextWord())) throw truncated();
+      begun = true;
+      return !scanner.atLineEnd() && !COMMENTS.has(scanner.peek());
+    },
+    endRow: () => byLines && !scanner.atLineEnd(),
+    next,
+    problem: () => `${scanner.quotedWord()} is not a number`,
+    skip: () => {
+      next();
+      return 1;
     },
   };
 }
@@ -34,28 +63,43 @@ function textValues(bytes: Uint8Array, start: number): PlyValues {
 function binaryValues(bytes: Uint8Array<ArrayBuffer>, start: number, little: boolean): PlyValues {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let at = start;
-  const next = (type: PlyType): number => {
+  const take = (length: number): number => {
     const from = at;
-    at += PLY_TYPE_SIZES[type];
+    at += length;
     if (at > view.byteLength) throw truncated();
-    switch (type) {
-      case 'int8':
-        return view.getInt8(from);
-      case 'uint8':
-        return view.getUint8(from);
-      case 'int16':
-        return view.getInt16(from, little);
-      case 'uint16':
-        return view.getUint16(from, little);
-      case 'int32':
-        return view.getInt32(from, little);
-      case 'uint32':
-        return view.getUint32(from, little);
-      case 'float32':
-        return view.getFloat32(from, little);
-      case 'float64':
-        return view.getFloat64(from, little);
-    }
+    return from;
   };
-  return { next, required: next };
+  return {
+    get at() {
+      return at;
+    },
+    beginRow: () => true,
+    endRow: () => false,
+    problem: () => 'a value is not a number',
+    skip: (type, count) => {
+      take(PLY_TYPE_SIZES[type] * count);
+      return count;
+    },
+    next: (type) => {
+      const from = take(PLY_TYPE_SIZES[type]);
+      switch (type) {
+        case 'int8':
+          return view.getInt8(from);
+        case 'uint8':
+          return view.getUint8(from);
+        case 'int16':
+          return view.getInt16(from, little);
+        case 'uint16':
+          return view.getUint16(from, little);
+        case 'int32':
+          return view.getInt32(from, little);
+        case 'uint32':
+          return view.getUint32(from, little);
+        case 'float32':
+          return view.getFloat32(from, little);
+        case 'float64':
+          return view.getFloat64(from, little);
+      }
+    },
+  };
 }

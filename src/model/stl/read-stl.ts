@@ -5,24 +5,31 @@ import { BufferAttribute, BufferGeometry } from 'three';
 import type { Vec3 } from '../../math/vector.js';
 import { faceNormals } from '../face-normals.js';
 import type { ModelReader } from '../format.js';
+import { LeftOut } from '../left-out.js';
 import { ModelBudget } from '../model-budget.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
-import { PAUSE_MASK, Slices } from '../slices.js';
-import { Growing, Positions } from '../triangles/corner-lists.js';
+import { Slices } from '../slices.js';
+import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
 export const readStl: ModelReader = async ({ bytes, signal, onValues }) => {
   const slices = new Slices(signal);
+  const leftOut = new LeftOut();
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
-  const solids = asText ? await readStlText(bytes, slices) : [await readBinary(bytes, slices)];
+  const solids = asText
+    ? await readStlText(bytes, leftOut, slices)
+    : [await readBinary(bytes, leftOut, slices)];
   const budget = new ModelBudget(onValues);
   const parts: ContentPart[] = [];
-  for (const solid of solids) parts.push(await partOf(solid, budget, slices));
-  if (parts.length === 0) throw new Error('it has no triangles');
-  return ownedModel(parts);
+  for (const solid of solids) {
+    if (solid.places.count > 0) parts.push(await partOf(solid, budget, slices));
+    if (slices.took(16)) await slices.pause();
+  }
+  if (parts.length === 0) throw await leftOut.error(bytes, slices, 'it has no triangles');
+  return { ...ownedModel(parts), dropped: await leftOut.names(bytes, slices) };
 };
 
 /** A body as it is read. */
@@ -30,68 +37,74 @@ export interface StlSolid {
   readonly name: string;
   /** Three per triangle. */
   readonly places: Positions;
-  /** r g b of each triangle, or null. Encoded sRGB, 0 to 1. */
-  readonly colors: Growing<Float32Array> | null;
+  /** Gives the colour of a triangle, encoded sRGB, 0 to 1. Null if none has its own. */
+  readonly colorOf: ((triangle: number) => Vec3) | null;
   /** Colour of the whole body. Encoded sRGB, 0 to 1. */
   readonly color: Vec3;
   /** 0 to 1. */
   readonly opacity: number;
 }
 
-async function readBinary(bytes: Uint8Array<ArrayBuffer>, slices: Slices): Promise<StlSolid> {
+async function readBinary(
+  bytes: Uint8Array<ArrayBuffer>,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<StlSolid> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (bytes.byteLength < STL_HEADER) throw new Error('it ends inside its header');
-  const count = view.getUint32(STL_HEADER - 4, true);
-  const size = STL_HEADER + count * STL_TRIANGLE;
-  if (size > bytes.byteLength) {
-    throw new Error(
-      `it is truncated: ${String(bytes.byteLength)} of ${String(size)} bytes for ${String(count)} triangles`,
-    );
-  }
-  if (count === 0) throw new Error('it has no triangles');
+  const count = countOf(view);
   // Before anything is allocated.
   new ModelBudget().add({ corners: 3 * count });
   const header = headerColor(view);
   const places = new Positions(3 * count);
-  const colors = new Growing(Float32Array);
+  /** Of the triangles that are kept. */
+  const bits = new Uint16Array(count);
+  const coordinate = (at: number): number => view.getFloat32(at, true);
   let colored = false;
   let anyBits = 0;
   for (let i = 0; i < count; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
+    if (slices.took(1 / 4)) await slices.pause();
     const at = STL_HEADER + i * STL_TRIANGLE;
+    const kept = places.count;
     for (let corner = at + 12; corner < at + 48; corner += 12) {
-      places.push(
-        view.getFloat32(corner, true),
-        view.getFloat32(corner + 4, true),
-        view.getFloat32(corner + 8, true),
-      );
+      const [x, y, z] = [coordinate(corner), coordinate(corner + 4), coordinate(corner + 8)];
+      if (places.push(x, y, z)) continue;
+      places.cut(kept);
+      leftOut.add('triangle');
+      leftOut.because('triangle', wrongCoordinate(x, y, z));
+      break;
     }
-    const bits = view.getUint16(at + 48, true);
-    anyBits |= bits;
-    const own = triangleColor(bits, header !== null);
-    if (own !== null && !colored) {
-      // Triangles before the first coloured one have the body's colour.
-      colored = true;
-      for (let before = 0; before < i; before += 1) pushColor(colors, header?.color ?? WHITE);
-    }
-    if (colored) pushColor(colors, own ?? header?.color ?? WHITE);
+    if (places.count === kept) continue;
+    const own = view.getUint16(at + 48, true);
+    bits[kept / 3] = own;
+    anyBits |= own;
+    colored ||= triangleColor(own, header !== null) !== null;
   }
   // All 0: the writer knows no colours of triangles. By Magics' convention they would be black.
   colored &&= anyBits > 0;
+  const color = header?.color ?? WHITE;
   return {
     name: '',
     places,
-    colors: colored ? colors : null,
-    color: colored ? WHITE : (header?.color ?? WHITE),
+    colorOf: colored ? (triangle) => triangleColor(bits[triangle] ?? 0, header !== null) ?? color : null,
+    color: colored ? WHITE : color,
     opacity: header?.opacity ?? 1,
   };
 }
 
-const WHITE: Vec3 = [1, 1, 1];
-
-function pushColor(colors: Growing<Float32Array>, color: Vec3): void {
-  for (const channel of color) colors.push(channel);
+/** The number of triangles. 0 in files whose writer did not go back to fill it in: then as many as there are. */
+function countOf(view: DataView): number {
+  if (view.byteLength < STL_HEADER) throw new Error('it ends inside its header');
+  const there = Math.floor((view.byteLength - STL_HEADER) / STL_TRIANGLE);
+  const count = view.getUint32(STL_HEADER - 4, true) || there;
+  if (count === 0) throw new Error('it has no triangles');
+  if (count <= there) return count;
+  const size = STL_HEADER + count * STL_TRIANGLE;
+  throw new Error(
+    `it is truncated: ${String(view.byteLength)} of ${String(size)} bytes for ${String(count)} triangles`,
+  );
 }
+
+const WHITE: Vec3 = [1, 1, 1];
 
 const SPACE = 0x20;
 
@@ -120,27 +133,35 @@ function triangleColor(bits: number, magics: boolean): Vec3 | null {
 }
 
 async function partOf(solid: StlSolid, budget: ModelBudget, slices: Slices): Promise<ContentPart> {
-  const { name, places, colors, color, opacity } = solid;
+  const { name, places, colorOf, color, opacity } = solid;
   const corners = places.count;
-  budget.add({ parts: 1, corners, values: corners * (colors === null ? 6 : 9) });
+  budget.add({ parts: 1, corners, values: corners * (colorOf === null ? 6 : 9) });
   const geometry = new BufferGeometry();
   const filled = places.array.length === 3 * corners;
-  const positions = filled ? places.array : places.array.slice(0, 3 * corners);
+  const positions = filled ? places.array : new Float32Array(3 * corners);
+  if (!filled) {
+    await slices.over(positions.length, (from, to) => {
+      positions.set(places.array.subarray(from, to), from);
+    });
+  }
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   geometry.setAttribute('normal', await faceNormals(positions, slices));
-  if (colors !== null) {
-    const perCorner = new Float32Array(3 * corners);
-    await slices.over(perCorner.length, (from, to) => {
-      for (let i = from; i < to; i += 1) perCorner[i] = colors.array[3 * Math.floor(i / 9) + (i % 3)] ?? 0;
+  if (colorOf !== null) {
+    const colors = new Float32Array(3 * corners);
+    await slices.over(corners / 3, (from, to) => {
+      for (let triangle = from; triangle < to; triangle += 1) {
+        const own = colorOf(triangle);
+        for (let corner = 0; corner < 3; corner += 1) colors.set(own, 9 * triangle + 3 * corner);
+      }
     });
-    geometry.setAttribute('color', new BufferAttribute(perCorner, 3));
+    geometry.setAttribute('color', new BufferAttribute(colors, 3));
   }
   const look: BaseLook = {
     ...PLAIN_LOOK,
     baseColor: color,
     opacity,
     alphaMode: opacity < 1 ? 'blend' : 'opaque',
-    vertexColors: colors !== null,
+    vertexColors: colorOf !== null,
   };
   return { name, geometry, matrix: places.matrix, look, sides: 'double', surface: {} };
 }

@@ -13,9 +13,12 @@ export function isBinaryStl(bytes: Uint8Array): boolean {
   return bytes.byteLength === STL_HEADER + count * STL_TRIANGLE;
 }
 
+/** Comments before `solid`, which some programs write although the format has none. */
+const TEXT =
+  /^(ï»¿)?(\s*(#|;|!|\/\/)[^\r\n]*[\r\n])*\s*solid\b[^\r\n]*([\r\n]\s*(facet|endsolid)|\s(facet\s+normal|endsolid))\b/i;
+
 /** Whether it begins as a text file does, with a byte order mark or without, with lines or in one. */
 export function isTextStl(bytes: Uint8Array): boolean {
-  const start = new TextDecoder('latin1').decode(bytes.subarray(0, 1024));
-  // A byte order mark of UTF-8 reads as these three characters.
-  return /^(ï»¿)?\s*solid\b[^\r\n]*([\r\n]\s*facet|\s+facet\s+normal|\s+endsolid)\b/i.test(start);
+  // A byte order mark of UTF-8 reads as three characters.
+  return TEXT.test(new TextDecoder('latin1').decode(bytes.subarray(0, 4096)));
 }

@@ -1,82 +1,142 @@
 // The triangles of a text STL file: `solid name`, then `facet` … `vertex x y z` … `endfacet`, then `endsolid`. Stated
-// normals are skipped. Words may be upper case, and anywhere on a line.
+// normals are skipped, and a facet without three sound vertices is left out. Words may be upper case, and anywhere on a
+// line.
+import type { LeftOut } from '../left-out.js';
 import { CORNER_LIMIT, PART_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
-import { PAUSE_MASK, type Slices } from '../slices.js';
+import type { Slices } from '../slices.js';
 import { TextScanner } from '../text/text-scanner.js';
-import { Positions } from '../triangles/corner-lists.js';
+import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
 import type { StlSolid } from './read-stl.js';
 
-/** @throws Error that names the line, for broken text; ModelError `too-large`. */
-export async function readStlText(bytes: Uint8Array, slices: Slices): Promise<readonly StlSolid[]> {
-  const scanner = new TextScanner(bytes);
-  const solids: StlSolid[] = [];
-  let name = '';
-  let places = new Positions();
-  let corners = 0;
-  let total = 0;
-  const endSolid = (): void => {
-    if (places.count === 0) return;
-    solids.push({ name, places, colors: null, color: [1, 1, 1], opacity: 1 });
-    if (solids.length > PART_LIMIT) {
-      throw new ModelError('too-large', `The model has more than ${PART_LIMIT.toLocaleString('en')} solids.`);
-    }
-    places = new Positions();
-  };
-  for (let words = 0; scanner.nextWord(); words += 1) {
-    if ((words & PAUSE_MASK) === 0 && slices.due) await slices.pause();
-    const at = scanner.at;
+/** @throws Error for a file that ends inside a facet; ModelError `too-large`. */
+export async function readStlText(
+  bytes: Uint8Array,
+  leftOut: LeftOut,
+  slices: Slices,
+): Promise<readonly StlSolid[]> {
+  const reader = new StlTextReader(bytes, leftOut);
+  for (let { at } = reader; reader.readWord(); { at } = reader) {
+    if (slices.took((reader.at - at) / 8)) await slices.pause();
+  }
+  return reader.finish();
+}
+
+class StlTextReader {
+  readonly #scanner: TextScanner;
+  readonly #leftOut: LeftOut;
+  readonly #solids: StlSolid[] = [];
+  #name = '';
+  #places = new Positions();
+  /** Corners of the current facet; null outside of facets. */
+  #corners: number | null = null;
+  #isSound = true;
+  #total = 0;
+
+  constructor(bytes: Uint8Array, leftOut: LeftOut) {
+    this.#scanner = new TextScanner(bytes);
+    this.#leftOut = leftOut;
+  }
+
+  get at(): number {
+    return this.#scanner.at;
+  }
+
+  /** Reads a word and what belongs to it. False at the end. */
+  readWord(): boolean {
+    const scanner = this.#scanner;
+    if (!scanner.nextWord()) return false;
+    const { at } = scanner;
     switch (scanner.word(16).toLowerCase()) {
       case 'solid':
-        endSolid();
-        name = solidName(scanner);
+        this.#endFacet(at);
+        this.#endSolid();
+        this.#name = readName(scanner);
+        break;
+      case 'endsolid':
+        this.#endFacet(at);
+        readName(scanner);
+        break;
+      case 'facet':
+        this.#endFacet(at);
+        this.#corners = 0;
+        this.#isSound = true;
         break;
       case 'vertex':
-        if (corners === 3) throw broken(scanner, at, 'a facet has more than three vertices');
-        if (total === CORNER_LIMIT) {
-          const most = CORNER_LIMIT.toLocaleString('en');
-          throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
-        }
-        pushVertex(places, scanner, at);
-        corners += 1;
-        total += 1;
+        if (this.#corners !== null) this.#vertex(at);
         break;
       case 'endfacet':
-        if (corners !== 3) throw broken(scanner, at, 'a facet has fewer than three vertices');
-        corners = 0;
+        this.#endFacet(at);
         break;
     }
+    return true;
   }
-  if (corners > 0) throw new Error('it is truncated: it ends inside a facet');
-  endSolid();
-  return solids;
+
+  finish(): readonly StlSolid[] {
+    if (this.#corners !== null) throw new Error('it is truncated: it ends inside a facet');
+    this.#endSolid();
+    return this.#solids;
+  }
+
+  #vertex(at: number): void {
+    const scanner = this.#scanner;
+    if (this.#corners === 3) this.#spoil('a facet has more than three vertices', at);
+    if (!this.#isSound) return;
+    if (this.#total === CORNER_LIMIT) {
+      const most = CORNER_LIMIT.toLocaleString('en');
+      throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
+    }
+    const start = scanner.at;
+    const [x, y, z] = [scanner.number(), scanner.number(), scanner.number()];
+    this.#corners = (this.#corners ?? 0) + 1;
+    this.#total += 1;
+    if (!this.#places.push(x, y, z)) this.#spoil(scanner.problemOf(start, 3) ?? wrongCoordinate(x, y, z), at);
+  }
+
+  #spoil(why: string, at: number): void {
+    this.#leftOut.because('triangle', why, at);
+    this.#isSound = false;
+  }
+
+  #endFacet(at: number): void {
+    if (this.#corners === null) return;
+    if (this.#isSound && this.#corners < 3) this.#spoil('a facet has fewer than three vertices', at);
+    if (!this.#isSound) {
+      this.#leftOut.add('triangle');
+      this.#places.cut(this.#places.count - this.#corners);
+      this.#total -= this.#corners;
+    }
+    this.#corners = null;
+  }
+
+  #endSolid(): void {
+    if (this.#places.count === 0) return;
+    this.#solids.push({
+      name: this.#name,
+      places: this.#places,
+      colorOf: null,
+      color: [1, 1, 1],
+      opacity: 1,
+    });
+    if (this.#solids.length > PART_LIMIT) {
+      throw new ModelError('too-large', `The model has more than ${PART_LIMIT.toLocaleString('en')} solids.`);
+    }
+    this.#places = new Positions();
+  }
 }
 
 /** Longest name of a solid in bytes. */
 const NAME_LENGTH = 256;
 
-/** The rest of the line, or what comes before the first facet where the file has no lines. */
-function solidName(scanner: TextScanner): string {
+/** What ends a name where the file has no lines: words of the format that no name would have in this order. */
+const AFTER_NAME = /\b(?:facet\s+normal\s+\S+\s+\S+\s+\S+\s+outer\s+loop|endsolid|solid)\b/i;
+
+/** The rest of the line, which may be made of the format's words; where the file has no lines, a part of it. */
+function readName(scanner: TextScanner): string {
+  if (scanner.atLineEnd()) return '';
   const start = scanner.at;
-  let end = start;
-  for (; !scanner.atLineEnd(); end = scanner.at) {
-    const word = scanner.word(16).toLowerCase();
-    const after = scanner.at;
-    if (word === 'endsolid' || (word === 'facet' && scanner.word(16).toLowerCase() === 'normal')) break;
-    scanner.at = after;
-  }
-  scanner.at = end;
+  scanner.rest(0);
+  const end = AFTER_NAME.exec(scanner.latin1From(start, 1024))?.index;
+  if (end !== undefined) scanner.at = start + end;
   return scanner.textFrom(start, NAME_LENGTH);
 }
-
-function pushVertex(places: Positions, scanner: TextScanner, at: number): void {
-  try {
-    places.push(scanner.requiredNumber(), scanner.requiredNumber(), scanner.requiredNumber());
-  } catch (cause) {
-    if (!(cause instanceof Error) || cause instanceof ModelError) throw cause;
-    throw broken(scanner, at, cause.message);
-  }
-}
-
-const broken = (scanner: TextScanner, at: number, what: string): Error =>
-  new Error(`line ${String(scanner.lineAt(at))}: ${what}`);

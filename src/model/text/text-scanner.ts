@@ -1,6 +1,7 @@
 // Words and numbers of a text file's bytes, read in one pass without turning the file into strings. Numbers are read
 // exactly as `Number` reads them. Lines end with LF, CR LF or CR; a backslash at the end of a line continues it.
 import { clip } from '../../fields/clip.js';
+import type { Slices } from '../slices.js';
 
 const LF = 10;
 const CR = 13;
@@ -20,11 +21,17 @@ const POWERS = Array.from({ length: 23 }, (_, exponent) => Number(`1e${String(ex
 const EXACT_DIGITS = 15;
 /** A token longer than this is no number: longer ones only cost time. */
 const NUMBER_LENGTH = 400;
+/** Most bytes that one call skips, so that no line, token or gap makes a long task. */
+const PIECE = 2 ** 14;
+
+/** What the next call goes on to skip, because it is longer than {@link PIECE}. */
+type Pending = 'nothing' | 'line' | 'blanks';
 
 export class TextScanner {
   readonly #bytes: Uint8Array;
   /** Position of the next byte. */
   at: number;
+  #pending: Pending = 'nothing';
 
   constructor(bytes: Uint8Array, at = 0) {
     this.#bytes = bytes;
@@ -38,27 +45,47 @@ export class TextScanner {
 
   /**
    * Goes to the first word of the next line that has one, from wherever it is in a line. What is left of a line is
-   * skipped without looking for a backslash: comments may end with one. False at the end of the file.
+   * skipped without looking for a backslash: comments may end with one. False at the end of the file. A line of more
+   * than 16 KiB, or as many blanks, comes in pieces: all but the first are as empty lines.
    */
   nextLine(): boolean {
-    const bytes = this.#bytes;
-    while (this.at < bytes.length && !isLineEnd(bytes[this.at] ?? NOTHING)) this.at += 1;
+    if (this.#pending !== 'blanks') {
+      const end = this.#pieceEnd;
+      while (this.at < end && !isLineEnd(this.#bytes[this.at] ?? NOTHING)) this.at += 1;
+      this.#pending = this.#stoppedAt(end) ? 'line' : 'nothing';
+      if (this.#pending === 'line') return true;
+    }
     return this.nextWord();
   }
 
   /** Goes to the next word, on this line or a later one. False at the end of the file. */
   nextWord(): boolean {
+    const end = this.#pieceEnd;
+    this.#pending = 'nothing';
     for (;;) {
       this.#skipBlanks();
       if (this.atEnd) return false;
+      if (this.at >= end) {
+        this.#pending = 'blanks';
+        return true;
+      }
       if (!isLineEnd(this.#bytes[this.at] ?? NOTHING)) return true;
       this.at += 1;
     }
   }
 
+  get #pieceEnd(): number {
+    return Math.min(this.#bytes.length, this.at + PIECE);
+  }
+
+  #stoppedAt(end: number): boolean {
+    return this.at >= end && end < this.#bytes.length;
+  }
+
   /** Whether no word follows on this line. Skips the blanks before it. */
   atLineEnd(): boolean {
-    this.#skipBlanks();
+    if (this.#pending === 'nothing') this.#skipBlanks();
+    if (this.#pending !== 'nothing') return true;
     const byte = this.#bytes[this.at];
     return byte === undefined || isLineEnd(byte);
   }
@@ -75,7 +102,7 @@ export class TextScanner {
     this.#skipToken();
     return this.at - start <= 2
       ? shortWord(this.#bytes[start], this.#bytes[start + 1], this.at - start)
-      : this.#text(start, most);
+      : this.latin1From(start, most);
   }
 
   /** The rest of this line as UTF-8 without blanks at its ends, cut after `most` bytes. Stays before the line's end. */
@@ -83,7 +110,8 @@ export class TextScanner {
     if (this.atLineEnd()) return '';
     const bytes = this.#bytes;
     const start = this.at;
-    while (this.at < bytes.length && !isLineEnd(bytes[this.at] ?? NOTHING)) this.at += 1;
+    const end = this.#pieceEnd;
+    while (this.at < end && !isLineEnd(bytes[this.at] ?? NOTHING)) this.at += 1;
     return this.textFrom(start, most);
   }
 
@@ -100,14 +128,14 @@ export class TextScanner {
     let seen = 0;
     let exponent = 0;
     let digit = digitOf(bytes[i]);
-    for (; digit >= 0; digit = digitOf(bytes[++i])) {
+    for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
       if (mantissa > 0 || digit > 0) digits += 1;
       mantissa = mantissa * 10 + digit;
       seen += 1;
     }
     if (bytes[i] === 46) {
       digit = digitOf(bytes[++i]);
-      for (; digit >= 0; digit = digitOf(bytes[++i])) {
+      for (; digit >= 0 && seen < NUMBER_LENGTH; digit = digitOf(bytes[++i])) {
         if (mantissa > 0 || digit > 0) digits += 1;
         mantissa = mantissa * 10 + digit;
         exponent -= 1;
@@ -136,18 +164,26 @@ export class TextScanner {
     return sign === 45 ? -size : size;
   }
 
-  /** As {@link number}. @throws Error that quotes what is there instead of a number. */
-  requiredNumber(): number {
-    const start = this.atLineEnd() ? NOTHING : this.at;
-    const value = this.number();
-    if (!Number.isNaN(value)) return value;
-    throw new Error(start === NOTHING ? 'a number is missing' : `${this.#quoted(start)} is not a number`);
+  /** Why the `count` words from `start` on are no numbers; null if they are. Stays where it is. */
+  problemOf(start: number, count: number): string | null {
+    const { at } = this;
+    this.at = start;
+    this.#pending = 'nothing';
+    let problem: string | null = null;
+    for (let i = 0; i < count && problem === null; i += 1) {
+      const from = this.atLineEnd() ? NOTHING : this.at;
+      if (!Number.isNaN(this.number())) continue;
+      problem = from === NOTHING ? 'a number is missing' : `${this.#quoted(from)} is not a number`;
+    }
+    this.at = at;
+    return problem;
   }
 
   /** The word around this byte of the line, quoted for messages. */
   quotedWord(): string {
     let start = this.at;
-    while (start > 0 && !isBreak(this.#bytes[start - 1])) start -= 1;
+    const least = Math.max(0, start - NUMBER_LENGTH);
+    while (start > least && !isBreak(this.#bytes[start - 1])) start -= 1;
     this.#skipToken();
     return this.#quoted(start);
   }
@@ -163,7 +199,8 @@ export class TextScanner {
     let digit = digitOf(bytes[i]);
     if (digit < 0) return NaN;
     let value = 0;
-    for (; digit >= 0; digit = digitOf(bytes[++i])) value = value * 10 + digit;
+    const end = i + NUMBER_LENGTH;
+    for (; digit >= 0 && i < end; digit = digitOf(bytes[++i])) value = value * 10 + digit;
     this.at = i;
     return negative ? -value : value;
   }
@@ -204,8 +241,8 @@ export class TextScanner {
     return utf8.decode(this.#bytes.subarray(start, Math.min(this.at, start + most))).trim();
   }
 
-  /** From `start` to the next byte. */
-  #text(start: number, most: number): string {
+  /** From `start` to the next byte, a character for each byte. */
+  latin1From(start: number, most: number): string {
     return latin1.decode(this.#bytes.subarray(start, Math.min(this.at, start + most)));
   }
 
@@ -213,21 +250,28 @@ export class TextScanner {
     const start = this.at;
     this.#skipToken();
     if (this.at - start > NUMBER_LENGTH) return NaN;
-    const text = this.#text(start, NUMBER_LENGTH);
+    const text = this.latin1From(start, NUMBER_LENGTH);
     // `Number` also reads 0x10, Infinity and more.
     return /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
   }
 
   #skipToken(): void {
     const bytes = this.#bytes;
-    while (!isBreak(bytes[this.at])) this.at += 1;
+    const end = this.#pieceEnd;
+    while (this.at < end && !isBreak(bytes[this.at])) this.at += 1;
+    if (this.#stoppedAt(end)) this.#pending = 'line';
   }
 
   #skipBlanks(): void {
     const bytes = this.#bytes;
+    const end = this.#pieceEnd;
     for (;;) {
       const byte = bytes[this.at];
       if (byte === undefined) return;
+      if (this.at >= end) {
+        this.#pending = 'line';
+        return;
+      }
       if (byte === BACKSLASH) {
         const next = bytes[this.at + 1];
         if (next === LF) this.at += 2;
@@ -261,4 +305,15 @@ const isBreak = (byte: number | undefined): boolean => byte === undefined || byt
 
 function digitOf(byte: number | undefined): number {
   return byte !== undefined && byte >= 48 && byte <= 57 ? byte - 48 : -1;
+}
+
+/** Which line a position is in, counted from 1. In slices: a file can have millions of lines. */
+export async function lineOf(bytes: Uint8Array, position: number, slices: Slices): Promise<number> {
+  let line = 1;
+  const end = Math.min(position, bytes.length);
+  for (let i = 0; i < end; i += 1) {
+    if (bytes[i] === LF || (bytes[i] === CR && bytes[i + 1] !== LF)) line += 1;
+    if (slices.took(1 / 64)) await slices.pause();
+  }
+  return line;
 }

@@ -12,6 +12,8 @@ export const FACETED = 0;
 
 /** No texture coordinates or no normal yet. */
 export const NONE = -1;
+/** A reference to something that no file can have. */
+export const NOT_THERE = 0x7fffffff;
 
 export class CornerLists {
   readonly places = new Positions();
@@ -19,10 +21,12 @@ export class CornerLists {
   readonly colors = new Growing(Float32Array);
   /** u v; the first row of an image is at v = 0, as in glTF. */
   readonly uvs = new Growing(Float32Array);
-  /** x y z; unit length or zero. */
+  /** r g b of each face that has a colour, after a white one. Empty, or the colours of positions are. */
+  readonly faceColors = new Growing(Float32Array);
+  /** x y z; unit length, or zero for one without a direction. */
   readonly normals = new Growing(Float32Array);
 
-  /** Number of the position of each corner; three corners are a triangle. */
+  /** Number of the position of each corner, or {@link NOT_THERE}; three corners are a triangle. */
   readonly corners = new Growing(Uint32Array);
   /** Number of the texture coordinates of each corner, or {@link NONE}. Shorter if the last corners have none. */
   readonly cornerUvs = new Growing(Int32Array);
@@ -30,14 +34,33 @@ export class CornerLists {
   readonly cornerNormals = new Growing(Int32Array);
   /** Smoothing group of each triangle: {@link UNSTATED} beyond the end, {@link FACETED}, or a number above 0. */
   readonly groups = new Growing(Int32Array);
+  /** Number of each triangle's colour among those of faces, or {@link NONE}. */
+  readonly triangleColors = new Growing(Int32Array);
+  /** 1 for a triangle of the same face as the one before it. */
+  readonly joined = new Growing(Uint8Array);
 
   get triangles(): number {
     return this.corners.length / 3;
   }
 
+  /** @throws ModelError `too-large` for too many triangles. Call before the corners of each. */
+  beginTriangle(joined: boolean): void {
+    if (this.corners.length + 3 > CORNER_LIMIT) {
+      const most = CORNER_LIMIT.toLocaleString('en');
+      throw new ModelError('too-large', `The model has more than ${most} triangle corners.`);
+    }
+    this.joined.push(joined ? 1 : 0);
+  }
+
+  pushCorner(position: number, uv = NONE, normal = NONE): void {
+    const corner = this.corners.length;
+    this.corners.push(position);
+    setItem(this.cornerUvs, corner, uv);
+    setItem(this.cornerNormals, corner, normal);
+  }
+
   pushNormal(x: number, y: number, z: number): void {
     const length = Math.hypot(x, y, z);
-    // Without a direction: only ambient light.
     const scale = length > 0 && length < Infinity ? 1 / length : 0;
     this.normals.push(scale === 0 ? 0 : x * scale);
     this.normals.push(scale === 0 ? 0 : y * scale);
@@ -47,7 +70,8 @@ export class CornerLists {
 
 /** Sets an item of a list that may be shorter, filling it up with {@link NONE}. */
 export function setItem(list: Growing<Int32Array>, index: number, value: number): void {
-  if (value === NONE && list.length <= index) return;
+  if (index < list.length) list.array[index] = value;
+  if (index < list.length || value === NONE) return;
   while (list.length < index) list.push(NONE);
   list.push(value);
 }
@@ -86,11 +110,14 @@ export class Positions {
     return new Matrix4().makeTranslation(...(this.#origin ?? [0, 0, 0]));
   }
 
-  /** @throws Error for a coordinate that is no number or beyond ±1e15; ModelError `too-large` for too many vertices. */
-  push(x: number, y: number, z: number): void {
+  /**
+   * False for a coordinate that is no number or beyond ±1e15: all three become NaN.
+   * @throws ModelError `too-large` for too many vertices.
+   */
+  push(x: number, y: number, z: number): boolean {
     const largest = Math.max(Math.abs(x), Math.abs(y), Math.abs(z));
-    if (!(largest <= LIMITS.coordinate)) throw wrongCoordinate(x, y, z);
-    this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
+    const sound = largest <= LIMITS.coordinate;
+    if (sound) this.#origin ??= largest > FAR_OUT ? [x, y, z] : [0, 0, 0];
     const values = this.#values;
     // A vertex that no triangle uses still takes memory.
     if (values.length >= 3 * CORNER_LIMIT) {
@@ -99,16 +126,30 @@ export class Positions {
         `The model has more than ${CORNER_LIMIT.toLocaleString('en')} vertices.`,
       );
     }
-    const [x0, y0, z0] = this.#origin;
+    const [x0, y0, z0] = sound ? (this.#origin ?? NOWHERE) : NOWHERE;
     values.push(x - x0);
     values.push(y - y0);
     values.push(z - z0);
+    return sound;
+  }
+
+  /** Whether there is such a vertex, and its coordinates are numbers. */
+  has(vertex: number): boolean {
+    return vertex < this.count && !Number.isNaN(this.array[3 * vertex]);
+  }
+
+  /** Removes the vertices from `count` on. */
+  cut(count: number): void {
+    this.#values.length = 3 * count;
   }
 }
 
-function wrongCoordinate(x: number, y: number, z: number): Error {
+const NOWHERE = [NaN, NaN, NaN] as const;
+
+/** Why {@link Positions.push} refused a vertex, for messages. */
+export function wrongCoordinate(x: number, y: number, z: number): string {
   const value = [x, y, z].find((coordinate) => !(Math.abs(coordinate) <= LIMITS.coordinate));
-  return new Error(`a vertex has the coordinate ${String(value)}; ±1e15 is the limit`);
+  return `a vertex has the coordinate ${String(value)}; ±1e15 is the limit`;
 }
 
 interface NumberArray {
@@ -134,12 +175,17 @@ export class Growing<A extends NumberArray> {
   }
 
   push(value: number): void {
-    if (this.length === this.array.length) this.#grow();
+    if (this.isFull) this.grow();
     this.array[this.length] = value;
     this.length += 1;
   }
 
-  #grow(): void {
+  /** Whether the next item makes it grow, which takes 30 ms for 64 MB. */
+  get isFull(): boolean {
+    return this.length === this.array.length;
+  }
+
+  grow(): void {
     const larger = new this.#make(Math.max(this.array.length * 2, FIRST_LENGTH));
     larger.set(this.array);
     this.array = larger;

@@ -1,8 +1,8 @@
 // Normals for corners that have none in the file: the mean of the faces around a vertex that are smoothed together,
 // weighted by their angles there, so that it does not depend on how polygons are cut into triangles. Computed in
 // float64.
-import { PAUSE_MASK, type Slices } from '../slices.js';
-import { FACETED, itemAt, NONE, setItem, UNSTATED, type CornerLists } from './corner-lists.js';
+import type { Slices } from '../slices.js';
+import { FACETED, itemAt, NONE, NOT_THERE, UNSTATED, type CornerLists } from './corner-lists.js';
 import { faceVector, type FaceVector } from './triangulate.js';
 
 /**
@@ -14,62 +14,115 @@ const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
 /** Most corners at a vertex that are compared in pairs. With more, each triangle has its own normal there. */
 const FAN_LIMIT = 256;
 
+/** Pairs in one model, about a second, after which only as many corners are compared as a vertex usually has. */
+const PAIR_LIMIT = 2 ** 28;
+const USUAL_FAN = 16;
+
+/**
+ * Faces whose sum is no longer than this share of its terms cancel: what is left is rounding. Triangles have
+ * normals in float32.
+ */
+const CANCELLED = 1e-5;
+
 /** Appends normals to `lists.normals` and sets them in `lists.cornerNormals`. */
 export async function smoothNormals(lists: CornerLists, slices: Slices): Promise<void> {
-  const { corners, cornerNormals } = lists;
-  const count = corners.length;
   const { starts, around } = await cornersByVertex(lists, slices);
   if (around.length === 0) return;
-  const { normals, angles } = await measuredFaces(lists, slices);
-  const chosen = new Int32Array(around.length).fill(NONE);
-  const sum: FaceVector = { x: 0, y: 0, z: 0 };
-  const { groups } = lists;
-  const groupOf = (face: number): number =>
-    face < groups.length ? (groups.array[face] ?? UNSTATED) : UNSTATED;
-
-  const joined = (a: number, b: number): boolean => {
-    if (a === b) return true;
-    const group = groupOf(a);
-    if (group !== groupOf(b) || group === FACETED) return false;
-    return group !== UNSTATED || dot(normals, a, b) >= CREASE_COSINE;
-  };
-
+  const faces = await measuredFaces(lists, slices);
+  const fan = new Fan();
+  let pairs = 0;
   for (let vertex = 0; vertex + 1 < starts.length; vertex += 1) {
-    if ((vertex & PAUSE_MASK) === 0 && slices.due) await slices.pause();
     const start = starts[vertex] ?? 0;
     const end = starts[vertex + 1] ?? 0;
-    const first = lists.normals.length / 3;
-    for (let i = start; i < end; i += 1) {
-      const face = triangleOf(around[i] ?? 0);
-      sum.x = sum.y = sum.z = 0;
-      if (end - start > FAN_LIMIT) {
-        addFace(sum, normals, face, 1);
-      } else {
-        for (let j = start; j < end; j += 1) {
-          const corner = around[j] ?? 0;
-          if (joined(face, triangleOf(corner)))
-            addFace(sum, normals, triangleOf(corner), angles[corner] ?? 0);
-        }
-      }
-      lists.pushNormal(sum.x, sum.y, sum.z);
-      chosen[i] = mergedWithLast(lists, first);
+    const smoothed = end - start <= (pairs < PAIR_LIMIT ? FAN_LIMIT : USUAL_FAN);
+    if (smoothed) pairs += (end - start) ** 2;
+    for (let from = start; from < end; from += FAN_LIMIT) {
+      const corners = around.subarray(from, Math.min(from + FAN_LIMIT, end));
+      if (slices.took(corners.length * (1 + corners.length / 64))) await slices.pause();
+      fan.load(corners, lists, faces);
+      fan.write(corners, lists, smoothed);
     }
-  }
-  // In the order of corners, because the list may end early.
-  const byCorner = new Int32Array(count).fill(NONE);
-  for (let i = 0; i < around.length; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
-    byCorner[around[i] ?? 0] = chosen[i] ?? NONE;
-  }
-  for (let corner = 0; corner < count; corner += 1) {
-    if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
-    const own = byCorner[corner] ?? NONE;
-    if (corner >= cornerNormals.length) setItem(cornerNormals, corner, own);
-    else if (own !== NONE) cornerNormals.array[corner] = own;
+    if (start === end && slices.took(1 / 64)) await slices.pause();
   }
 }
 
-const triangleOf = (corner: number): number => Math.floor(corner / 3);
+/** The corners around a vertex, copied out of the lists: each is compared with every other. */
+class Fan {
+  readonly #x = new Float64Array(FAN_LIMIT);
+  readonly #y = new Float64Array(FAN_LIMIT);
+  readonly #z = new Float64Array(FAN_LIMIT);
+  readonly #angles = new Float64Array(FAN_LIMIT);
+  readonly #triangles = new Int32Array(FAN_LIMIT);
+  readonly #groups = new Int32Array(FAN_LIMIT);
+  /** The mean normal of the faces that are smoothed with the last one asked for; any length. */
+  readonly #sum: FaceVector = { x: 0, y: 0, z: 0 };
+
+  load(corners: Uint32Array, { groups }: CornerLists, { normals, angles }: Faces): void {
+    for (let i = 0; i < corners.length; i += 1) {
+      const corner = corners[i] ?? 0;
+      const triangle = Math.floor(corner / 3);
+      this.#triangles[i] = triangle;
+      this.#x[i] = normals[3 * triangle] ?? 0;
+      this.#y[i] = normals[3 * triangle + 1] ?? 0;
+      this.#z[i] = normals[3 * triangle + 2] ?? 0;
+      this.#angles[i] = angles[corner] ?? 0;
+      this.#groups[i] = itemAt(groups, triangle);
+    }
+  }
+
+  /** Gives each of the corners a normal. @param smoothed whether it may be that of several faces. */
+  write(corners: Uint32Array, lists: CornerLists, smoothed: boolean): void {
+    const first = lists.normals.length / 3;
+    const sum = this.#sum;
+    for (let i = 0; i < corners.length; i += 1) {
+      if (smoothed) this.#smooth(i, corners.length);
+      else this.#takeOwn(i);
+      lists.pushNormal(sum.x, sum.y, sum.z);
+      lists.cornerNormals.array[corners[i] ?? 0] = mergedWithLast(lists, first);
+    }
+  }
+
+  #smooth(i: number, count: number): void {
+    const x = this.#x[i] ?? 0;
+    const y = this.#y[i] ?? 0;
+    const z = this.#z[i] ?? 0;
+    const triangle = this.#triangles[i] ?? 0;
+    const group = this.#groups[i] ?? UNSTATED;
+    let sumX = 0;
+    let sumY = 0;
+    let sumZ = 0;
+    let weights = 0;
+    for (let j = 0; j < count; j += 1) {
+      const otherX = this.#x[j] ?? 0;
+      const otherY = this.#y[j] ?? 0;
+      const otherZ = this.#z[j] ?? 0;
+      if (this.#triangles[j] !== triangle) {
+        if (group === FACETED || this.#groups[j] !== group) continue;
+        if (group === UNSTATED && x * otherX + y * otherY + z * otherZ < CREASE_COSINE) continue;
+      }
+      const angle = this.#angles[j] ?? 0;
+      sumX += angle * otherX;
+      sumY += angle * otherY;
+      sumZ += angle * otherZ;
+      weights += angle;
+    }
+    // Faces of both sides in one group cancel, and a face that is folded over would be lit from behind.
+    const along = sumX * x + sumY * y + sumZ * z;
+    if (x * x + y * y + z * z > 0 && !(along > CANCELLED * weights)) {
+      this.#takeOwn(i);
+      return;
+    }
+    this.#sum.x = sumX;
+    this.#sum.y = sumY;
+    this.#sum.z = sumZ;
+  }
+
+  #takeOwn(i: number): void {
+    this.#sum.x = this.#x[i] ?? 0;
+    this.#sum.y = this.#y[i] ?? 0;
+    this.#sum.z = this.#z[i] ?? 0;
+  }
+}
 
 /** The corners without a normal, sorted by vertex: those of vertex i are from `starts[i]` to `starts[i + 1]`. */
 async function cornersByVertex(
@@ -80,22 +133,25 @@ async function cornersByVertex(
   const starts = new Uint32Array(places.count + 1);
   let missing = 0;
   for (let corner = 0; corner < corners.length; corner += 1) {
-    if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
-    if (itemAt(cornerNormals, corner) !== NONE) continue;
+    if (slices.took(1 / 16)) await slices.pause();
+    // Every corner gets an item, to be overwritten.
+    if (corner >= cornerNormals.length) cornerNormals.push(NONE);
     const vertex = corners.array[corner] ?? 0;
+    if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
     starts[vertex] = (starts[vertex] ?? 0) + 1;
     missing += 1;
   }
   const around = new Uint32Array(missing);
   if (missing === 0) return { starts, around };
   for (let vertex = 1; vertex < starts.length; vertex += 1) {
+    if (slices.took(1 / 64)) await slices.pause();
     starts[vertex] = (starts[vertex] ?? 0) + (starts[vertex - 1] ?? 0);
   }
   // `starts` holds the ends now. Filling from the last corner down moves them to the starts.
   for (let corner = corners.length - 1; corner >= 0; corner -= 1) {
-    if ((corner & PAUSE_MASK) === 0 && slices.due) await slices.pause();
-    if (itemAt(cornerNormals, corner) !== NONE) continue;
+    if (slices.took(1 / 16)) await slices.pause();
     const vertex = corners.array[corner] ?? 0;
+    if (vertex === NOT_THERE || cornerNormals.array[corner] !== NONE) continue;
     const place = (starts[vertex] ?? 0) - 1;
     starts[vertex] = place;
     around[place] = corner;
@@ -117,7 +173,7 @@ async function measuredFaces({ corners, places }: CornerLists, slices: Slices): 
   const position = places.array;
   const face: FaceVector = { x: 0, y: 0, z: 0 };
   for (let i = 0; i < count; i += 1) {
-    if ((i & PAUSE_MASK) === 0 && slices.due) await slices.pause();
+    if (slices.took(1 / 4)) await slices.pause();
     const a = 3 * (corners.array[3 * i] ?? 0);
     const b = 3 * (corners.array[3 * i + 1] ?? 0);
     const c = 3 * (corners.array[3 * i + 2] ?? 0);
@@ -141,20 +197,6 @@ function edgesDot(position: Float32Array, a: number, b: number, c: number): numb
     sum += ((position[b + axis] ?? 0) - origin) * ((position[c + axis] ?? 0) - origin);
   }
   return sum;
-}
-
-function dot(normals: Float32Array, a: number, b: number): number {
-  return (
-    (normals[3 * a] ?? 0) * (normals[3 * b] ?? 0) +
-    (normals[3 * a + 1] ?? 0) * (normals[3 * b + 1] ?? 0) +
-    (normals[3 * a + 2] ?? 0) * (normals[3 * b + 2] ?? 0)
-  );
-}
-
-function addFace(sum: FaceVector, normals: Float32Array, face: number, weight: number): void {
-  sum.x += weight * (normals[3 * face] ?? 0);
-  sum.y += weight * (normals[3 * face + 1] ?? 0);
-  sum.z += weight * (normals[3 * face + 2] ?? 0);
 }
 
 /** The number of the last normal, or of an equal one from `first` on: then the last is removed. */

@@ -1,51 +1,91 @@
-// Cuts a polygon into triangles: a fan for convex ones; ears are cut off others. Works on vertex numbers, calls back
-// for each triangle.
-import { ModelError } from '../model.js';
-import type { Positions } from './corner-lists.js';
-
-/** Most corners of a polygon. Real ones have hundreds; each takes memory before the triangles do. */
-const POLYGON_LIMIT = 2 ** 20;
-
-/** Call before a polygon gets one more corner. @throws ModelError `too-large`. */
-export function requirePolygon(corners: number): void {
-  if (corners < POLYGON_LIMIT) return;
-  const most = POLYGON_LIMIT.toLocaleString('en');
-  throw new ModelError('too-large', `A polygon of the model has more than ${most} corners.`);
-}
+// Cuts polygons into triangles: a fan for convex ones; ears are cut off others.
+import { type CornerLists, NONE, setItem, UNSTATED } from './corner-lists.js';
 
 /** Corners of the largest polygon whose ears are cut, which takes up to n³ steps. Larger ones become fans. */
 const EAR_LIMIT = 256;
 
-/** Steps of cutting ears in one model, after which polygons become fans: less than a second. */
-const STEP_LIMIT = 2 ** 27;
+/** Steps of cutting ears in one polygon, and in all of a model, after which any triangle is cut off: 5 ms, 1 s. */
+const POLYGON_STEPS = 2 ** 20;
+const MODEL_STEPS = 2 ** 27;
 
-type Emit = (a: number, b: number, c: number) => void;
-
-/** Cuts the polygons of one model. */
-export class Triangulator {
-  readonly #places: Positions;
+/** Takes the corners of a file's polygons, one after the other, and adds their triangles to its lists. */
+export class Polygons {
+  readonly #lists: CornerLists;
+  /** Position, texture coordinates and normal of each corner; of a fan, the first and the last corner only. */
+  readonly #v: number[] = [];
+  readonly #t: number[] = [];
+  readonly #n: number[] = [];
+  #isFan = false;
+  #begun = false;
   #steps = 0;
+  #group = UNSTATED;
+  #color = NONE;
 
-  constructor(places: Positions) {
-    this.#places = places;
+  constructor(lists: CornerLists) {
+    this.#lists = lists;
   }
 
-  /**
-   * @param vertices the polygon's vertices in order. With one that is not among the places yet it becomes a fan.
-   * @param emit called with indices into `vertices`, three per triangle.
-   */
-  cut(vertices: readonly number[], emit: Emit): void {
-    const count = vertices.length;
-    if (count > 3 && count <= EAR_LIMIT && this.#steps < STEP_LIMIT && !this.#isConvex(vertices)) {
-      this.#cutEars(flattened(this.#places.array, vertices), count, emit);
-      return;
+  /** @param color number of its colour among those of faces. */
+  begin(group = UNSTATED, color = NONE): void {
+    this.#v.length = this.#t.length = this.#n.length = 0;
+    this.#isFan = this.#begun = false;
+    this.#group = group;
+    this.#color = color;
+  }
+
+  /** @throws ModelError `too-large` for too many triangles. */
+  add(vertex: number, uv = NONE, normal = NONE): void {
+    this.#v.push(vertex);
+    this.#t.push(uv);
+    this.#n.push(normal);
+    if (this.#isFan || this.#v.length > EAR_LIMIT) this.#fan();
+  }
+
+  /** Steps of cutting ears so far. */
+  get steps(): number {
+    return this.#steps;
+  }
+
+  /** Points and lines have no triangles. With a vertex that has not come yet it is a fan. */
+  end(): void {
+    const count = this.#v.length;
+    if (this.#isFan || count < 3) return;
+    if (count > 3 && this.#steps < MODEL_STEPS && !this.#isConvex(this.#v)) {
+      this.#cutEars(flattened(this.#lists.places.array, this.#v), count);
+    } else {
+      this.#fan();
     }
-    for (let i = 2; i < count; i += 1) emit(0, i - 1, i);
+  }
+
+  /** Adds the fan of the corners so far, and keeps the two that the next triangle needs. */
+  #fan(): void {
+    const last = this.#v.length - 1;
+    for (let i = 2; i <= last; i += 1) this.#emit(0, i - 1, i);
+    this.#isFan = true;
+    for (const list of [this.#v, this.#t, this.#n]) {
+      list[1] = list[last] ?? NONE;
+      list.length = 2;
+    }
+  }
+
+  #emit(a: number, b: number, c: number): void {
+    const lists = this.#lists;
+    if (this.#group !== UNSTATED) setItem(lists.groups, lists.triangles, this.#group);
+    if (this.#color !== NONE) setItem(lists.triangleColors, lists.triangles, this.#color);
+    lists.beginTriangle(this.#begun);
+    this.#begun = true;
+    this.#corner(a);
+    this.#corner(b);
+    this.#corner(c);
+  }
+
+  #corner(i: number): void {
+    this.#lists.pushCorner(this.#v[i] ?? 0, this.#t[i], this.#n[i]);
   }
 
   /** Whether every corner turns the same way. Also true if a vertex is missing: nothing is better than a fan then. */
   #isConvex(vertices: readonly number[]): boolean {
-    const { array, count } = this.#places;
+    const { array, count } = this.#lists.places;
     const size = vertices.length;
     let [nx, ny, nz] = [0, 0, 0];
     for (let i = 0; i < size; i += 1) {
@@ -67,19 +107,20 @@ export class Triangulator {
     return true;
   }
 
-  #cutEars(flat: Float64Array, count: number, emit: Emit): void {
+  #cutEars(flat: Float64Array, count: number): void {
+    const most = this.#steps + POLYGON_STEPS;
     const rest = Array.from({ length: count }, (_, i) => i);
     const at = (i: number): number => rest[i % rest.length] ?? 0;
     while (rest.length > 3) {
       let ear = rest.findIndex((b, i) => {
         this.#steps += rest.length;
-        return isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1));
+        return this.#steps > most || isEar(flat, rest, at(i + rest.length - 1), b, at(i + 1));
       });
       if (ear < 0) ear = 1; // it crosses itself: any triangle will do
-      emit(at(ear + rest.length - 1), at(ear), at(ear + 1));
+      this.#emit(at(ear + rest.length - 1), at(ear), at(ear + 1));
       rest.splice(ear, 1);
     }
-    emit(at(0), at(1), at(2));
+    this.#emit(at(0), at(1), at(2));
   }
 }
 

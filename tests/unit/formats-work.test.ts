@@ -1,0 +1,102 @@
+// Does reading a text format let other tasks run after a bounded amount of work, whatever the file is made of: one line,
+// one list, one polygon, one vertex, one word? Every look at the clock says that the task has taken long enough, so
+// that the pauses count the slices.
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { heardWarnings, loadFiles, type FileContent } from './model-files.js';
+
+heardWarnings();
+
+let pauses = 0;
+
+beforeEach(() => {
+  let now = 0;
+  vi.spyOn(performance, 'now').mockImplementation(() => (now += 100));
+  pauses = 0;
+  vi.stubGlobal(
+    'MessageChannel',
+    class extends MessageChannel {
+      constructor() {
+        super();
+        pauses += 1;
+      }
+    },
+  );
+});
+
+const QUAD = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
+const SOUND = `${QUAD}f 1 2 3 4\n`;
+const MANY = 2 ** 18;
+const ply = (body: string, ...lines: readonly string[]): string =>
+  ['ply', 'format ascii 1.0', ...lines, 'end_header', body].join('\n');
+const VERTICES = ['element vertex 4', 'property float x', 'property float y', 'property float z'];
+const FACES = ['element face 1', 'property list uint int vertex_indices'];
+const SQUARE = '0 0 0\n1 0 0\n1 1 0\n0 1 0\n';
+const withMtl = (mtl: string): Readonly<Record<string, FileContent>> => ({
+  'a.obj': `mtllib a.mtl\n${SOUND}`,
+  'a.mtl': mtl,
+});
+
+/** Comments of `#` without an end. */
+const utf16 = Uint8Array.from({ length: 8 * MANY }, (_, i) => [0xff, 0xfe][i] ?? (i % 2 === 0 ? 35 : 0));
+
+/** 255 triangles at each of 256 vertices. */
+const fans = Array.from(
+  { length: 85 * 64 },
+  (_, i) => `3 ${i % 64} ${(i + 1 + (i % 7)) % 64} ${(i + 9) % 64}\n`,
+);
+const points = Array.from({ length: 64 }, (_, i) => `${Math.sin(i)} ${Math.cos(3 * i)} ${Math.sin(5 * i)}\n`);
+
+describe('other tasks can run while a file is read', () => {
+  it.each<[what: string, files: Readonly<Record<string, FileContent>>]>([
+    ['an OBJ comment', { 'a.obj': `# ${'x'.repeat(MANY)}\n${SOUND}` }],
+    ['empty lines', { 'a.obj': `${QUAD}${'\n'.repeat(MANY)}f 1 2 3 4` }],
+    ['blanks in a line', { 'a.obj': `${SOUND}f 1 2${' '.repeat(MANY)}3` }],
+    ['a word', { 'a.obj': `${SOUND}v ${'1'.repeat(MANY)} 2 3` }],
+    ['a polygon of OBJ', { 'a.obj': `${QUAD}f ${'1 2 3 4 '.repeat(MANY / 8)}\n` }],
+    ['statements of MTL', withMtl('newmtl m\n' + 'Kd 1 1 1\n'.repeat(MANY / 9))],
+    ['a line of MTL', withMtl(`newmtl m\nmap_Kd ${'x'.repeat(MANY)}`)],
+    ['MTL in UTF-16', { 'a.obj': `mtllib a.mtl\n${SOUND}`, 'a.mtl': utf16 }],
+    [
+      'a polygon of PLY',
+      { 'a.ply': ply(`${SQUARE}${MANY / 2} ${'0 1 2 3 '.repeat(MANY / 8)}`, ...VERTICES, ...FACES) },
+    ],
+    [
+      'a list that is skipped',
+      {
+        'a.ply': ply(
+          `${MANY / 2} ${'1 '.repeat(MANY / 2)}\n${SQUARE}4 0 1 2 3`,
+          'element x 1',
+          'property list uint int y',
+          ...VERTICES,
+          ...FACES,
+        ),
+      },
+    ],
+    [
+      'comments of PLY',
+      { 'a.ply': ply(`${'comment\n'.repeat(MANY / 8)}${SQUARE}4 0 1 2 3`, ...VERTICES, ...FACES) },
+    ],
+    [
+      'corners around a vertex',
+      {
+        'a.ply': ply(
+          points.join('') + fans.join(''),
+          'element vertex 64',
+          ...VERTICES.slice(1),
+          `element face ${fans.length}`,
+          'property list uint int vertex_indices',
+        ),
+      },
+    ],
+    [
+      'names of STL',
+      {
+        'a.stl': `${`solid ${'facet normal '.repeat(100)}\nendsolid\n`.repeat(MANY / 1300)}solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid`,
+      },
+    ],
+  ])('made of %s', async (_, files) => {
+    // prettier-ignore
+    expect((await loadFiles(files)).parts.length).toBeGreaterThan(0);
+    expect(pauses).toBeGreaterThanOrEqual(8);
+  });
+});
