@@ -13,12 +13,12 @@ import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.j
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
-import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
+import { Budget } from '../../src/model/budget.js';
 
 const pictures: Picture[] = [];
 
 class Picture {
-  readonly budget = new TriangleBudget();
+  readonly budget = new Budget();
   readonly materials = new SharedMaterials(new PhongLighting());
   readonly scene = new Scene();
   readonly meshes = new Set<SceneMesh>();

@@ -4,7 +4,6 @@ import type { Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
 import { nameOf } from '../file-name.js';
-import { ModelBudget } from '../model-budget.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
@@ -20,7 +19,7 @@ import { collectParts } from './collect-parts.js';
 import { gltfTextures } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {
-  const budget = new ModelBudget(source.onValues);
+  const { budget } = source;
   const slices = new Slices(source.signal);
   const { json, body } = openContainer(source.bytes, budget);
   await slices.pauseIfDue();

@@ -1,7 +1,6 @@
 // Reads an OBJ file with its MTL libraries. One part per object and material; the material's coefficients are those of
 // the equation. Corners without a normal get one by smoothing group. A separate chunk.
 import type { ModelReader, ModelSource } from '../format.js';
-import { ModelBudget } from '../model-budget.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import { scale } from '../../math/vector.js';
@@ -21,7 +20,7 @@ export const readObj: ModelReader = async (source) => {
   if (text.runs.length === 0) throw new Error('it has no faces');
   const materials = await readLibraries(text, source);
   await smoothNormals(text.lists, slices);
-  const budget = new ModelBudget(source.onValues);
+  const { budget } = source;
   const textures = new MapTextures(source, budget);
   try {
     const parts: ContentPart[] = [];

@@ -2,7 +2,6 @@
 // gives no normals are smoothed, with edges where faces meet at a sharp angle. A separate chunk.
 import type { ModelReader } from '../format.js';
 import { CORNER_LIMIT } from '../limits.js';
-import { ModelBudget } from '../model-budget.js';
 import { PLAIN_LOOK } from '../../material/file-surface.js';
 import { ModelError } from '../model.js';
 import { ownedModel } from '../owned-model.js';
@@ -14,7 +13,7 @@ import { requirePolygon, Triangulator } from '../triangles/triangulate.js';
 import { readPlyHeader, type PlyElement, type PlyProperty, type PlyType } from './ply-header.js';
 import { plyValues, type PlyValues } from './ply-values.js';
 
-export const readPly: ModelReader = async ({ bytes, signal, onValues }) => {
+export const readPly: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal);
   const header = readPlyHeader(bytes);
   requireFaces(header.elements);
@@ -38,7 +37,7 @@ export const readPly: ModelReader = async ({ bytes, signal, onValues }) => {
     await smoothNormals(lists, slices);
   }
   const ranges = [{ start: 0, end: lists.corners.length }];
-  const geometry = await indexedGeometry(lists, ranges, false, new ModelBudget(onValues), slices);
+  const geometry = await indexedGeometry(lists, ranges, false, budget, slices);
   const look = { ...PLAIN_LOOK, vertexColors: geometry.hasAttribute('color') };
   const { matrix } = lists.places;
   return ownedModel([{ name: '', geometry, matrix, look, sides: 'double', surface: {} }]);

@@ -14,11 +14,10 @@ import { Growing, Positions } from '../triangles/corner-lists.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
-export const readStl: ModelReader = async ({ bytes, signal, onValues }) => {
+export const readStl: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal);
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
   const solids = asText ? await readStlText(bytes, slices) : [await readBinary(bytes, slices)];
-  const budget = new ModelBudget(onValues);
   const parts: ContentPart[] = [];
   for (const solid of solids) parts.push(await partOf(solid, budget, slices));
   if (parts.length === 0) throw new Error('it has no triangles');

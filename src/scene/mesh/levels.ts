@@ -4,6 +4,7 @@ import { lazyCode } from '../../model/lazy-code.js';
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { View } from '../view-cut.js';
+import type { Budget } from '../../model/budget.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
 import { FIXED, isBuilt, levelKey } from './shapes/shared-shapes.js';
@@ -16,7 +17,6 @@ import {
   roundOf,
   trianglesOf,
 } from './shapes/shapes.js';
-import type { TriangleBudget } from './triangle-budget.js';
 
 /** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
 export const OUTLINE_TOLERANCE = 1 / 8;
@@ -43,7 +43,7 @@ const buildsCode = /* @__PURE__ */ lazyCode(() => import('./level-builds.js'), '
 
 export class Levels {
   readonly #meshes: ReadonlySet<SceneMesh>;
-  readonly #budget: TriangleBudget;
+  readonly #budget: Budget;
   readonly #materials: SharedMaterials;
   readonly #built: (samples: boolean) => void;
   #tolerance = OUTLINE_TOLERANCE;
@@ -64,7 +64,7 @@ export class Levels {
   /** `built` is called when a level that was missing is there; `samples`: for the samples of a still picture. */
   constructor(
     meshes: ReadonlySet<SceneMesh>,
-    budget: TriangleBudget,
+    budget: Budget,
     materials: SharedMaterials,
     built: (samples: boolean) => void,
   ) {
