@@ -4,6 +4,7 @@ import { decodeDataUri } from './data-uri.js';
 import { nameOf } from './file-name.js';
 import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
+import { Slices } from './slices.js';
 import { isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
 
 /**
@@ -50,7 +51,7 @@ export function byteFetcher(
   return async (url, redirect, request) => {
     signal.throwIfAborted();
     if (isDataUri(url.href)) {
-      const { type, bytes } = decodeDataUri(url.href);
+      const { type, bytes } = await decodeDataUri(url.href, new Slices(signal));
       onType(type);
       budget.add({ bytes: bytes.byteLength });
       return bytes;

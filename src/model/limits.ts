@@ -13,6 +13,12 @@ export const BYTE_LIMIT = 2 ** 28;
  */
 export const TEXT_LIMIT = 2 ** 27;
 
+/**
+ * Most bytes of a glTF's JSON without data in base64: 32 MiB. While it is read it is there several times, as text and
+ * as values.
+ */
+export const JSON_TEXT_LIMIT = 2 ** 25;
+
 /** Most items that are visited while a model is read, beyond its values: some seconds, in short tasks. */
 export const WORK_LIMIT = 2 ** 28;
 

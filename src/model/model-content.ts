@@ -52,7 +52,7 @@ export async function modelContent(
   const missing = new Map<string, string>();
   const optional = optionalReader(signal, missing);
   try {
-    const bytes = asUtf8(await read());
+    const bytes = await asUtf8(await read(), budget, new Slices(signal));
     const format = formatOf(name, bytes, { type, mediaType: mediaType(), address: url.href });
     const readModel = await format.reader().catch((cause: unknown) => {
       const message = `The code that reads ${format.name} files could not be fetched.`;

@@ -21,11 +21,11 @@ import { gltfTextures } from './textures.js';
 export const readGltf: ModelReader = async (source) => {
   const { budget } = source;
   const slices = new Slices(source.signal);
-  const { json, body } = openContainer(source.bytes, budget);
+  const container = await openContainer(source.bytes, budget, slices);
   await slices.pauseIfDue();
-  const document = readDocument(json, budget);
+  const document = readDocument(container.json, budget);
   await slices.pauseIfDue();
-  const bytes = gltfBytes(document, body, source);
+  const bytes = gltfBytes(document, container, source);
   const textures = gltfTextures(document, bytes, budget, source);
   const turn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({

@@ -16,11 +16,12 @@ import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
 export const readObj: ModelReader = async (source) => {
   const slices = new Slices(source.signal);
+  const { budget } = source;
+  budget.add({ text: source.bytes.byteLength });
   const text = await readObjText(source.bytes, slices);
   if (text.runs.length === 0) throw new Error('it has no faces');
-  const materials = await readLibraries(text, source);
+  const materials = await readLibraries(text, source, slices);
   await smoothNormals(text.lists, slices);
-  const { budget } = source;
   const textures = new MapTextures(source, budget);
   try {
     const parts: ContentPart[] = [];
@@ -46,13 +47,17 @@ const NO_MATERIAL: MtlMaterial = { opacity: 1, map: null };
 
 async function readLibraries(
   { libraries }: ObjText,
-  { linked, optional }: ModelSource,
+  { linked, optional, budget }: ModelSource,
+  slices: Slices,
 ): Promise<ReadonlyMap<string, MtlMaterial>> {
   const read = libraries.map(async (library) => {
     const found = await optional(
       library,
       () => linked(addressOf(library)),
-      (bytes) => readMtl(asUtf8(bytes)),
+      async (bytes) => {
+        budget.add({ text: bytes.byteLength });
+        return readMtl(await asUtf8(bytes, budget, slices));
+      },
     );
     const folder = library.slice(0, library.lastIndexOf('/') + 1);
     return Array.from(found ?? [], (entry) => placedIn(folder, entry));

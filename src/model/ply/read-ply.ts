@@ -17,6 +17,7 @@ export const readPly: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal);
   const header = readPlyHeader(bytes);
   requireFaces(header.elements);
+  if (header.encoding === 'text') budget.add({ text: bytes.byteLength });
   const values = plyValues(bytes, header);
   const lists = new CornerLists();
   for (const element of header.elements) {

@@ -17,6 +17,7 @@ import { readStlText } from './stl-text.js';
 export const readStl: ModelReader = async ({ bytes, signal, budget }) => {
   const slices = new Slices(signal);
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
+  if (asText) budget.add({ text: bytes.byteLength });
   const solids = asText ? await readStlText(bytes, slices) : [await readBinary(bytes, slices)];
   const parts: ContentPart[] = [];
   for (const solid of solids) parts.push(await partOf(solid, budget, slices));
