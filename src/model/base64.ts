@@ -8,7 +8,7 @@ const WRONG = 65;
 const VALUES = /* @__PURE__ */ (() => {
   const values = new Uint8Array(256).fill(WRONG);
   const alphabet = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/';
-  for (const [value, character] of [...alphabet].entries()) values[character.charCodeAt(0)] = value;
+  for (let value = 0; value < 64; value += 1) values[alphabet.charCodeAt(value)] = value;
   // White space, padding, and the backslash that JSON allows before a slash.
   for (const character of '\t\n\f\r =\\') values[character.charCodeAt(0)] = SKIPPED;
   return values;

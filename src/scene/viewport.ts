@@ -17,7 +17,6 @@ import type { SceneMesh } from './mesh/scene-mesh.js';
 import { SharedMaterials } from './mesh/shared-materials.js';
 import { SceneTree } from './scene-tree.js';
 import type { Size } from './gpu/atlas.js';
-import { sizeOnPage } from './gpu/atlas-copies.js';
 import { type NoWebGL2Error, stage, type StageClient } from './gpu/stage.js';
 import { type PaintPart, StillPicture } from './still-picture.js';
 import { ViewCamera } from './view-camera.js';
@@ -166,11 +165,10 @@ export class Viewport implements StageClient, Framed {
     this.#wake();
   }
 
-  /** In device pixels. A picture of no pixels is not drawn; one of several screens, or too large for the GPU, is reduced. */
+  /** In device pixels. A picture of no pixels is not drawn; larger ones than the GPU can draw are reduced. */
   resize(width: number, height: number): void {
-    const wanted = sizeOnPage({ width, height });
-    if (wanted.width === this.#wanted.width && wanted.height === this.#wanted.height) return;
-    this.#wanted = wanted;
+    if (width === this.#wanted.width && height === this.#wanted.height) return;
+    this.#wanted = { width, height };
     this.fit.resized(width, height);
     this.#outdate();
     this.#wake();

@@ -96,7 +96,7 @@ describe('the budget of triangles', () => {
     const model = new ModelBudget((claims) => claim.add(holds(claims, 'model')));
     for (let i = 0; i < 10; i += 1) model.add({ values: VALUES_PER_TRIANGLE });
     expect(budget.used).toBe(10);
-    expect(() => model.add({ values: 1 })).toThrow(tooLarge as Error);
+    expect(() => model.add({ values: 1 })).toThrow(tooLarge);
     claim.release();
     expect(budget.used).toBe(0);
   });
@@ -115,7 +115,7 @@ describe('the budget of triangles', () => {
     const budget = new Budget();
     budget.claim({}).add(holds({ [key]: limit }));
     const another = budget.claim({});
-    expect(() => another.add(holds({ [key]: 1 }))).toThrow(tooLarge as Error);
+    expect(() => another.add(holds({ [key]: 1 }))).toThrow(tooLarge);
     expect(() => another.add(holds({ values: 7 }))).not.toThrow();
   });
 

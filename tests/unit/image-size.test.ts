@@ -25,7 +25,7 @@ const lossy = chunk('VP8 ', 0, 0, 0, 0x9d, 1, 0x2a, 0x80, 0x42, 0xe0, 1);
 const lossless = chunk('VP8L', 0x2f, 0x7f, 0xc2, 0x77, 0, 0);
 const canvas = chunk('VP8X', 0, 0, 0, 0, 0x7f, 2, 0, 0xdf, 1, 0);
 const animated = (x: number): Buffer =>
-  chunk('ANMF', x, 0, 0, 0, 0, 0, 0x7f, 2, 0, 0xdf, 1, 0, ...Array(4).fill(0));
+  chunk('ANMF', x, 0, 0, 0, 0, 0, 0x7f, 2, 0, 0xdf, 1, 0, ...Array<number>(4).fill(0));
 const pngHead = pngOf(640, 480, 1).subarray(0, 33);
 const pngRest = pngOf(640, 480, 1).subarray(33);
 const otherHead = pngOf(9, 9, 1).subarray(8, 33);

@@ -61,7 +61,7 @@ function viewerOf() {
   const add = (values: Partial<MeshValues>) => {
     const store = new FieldStore(MESH_FIELDS);
     const set = (changed: Partial<MeshValues>): void => {
-      for (const [key, value] of Object.entries(changed)) store.set(key as 'src', value as string);
+      for (const [key, value] of Object.entries(changed)) store.set(key as 'src', value);
       mesh.update();
     };
     const mesh = new SceneMesh(store, host);

@@ -109,14 +109,14 @@ class SharedModel {
   readonly #claim = (claimed: Amounts): void => {
     this.#claimed = claimed;
     const asked = new Set<Budget>();
-    let refusal: unknown = null;
+    let refusal: Error | null = null;
     for (const [{ claim }, refuse] of this.#waiting) {
       if (asked.has(claim.budget)) continue;
       try {
         claim.add([{ key: this, claims: claimed, flat: false }]);
         asked.add(claim.budget);
       } catch (error) {
-        refusal = error;
+        refusal = error as Error;
         refuse(error);
       }
     }
