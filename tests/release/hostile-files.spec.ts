@@ -77,3 +77,17 @@ test('@release ninety meshes of one model with textures take the memory of one',
   expect(shown).toBe(90);
   expect(growth).toBeLessThan(GROWTH_LIMIT_MB);
 });
+
+test('@release eight captures at once take the float buffers of one', async ({ browser, mount }) => {
+  test.setTimeout(300_000);
+  const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
+  const memory = await MemoryWatch.of(browser);
+  memory.start();
+  await viewer.evaluate(async (element: PhongViewer) => {
+    const options = { width: 1000, height: 700, samples: 2 };
+    await Promise.all(Array.from({ length: 8 }, () => element.toBlob(options)));
+  });
+  const growth = memory.stop();
+  console.log(`eight captures: ${growth.toFixed()} MB`);
+  expect(growth).toBeLessThan(200); // buffers of 36 MB, and eight pictures of 3 MB
+});

@@ -110,7 +110,10 @@ describe('meshes with the same source', () => {
 
   it('but another type or another File are not shared; the same File is', async () => {
     const { add } = viewerOf();
-    const [one, other] = [new File([triangleGlb()], 'a.glb'), new File([triangleGlb()], 'a.glb')];
+    const [one, other] = [
+      new File([new Uint8Array(triangleGlb())], 'a.glb'),
+      new File([new Uint8Array(triangleGlb())], 'a.glb'),
+    ];
     const meshes = [one, one, other].map((src) => add({ src }));
     const typed = [add({ src: '/triangle.glb' }), add({ src: '/triangle.glb', type: 'gltf' })];
     await there(...meshes, ...typed);
