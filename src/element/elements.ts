@@ -66,9 +66,10 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    */
   readonly scene: Scene;
   /**
-   * Most triangles that all meshes together may hold, shared shapes counted once and flat ones 4.4 times. A mesh beyond
-   * is not shown and reports `too-large`; it is shown once there is room. Default and most: 16,777,216. Lower it where
-   * strangers write the markup. Null restores the default. Throws TypeError or RangeError for anything else.
+   * Most triangles that all meshes together may hold, shared shapes and models counted once and flat ones 4.4 times. A
+   * mesh beyond is not shown and reports `too-large`, until it is tried again: by the button of the message, or by
+   * setting this. Default and most: 16,777,216. Lower it where strangers write the markup. Null restores the default.
+   * Throws TypeError or RangeError for anything else.
    */
   get maxTriangles(): number;
   set maxTriangles(triangles: number | null | undefined);

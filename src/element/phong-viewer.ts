@@ -156,6 +156,7 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   set maxTriangles(triangles: number | null | undefined) {
     this.#context.viewport.budget.limit = triangles ?? null;
+    if (this.hasUpdated) this.#loading.retry();
   }
 
   get stats(): ViewerStats {

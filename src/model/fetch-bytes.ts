@@ -2,8 +2,9 @@
 // understands.
 import { decodeDataUri } from './data-uri.js';
 import { nameOf } from './file-name.js';
-import { BYTE_LIMIT } from './limits.js';
+import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
+import { Slices } from './slices.js';
 import { isDataUri, type CrossOrigin, type FileRequest, requestFile } from './request-file.js';
 
 /**
@@ -28,22 +29,31 @@ export type FetchBytes = (
 ) => Promise<Uint8Array<ArrayBuffer>>;
 
 /**
- * A download function for the files of one model, which share size limit and progress.
+ * A download function for the files of one model, which share budget and progress.
  * @param onType called with the media type of each file; empty if none came with it.
  */
 export function byteFetcher(
   transfer: Transfer,
+  budget: ModelBudget,
   onType: (type: string) => void = () => undefined,
 ): FetchBytes {
   const { signal } = transfer;
   let loaded = 0;
   let total = 0;
   let known = true;
+  let claimed = 0;
+  /** What is announced, or has come without that. A compressed file counts as what it unpacks to. */
+  const claim = (bytes: number): void => {
+    if (bytes <= claimed) return;
+    budget.add({ bytes: bytes - claimed });
+    claimed = bytes;
+  };
   return async (url, redirect, request) => {
     signal.throwIfAborted();
     if (isDataUri(url.href)) {
-      const { type, bytes } = decodeDataUri(url.href);
+      const { type, bytes } = await decodeDataUri(url.href, new Slices(signal));
       onType(type);
+      budget.add({ bytes: bytes.byteLength });
       return bytes;
     }
     const response = await answerTo(url, request ?? requestFile(url, redirect, transfer), signal);
@@ -51,9 +61,11 @@ export function byteFetcher(
     const expected = expectedLength(response);
     if (expected === 0) known = false;
     total += expected;
-    if (total > BYTE_LIMIT) {
+    try {
+      claim(total);
+    } catch (error) {
       discard(response);
-      throw tooLarge(url);
+      throw error;
     }
     const chunks: Uint8Array[] = [];
     let size = 0;
@@ -62,10 +74,11 @@ export function byteFetcher(
       chunks.push(chunk);
       size += chunk.byteLength;
       loaded += chunk.byteLength;
-      // A compressed file counts as what it unpacks to. The rest of it is not unpacked.
-      if (loaded > BYTE_LIMIT) {
-        reader?.cancel().catch(ignored);
-        throw tooLarge(url);
+      try {
+        claim(loaded);
+      } catch (error) {
+        reader?.cancel().catch(ignored); // the rest is not unpacked
+        throw error;
       }
       transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
     }
@@ -127,12 +140,6 @@ function expectedLength(response: Response): number {
   if (response.headers.has('content-encoding')) return 0;
   const length = Number(response.headers.get('content-length') ?? 0);
   return Number.isFinite(length) && length > 0 ? length : 0;
-}
-
-function tooLarge(url: URL): ModelError {
-  const most = String(BYTE_LIMIT / 2 ** 20);
-  const message = `More than ${most} MiB, the most that can be loaded, with ${nameOf(url)}.`;
-  return new ModelError('too-large', message);
 }
 
 async function read(

@@ -1,8 +1,8 @@
 // The files of a model that comes from the user's disk. Files dropped together are found by the paths that the model
 // names; nothing is fetched.
 import { fileName } from './file-name.js';
-import { BYTE_LIMIT } from './limits.js';
 import { listed } from './listed.js';
+import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
 
 export interface FileGroup {
@@ -33,21 +33,13 @@ export interface OpenedModel {
 }
 
 /** A file, and the files of its group that it names. */
-export function openFile(model: Blob): OpenedModel {
+export function openFile(model: Blob, budget: ModelBudget): OpenedModel {
   const name = fileName(model);
   const group = groups.get(model) ?? { files: new Map([[name, model]]), path: name, problem: null };
   const missing = new Set<string>();
-  let read = 0;
 
   const bytesOf = async (file: Blob): Promise<Uint8Array<ArrayBuffer>> => {
-    read += file.size;
-    if (read > BYTE_LIMIT) {
-      const limit = String(BYTE_LIMIT / 2 ** 20);
-      throw new ModelError(
-        'too-large',
-        `${name} and its files are larger than ${limit} MiB, the most that can be loaded.`,
-      );
-    }
+    budget.add({ bytes: file.size });
     try {
       return new Uint8Array(await file.arrayBuffer());
     } catch (cause) {

@@ -6,6 +6,7 @@ import { FORMAT_NAMES, type FormatKey, type FormatNames } from './format-names.j
 import { lazyCode } from './lazy-code.js';
 import { gltfCode } from './request-file.js';
 import { type Content, ModelError } from './model.js';
+import type { ModelBudget } from './model-budget.js';
 import { isBinaryStl, isTextStl } from './stl/stl-kind.js';
 
 export interface ModelSource {
@@ -15,8 +16,8 @@ export interface ModelSource {
   /** Downloads a file that the model names, if it is allowed to name it. */
   readonly linked: (uri: string) => Promise<Uint8Array<ArrayBuffer>>;
   readonly optional: ReadOptional;
-  /** For the model's budget. */
-  readonly onValues: ((values: number) => void) | undefined;
+  /** Has the bytes of the files; the reader claims everything else. */
+  readonly budget: ModelBudget;
 }
 
 /**

@@ -1,12 +1,13 @@
-// The number of pixels that an image file claims. Read from its header, before a decoder allocates for them. Sizes are
-// as stored: before any rotation. Knows the formats that browsers decode, and KTX2.
+// The number of pixels that an image file claims. Read from its headers, before a decoder allocates for them. Sizes are
+// as stored: before any rotation. Only formats whose decoders allocate for that number and no other: in GIF, AVIF, BMP
+// or SVG another place of the file can claim more.
 
 export interface ImageSize {
   readonly width: number;
   readonly height: number;
 }
 
-/** The size of a PNG, JPEG, WebP, AVIF, GIF, BMP or KTX2 image; null for other or broken files. */
+/** The size of a PNG, JPEG, WebP or KTX2 image; null for other or broken files, and where two headers differ. */
 export function imageSize(file: Uint8Array): ImageSize | null {
   const view = new DataView(file.buffer, file.byteOffset, file.byteLength);
   const reader = READERS.find(({ at, magic }) => hasText(view, at, magic));
@@ -25,11 +26,7 @@ interface Reader {
 }
 
 const READERS: readonly Reader[] = [
-  {
-    at: 0,
-    magic: '\x89PNG\r\n\x1a\n',
-    read: (view) => ({ width: view.getUint32(16), height: view.getUint32(20) }),
-  },
+  { at: 0, magic: '\x89PNG\r\n\x1a\n', read: pngSize },
   { at: 0, magic: '\xff\xd8\xff', read: jpegSize },
   {
     at: 1,
@@ -37,75 +34,84 @@ const READERS: readonly Reader[] = [
     read: (view) => ({ width: view.getUint32(20, true), height: view.getUint32(24, true) }),
   },
   { at: 8, magic: 'WEBP', read: webpSize },
-  { at: 4, magic: 'ftyp', read: avifSize },
-  {
-    at: 0,
-    magic: 'GIF8',
-    read: (view) => ({ width: view.getUint16(6, true), height: view.getUint16(8, true) }),
-  },
-  {
-    at: 0,
-    magic: 'BM',
-    // The height is negative if the first row is the top.
-    read: (view) => ({ width: view.getInt32(18, true), height: Math.abs(view.getInt32(22, true)) }),
-  },
 ];
+
+/** Before the pixels. No encoder writes as many. */
+const MOST_CHUNKS = 1000;
 
 function hasText(view: DataView, at: number, text: string): boolean {
   if (at + text.length > view.byteLength) return false;
   return Array.from(text).every((character, i) => view.getUint8(at + i) === character.charCodeAt(0));
 }
 
-/** Segments up to the frame header (SOF0 to SOF15, but DHT, JPG and DAC, which lie between). */
+/** The one IHDR chunk, which comes first. */
+function pngSize(view: DataView): ImageSize | null {
+  if (!hasText(view, 12, 'IHDR')) return null;
+  for (let at = 33, i = 0; i < MOST_CHUNKS; i += 1) {
+    if (hasText(view, at + 4, 'IDAT')) return { width: view.getUint32(16), height: view.getUint32(20) };
+    if (hasText(view, at + 4, 'IHDR')) return null;
+    at += 12 + view.getUint32(at);
+  }
+  return null;
+}
+
+/**
+ * The one frame header (SOF0 to SOF15, but DHT, JPG and DAC, which lie between) before the first scan. A height of 0,
+ * which a DNL segment would give later, is none.
+ */
 function jpegSize(view: DataView): ImageSize | null {
-  for (let at = 2; ;) {
+  let size: ImageSize | null = null;
+  for (let at = 2, i = 0; i < MOST_CHUNKS; i += 1) {
     if (view.getUint8(at) !== 0xff) return null;
     const marker = view.getUint8(at + 1);
     if (marker === 0xff) {
       at += 1; // fill byte
       continue;
     }
-    const frame = marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc;
-    if (frame) return { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
+    if (marker === 0xda || marker === 0xd9) return size;
+    if (marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc) {
+      if (size !== null) return null;
+      size = { width: view.getUint16(at + 7), height: view.getUint16(at + 5) };
+    }
     const standsAlone = marker === 0x01 || (marker >= 0xd0 && marker <= 0xd8);
     at += 2 + (standsAlone ? 0 : view.getUint16(at + 2));
   }
+  return null;
 }
 
+/** That of the canvas, if there is one: a still picture has the same, frames of an animation lie within it. */
 function webpSize(view: DataView): ImageSize | null {
-  if (hasText(view, 12, 'VP8X')) return { width: 1 + uint24(view, 24), height: 1 + uint24(view, 27) };
-  if (hasText(view, 12, 'VP8L')) {
-    const bits = view.getUint32(21, true);
-    return { width: 1 + (bits & 0x3fff), height: 1 + ((bits >>> 14) & 0x3fff) };
+  let canvas: ImageSize | null = null;
+  for (let at = 12, i = 0; i < MOST_CHUNKS; i += 1) {
+    const start = at + 8;
+    if (hasText(view, at, 'VP8X')) {
+      if (canvas !== null) return null;
+      canvas = { width: 1 + uint24(view, start + 4), height: 1 + uint24(view, start + 7) };
+    }
+    if (hasText(view, at, 'ANMF')) {
+      const right = 2 * uint24(view, start) + 1 + uint24(view, start + 6);
+      const bottom = 2 * uint24(view, start + 3) + 1 + uint24(view, start + 9);
+      return canvas !== null && right <= canvas.width && bottom <= canvas.height ? canvas : null;
+    }
+    const frame = hasText(view, at, 'VP8L')
+      ? losslessSize(view.getUint32(start + 1, true))
+      : hasText(view, at, 'VP8 ')
+        ? {
+            width: view.getUint16(start + 6, true) & 0x3fff,
+            height: view.getUint16(start + 8, true) & 0x3fff,
+          }
+        : null;
+    at = start + 2 * Math.ceil(view.getUint32(at + 4, true) / 2);
+    if (frame === null) continue;
+    return canvas === null || (canvas.width === frame.width && canvas.height === frame.height) ? frame : null;
   }
-  if (!hasText(view, 12, 'VP8 ')) return null;
-  return { width: view.getUint16(26, true) & 0x3fff, height: view.getUint16(28, true) & 0x3fff };
+  return null;
 }
+
+const losslessSize = (bits: number): ImageSize => ({
+  width: 1 + (bits & 0x3fff),
+  height: 1 + ((bits >>> 14) & 0x3fff),
+});
 
 const uint24 = (view: DataView, at: number): number =>
   view.getUint16(at, true) + view.getUint8(at + 2) * 0x10000;
-
-/**
- * The largest of the sizes that the file's items have (`ispe` properties): alpha, thumbnail and tiles have their own.
- */
-function avifSize(view: DataView): ImageSize | null {
-  const size = { width: 0, height: 0 };
-  const read = (start: number, end: number): void => {
-    for (let at = start; at + 8 <= end;) {
-      const length = view.getUint32(at);
-      const inner = at + 8;
-      // 0: up to the end. 1: a 64-bit length, which no header needs.
-      const next = length === 0 ? end : Math.min(at + length, end);
-      if (length === 1 || (length > 0 && length < 8)) return;
-      if (hasText(view, at + 4, 'meta')) read(inner + 4, next);
-      else if (hasText(view, at + 4, 'iprp') || hasText(view, at + 4, 'ipco')) read(inner, next);
-      else if (hasText(view, at + 4, 'ispe')) {
-        size.width = Math.max(size.width, view.getUint32(inner + 4));
-        size.height = Math.max(size.height, view.getUint32(inner + 8));
-      }
-      at = next;
-    }
-  };
-  read(0, view.byteLength);
-  return size;
-}

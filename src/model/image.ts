@@ -3,7 +3,7 @@
 import { imageSize, type ImageSize } from './image-size.js';
 import { decodeKtx2, isKtx2 } from './ktx2/decode-ktx2.js';
 import { IMAGE_PIXEL_LIMIT, IMAGE_SIDE_LIMIT } from './limits.js';
-import type { ModelBudget } from './model-budget.js';
+import { type ModelBudget, requireAtMost } from './model-budget.js';
 
 /**
  * Pixels that are decoded at the same time, over all models. A decoder takes up to three times the memory of its
@@ -23,9 +23,10 @@ export interface ImageFile {
  */
 export function countImage({ bytes }: ImageFile, budget: ModelBudget): ImageSize {
   const size = imageSize(bytes);
-  if (!size) throw new Error('is no PNG, JPEG, WebP, AVIF or KTX2 image');
+  if (!size) throw new Error('is no PNG, JPEG, WebP or KTX2 image, or its headers contradict each other');
   const pixels = size.width * size.height;
-  budget.add({ pixels, transcoded: isKtx2(bytes) ? pixels : 0 });
+  if (isKtx2(bytes)) requireAtMost(pixels, IMAGE_PIXEL_LIMIT, 'pixels in one KTX2 image');
+  budget.add({ pixels });
   return size;
 }
 
@@ -45,15 +46,20 @@ export async function decodeImage(
     const scale = scaledDown(size);
     return isKtx2(file.bytes)
       ? await decodeKtx2(file.bytes, scale, signal)
-      : await decodeByBrowser(file, scale);
+      : await decodeByBrowser(file, size, scale);
   } finally {
     release(pixels);
   }
 }
 
-async function decodeByBrowser({ bytes, type }: ImageFile, scale: ImageBitmapOptions): Promise<ImageBitmap> {
+async function decodeByBrowser(
+  { bytes, type }: ImageFile,
+  { width, height }: ImageSize,
+  scale: ImageBitmapOptions,
+): Promise<ImageBitmap> {
+  let bitmap: ImageBitmap;
   try {
-    return await createImageBitmap(new Blob([bytes], { type }), {
+    bitmap = await createImageBitmap(new Blob([bytes], { type }), {
       premultiplyAlpha: 'none',
       colorSpaceConversion: 'none',
       ...scale,
@@ -61,6 +67,11 @@ async function decodeByBrowser({ bytes, type }: ImageFile, scale: ImageBitmapOpt
   } catch (cause) {
     throw new Error('cannot be decoded by this browser', { cause });
   }
+  // Photographs can be turned by a quarter. Others have the size that was counted, or are not shown.
+  const sides = [bitmap.width, bitmap.height];
+  if (scale.resizeWidth !== undefined || (sides.includes(width) && sides.includes(height))) return bitmap;
+  bitmap.close();
+  throw new Error(`has ${sides.join(' × ')} pixels, but ${String(width)} × ${String(height)} in its header`);
 }
 
 function scaledDown({ width, height }: ImageSize): ImageBitmapOptions {

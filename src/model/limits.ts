@@ -7,6 +7,21 @@
  */
 export const BYTE_LIMIT = 2 ** 28;
 
+/**
+ * Most bytes of text in one model, 128 MiB: its characters become strings, lists and numbers that take more than the
+ * bytes. Data in base64 is no text.
+ */
+export const TEXT_LIMIT = 2 ** 27;
+
+/**
+ * Most bytes of a glTF's JSON without data in base64: 32 MiB. While it is read it is there several times, as text and
+ * as values.
+ */
+export const JSON_TEXT_LIMIT = 2 ** 25;
+
+/** Most items that are visited while a model is read, beyond its values: some seconds, in short tasks. */
+export const WORK_LIMIT = 2 ** 28;
+
 /** Most triangle corners in all draws of a model, repeated meshes counted each time: 5.6 million triangles. */
 export const CORNER_LIMIT = 2 ** 24;
 
@@ -55,7 +70,7 @@ export const IMAGE_SIDE_LIMIT = 8192;
 export const IMAGE_PIXEL_LIMIT = 2 ** 25;
 
 /**
- * Most bytes that a model may take in the page and the GPU process together, by the estimate in {@link ModelBudget}.
+ * Most bytes that a model may take in the page and the GPU process together, by the estimate in `budget.ts`.
  */
 export const MEMORY_LIMIT = 950_000_000;
 
@@ -68,7 +83,7 @@ export const VALUES_PER_TRIANGLE = 7;
 
 /**
  * Most triangles that all meshes of a viewer hold, geometries that they share counted once: 0.94 GB in the page and on
- * the GPU together. Every model within the limits above fits in alone.
+ * the GPU together. All other limits are those of a viewer too, so every model within them fits in alone.
  */
 export const TRIANGLE_LIMIT = 2 ** 24;
 

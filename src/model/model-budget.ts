@@ -1,92 +1,32 @@
-// Keeps a model within the limits. Every format checks a file's claims before it allocates for them; past a limit the
-// result is `too-large`. Apart from the limits themselves because no first frame needs it.
-import {
-  CORNER_LIMIT,
-  IMAGE_PIXEL_LIMIT,
-  JSON_LIMIT,
-  MEMORY_LIMIT,
-  NODE_LIMIT,
-  PART_LIMIT,
-  PIXEL_LIMIT,
-  VALUE_LIMIT,
-} from './limits.js';
-import { ModelError } from './model.js';
+// What one model claims. Every format claims what a file says before it allocates or reads it; past a limit the result
+// is `too-large`. Apart from the viewer's budget because no first frame needs it.
+import { type Amounts, type Claims, NO_CLAIMS, plus, requireWithin } from './budget.js';
 
-/** What a model claims, in the units of the limits. */
-export interface ModelClaims {
-  readonly corners?: number;
-  readonly values?: number;
-  readonly parts?: number;
-  readonly nodes?: number;
-  readonly json?: number;
-  readonly pixels?: number;
-  /** The part of `pixels` that is transcoded (KTX2). Images are transcoded one after the other: the largest counts. */
-  readonly transcoded?: number;
-}
+export { requireAtMost } from './budget.js';
 
 /** Adds up what a model claims. One instance per model. */
 export class ModelBudget {
-  #corners = 0;
-  #values = 0;
-  #parts = 0;
-  #nodes = 0;
-  #json = 0;
-  #pixels = 0;
-  #transcoded = 0;
-  readonly #onValues: ((values: number) => void) | undefined;
+  #claimed = NO_CLAIMS;
+  readonly #onClaim: ((claimed: Amounts) => void) | undefined;
 
-  /**
-   * @param onValues called before values are allocated, with their number; it may throw. For what other models take.
-   */
-  constructor(onValues?: (values: number) => void) {
-    this.#onValues = onValues;
+  /** @param onClaim called with all that is claimed so far. What it throws ends the load: for what other models take. */
+  constructor(onClaim?: (claimed: Amounts) => void) {
+    this.#onClaim = onClaim;
   }
 
   /** @throws ModelError `too-large` past a limit. Call before allocating. */
-  add({
-    corners = 0,
-    values = 0,
-    parts = 0,
-    nodes = 0,
-    json = 0,
-    pixels = 0,
-    transcoded = 0,
-  }: ModelClaims): void {
-    this.#transcoded = Math.max(this.#transcoded, transcoded);
-    requireAtMost((this.#json += json), JSON_LIMIT, 'values in its JSON');
-    requireAtMost((this.#nodes += nodes), NODE_LIMIT, 'nodes');
-    requireAtMost((this.#parts += parts), PART_LIMIT, 'draws');
-    requireAtMost((this.#corners += corners), CORNER_LIMIT, 'triangle corners');
-    requireAtMost((this.#values += values), VALUE_LIMIT, 'numbers in its vertices');
-    requireAtMost((this.#pixels += pixels), PIXEL_LIMIT, 'pixels in its images');
-    requireAtMost(this.#memory, MEMORY_LIMIT, 'bytes in memory (vertices and images)');
-    if (values > 0) this.#onValues?.(values);
+  add(claims: Claims): void {
+    const claimed = plus(this.#claimed, claims);
+    requireWithin(claimed);
+    this.#onClaim?.(claimed);
+    this.#claimed = claimed;
   }
 
   /**
-   * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes
-   * 4 bytes in the page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more, one that is
-   * transcoded before 10. A draw takes 12 kB, a node 2 kB.
+   * Claims time: call before items are visited that no other claim counts (keys of animations, entries of lists, tokens
+   * of a text), for many at once. An item takes some 10 ns. @throws ModelError `too-large`.
    */
-  get #memory(): number {
-    const uploading = 8 * Math.min(this.#pixels, IMAGE_PIXEL_LIMIT);
-    const transcoding = 10 * this.#transcoded;
-    return Math.ceil(
-      8 * this.#values +
-        9.4 * this.#pixels +
-        Math.max(uploading, transcoding) +
-        12_000 * this.#parts +
-        2_000 * this.#nodes,
-    );
+  claimWork(items: number): void {
+    this.add({ work: items });
   }
-}
-
-/** @throws ModelError `too-large` if a model claims more than the limit of something. */
-export function requireAtMost(claimed: number, limit: number, what: string): void {
-  if (claimed <= limit) return;
-  const [count, most] = [claimed, limit].map((value) => value.toLocaleString('en'));
-  throw new ModelError(
-    'too-large',
-    `The model has ${count ?? ''} ${what}; at most ${most ?? ''} can be shown.`,
-  );
 }

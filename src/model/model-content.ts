@@ -2,7 +2,9 @@
 // code and a sentence. Works under a strict CSP: fetches no blob: or data: URL, needs no worker and no eval. Entry
 // point of the code that reads models, fetched with the first one.
 import { clip } from '../fields/clip.js';
+import type { Amounts } from './budget.js';
 import { isOutOfMemory } from './limits.js';
+import { ModelBudget } from './model-budget.js';
 import { byteFetcher } from './fetch-bytes.js';
 import { DROP_TOGETHER, MissingFileError, openFile, type OpenedModel } from './file-group.js';
 import { nameOf } from './file-name.js';
@@ -16,17 +18,15 @@ import { findExtremePoints } from './extreme-points.js';
 import { Slices } from './slices.js';
 
 export { droppedModel } from './dropped-files.js';
+export { movingCopy, movingValues } from './moving-copy.js';
 
 export interface LoadOptions {
   /** Aborts the load; the promise then rejects with the signal's reason. */
   readonly signal: AbortSignal;
   /** Bytes received and expected, over all files requested so far; `total` is 0 while unknown. */
   readonly onProgress?: (loaded: number, total: number) => void;
-  /**
-   * Called before values of 4 bytes are allocated for vertices and indices, with their number; what it throws ends the
-   * load.
-   */
-  readonly onValues?: (values: number) => void;
+  /** Called with all that the model claims so far, before anything is allocated; what it throws ends the load. */
+  readonly onClaim?: (claimed: Amounts) => void;
   /** Null: the model may only refer to files in its own folder or below. Otherwise: on any http(s) origin. */
   readonly crossOrigin: CrossOrigin;
   /** The format, as a word such as `obj` or a media type. Empty, the default: as content, extension and server tell. */
@@ -45,19 +45,22 @@ export async function modelContent(
   from: FileRequest | Blob | null = null,
 ): Promise<Content> {
   const { signal, type = '' } = options;
+  const budget = new ModelBudget(options.onClaim);
   const isRequest = from === null || 'response' in from;
-  const { name, read, linked, mediaType } = isRequest ? openAddress(url, options, from) : openFile(from);
+  const { name, read, linked, mediaType } = isRequest
+    ? openAddress(url, options, budget, from)
+    : openFile(from, budget);
   const missing = new Map<string, string>();
   const optional = optionalReader(signal, missing);
   try {
-    const bytes = await asUtf8(await read(), new Slices(signal));
+    const bytes = await asUtf8(await read(), budget, new Slices(signal));
     const format = formatOf(name, bytes, { type, mediaType: mediaType(), address: url.href });
     const readModel = await format.reader().catch((cause: unknown) => {
       const message = `The code that reads ${format.name} files could not be fetched.`;
       throw new ModelError('load-failed', message, { cause });
     });
     signal.throwIfAborted();
-    const model = await readModel({ url, bytes, signal, linked, optional, onValues: options.onValues });
+    const model = await readModel({ url, bytes, signal, linked, optional, budget });
     try {
       await measureModel(model, signal);
     } catch (error) {
@@ -80,9 +83,14 @@ export async function modelContent(
   }
 }
 
-function openAddress(url: URL, options: LoadOptions, request: FileRequest | null): OpenedModel {
+function openAddress(
+  url: URL,
+  options: LoadOptions,
+  budget: ModelBudget,
+  request: FileRequest | null,
+): OpenedModel {
   let mediaType = '';
-  const fetchBytes = byteFetcher(options, (type) => {
+  const fetchBytes = byteFetcher(options, budget, (type) => {
     mediaType ||= type; // the first file is the model
   });
   const anywhere = options.crossOrigin !== null;

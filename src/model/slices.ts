@@ -10,20 +10,30 @@ const SLICE = 2 ** 13;
 /** Items between two looks at the clock in loops that call {@link Slices.took}. */
 const TOOK = 2 ** 11;
 
-/** As {@link PAUSE_MASK}, for {@link Slices.map}. */
+/** Items between two claims of work. */
+const CLAIMED = 2 ** 18;
+
+/** Items between two looks at the clock in {@link Slices.map}, less one. */
 const MAP_MASK = 0xff;
+
+/** What work is claimed of. */
+interface WorkBudget {
+  claimWork(items: number): void;
+}
 
 /** Loops that share a clock and end when the load is aborted. */
 export class Slices {
   readonly #signal: AbortSignal;
-  readonly #taskMs: number;
+  readonly #budget: WorkBudget | null;
   #since = performance.now();
+  /** Items since the last look at the clock, and since the last claim. */
   #work = 0;
+  #unclaimed = 0;
 
-  /** `taskMs`: time that a task may take. Default: half a frame at 60 Hz. */
-  constructor(signal: AbortSignal, taskMs = TASK_MS) {
+  /** `budget` gets the work that {@link took} counts. */
+  constructor(signal: AbortSignal, budget: WorkBudget | null = null) {
     this.#signal = signal;
-    this.#taskMs = taskMs;
+    this.#budget = budget;
   }
 
   /**
@@ -54,17 +64,23 @@ export class Slices {
 
   /** Whether the task has taken long enough: call {@link pause}. */
   get due(): boolean {
-    return performance.now() - this.#since > this.#taskMs;
+    return performance.now() - this.#since > TASK_MS;
   }
 
   /**
    * Counts work done, in items of a microsecond at most. True where it is time to call {@link pause}: for loops that
    * call it only then, as waiting costs more than an item.
+   * @throws ModelError `too-large` where that is more work than the budget has.
    */
   took(items = 1): boolean {
     this.#work += items;
     if (this.#work < TOOK) return false;
+    this.#unclaimed += this.#work;
     this.#work = 0;
+    if (this.#unclaimed >= CLAIMED) {
+      this.#budget?.claimWork(Math.ceil(this.#unclaimed));
+      this.#unclaimed = 0;
+    }
     return this.due;
   }
 

@@ -34,8 +34,8 @@ export interface Site {
   readonly origin: string;
   /** Keeps a page with this body in memory and gives its address. */
   page(body: string, options?: PageOptions): string;
-  /** Keeps a file in memory and gives its address; a later file takes its place. */
-  file(bytes: Uint8Array): string;
+  /** Keeps a file in memory and gives its address; a later file takes its place. `gzip`: its bytes are compressed. */
+  file(bytes: Uint8Array, gzip?: boolean): string;
   close(): Promise<void>;
 }
 
@@ -43,6 +43,7 @@ interface Stored {
   readonly type: string;
   readonly text: string | Uint8Array;
   readonly csp: string;
+  readonly gzip?: boolean;
 }
 
 const repository = fileURLToPath(new URL('../..', import.meta.url));
@@ -100,8 +101,8 @@ export async function startSite(
       stored.set(`${path}.css`, { type: '.css', text: css, csp });
       return origin + path;
     },
-    file(bytes) {
-      stored.set('/file', { type: '', text: bytes, csp: strictPolicy });
+    file(bytes, gzip = false) {
+      stored.set('/file', { type: '', text: bytes, csp: strictPolicy, gzip });
       return `${origin}/file`;
     },
     close: () => stop(server),
@@ -130,8 +131,10 @@ function fileUnder(mounts: Readonly<Record<string, string>>, path: string): stri
   return stats === undefined ? undefined : file;
 }
 
-function sendText(response: ServerResponse, { type, text, csp }: Stored): void {
-  response.writeHead(200, headers(type, csp)).end(text);
+function sendText(response: ServerResponse, { type, text, csp, gzip = false }: Stored): void {
+  response
+    .writeHead(200, { ...headers(type, csp), ...(gzip ? { 'content-encoding': 'gzip' } : {}) })
+    .end(text);
 }
 
 function sendFile(response: ServerResponse, file: string | undefined, policy: string): void {

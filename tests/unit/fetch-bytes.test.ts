@@ -4,6 +4,7 @@ import { createServer, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { createGzip } from 'node:zlib';
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest';
+import { ModelBudget } from '../../src/model/model-budget.js';
 import { byteFetcher, SILENCE_LIMIT_MS } from '../../src/model/fetch-bytes.js';
 
 const LIMIT = 2 ** 22;
@@ -60,13 +61,10 @@ const { signal: never } = new AbortController();
 /** Requests `path`; gives what it ends with, and the bytes so far. */
 function download(path: string, signal = never): { ended: Promise<unknown>; loaded: () => number } {
   let bytes = 0;
-  const fetchBytes = byteFetcher({
-    signal,
-    crossOrigin: null,
-    onProgress: (loaded) => {
-      bytes = loaded;
-    },
-  });
+  const onProgress = (loaded: number): void => {
+    bytes = loaded;
+  };
+  const fetchBytes = byteFetcher({ signal, crossOrigin: null, onProgress }, new ModelBudget());
   const ended = fetchBytes(new URL(path, origin), 'follow').catch((error: unknown) => error);
   return { ended, loaded: () => bytes };
 }

@@ -1,4 +1,4 @@
-// Do meshes claim the triangles of what they show, free what they no longer show, and come back once there is room?
+// Do meshes claim the triangles of what they show, and free what they no longer show?
 import { type BufferGeometry, Scene } from 'three';
 import { describe, expect, it, vi } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
@@ -7,14 +7,14 @@ import { Animations } from '../../src/scene/mesh/animation.js';
 import { MESH_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
-import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
+import { Budget } from '../../src/model/budget.js';
 
 /** A sphere of 64 segments, and its flat copy. */
 const SMOOTH = 3968;
 const FLAT = 13_605;
 
 function setUp(limit: number) {
-  const budget = new TriangleBudget();
+  const budget = new Budget();
   budget.limit = limit;
   const failed = new Map<SceneMesh, string>();
   const quiet = (): void => undefined;
@@ -44,8 +44,6 @@ function setUp(limit: number) {
   return { budget, failed, add };
 }
 
-const microtasks = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
-
 describe('a mesh', () => {
   it('shares shape and flat copy with equal meshes, and gives both back', () => {
     const { budget, add } = setUp(20_000);
@@ -72,7 +70,7 @@ describe('a mesh', () => {
     expect(budget.used).toBe(SMOOTH + FLAT);
   });
 
-  it('is not built past the limit, and is shown once another one goes', async () => {
+  it('is not built past the limit, and is shown on request once another one is gone', () => {
     const { budget, failed, add } = setUp(6000);
     const a = add(64, 'phong');
     const b = add(66, 'phong');
@@ -80,7 +78,8 @@ describe('a mesh', () => {
     expect(failed.get(b.mesh)).toBe('too-large');
     expect(budget.used).toBe(SMOOTH);
     a.mesh.dispose();
-    await microtasks();
+    b.mesh.retry();
+    b.mesh.update();
     expect(b.mesh.root).not.toBeNull();
     expect(failed.size).toBe(0);
   });
@@ -98,7 +97,7 @@ describe('a mesh', () => {
     expect(budget.used).toBe(4224);
   });
 
-  it('keeps its shading where a flat copy is too large, and takes it once there is room', async () => {
+  it('keeps its shading where a flat copy is too large, and takes it on request once there is room', () => {
     const { failed, add } = setUp(25_000);
     const a = add(66, 'flat');
     const b = add(64, 'phong');
@@ -106,17 +105,17 @@ describe('a mesh', () => {
     expect(failed.get(b.mesh)).toBe('too-large');
     expect(b.geometry()!.index).not.toBeNull();
     a.set({ shading: 'phong' });
-    await microtasks();
+    b.mesh.retry();
+    b.mesh.update();
     expect(b.geometry()!.index).toBeNull();
     expect(failed.size).toBe(0);
   });
 
-  it('that was refused as flat is shown once another shading is wanted', async () => {
+  it('that was refused as flat is shown once another shading is wanted', () => {
     const { failed, add } = setUp(10_000);
     const { mesh, set } = add(64, 'flat');
     expect(mesh.root).toBeNull();
     set({ shading: 'phong' });
-    await microtasks();
     expect(mesh.root).not.toBeNull();
     expect(failed.size).toBe(0);
   });

@@ -1,6 +1,7 @@
 // What the tests of file formats share: a model loaded from files in memory, as if a server had sent them, and its
 // numbers.
 import { afterEach, beforeEach, vi } from 'vitest';
+import { imageSize } from '../../src/model/image-size.js';
 import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
 
@@ -85,21 +86,26 @@ export const png = (width = 2, height = 2): Uint8Array<ArrayBuffer> =>
   new Uint8Array([...pngHeader(width, height), 0]);
 
 export function pngHeader(width = 2, height = 2): Uint8Array<ArrayBuffer> {
-  const bytes = new Uint8Array(24);
-  bytes.set(Uint8Array.from('\x89PNG\r\n\x1a\n', (c) => c.charCodeAt(0)));
+  const text = '\x89PNG\r\n\x1a\n\0\0\0\rIHDR'.padEnd(37, '\0') + 'IDAT';
+  const bytes = Uint8Array.from(text, (c) => c.charCodeAt(0));
   new DataView(bytes.buffer).setUint32(16, width);
   new DataView(bytes.buffer).setUint32(20, height);
   return bytes;
 }
 
-/** Node has no createImageBitmap: decodes every PNG but a mere header to 2 × 2 pixels. */
+/** Node has no createImageBitmap: gives an image of the size in the header. */
+export async function bitmapOf(blob: Blob, close: () => void = () => undefined) {
+  return { ...imageSize(new Uint8Array(await blob.arrayBuffer())), close };
+}
+
+/** Decodes every PNG but a mere header. */
 export function standInImages(): { readonly closed: () => number; readonly decoded: () => number } {
   let decoded = 0;
   let closed = 0;
   vi.stubGlobal('createImageBitmap', async (blob: Blob) => {
     if ((await blob.arrayBuffer()).byteLength <= pngHeader().length) throw new Error('no content');
     decoded += 1;
-    return { width: 2, height: 2, close: () => (closed += 1) };
+    return bitmapOf(blob, () => (closed += 1));
   });
   return { closed: () => closed, decoded: () => decoded };
 }

@@ -1,6 +1,8 @@
 // Do the less common shapes of a glTF document come out right: quantised, interleaved, shared, skinned, in strips,
 // with moved textures? Documents are written here and loaded as data: addresses.
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { pngOf } from '../fuzz/glb.js';
+import { bitmapOf } from './model-files.js';
 import type { Content } from '../../src/model/model.js';
 import { FLOAT, gltf, type Json, mesh, numbers, SHORT, TRIANGLE, UBYTE } from './gltf-files.js';
 
@@ -149,7 +151,7 @@ describe('nodes', () => {
 
 describe('textures', () => {
   // The head of a PNG of 1 × 1 pixels; the rest is up to the decoder, which is a stand-in here.
-  const image = 'data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAA=';
+  const image = `data:image/png;base64,${pngOf(1, 1, 32).toString('base64')}`;
   const uvs = (texCoord: Json): Promise<Content> =>
     gltf(
       [
@@ -177,7 +179,7 @@ describe('textures', () => {
     );
 
   it('use the coordinates and the transform that the file names, and unused ones are not fetched', async () => {
-    vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close: vi.fn() }));
+    vi.stubGlobal('createImageBitmap', bitmapOf);
     const model = await uvs({
       texCoord: 1,
       extensions: { KHR_texture_transform: { offset: [0.25, 0.5], scale: [2, 3] } },
@@ -189,7 +191,7 @@ describe('textures', () => {
   });
 
   it('keep their coordinates where two meshes share one material', async () => {
-    vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close: vi.fn() }));
+    vi.stubGlobal('createImageBitmap', bitmapOf);
     const primitive = (position: number): Json => ({
       attributes: { POSITION: position, TEXCOORD_0: 1, TEXCOORD_1: 2 },
       material: 0,
@@ -219,7 +221,7 @@ describe('textures', () => {
 
   it('are closed when another part of the model fails', async () => {
     const close = vi.fn();
-    vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close }));
+    vi.stubGlobal('createImageBitmap', (blob: Blob) => bitmapOf(blob, close));
     await expect(
       gltf(
         [new Float32Array([NaN, 0, 0, 1, 0, 0, 0, 1, 0])],

@@ -9,6 +9,7 @@ import { Slices } from '../../src/model/slices.js';
 import { readDocument } from '../../src/model/gltf/document.js';
 import { modelContent } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
+import { bitmapOf } from './model-files.js';
 import { bar } from '../support/animated-gltf.js';
 import { floats, glbOf, glbOfText, pngWith, viewsOf, type Json } from '../fuzz/glb.js';
 import {
@@ -44,6 +45,13 @@ async function outcome(file: Buffer): Promise<string> {
   const { parts } = result as Content;
   return `${String(parts.length)} parts`;
 }
+
+/** The same of a file. */
+const outcomeOf = (file: Blob): Promise<string> =>
+  modelContent(new URL('file:///a'), { signal: new AbortController().signal, crossOrigin: null }, file).then(
+    ({ parts }) => `${String(parts.length)} parts`,
+    (error: unknown) => `${(error as ModelError).code}: ${(error as ModelError).message}`,
+  );
 
 const UBYTE = 5121;
 
@@ -251,7 +259,7 @@ describe('images', () => {
     ['one of 16384²', [pngWith(16384, 16384, 32, dataOf(10))]],
     ['many whose sum is too much', Array.from({ length: 65 }, () => pngWith(1024, 1024, 32, dataOf(10)))],
   ])('are too-large by their headers: %s', async (_, images) => {
-    const decode = vi.fn(() => Promise.resolve({ close: vi.fn() }));
+    const decode = vi.fn((blob: Blob) => bitmapOf(blob));
     vi.stubGlobal('createImageBitmap', decode);
     const file = texturedGlb(
       images,
@@ -262,7 +270,7 @@ describe('images', () => {
   });
 
   it('used by two thousand textures are decoded once and are one texture', async () => {
-    const decode = vi.fn(() => Promise.resolve({ close: vi.fn() }));
+    const decode = vi.fn((blob: Blob) => bitmapOf(blob));
     vi.stubGlobal('createImageBitmap', decode);
     const textures = Array.from({ length: 2000 }, () => ({ source: 0 }));
     const { parts } = await load(texturedGlb([pngWith(4096, 4096, 32, dataOf(10))], textures));
@@ -271,7 +279,7 @@ describe('images', () => {
   });
 
   it('count again for another sampler, because they are uploaded again', async () => {
-    vi.stubGlobal('createImageBitmap', () => Promise.resolve({ close: vi.fn() }));
+    vi.stubGlobal('createImageBitmap', bitmapOf);
     const { bufferViews, buffers, body } = viewsOf([
       floats(0, 0, 0, 1, 0, 0, 0, 1, 0),
       floats(0, 0, 1, 0, 0, 1),
@@ -301,7 +309,7 @@ describe('images', () => {
   });
 
   it('larger than 8192 pixels on a side, or half of all pixels, are decoded smaller', async () => {
-    const decode = vi.fn((_blob: Blob, _options: ImageBitmapOptions) => Promise.resolve({ close: vi.fn() }));
+    const decode = vi.fn((blob: Blob, _options: ImageBitmapOptions) => bitmapOf(blob));
     vi.stubGlobal('createImageBitmap', decode);
     await load(texturedGlb([pngWith(16384, 1000, 32, dataOf(10))], [{ source: 0 }]));
     await load(texturedGlb([pngWith(8192, 8192, 32, dataOf(10))], [{ source: 0 }]));
@@ -314,12 +322,14 @@ describe('images', () => {
     ]);
   });
 
-  it('of KTX2 also count the memory of their transcoder', async () => {
+  it('of KTX2 have fewer pixels, because their transcoder takes memory too', async () => {
     const file = readFileSync(new URL('../fixtures/models/ktx2.glb', import.meta.url));
     const image = Buffer.from(file.subarray(file.indexOf('\xabKTX 20', 0, 'latin1')));
     image.writeUInt32LE(8192, 20);
     image.writeUInt32LE(8192, 24);
-    expect(await outcome(texturedGlb([image], [{ source: 0 }]))).toMatch(/^too-large: .*bytes in memory/);
+    expect(await outcome(texturedGlb([image], [{ source: 0 }]))).toMatch(
+      /^too-large: .*pixels in one KTX2 image/,
+    );
   });
 });
 
@@ -346,6 +356,68 @@ describe('Draco data', () => {
       /^bad-model: .*Draco data/,
     );
   });
+});
+
+describe('text', () => {
+  const embedded = (bytes: Buffer, change: (uri: string) => string = (uri) => uri): Buffer =>
+    Buffer.from(
+      JSON.stringify({
+        ...triangleDocument(),
+        buffers: [{ byteLength: bytes.length, uri: 'BUFFER' }],
+      }).replace('BUFFER', change(`data:application/octet-stream;base64,${bytes.toString('base64')}`)),
+    );
+  const triangle = (size: number): Buffer =>
+    Buffer.concat([floats(0, 0, 0, 1, 0, 0, 0, 1, 0), Buffer.alloc(size)]);
+
+  it.each([
+    ['short', embedded(triangle(0))],
+    ['long', embedded(triangle(1e6))],
+    ['long, with escaped slashes', embedded(triangle(1e4), (uri) => uri.replaceAll('/', '\\/'))],
+    ['long, with escaped padding', embedded(triangle(9999), (uri) => uri.replaceAll('=', '%3D'))],
+    ['long, without padding', embedded(triangle(9999), (uri) => uri.replace(/=+$/, ''))],
+  ])('with %s data in base64 is read as without', async (_, file) => {
+    const { parts } = await load(file);
+    expect(parts[0]!.geometry.getAttribute('position').array).toEqual(
+      new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0]),
+    );
+  });
+
+  it('in base64 is no text: a buffer of 30 million bytes in JSON never becomes a string', async () => {
+    const file = embedded(triangle(30e6));
+    const parse = vi.spyOn(JSON, 'parse');
+    const decode = vi.spyOn(TextDecoder.prototype, 'decode');
+    expect(await outcome(file)).toBe('1 parts');
+    for (const [text] of parse.mock.calls) expect(text.length).toBeLessThan(5000);
+    for (const [bytes] of decode.mock.calls) expect(bytes!.byteLength).toBeLessThan(5000);
+    vi.restoreAllMocks();
+  }, 20_000);
+
+  it('that is broken is named: base64, strings without an end, JSON', async () => {
+    const broken = embedded(triangle(9000), (uri) => uri.replace('AAAA', 'A*AA'));
+    expect(await outcome(broken)).toMatch(/^bad-model: .*broken base64/);
+    for (const text of ['{"asset": "', '{"asset": "\\"', '{"buffers": [{]}'])
+      expect(await outcome(Buffer.from(text))).toMatch(/^bad-model: .*JSON is broken/);
+  });
+
+  it.each([
+    ['one long string of a glTF', `{"asset":{"version":"2.0","copyright":"${'x'.repeat(34e6)}"}}`],
+    ['an OBJ of 130 MB', `v 0 0 0\n#${' '.repeat(135e6)}\nf 1 1 1\n`],
+    ['an STL of 130 MB', `solid a\nfacet normal 0 0 1\n${' '.repeat(135e6)}`],
+  ])(
+    'is too-large before it is read: %s',
+    async (_, text) => {
+      expect(await outcomeOf(new Blob([text]))).toMatch(
+        /^too-large: The model has [\d,]+ bytes of (text|JSON)/,
+      );
+    },
+    20_000,
+  );
+
+  it('in UTF-16 is too-large before it is converted', async () => {
+    const bytes = Buffer.alloc(135e6, 0x20);
+    bytes.set([0xff, 0xfe]);
+    expect(await outcomeOf(new Blob([bytes]))).toMatch(/^too-large: .* bytes of text/);
+  }, 20_000);
 });
 
 describe('documents that are wrong', () => {

@@ -68,7 +68,7 @@ const broken: readonly (readonly [what: string, content: FileContent | undefined
   ['the server does not have', undefined, /answered 404 for oak wood\.png/],
   ['whose connection breaks', BREAKS_OFF, /connection broke/],
   ['that is cut after its header', pngHeader(), /cannot be decoded by this browser/],
-  ['that is no image', 'no picture', /is no PNG, JPEG, WebP, AVIF or KTX2 image/],
+  ['that is no image', 'no picture', /is no PNG, JPEG, WebP or KTX2 image/],
 ];
 
 describe('an image', () => {

@@ -8,6 +8,7 @@ import { ClampToEdgeWrapping, NearestFilter, NoColorSpace, type BufferGeometry, 
 import { afterAll, afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import { modelContent, type LoadOptions } from '../../src/model/model-content.js';
 import { type Content, ModelError } from '../../src/model/model.js';
+import { bitmapOf } from './model-files.js';
 import { srgbEncode } from '../../src/math/color.js';
 
 const roots: Readonly<Record<string, string>> = {
@@ -63,7 +64,7 @@ beforeEach(() => {
   vi.stubGlobal('createImageBitmap', async (blob: Blob, options?: ImageBitmapOptions) => {
     const head = new Uint8Array(await blob.arrayBuffer()).subarray(0, 4);
     if (head[0] !== 0x89) throw new Error('no PNG');
-    const bitmap = { type: blob.type, size: blob.size, options, close: vi.fn() };
+    const bitmap = { ...(await bitmapOf(blob)), type: blob.type, size: blob.size, options, close: vi.fn() };
     bitmaps.push(bitmap);
     return bitmap;
   });
@@ -242,7 +243,7 @@ describe('failures', () => {
     ['/fixtures/missing-buffer.gltf', 'load-failed', /^The server answered 404 Not Found for nowhere\.bin\./],
     ['/fixtures/nothing.glb', 'load-failed', /404/],
     ['/page.glb', 'bad-model', /web page/],
-    ['/huge.glb', 'too-large', /256 MiB/],
+    ['/huge.glb', 'too-large', /at most 268,435,456/],
     ['/breaks.glb', 'load-failed', /connection broke/],
   ] as const)('of %s are %s', async (path, code, message) => {
     const error = await failure(path);

@@ -7,7 +7,7 @@ import { PLAIN_LOOK } from '../../src/material/file-surface.js';
 import type { Content } from '../../src/model/model.js';
 import { SHAPE_FIELDS } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
-import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
+import { Budget } from '../../src/model/budget.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
 
 const noMemory = (): never => {
@@ -34,7 +34,7 @@ function setUp() {
   const host: MeshHost = {
     ...{ materials, ended, animations: new Set() as unknown as MeshHost['animations'] },
     ...{ crossOrigin: null, mayLoad: true, began: vi.fn(), progress: vi.fn(), dropped: vi.fn() },
-    budget: new TriangleBudget(),
+    budget: new Budget(),
     ...{ changing: vi.fn(), changed: vi.fn(), reshaped: vi.fn(), shown: () => false, removed: vi.fn() },
   };
   const state = new FieldStore(SHAPE_FIELDS);

@@ -7,7 +7,7 @@ import { PhongLighting } from '../../src/material/lighting.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../src/scene/mesh/scene-mesh.js';
 import { SharedMaterials } from '../../src/scene/mesh/shared-materials.js';
-import { TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
+import { Budget } from '../../src/model/budget.js';
 import { Animations } from '../../src/scene/mesh/animation.js';
 import { SceneTree } from '../../src/scene/scene-tree.js';
 
@@ -16,7 +16,7 @@ const quiet = (): void => undefined;
 function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: FieldStore<MeshValues>[] } {
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations() },
-    budget: new TriangleBudget(),
+    budget: new Budget(),
     ...{ crossOrigin: null, mayLoad: true },
     ...{
       changing: quiet,

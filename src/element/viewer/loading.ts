@@ -7,10 +7,10 @@ import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
 import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../model/request-file.js';
+import type { Budget } from '../../model/budget.js';
 import { ModelError } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
-import type { TriangleBudget } from '../../scene/mesh/triangle-budget.js';
 import { LOADING_KEYS } from '../fields/viewer-fields.js';
 import type { LoadDetail, ViewerErrorCode, ViewerErrorDetail } from '../events.js';
 import { sceneMeshes } from '../internals.js';
@@ -72,7 +72,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return this.#context.viewport.animations;
   }
 
-  get budget(): TriangleBudget {
+  get budget(): Budget {
     return this.#context.viewport.budget;
   }
 

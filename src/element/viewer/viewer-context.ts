@@ -1,4 +1,5 @@
 // What the parts of one viewer share: its values, its picture, and signals of what has happened.
+import { sizeOnPage } from '../../scene/gpu/atlas-copies.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import { Signal } from '../../fields/signal.js';
 import { LightSet } from '../../light/light-set.js';
@@ -66,7 +67,8 @@ export class ViewerContext {
   }
 
   #follow({ pixelWidth, pixelHeight, painted, near, visible, printsAt }: ElementView): void {
-    this.viewport.resize(pixelWidth, pixelHeight);
+    const { width, height } = sizeOnPage({ width: pixelWidth, height: pixelHeight });
+    this.viewport.resize(width, height);
     this.viewport.visible = visible;
     this.viewport.near = this.values.loading === 'eager' ? painted : near;
     if (printsAt === null) return;

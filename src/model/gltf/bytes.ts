@@ -1,10 +1,10 @@
 // The bytes of a glTF document's buffers, buffer views and images. Each is fetched or decoded once, on first use.
 import { lazyCode } from '../lazy-code.js';
-import { decodeDataUri } from '../data-uri.js';
 import { isDataUri } from '../request-file.js';
 import type { ModelSource } from '../format.js';
 import { BYTE_LIMIT } from '../limits.js';
 import { ModelError } from '../model.js';
+import type { Container } from './container.js';
 import type { GltfDocument } from './document.js';
 import { indexAt, textAt } from './json.js';
 import type { MeshoptView } from './meshopt-views.js';
@@ -18,14 +18,14 @@ export interface GltfBytes {
 
 export function gltfBytes(
   document: GltfDocument,
-  body: Uint8Array<ArrayBuffer> | null,
+  { body, data }: Pick<Container, 'body' | 'data'>,
   source: ModelSource,
 ): GltfBytes {
   const buffers = new Map<number, Promise<Uint8Array<ArrayBuffer>>>();
   let copied = 0;
 
   const bytesOf = async (uri: string): Promise<Uint8Array<ArrayBuffer>> =>
-    isDataUri(uri) ? decodeDataUri(uri).bytes : source.linked(uri);
+    isDataUri(uri) ? (await data(uri)).bytes : source.linked(uri);
 
   const load = async (index: number): Promise<Uint8Array<ArrayBuffer>> => {
     const buffer = document.buffers[index];
@@ -74,7 +74,7 @@ export function gltfBytes(
       const image = document.images[index] ?? {};
       const uri = textAt(image['uri']);
       const type = textAt(image['mimeType']);
-      if (isDataUri(uri)) return decodeDataUri(uri);
+      if (isDataUri(uri)) return data(uri);
       if (uri !== '') return { bytes: await bytesOf(uri), type };
       const view = indexAt(
         image['bufferView'],

@@ -1,10 +1,16 @@
 // The JSON and the binary chunk of a .glb or .gltf file. Lengths are checked against the size of the file.
-import type { ModelBudget } from '../model-budget.js';
+import { fromBase64 } from '../base64.js';
+import { dataHeader, type DataUri, decodeDataUri } from '../data-uri.js';
+import { JSON_TEXT_LIMIT } from '../limits.js';
+import { type ModelBudget, requireAtMost } from '../model-budget.js';
+import { isDataUri } from '../request-file.js';
 import type { Slices } from '../slices.js';
 import { parseJson } from './json-text.js';
 
 export interface Container {
   readonly json: unknown;
+  /** The data behind a data: URI in the JSON, long ones of which are only keys. Decoded once. */
+  readonly data: (uri: string) => Promise<DataUri>;
   /** The binary chunk, which is the first buffer, or null. */
   readonly body: Uint8Array<ArrayBuffer> | null;
 }
@@ -23,7 +29,7 @@ export async function openContainer(
 ): Promise<Container> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (bytes.byteLength < HEADER || view.getUint32(0, true) !== MAGIC) {
-    return { json: await parseJson(bytes, budget, slices), body: null };
+    return { ...(await parseText(bytes, budget, slices)), body: null };
   }
   const version = view.getUint32(4, true);
   if (version !== 2)
@@ -32,7 +38,7 @@ export async function openContainer(
   if (claimed > bytes.byteLength) {
     throw new Error(`it is truncated: ${String(bytes.byteLength)} of ${String(claimed)} bytes`);
   }
-  let json: unknown;
+  let parsed: Omit<Container, 'body'> | undefined;
   let body: Uint8Array<ArrayBuffer> | null = null;
   for (let at = HEADER; at + CHUNK_HEADER <= claimed;) {
     const size = view.getUint32(at, true);
@@ -40,10 +46,125 @@ export async function openContainer(
     const start = at + CHUNK_HEADER;
     if (start + size > claimed) throw new Error('a chunk reaches beyond the end');
     const chunk = bytes.subarray(start, start + size);
-    if (type === CHUNK_JSON && json === undefined) json = await parseJson(chunk, budget, slices);
+    if (type === CHUNK_JSON) parsed ??= await parseText(chunk, budget, slices);
     if (type === CHUNK_BIN && body === null) body = chunk;
     at = start + size;
   }
-  if (json === undefined) throw new Error('it has no JSON chunk');
-  return { json, body };
+  if (parsed === undefined) throw new Error('it has no JSON chunk');
+  return { ...parsed, body };
 }
+
+/**
+ * Parses JSON without its data in base64: they stay bytes, and a key stands for each.
+ * @throws ModelError `too-large`, an Error for broken JSON.
+ */
+async function parseText(
+  bytes: Uint8Array<ArrayBuffer>,
+  budget: ModelBudget,
+  slices: Slices,
+): Promise<Omit<Container, 'body'>> {
+  const { texts, data } = await cutData(bytes, slices);
+  const size = texts.reduce((sum, { byteLength }) => sum + byteLength, 0);
+  requireAtMost(size, JSON_TEXT_LIMIT, 'bytes of JSON, without data in base64');
+  budget.add({ text: size });
+  return { json: await parseJson(joined(texts), budget, slices), data: dataByKey(data, slices) };
+}
+
+/** The pieces of text, with the key of the data cut out between each two. */
+function joined(texts: readonly Uint8Array[]): Uint8Array {
+  const [first, ...others] = texts;
+  if (first !== undefined && others.length === 0) return first;
+  const encoder = new TextEncoder();
+  const pieces = texts.flatMap((text, i) => (i === 0 ? [text] : [encoder.encode(keyOf(i - 1)), text]));
+  const bytes = new Uint8Array(pieces.reduce((sum, { byteLength }) => sum + byteLength, 0));
+  let at = 0;
+  for (const piece of pieces) {
+    bytes.set(piece, at);
+    at += piece.byteLength;
+  }
+  return bytes;
+}
+
+const LATIN1 = new TextDecoder('latin1');
+
+/** A data: URI in base64, as bytes of the file. */
+interface Cut {
+  readonly header: string;
+  readonly text: Uint8Array<ArrayBuffer>;
+}
+
+const keyOf = (index: number): string => `data:;part-of-file,${String(index)}`;
+
+function dataByKey(cuts: readonly Cut[], slices: Slices): Container['data'] {
+  const decoded = new Map<string, Promise<DataUri>>();
+  return (key) => {
+    const known = decoded.get(key);
+    if (known !== undefined) return known;
+    const cut = cuts.find((_, i) => keyOf(i) === key);
+    const data =
+      cut === undefined
+        ? decodeDataUri(key, slices)
+        : fromBase64(cut.text, slices).then((bytes) => ({ ...dataHeader(cut.header), bytes }));
+    decoded.set(key, data);
+    return data;
+  };
+}
+
+/** Shorter ones may be text. */
+const LEAST_CUT = 2 ** 12;
+
+/** Bytes between two looks at the clock. */
+const STEP = 2 ** 16;
+
+/** The JSON's text before, between and after its data in base64. */
+async function cutData(
+  bytes: Uint8Array<ArrayBuffer>,
+  slices: Slices,
+): Promise<{ texts: readonly Uint8Array[]; data: readonly Cut[] }> {
+  const texts: Uint8Array[] = [];
+  const data: Cut[] = [];
+  let kept = 0;
+  let next = STEP;
+  for (let at = bytes.indexOf(QUOTE); at >= 0; at = bytes.indexOf(QUOTE, at + 1)) {
+    if (at >= next) {
+      next = at + STEP;
+      await slices.pauseIfDue();
+    }
+    const start = at + 1;
+    at = endOfString(bytes, start);
+    const cut = at - start < LEAST_CUT ? null : base64In(bytes.subarray(start, at));
+    if (cut === null) continue;
+    data.push(cut);
+    texts.push(bytes.subarray(kept, start));
+    kept = at;
+  }
+  texts.push(bytes.subarray(kept));
+  return { texts, data };
+}
+
+/** Where its closing quote is; the end of the bytes if there is none. */
+function endOfString(bytes: Uint8Array, start: number): number {
+  for (let at = start; ;) {
+    const end = bytes.indexOf(QUOTE, at);
+    if (end < 0) return bytes.length;
+    let escapes = 0;
+    while (end - escapes > start && bytes[end - escapes - 1] === BACKSLASH) escapes += 1;
+    if (escapes % 2 === 0) return end;
+    at = end + 1;
+  }
+}
+
+/** Null for any other text, and where the data are escaped. */
+function base64In(text: Uint8Array<ArrayBuffer>): Cut | null {
+  const start = LATIN1.decode(text.subarray(0, 256));
+  const comma = start.indexOf(',');
+  const header = start.slice(0, comma);
+  if (comma < 0 || !isDataUri(header) || !dataHeader(header).base64) return null;
+  const escaped = ESCAPES.some((character) => text.includes(character));
+  return escaped ? null : { header, text: text.subarray(comma + 1) };
+}
+
+const QUOTE = 0x22;
+const BACKSLASH = 0x5c;
+/** Backslash, percent sign, and the hash of a fragment. */
+const ESCAPES = [BACKSLASH, 0x25, 0x23];

@@ -11,8 +11,8 @@ export interface GltfTexture {
   readonly sampler: JsonObject;
 }
 
-/** Image formats that browsers decode, best first; the plain `source` is the fallback. */
-const IMAGE_EXTENSIONS = ['EXT_texture_avif', 'EXT_texture_webp'];
+/** Mostly smaller than the plain `source`, which is the fallback. */
+const WEBP = 'EXT_texture_webp';
 /** Used where there is no other image: those need no transcoder, and have more of the original's colours. */
 const KTX2 = 'KHR_texture_basisu';
 
@@ -26,8 +26,7 @@ export function readTextures(
     const what = `textures[${String(i)}]`;
     const extensions = optionalObject(texture['extensions'], `${what}.extensions`);
     const sourceOf = (name: string): unknown => optionalObject(extensions[name], what)['source'];
-    const known = IMAGE_EXTENSIONS.find((name) => name in extensions);
-    const source = known === undefined ? (texture['source'] ?? sourceOf(KTX2)) : sourceOf(known);
+    const source = WEBP in extensions ? sourceOf(WEBP) : (texture['source'] ?? sourceOf(KTX2));
     const sampler = texture['sampler'];
     return {
       image: source === undefined ? undefined : indexAt(source, images, `${what}.source`),

@@ -4,7 +4,6 @@ import type { Object3D, Texture } from 'three';
 import { GLTFLoader, type GLTFLoaderPlugin, type GLTFParser } from 'three/addons/loaders/GLTFLoader.js';
 import type { ModelReader } from '../format.js';
 import { nameOf } from '../file-name.js';
-import { ModelBudget } from '../model-budget.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
 import type { Accessor } from './accessors.js';
@@ -20,12 +19,12 @@ import { collectParts } from './collect-parts.js';
 import { gltfTextures } from './textures.js';
 
 export const readGltf: ModelReader = async (source) => {
-  const budget = new ModelBudget(source.onValues);
-  const slices = new Slices(source.signal);
-  const { json, body } = await openContainer(source.bytes, budget, slices);
-  const document = await readDocument(json, budget, slices);
+  const { budget } = source;
+  const slices = new Slices(source.signal, source.budget);
+  const container = await openContainer(source.bytes, budget, slices);
+  const document = await readDocument(container.json, budget, slices);
   await slices.pauseIfDue();
-  const bytes = gltfBytes(document, body, source);
+  const bytes = gltfBytes(document, container, source);
   const textures = gltfTextures(document, bytes, budget, source);
   const turn = turnsOf(slices);
   const pluginOf = (parser: GLTFParser): GLTFLoaderPlugin => ({

@@ -6,7 +6,6 @@ import { scale } from '../../math/vector.js';
 import { clip } from '../../fields/clip.js';
 import type { ModelReader, ModelSource } from '../format.js';
 import { LeftOut } from '../left-out.js';
-import { ModelBudget } from '../model-budget.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
@@ -20,12 +19,13 @@ import { readObjText, type ObjRun, type ObjText } from './obj-text.js';
 
 export const readObj: ModelReader = async (source) => {
   const { bytes } = source;
-  const slices = new Slices(source.signal);
+  const slices = new Slices(source.signal, source.budget);
+  const { budget } = source;
+  budget.add({ text: bytes.byteLength });
   const leftOut = new LeftOut();
   const text = await readObjText(bytes, leftOut, slices);
   const materials = await readLibraries(text, source, slices);
   await smoothNormals(text.lists, slices);
-  const budget = new ModelBudget(source.onValues);
   const textures = new MapTextures(source, budget);
   try {
     const parts: ContentPart[] = [];
@@ -91,14 +91,17 @@ class Materials {
 
 async function readLibraries(
   { libraries }: ObjText,
-  { linked, optional }: ModelSource,
+  { linked, optional, budget }: ModelSource,
   slices: Slices,
 ): Promise<Materials> {
   const read = libraries.map(async (library) => {
     const found = await optional(
       library,
       () => linked(addressOf(library)),
-      async (bytes) => readMtl(await asUtf8(bytes, slices), slices),
+      async (bytes) => {
+        budget.add({ text: bytes.byteLength });
+        return readMtl(await asUtf8(bytes, budget, slices), slices);
+      },
     );
     const folder = library.slice(0, library.lastIndexOf('/') + 1);
     return found === null ? null : Array.from(found, (entry) => placedIn(folder, entry));

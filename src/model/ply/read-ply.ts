@@ -4,7 +4,6 @@ import { PLAIN_LOOK } from '../../material/file-surface.js';
 import type { ModelReader } from '../format.js';
 import { LeftOut } from '../left-out.js';
 import { isOutOfMemory } from '../limits.js';
-import { ModelBudget } from '../model-budget.js';
 import { ModelError } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
@@ -16,10 +15,11 @@ import { readPlyHeader, type PlyElement } from './ply-header.js';
 import { readRows } from './ply-rows.js';
 import { plyValues } from './ply-values.js';
 
-export const readPly: ModelReader = async ({ bytes, signal, onValues }) => {
-  const slices = new Slices(signal);
+export const readPly: ModelReader = async ({ bytes, signal, budget }) => {
+  const slices = new Slices(signal, budget);
   const header = readPlyHeader(bytes);
   requireFaces(header.elements);
+  if (header.encoding === 'text') budget.add({ text: bytes.byteLength });
   let leftOut = new LeftOut();
   const read = (byLines: boolean): Promise<CornerLists> =>
     readRows(header, plyValues(bytes, header, byLines), leftOut, slices);
@@ -42,7 +42,7 @@ export const readPly: ModelReader = async ({ bytes, signal, onValues }) => {
   await keepSoundFaces(lists, leftOut, slices);
   await smoothNormals(lists, slices);
   const ranges = [{ start: 0, end: lists.corners.length }];
-  const geometry = await indexedGeometry(lists, ranges, false, new ModelBudget(onValues), slices);
+  const geometry = await indexedGeometry(lists, ranges, false, budget, slices);
   if (geometry === null) throw await leftOut.error(bytes, slices, 'it has no triangles');
   if (header.hasTexture) leftOut.feature('TextureFile');
   const dropped = await leftOut.names(bytes, slices);

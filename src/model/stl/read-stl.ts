@@ -6,8 +6,8 @@ import type { Vec3 } from '../../math/vector.js';
 import { faceNormals } from '../face-normals.js';
 import type { ModelReader } from '../format.js';
 import { LeftOut } from '../left-out.js';
-import { ModelBudget } from '../model-budget.js';
 import { type BaseLook, PLAIN_LOOK } from '../../material/file-surface.js';
+import { ModelBudget } from '../model-budget.js';
 import type { ContentPart } from '../model.js';
 import { ownedModel } from '../owned-model.js';
 import { Slices } from '../slices.js';
@@ -15,14 +15,14 @@ import { Positions, wrongCoordinate } from '../triangles/corner-lists.js';
 import { isBinaryStl, isTextStl, STL_HEADER, STL_TRIANGLE } from './stl-kind.js';
 import { readStlText } from './stl-text.js';
 
-export const readStl: ModelReader = async ({ bytes, signal, onValues }) => {
-  const slices = new Slices(signal);
+export const readStl: ModelReader = async ({ bytes, signal, budget }) => {
+  const slices = new Slices(signal, budget);
   const leftOut = new LeftOut();
   const asText = !isBinaryStl(bytes) && isTextStl(bytes);
+  if (asText) budget.add({ text: bytes.byteLength });
   const solids = asText
     ? await readStlText(bytes, leftOut, slices)
     : [await readBinary(bytes, leftOut, slices)];
-  const budget = new ModelBudget(onValues);
   const parts: ContentPart[] = [];
   for (const solid of solids) {
     if (solid.places.count > 0) parts.push(await partOf(solid, budget, slices));

@@ -19,6 +19,17 @@ const KEPT_SCREENS = 2;
 /** The screen's device pixels: the most that is visible at once. */
 export const screenPixels = (): number => screen.width * screen.height * devicePixelRatio ** 2;
 
+/** Screens that one picture on the page may cover: enough to scroll and zoom in one that is larger than its window. */
+const MOST_SCREENS = 4;
+
+/** The size in device pixels that a picture of this size on the page has: a very large one has fewer pixels. */
+export function sizeOnPage({ width, height }: Size): Size {
+  // Zoomed out, some browsers give the screen without the zoom.
+  const most = MOST_SCREENS * screen.width * screen.height * Math.max(devicePixelRatio, 1) ** 2;
+  const share = Math.min(1, Math.sqrt(most / Math.max(width * height, 1)));
+  return { width: Math.ceil(width * share), height: Math.ceil(height * share) };
+}
+
 export class AtlasCopies {
   /** In the order of their last drawing, oldest first. */
   readonly #canvases = new Map<CopyClient, HTMLCanvasElement>();

@@ -1,7 +1,6 @@
 // Loads the content that a mesh's values name, a built-in shape or a model. One load at a time: a newer one replaces
 // it.
 import { sameValue } from '../../fields/field-store.js';
-import type { LoadOptions } from '../../model/model-content.js';
 import { fileName } from '../../model/file-name.js';
 import { type Content, NOTHING } from '../../model/model.js';
 import type { ShapeValues } from './mesh-fields.js';
@@ -13,22 +12,16 @@ import {
   shapeNeeds,
 } from './shapes/shared-shapes.js';
 import { CLOSED, type GeometryName, type LoadedShape } from './shapes/shapes.js';
-import {
-  type Claim,
-  type Claimant,
-  type TriangleBudget,
-  flatTriangles,
-  type Need,
-} from './triangle-budget.js';
+import type { Budget, Claim, Need } from '../../model/budget.js';
+import { acquireModel } from './shared-models.js';
 import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../material/file-surface.js';
-import { lazyCode } from '../../model/lazy-code.js';
-import { gltfCode, isNamedGltf, type CrossOrigin, isDataUri, requestFile } from '../../model/request-file.js';
+import type { CrossOrigin } from '../../model/request-file.js';
 
 export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
 /** What shows the content. */
-export interface ContentOwner extends Claimant {
+export interface ContentOwner {
   /** What a shape will hold before there is a geometry. */
   needsOf(geometry: GeometryName, segments: ContentName['segments']): readonly Need[];
   /** `late` unless it was there at once. `url` is null for a shape. The owner releases the claim. */
@@ -38,7 +31,7 @@ export interface ContentOwner extends Claimant {
 /** Follows the loads of all owners. */
 export interface LoadHost<Owner> {
   readonly crossOrigin: CrossOrigin;
-  readonly budget: TriangleBudget;
+  readonly budget: Budget;
   /**
    * Whether models may be fetched: false while a lazy viewer has not come near the view, and after a viewer was
    * removed.
@@ -103,6 +96,11 @@ export class ContentLoad<Owner extends ContentOwner> {
     }
   }
 
+  /** What was requested last has failed. */
+  get failed(): boolean {
+    return this.#failed;
+  }
+
   /** What has arrived cannot be used. */
   fail(url: URL | null, error: unknown): void {
     this.#failed = true;
@@ -121,7 +119,6 @@ export class ContentLoad<Owner extends ContentOwner> {
 
   drop(): void {
     const dropped = this.pending || this.#failed;
-    this.#host.budget.forget(this.#owner);
     this.#loading?.abort();
     this.#loading = null;
     this.#failed = false;
@@ -144,11 +141,7 @@ export class ContentLoad<Owner extends ContentOwner> {
     const onProgress = (loaded: number, total: number): void => {
       this.#host.progress(this.#owner, loaded, total);
     };
-    return requestModel(
-      url,
-      { signal, onProgress, onValues: claim.addValues, crossOrigin, type: type ?? '' },
-      typeof src === 'string' ? null : src,
-    );
+    return acquireModel({ url, src, type: type ?? '', crossOrigin }, { claim, signal, onProgress });
   }
 
   #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): void {
@@ -220,24 +213,18 @@ export const flatNeedsOf = (content: Content): readonly Need[] =>
   flatNeeds.get(content) ??
   [...new Set(content.parts.map(({ geometry }) => geometry))].map((geometry) => ({
     key: geometry,
-    triangles: flatTriangles(geometry),
+    claims: { values: flatValues(geometry) },
     flat: true,
   }));
+
+/** The values of a geometry's flat copy: every corner has its own, as floats. */
+function flatValues({ attributes, index }: BufferGeometry): number {
+  const sizes = Object.entries(attributes).map(([name, { itemSize }]) => (name === 'normal' ? 0 : itemSize));
+  const corners = index?.count ?? attributes['position']?.count ?? 0;
+  return corners * sizes.reduce((sum, size) => sum + size, 3);
+}
 
 /** Those of shapes, which are claimed before there is a geometry. */
 const flatNeeds = new WeakMap<Content, readonly Need[]>();
 
 const IDENTITY: Matrix4 = /* @__PURE__ */ new Matrix4();
-
-/** The code that reads models. */
-export const modelCode = /* @__PURE__ */ lazyCode(() => import('../../model/model-content.js'), 'models');
-
-/**
- * A model from its address or a file. A file is requested at once; the code that reads models comes with the first one.
- */
-export async function requestModel(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
-  const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
-  // Its failure is reported when the file is read.
-  if (request !== null && isNamedGltf(url.pathname)) gltfCode().catch(() => undefined);
-  return (await modelCode()).modelContent(url, options, file ?? request);
-}

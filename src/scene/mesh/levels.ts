@@ -3,11 +3,11 @@
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { View } from '../view-cut.js';
+import type { Budget } from '../../model/budget.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
 import { FIXED } from './shapes/shared-shapes.js';
 import { coarsestOf, type GeometryName, type Round, roundOf, trianglesOf } from './shapes/shapes.js';
-import type { TriangleBudget } from './triangle-budget.js';
 
 /** Most that an outline may be off the round shape, in device pixels: in the plain picture. */
 export const OUTLINE_TOLERANCE = 1 / 4;
@@ -41,7 +41,7 @@ type Condition = 'camera' | 'moves' | 'slopeX' | 'slopeY' | 'height' | 'room' | 
 
 export class Levels {
   readonly #meshes: ReadonlySet<SceneMesh>;
-  readonly #budget: TriangleBudget;
+  readonly #budget: Budget;
   readonly #materials: SharedMaterials;
   #shared: SharedLevels | null = null;
   /** As {@link shared} was last told. */
@@ -50,7 +50,7 @@ export class Levels {
   /** What the last choice was made for. */
   readonly #chosenFor: Partial<Record<Condition, number | boolean>> = {};
 
-  constructor(meshes: ReadonlySet<SceneMesh>, budget: TriangleBudget, materials: SharedMaterials) {
+  constructor(meshes: ReadonlySet<SceneMesh>, budget: Budget, materials: SharedMaterials) {
     this.#meshes = meshes;
     this.#budget = budget;
     this.#materials = materials;

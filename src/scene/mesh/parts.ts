@@ -10,13 +10,13 @@ import type { Vec3 } from '../../math/vector.js';
 import { hasMovingVertices } from '../bounds.js';
 import { extremePointsOf, shareExtremePoints } from '../../model/extreme-points.js';
 import type { MeshAnimation } from './animation.js';
+import type { Claim } from '../../model/budget.js';
 import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
 import { flatNeedsOf, shapeContent } from './content-load.js';
 import type { MeshValues, ShapeValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey } from './shapes/shared-shapes.js';
 import type { LoadedShape } from './shapes/shapes.js';
-import type { Claim } from './triangle-budget.js';
 
 export interface Part {
   readonly mesh: Mesh;
@@ -33,7 +33,7 @@ export interface ShownContent {
   readonly round: LoadedShape | null;
   /** Its segments, or `FIXED`. */
   readonly level: number;
-  /** What the content holds of its viewer's triangles. */
+  /** What the content holds of its viewer's budget. */
   readonly claim: Claim | null;
   readonly parts: readonly Part[];
   /** Null where there is nothing to show. */

@@ -4,6 +4,7 @@ import type { Object3D } from 'three';
 import { type Animated, type Animations, MeshAnimation } from './animation.js';
 import type { ShadingStyle } from '../../material/material-values.js';
 import type { FieldStore } from '../../fields/field-store.js';
+import type { Claim, Need } from '../../model/budget.js';
 import { ModelError, type Content, type ContentPart } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
@@ -26,7 +27,6 @@ import {
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName, type LoadedShape, roundOf } from './shapes/shapes.js';
-import type { Claim, Need } from './triangle-budget.js';
 
 /** The picture that shows a mesh. */
 export interface MeshHost extends LoadHost<SceneMesh> {
@@ -117,12 +117,6 @@ export class SceneMesh implements Animated, ContentOwner {
     } catch (error) {
       if (!isOutOfMemory(error)) throw error;
     }
-  }
-
-  /** There is room for what was refused: requests it again. */
-  again(): void {
-    this.retry();
-    this.update();
   }
 
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
@@ -270,8 +264,10 @@ export class SceneMesh implements Animated, ContentOwner {
     if (wanted !== this.#effective) {
       try {
         this.#regroup(wanted === 'flat');
+        const was = this.#effective;
         this.#effective = wanted;
-        this.#host.budget.review(); // other shading needs more or less
+        // A shape that was too large as it was shaded before may fit in now.
+        if (was !== null && this.#load.failed && this.#values.src === '') this.#again();
         this.#pose(); // a flat copy may be of an earlier pose
       } catch (error) {
         if (this.#effective !== 'flat') this.#shown.claim?.dropFlat();
@@ -282,6 +278,11 @@ export class SceneMesh implements Animated, ContentOwner {
     }
     this.#forgetNotFlat();
     return shading;
+  }
+
+  #again(): void {
+    this.#load.retry();
+    this.#load.request(this.#values);
   }
 
   /** Shows the geometries with or without separate triangles. Throws if there is no room or no memory for them. */

@@ -29,6 +29,9 @@ export interface Captured {
   readonly atOnce: boolean;
 }
 
+/** All of the page, in the order of their calls: only the first has float buffers. */
+const queue: SampledCapture[] = [];
+
 export class SampledCapture {
   /** Rejects with RangeError if no canvas can hold the picture, and where the context is lost. */
   readonly picture: Promise<HTMLCanvasElement>;
@@ -38,7 +41,7 @@ export class SampledCapture {
   #state: 'waiting' | 'drawing' | 'ended' = 'waiting';
   #hurried = false;
 
-  /** Begins in this task. */
+  /** Takes note of the scene in this task, and draws it after the captures before it. */
   constructor(size: Size, samples: number, { scene, paint, atOnce }: Captured) {
     const places = new ObjectPlaces(scene);
     this.#slices = this.#draw(size, samples, (renderer, part, count) => {
@@ -50,19 +53,21 @@ export class SampledCapture {
       this.#resolve = resolve;
       this.#reject = reject;
     });
+    queue.push(this);
     if (atOnce) this.finish();
     else void this.#run();
   }
 
   /** Draws all that is left now, because the scene is about to be another. */
   finish(): void {
+    for (const before of queue.slice(0, queue.indexOf(this))) before.finish();
     this.#hurried = true;
     while (this.#state === 'waiting') this.#next();
   }
 
   async #run(): Promise<void> {
     while (this.#state !== 'ended') {
-      this.#next();
+      if (queue[0] === this) this.#next();
       await new Promise((resolve) => setTimeout(resolve, PAUSE));
     }
   }
@@ -78,6 +83,7 @@ export class SampledCapture {
       this.#state = 'ended';
       this.#reject(error);
     }
+    if (this.#state === 'ended') queue.splice(queue.indexOf(this), 1);
   }
 
   *#draw(size: Size, samples: number, paint: PaintPart): Generator<void, HTMLCanvasElement> {

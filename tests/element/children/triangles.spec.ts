@@ -1,4 +1,4 @@
-// Does a viewer keep to its limit of triangles, show what fits in, and show the rest once there is room?
+// Does a viewer keep to its limit of triangles, show what fits in, and show the rest on request once there is room?
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
@@ -10,7 +10,7 @@ const SIZE = { width: 120, height: 90 };
 const shown = (viewer: Locator): Promise<string[]> =>
   viewer.evaluate((element: PhongViewer) => element.scene.children.map(({ name }) => name));
 
-test('shows the meshes that fit in, says of each other one that it is too large, and shows it once there is room', async ({
+test('shows the meshes that fit in, says of each other one that it is too large, and shows it on request once there is room', async ({
   mount,
 }) => {
   const viewer = await mount('<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>', SIZE);
@@ -31,6 +31,7 @@ test('shows the meshes that fit in, says of each other one that it is too large,
   expect(await viewer.evaluate((element: PhongViewer) => element.camera.theta)).toBe(10);
   await expect(viewer.locator('[part=notice]')).toBeVisible();
   await viewer.evaluate((element: PhongViewer) => element.meshes[0]!.remove());
+  await viewer.locator('[part=retry]').dispatchEvent('click');
   await expect(viewer.locator('[part=notice]')).toBeHidden();
   expect(await shown(viewer)).toEqual(['b', 'c', 'd']);
   // As flat copies they leave no room for a fourth one, which keeps its shading.
@@ -48,6 +49,7 @@ test('shows the meshes that fit in, says of each other one that it is too large,
   await viewer.evaluate((element: PhongViewer) => {
     for (const mesh of element.meshes.slice(0, 3)) mesh.shading = 'phong';
   });
+  await viewer.locator('[part=retry]').dispatchEvent('click');
   await expect(viewer.locator('[part=notice]')).toBeHidden();
   expect(await heard.take()).toEqual([]);
 });

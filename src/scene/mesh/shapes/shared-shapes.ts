@@ -10,7 +10,7 @@ import {
   roundOf,
   trianglesOf,
 } from './shapes.js';
-import type { Need } from '../triangle-budget.js';
+import { claimsOf, type Need } from '../../../model/budget.js';
 
 /** Segments as written, `undefined` for the shape's default; or a level of `auto`. */
 export interface ShapeKey {
@@ -56,9 +56,9 @@ const keyOf = ({ name, segments, isLevel }: ShapeKey): string =>
 export function shapeNeeds(key: ShapeKey, flat: boolean): Need[] {
   const text = keyOf(key);
   const triangles = trianglesOf(key.name, key.segments);
-  const smooth = { key: text, triangles, flat: false };
+  const smooth = { key: text, claims: claimsOf(triangles, 1), flat: false };
   return flat
-    ? [smooth, { key: `flat ${text}`, triangles: flatTrianglesOf(triangles), flat: true }]
+    ? [smooth, { key: `flat ${text}`, claims: claimsOf(flatTrianglesOf(triangles)), flat: true }]
     : [smooth];
 }
 

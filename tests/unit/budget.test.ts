@@ -1,17 +1,34 @@
-// Does a viewer hold no more triangles than its limit, and do meshes that were refused come back?
+// Does a viewer hold no more than its limits, whatever claims from its budget?
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import { flatGeometry } from '../../src/material/flat-geometry.js';
-import { TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } from '../../src/model/limits.js';
+import {
+  BYTE_LIMIT,
+  CORNER_LIMIT,
+  JSON_LIMIT,
+  NODE_LIMIT,
+  PART_LIMIT,
+  PIXEL_LIMIT,
+  TEXT_LIMIT,
+  TRIANGLE_LIMIT,
+  VALUES_PER_TRIANGLE,
+  WORK_LIMIT,
+} from '../../src/model/limits.js';
 import { createGeometry, GEOMETRIES } from '../../src/scene/mesh/shapes/shapes.js';
 import { shapeNeeds } from '../../src/scene/mesh/shapes/shared-shapes.js';
-import { type Claimant, flatTriangles, TriangleBudget } from '../../src/scene/mesh/triangle-budget.js';
+import { Budget, type Claims, claimsOf } from '../../src/model/budget.js';
+import { ModelBudget } from '../../src/model/model-budget.js';
 
-const mesh = (again = (): void => undefined, wantsFlat = false): Claimant => ({ wantsFlat, again });
-const need = (key: object | string, triangles: number, flat = false) => ({ key, triangles, flat });
+const need = (key: object | string, triangles: number, flat = false) => ({
+  key,
+  claims: claimsOf(triangles),
+  flat,
+});
+const holds = (claims: Claims, key: object | string = {}) => [{ key, claims, flat: false }];
+const tooLarge: unknown = expect.objectContaining({ code: 'too-large' });
 
-function budgetOf(limit: number): TriangleBudget {
-  const budget = new TriangleBudget();
+function budgetOf(limit: number): Budget {
+  const budget = new Budget();
   budget.limit = limit;
   return budget;
 }
@@ -22,7 +39,7 @@ describe('the number of triangles that a shape claims', () => {
       const geometry = await createGeometry(name, segments);
       const corners = geometry.index!.count;
       const [smooth, flat] = shapeNeeds({ name, segments, isLevel: false }, true).map(
-        ({ triangles }) => triangles,
+        ({ claims }) => claims.values! / VALUES_PER_TRIANGLE,
       ) as [number, number];
       const what = `${name} ${String(segments)}`;
       expect(smooth, what).toBeGreaterThanOrEqual(corners / 3);
@@ -30,7 +47,6 @@ describe('the number of triangles that a shape claims', () => {
       expect(flat * VALUES_PER_TRIANGLE, what).toBeGreaterThanOrEqual(
         8 * flatGeometry(geometry).getAttribute('position').count,
       );
-      expect(flatTriangles(geometry), what).toBeLessThanOrEqual(flat);
     }
   });
 });
@@ -38,19 +54,19 @@ describe('the number of triangles that a shape claims', () => {
 describe('the budget of triangles', () => {
   it('counts a shared geometry once, for as long as one mesh holds it', () => {
     const budget = budgetOf(10);
-    const claims = Array.from({ length: 2000 }, () => budget.claim(mesh()));
+    const claims = Array.from({ length: 2000 }, () => budget.claim({}));
     for (const claim of claims) claim.add([need('sphere', 6)]);
     expect(budget.used).toBe(6);
     for (const claim of claims.slice(1)) claim.release();
     expect(budget.used).toBe(6);
-    expect(() => budget.claim(mesh()).add([need('box', 5)])).toThrow('at most 10 can be shown');
+    expect(() => budget.claim({}).add([need('box', 5)])).toThrow('at most 10 can be shown');
     claims[0]!.release();
     expect(budget.used).toBe(0);
   });
 
   it('refuses with too-large what is beyond the limit, and changes nothing then', () => {
     const budget = budgetOf(10);
-    const claim = budget.claim(mesh());
+    const claim = budget.claim({});
     claim.add([need('a', 4)]);
     expect(() => claim.add([need('a', 4), need('b', 7)])).toThrow(
       expect.objectContaining({ code: 'too-large' }) as Error,
@@ -62,64 +78,62 @@ describe('the budget of triangles', () => {
 
   it('lets new content of a mesh take the room of what it replaces, but not that of other meshes', () => {
     const budget = budgetOf(10);
-    const owner = mesh();
+    const owner = {};
     const before = budget.claim(owner);
     before.add([need('a', 8)]);
     const next = budget.claim(owner);
     next.add([need('b', 9)]);
-    expect(() => budget.claim(mesh()).add([need('c', 1)])).toThrow();
+    expect(() => budget.claim({}).add([need('c', 1)])).toThrow();
     before.release();
     expect(budget.used).toBe(9);
-    budget.claim(mesh()).add([need('c', 1)]);
+    budget.claim({}).add([need('c', 1)]);
     expect(() => budget.claim(owner).add([need('d', 10)])).toThrow();
   });
 
-  it('adds up the values that a model claims while it is read', () => {
+  it('counts what grows while it is read', () => {
     const budget = budgetOf(10);
-    const claim = budget.claim(mesh());
-    for (let i = 0; i < 10; i += 1) claim.addValues(VALUES_PER_TRIANGLE);
+    const claim = budget.claim({});
+    const model = new ModelBudget((claims) => claim.add(holds(claims, 'model')));
+    for (let i = 0; i < 10; i += 1) model.add({ values: VALUES_PER_TRIANGLE });
     expect(budget.used).toBe(10);
-    expect(() => claim.addValues(1)).toThrow();
+    expect(() => model.add({ values: 1 })).toThrow(tooLarge);
     claim.release();
     expect(budget.used).toBe(0);
   });
 
-  it('lets refused meshes try again in their order once there is room for them', async () => {
-    const budget = budgetOf(10);
-    const tried: string[] = [];
-    const first = budget.claim(mesh());
-    first.add([need('a', 10)]);
-    for (const [name, size] of [
-      ['big', 11],
-      ['b', 6],
-      ['c', 6],
-      ['d', 4],
-    ] as const) {
-      const claimant = mesh(() => {
-        tried.push(name);
-        budget.claim(claimant).add([need(name, size)]);
-      });
-      expect(() => budget.claim(claimant).add([need(name, size)])).toThrow();
-    }
-    first.release();
-    expect(tried).toEqual([]);
-    await Promise.resolve();
-    expect(tried).toEqual(['b', 'd']);
-    expect(budget.used).toBe(10);
+  const halves: readonly (readonly [keyof Claims, number])[] = [
+    ['bytes', BYTE_LIMIT],
+    ['text', TEXT_LIMIT],
+    ['json', JSON_LIMIT],
+    ['nodes', NODE_LIMIT],
+    ['parts', PART_LIMIT],
+    ['corners', CORNER_LIMIT],
+    ['pixels', PIXEL_LIMIT],
+    ['work', WORK_LIMIT],
+  ];
+  it.each(halves)('has one limit of %s for all files together', (key, limit) => {
+    const budget = new Budget();
+    budget.claim({}).add(holds({ [key]: limit }));
+    const another = budget.claim({});
+    expect(() => another.add(holds({ [key]: 1 }))).toThrow(tooLarge);
+    expect(() => another.add(holds({ values: 7 }))).not.toThrow();
   });
 
-  it('tries again without flat copies where they are no longer wanted', async () => {
-    const budget = budgetOf(10);
-    const tried: boolean[] = [];
-    const state = { wantsFlat: true, again: () => void tried.push(true) };
-    expect(() => budget.claim(state).add([need('a', 4), need('flat a', 14, true)])).toThrow();
-    budget.review();
-    await Promise.resolve();
-    expect(tried).toEqual([]);
-    state.wantsFlat = false;
-    budget.review();
-    await Promise.resolve();
-    expect(tried).toEqual([true]);
+  it('has one limit of memory for vertices and images', () => {
+    const budget = new Budget();
+    budget.claim({}).add(holds({ values: 60e6 }));
+    expect(() => budget.claim({}).add(holds({ pixels: 40e6 }))).toThrow(/bytes in memory/);
+    budget.claim({}).add(holds({ pixels: 20e6 }));
+  });
+
+  it('counts the draws of each mesh that shows the same, and everything else once', () => {
+    const budget = new Budget();
+    const content = { values: 1000, pixels: PIXEL_LIMIT / 2, parts: PART_LIMIT / 4 };
+    const meshes = [1, 2, 3, 4].map(() => budget.claim({}));
+    for (const mesh of meshes) mesh.add(holds(content, 'model'));
+    expect(() => budget.claim({}).add(holds(content, 'model'))).toThrow(/draws/);
+    meshes[0]!.release();
+    budget.claim({}).add(holds(content, 'model'));
   });
 
   it('throws for a limit that is none, and keeps the one before', () => {
@@ -141,8 +155,7 @@ describe('the budget of triangles', () => {
     fc.assert(
       fc.property(fc.array(step, { maxLength: 40 }), (steps) => {
         const budget = budgetOf(12);
-        const meshes = Array.from({ length: 5 }, () => mesh());
-        const held = meshes.map((each) => budget.claim(each));
+        const held = Array.from({ length: 5 }, () => budget.claim({}));
         for (const { mesh: i, keys, release } of steps) {
           if (release) held[i]!.release();
           try {

@@ -1,0 +1,242 @@
+// What the files and shapes of one viewer claim, before anything is allocated or read. Geometries and files that
+// several meshes show count once. Past a limit the result is `too-large`.
+import * as limits from './limits.js';
+import { TRIANGLE_LIMIT, VALUES_PER_TRIANGLE } from './limits.js';
+import { ModelError } from './model.js';
+
+/** What is claimed, in the units of the limits. */
+export interface Claims {
+  /** Bytes of files, unpacked. */
+  readonly bytes?: number;
+  /** Bytes of text, without data in base64. */
+  readonly text?: number;
+  /** Values in JSON. */
+  readonly json?: number;
+  readonly nodes?: number;
+  /** Draws, each instance too: once for each mesh that shows the same content. */
+  readonly parts?: number;
+  /** Corners of triangles, repeated meshes of a file counted each time. */
+  readonly corners?: number;
+  /** Values of 4 bytes in vertices and indices. */
+  readonly values?: number;
+  readonly pixels?: number;
+  /** Items that a reader visits beyond those: keys, list entries, tokens. */
+  readonly work?: number;
+}
+
+export type Amounts = Required<Claims>;
+
+/** What is limited, in the order in which it is checked. */
+const LIMITS: Readonly<Record<keyof Claims, readonly [limit: number, what: string]>> = {
+  bytes: [limits.BYTE_LIMIT, 'bytes in its files'],
+  text: [limits.TEXT_LIMIT, 'bytes of text'],
+  json: [limits.JSON_LIMIT, 'values in its JSON'],
+  nodes: [limits.NODE_LIMIT, 'nodes'],
+  parts: [limits.PART_LIMIT, 'draws'],
+  corners: [limits.CORNER_LIMIT, 'triangle corners'],
+  values: [limits.VALUE_LIMIT, 'numbers in its vertices'],
+  pixels: [limits.PIXEL_LIMIT, 'pixels in its images'],
+  work: [limits.WORK_LIMIT, 'items to read'],
+};
+
+const KEYS = /* @__PURE__ */ (() => Object.keys(LIMITS) as (keyof Claims)[])();
+
+export const NO_CLAIMS = /* @__PURE__ */ (() =>
+  Object.fromEntries(KEYS.map((key) => [key, 0])) as unknown as Amounts)();
+
+export function plus(a: Amounts, b: Claims, times = 1): Amounts {
+  const sum = { ...a };
+  for (const key of KEYS) sum[key] += (b[key] ?? 0) * times;
+  return sum;
+}
+
+/**
+ * Bytes in the page and the GPU process, measured in Chromium with software GL. Values are there twice. A pixel takes 4
+ * bytes in the page and 5.3 on the GPU, with mipmaps; the image that is being uploaded takes 8 more. A draw takes 12
+ * kB, a node 2 kB.
+ */
+const memoryOf = ({ values, pixels, parts, nodes }: Amounts): number =>
+  Math.ceil(
+    8 * values +
+      9.4 * pixels +
+      8 * Math.min(pixels, limits.IMAGE_PIXEL_LIMIT) +
+      12_000 * parts +
+      2000 * nodes,
+  );
+
+/** @throws ModelError `too-large` if one file claims more than may be shown. */
+export function requireWithin(amounts: Amounts, subject = 'The model has'): void {
+  for (const key of KEYS) requireAtMost(amounts[key], ...LIMITS[key], subject);
+  requireAtMost(memoryOf(amounts), limits.MEMORY_LIMIT, 'bytes in memory (vertices and images)', subject);
+}
+
+/** @throws ModelError `too-large` if more than the limit of something is claimed. */
+export function requireAtMost(claimed: number, limit: number, what: string, subject = 'The model has'): void {
+  if (claimed <= limit) return;
+  const [count, most] = [claimed, limit].map((value) => value.toLocaleString('en'));
+  throw new ModelError(
+    'too-large',
+    `${subject} ${count ?? ''} ${what}; at most ${most ?? ''} can be shown.${ADVICE[what] ?? ''}`,
+  );
+}
+
+const ADVICE: Readonly<Record<string, string>> = {
+  triangles:
+    ' Use fewer segments, fewer different shapes, or another shading than "flat", which counts each triangle 4.4 times.',
+};
+
+/** Something that a mesh holds. */
+export interface Need {
+  /** Equal keys are one thing, which is counted once. */
+  readonly key: object | string;
+  readonly claims: Claims;
+  /** It is a copy for flat shading. */
+  readonly flat: boolean;
+}
+
+/**
+ * What the content of one mesh holds. Content that replaces other content of its mesh may take the room of it: until
+ * the new one is drawn both are in memory, as before, so a model of any allowed size can be replaced by another.
+ */
+export class Claim {
+  readonly budget: Budget;
+  readonly owner: object;
+  /** Written by the budget. */
+  needs: ReadonlyMap<Need['key'], Need> = new Map();
+
+  constructor(budget: Budget, owner: object) {
+    this.budget = budget;
+    this.owner = owner;
+  }
+
+  /** Claims these as well, or more of them. @throws ModelError `too-large`; the claim is as before then. */
+  add(needs: readonly Need[]): void {
+    if (needs.every((need) => isHeld(need, this.needs.get(need.key)))) return;
+    this.budget.take(this, [...this.needs.values(), ...needs]);
+  }
+
+  dropFlat(): void {
+    this.keep([...this.needs.values()].filter(({ flat }) => !flat));
+  }
+
+  /** Holds nothing but these, which it holds already. */
+  keep(needs: readonly Need[]): void {
+    this.budget.hold(this, needs);
+  }
+
+  release(): void {
+    this.keep([]);
+  }
+}
+
+const isHeld = ({ claims }: Need, held: Need | undefined): boolean =>
+  held !== undefined && KEYS.every((key) => (claims[key] ?? 0) === (held.claims[key] ?? 0));
+
+interface Use {
+  claims: Claims;
+  readonly holders: Set<Claim>;
+}
+
+/** What all meshes of one viewer hold. */
+export class Budget {
+  #limit = TRIANGLE_LIMIT;
+  #total = NO_CLAIMS;
+  readonly #uses = new Map<Need['key'], Use>();
+  readonly #claims = new Map<object, Set<Claim>>();
+
+  /**
+   * Most triangles, weighed by memory. Default and most: {@link TRIANGLE_LIMIT}. A lower one takes nothing away that is
+   * shown.
+   */
+  get limit(): number {
+    return this.#limit;
+  }
+
+  /** Null for the default. @throws TypeError or RangeError unless it is a whole number from 0 to the default. */
+  set limit(limit: number | null) {
+    const most = limit ?? TRIANGLE_LIMIT;
+    if (typeof most !== 'number') throw new TypeError(`maxTriangles must be a number, not ${typeof most}.`);
+    if (!Number.isInteger(most) || most < 0 || most > TRIANGLE_LIMIT)
+      throw new RangeError(
+        `maxTriangles must be a whole number from 0 to ${String(TRIANGLE_LIMIT)}, not ${String(most)}.`,
+      );
+    this.#limit = most;
+  }
+
+  /**
+   * Triangles that are held now, weighed by memory. Round shapes with automatic segments count by their coarsest level:
+   * finer ones take what is left.
+   */
+  get used(): number {
+    return trianglesIn(this.#total);
+  }
+
+  claim(owner: object): Claim {
+    return new Claim(this, owner);
+  }
+
+  /** For claims: {@link hold} within the limits. @throws ModelError `too-large`. */
+  take(claim: Claim, needs: readonly Need[]): void {
+    const { values, ...others } = this.#totalWith(claim.owner, needs);
+    requireAtMost(trianglesIn({ values }), this.#limit, 'triangles', SUBJECT);
+    // Triangles have been counted, in place of their values.
+    requireWithin({ ...others, values: Math.min(values, limits.VALUE_LIMIT) }, SUBJECT);
+    this.hold(claim, needs);
+  }
+
+  /** For claims: `claim` holds these and nothing else. */
+  hold(claim: Claim, needs: readonly Need[]): void {
+    const next = new Map(needs.map((need) => [need.key, need]));
+    for (const [key, { claims }] of next) this.#change(key, (holders) => holders.add(claim), claims);
+    for (const key of claim.needs.keys())
+      if (!next.has(key)) this.#change(key, (holders) => holders.delete(claim));
+    claim.needs = next;
+    const own = this.#claims.get(claim.owner) ?? new Set();
+    if (next.size > 0) this.#claims.set(claim.owner, own.add(claim));
+    else if (own.delete(claim) && own.size === 0) this.#claims.delete(claim.owner);
+  }
+
+  #change(key: Need['key'], edit: (holders: Set<Claim>) => void, claims?: Claims): void {
+    const use = this.#uses.get(key) ?? { claims: claims ?? NO_CLAIMS, holders: new Set() };
+    const before = heldBy(use, use.holders.size);
+    edit(use.holders);
+    use.claims = claims ?? use.claims;
+    this.#total = plus(plus(this.#total, before, -1), heldBy(use, use.holders.size));
+    if (use.holders.size > 0) this.#uses.set(key, use);
+    else this.#uses.delete(key);
+  }
+
+  /** All that is held if this owner held these needs and nothing else. */
+  #totalWith(owner: object, needs: readonly Need[]): Amounts {
+    let total = this.#total;
+    const left = new Map<Need['key'], number>(); // holders without this owner
+    for (const claim of this.#claims.get(owner) ?? [])
+      for (const key of claim.needs.keys()) {
+        const use = this.#uses.get(key)!;
+        const count = left.get(key) ?? use.holders.size;
+        total = plus(plus(total, heldBy(use, count), -1), heldBy(use, count - 1));
+        left.set(key, count - 1);
+      }
+    for (const need of new Map(needs.map((each) => [each.key, each])).values()) {
+      const use = this.#uses.get(need.key);
+      const count = left.get(need.key) ?? use?.holders.size ?? 0;
+      if (use !== undefined) total = plus(total, heldBy(use, count), -1);
+      total = plus(total, heldBy(need, count + 1));
+    }
+    return total;
+  }
+}
+
+const SUBJECT = 'With this the viewer would hold';
+
+/** Draws count for each holder, everything else once. */
+const heldBy = ({ claims }: Pick<Use, 'claims'>, holders: number): Claims =>
+  holders === 0 ? NO_CLAIMS : { ...claims, parts: (claims.parts ?? 0) * holders };
+
+const trianglesIn = ({ values }: Pick<Amounts, 'values'>): number => Math.ceil(values / VALUES_PER_TRIANGLE);
+
+/** What a number of triangles holds, weighed by memory. */
+export const claimsOf = (triangles: number, parts = 0): Claims => ({
+  values: triangles * VALUES_PER_TRIANGLE,
+  parts,
+});

@@ -1,0 +1,98 @@
+// Lets several meshes show one model in poses of their own. Each has a copy of what moves; everything else is shared.
+import { Box3, type BufferAttribute, type BufferGeometry, DynamicDrawUsage, Sphere } from 'three';
+import { shareExtremePoints } from './extreme-points.js';
+import type { Content } from './model.js';
+
+/** Values of 4 bytes that {@link movingCopy} takes, the matrices of the parts included. */
+export function movingValues({ parts }: Content): number {
+  let values = parts.length * 32;
+  for (const geometry of new Set(parts.map((part) => part.geometry)))
+    for (const [, { array }] of movingAttributes(geometry)) values += array.length;
+  return values;
+}
+
+/** The content in a pose of its own, at first that of the file. Disposing of it leaves `content` as it is. */
+export function movingCopy(content: Content): Content {
+  const { motion } = content;
+  if (motion === null) return content;
+  motion.pose(null, 0);
+  const copies = new Map<BufferGeometry, Vertices>();
+  const parts = content.parts.map((part) => {
+    const { geometry } = part;
+    const moves = movingAttributes(geometry).length > 0;
+    const copy = copies.get(geometry) ?? (moves ? new Vertices(geometry) : null);
+    if (copy !== null) copies.set(geometry, copy);
+    return { ...part, geometry: copy?.geometry ?? geometry, matrix: part.matrix.clone() };
+  });
+  return {
+    ...content,
+    parts,
+    motion: {
+      names: motion.names,
+      durationOf: (name) => motion.durationOf(name),
+      pose: (name, seconds) => {
+        motion.pose(name, seconds);
+        parts.forEach(({ matrix }, i) => matrix.copy(content.parts[i]!.matrix));
+        for (const copy of copies.values()) copy.follow();
+      },
+    },
+    dispose: () => {
+      for (const copy of copies.values()) copy.dispose();
+    },
+  };
+}
+
+/** A geometry whose moving vertices are copies of another one's. */
+class Vertices {
+  readonly geometry: BufferGeometry;
+  readonly #source: BufferGeometry;
+  /** Version of the source's positions that was copied last. */
+  #version = -1;
+  /** Two, in turns: a new object says that the bounds have changed. */
+  readonly #boxes = [new Box3(), new Box3()] as const;
+
+  constructor(source: BufferGeometry) {
+    this.#source = source;
+    // Not `clone`, which copies what is shared too.
+    const copy = (this.geometry = new (source.constructor as new () => BufferGeometry)());
+    for (const [name, attribute] of Object.entries(source.attributes)) copy.setAttribute(name, attribute);
+    for (const [name, attribute] of movingAttributes(source)) copy.setAttribute(name, attribute.clone());
+    copy.setIndex(source.index);
+    shareExtremePoints(source, copy);
+    this.follow();
+  }
+
+  follow(): void {
+    const { geometry } = this;
+    const source = this.#source;
+    const { version } = source.attributes['position'] as BufferAttribute;
+    if (version === this.#version) return;
+    this.#version = version;
+    for (const [name, { array }] of movingAttributes(source)) {
+      const own = geometry.attributes[name] as BufferAttribute;
+      own.array.set(array);
+      own.needsUpdate = true;
+    }
+    const [one, other] = this.#boxes;
+    const box = geometry.boundingBox === one ? other : one;
+    if (source.boundingBox === null) source.computeBoundingBox();
+    geometry.boundingBox = box.copy(source.boundingBox!);
+    if (source.boundingSphere === null) source.computeBoundingSphere();
+    geometry.boundingSphere = (geometry.boundingSphere ?? new Sphere()).copy(source.boundingSphere!);
+  }
+
+  /** Frees what is not the source's. */
+  dispose(): void {
+    const { geometry } = this;
+    const moving = new Set(movingAttributes(geometry).map(([name]) => name));
+    for (const name of Object.keys(geometry.attributes))
+      if (!moving.has(name)) geometry.deleteAttribute(name);
+    geometry.setIndex(null);
+    geometry.dispose();
+  }
+}
+
+const movingAttributes = ({ attributes }: BufferGeometry): [string, BufferAttribute][] =>
+  Object.entries(attributes as Record<string, BufferAttribute>).filter(
+    ([, { usage }]) => usage === DynamicDrawUsage,
+  );

@@ -1,0 +1,155 @@
+// The models that meshes show now. Equal sources are one download and one content for the whole page, as built-in shapes
+// are; users are counted. A model that moves gets matrices and moving vertices of its own for each mesh.
+import { type Amounts, type Budget, type Claim, NO_CLAIMS } from '../../model/budget.js';
+import { lazyCode } from '../../model/lazy-code.js';
+import type { LoadOptions } from '../../model/model-content.js';
+import type { Content } from '../../model/model.js';
+import { type CrossOrigin, gltfCode, isDataUri, isNamedGltf, requestFile } from '../../model/request-file.js';
+
+export interface ModelName {
+  /** A file's address is not fetched: it is for messages. */
+  readonly url: URL;
+  readonly src: string | Blob;
+  readonly type: string;
+  readonly crossOrigin: CrossOrigin;
+}
+
+/** A mesh that shows a model, or is going to. */
+export interface ModelUser {
+  readonly claim: Claim;
+  /** Aborted when the mesh no longer wants the model. */
+  readonly signal: AbortSignal;
+  readonly onProgress: (loaded: number, total: number) => void;
+}
+
+const shared = new Map<string, SharedModel>();
+
+/**
+ * The model for one more mesh, which disposes of it once. Rejects if the model cannot be read, or if the claim has no
+ * room for it.
+ */
+export function acquireModel(name: ModelName, user: ModelUser): Promise<Content> {
+  const key = keyOf(name);
+  const model = shared.get(key) ?? new SharedModel(key, name);
+  shared.set(key, model);
+  return model.use(user);
+}
+
+const files = new WeakMap<Blob, number>();
+let fileCount = 0;
+
+function keyOf({ url, src, type, crossOrigin }: ModelName): string {
+  if (typeof src === 'string') return `${url.href} ${type} ${String(crossOrigin)}`;
+  const number = files.get(src) ?? ++fileCount;
+  files.set(src, number);
+  return `${String(number)} ${type} ${String(crossOrigin)}`;
+}
+
+class SharedModel {
+  readonly #key: string;
+  readonly #loading = new AbortController();
+  readonly #content: Promise<Content>;
+  /** Users to whom it has not come yet, each with what refuses it. */
+  readonly #waiting = new Map<ModelUser, (error: unknown) => void>();
+  #users = 0;
+  #claimed: Amounts = NO_CLAIMS;
+
+  constructor(key: string, { url, src, type, crossOrigin }: ModelName) {
+    this.#key = key;
+    const onProgress = (loaded: number, total: number): void => {
+      for (const user of this.#waiting.keys()) user.onProgress(loaded, total);
+    };
+    const { signal } = this.#loading;
+    const options = { signal, onProgress, onClaim: this.#claim, crossOrigin, type };
+    this.#content = requestModel(url, options, typeof src === 'string' ? null : src);
+    this.#content.catch(() => {
+      this.#forget(); // the next request tries again
+    });
+  }
+
+  async use(user: ModelUser): Promise<Content> {
+    const { claim, signal } = user;
+    this.#users += 1;
+    try {
+      const refused = new Promise<never>((_, reject) => {
+        this.#waiting.set(user, reject);
+        signal.addEventListener('abort', () => {
+          reject(signal.reason as Error);
+        });
+      });
+      const content = await Promise.race([this.#content, refused]);
+      claim.add([{ key: this, claims: this.#claimed, flat: false }]);
+      const own = content.motion === null ? content : await this.#moving(content, claim);
+      let used = true;
+      return {
+        ...own,
+        dispose: () => {
+          if (!used) return;
+          used = false;
+          if (own !== content) own.dispose();
+          this.#release();
+        },
+      };
+    } catch (error) {
+      this.#waiting.delete(user);
+      this.#release();
+      throw error;
+    } finally {
+      this.#waiting.delete(user);
+    }
+  }
+
+  async #moving(content: Content, claim: Claim): Promise<Content> {
+    const { movingCopy, movingValues } = await modelCode();
+    claim.add([{ key: claim, claims: { values: movingValues(content) }, flat: false }]);
+    return movingCopy(content);
+  }
+
+  /** Of the meshes of one viewer the first that waits claims for all: they share it. */
+  readonly #claim = (claimed: Amounts): void => {
+    this.#claimed = claimed;
+    const asked = new Set<Budget>();
+    let refusal: Error | null = null;
+    for (const [{ claim }, refuse] of this.#waiting) {
+      if (asked.has(claim.budget)) continue;
+      try {
+        claim.add([{ key: this, claims: claimed, flat: false }]);
+        asked.add(claim.budget);
+      } catch (error) {
+        refusal = error as Error;
+        refuse(error);
+      }
+    }
+    if (asked.size === 0 && refusal !== null) throw refusal;
+  };
+
+  #release(): void {
+    this.#users -= 1;
+    if (this.#users > 0) return;
+    this.#forget();
+    this.#loading.abort(); // ends what is still being downloaded
+    this.#content.then(
+      (content) => {
+        content.dispose();
+      },
+      () => undefined,
+    );
+  }
+
+  #forget(): void {
+    if (shared.get(this.#key) === this) shared.delete(this.#key);
+  }
+}
+
+/** The code that reads models. */
+export const modelCode = /* @__PURE__ */ lazyCode(() => import('../../model/model-content.js'), 'models');
+
+/**
+ * A model from its address or a file. A file is requested at once; the code that reads models comes with the first one.
+ */
+async function requestModel(url: URL, options: LoadOptions, file: Blob | null): Promise<Content> {
+  const request = file !== null || isDataUri(url.href) ? null : requestFile(url, 'follow', options);
+  // Its failure is reported when the file is read.
+  if (request !== null && isNamedGltf(url.pathname)) gltfCode().catch(() => undefined);
+  return (await modelCode()).modelContent(url, options, file ?? request);
+}
