@@ -48,6 +48,8 @@ export class Viewport implements StageClient, Framed {
   #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
+  /** It has another size since it was drawn. */
+  resized = false;
   /** The picture has not changed, but its pixels are gone. */
   #blank = false;
   /** Something moves by itself, as of the last animation frame. */
@@ -169,6 +171,7 @@ export class Viewport implements StageClient, Framed {
   resize(width: number, height: number): void {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
+    this.resized = true;
     this.fit.resized(width, height);
     this.#outdate();
     this.#wake();
@@ -248,7 +251,7 @@ export class Viewport implements StageClient, Framed {
     if (!this.drawable) return;
     if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.#still.step()) return;
-    if (!this.#moving && this.#still.startable) this.animate();
+    if (this.#moving || this.#still.startable) this.animate();
   }
 
   redraw(): void {
@@ -257,6 +260,7 @@ export class Viewport implements StageClient, Framed {
       return;
     }
     const changed = this.#dirty;
+    this.resized = false;
     // Before drawing: if that throws, the next attempt follows the next change.
     this.#dirty = this.#blank = false;
     if (!changed && this.#still.samples > 0) {

@@ -97,6 +97,60 @@ test('keeps round what is round where paper is narrower than the screen, with a 
   await reader.close();
 });
 
+/** Runs in the page: where the marks over the pictures are, in shares of the pictures as they are shown. */
+function marksOverPictures(): number[] {
+  const places: number[] = [];
+  for (const { shadowRoot } of document.querySelectorAll('phong-viewer')) {
+    const canvas = shadowRoot!.querySelector('canvas')!;
+    const box = canvas.getBoundingClientRect();
+    const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
+    for (const mark of shadowRoot!.querySelectorAll(':is(.helpers, .probe) > svg :is(circle, text)')) {
+      const place = mark.getBoundingClientRect();
+      const [x, y] = [place.x + place.width / 2, place.y + place.height / 2];
+      places.push((x - box.x - box.width / 2) / (canvas.width * scale));
+      places.push((y - box.y - box.height / 2) / (canvas.height * scale));
+    }
+  }
+  return places;
+}
+
+test('paper of another width keeps N at its foot, and lights and axes at their places', async ({
+  mount,
+  page,
+}) => {
+  const light = '<phong-light name="lamp" position="1 2 1 1"></phong-light>';
+  const viewer = (attributes: string): string =>
+    `<phong-viewer geometry="sphere" helpers="lights axes" probe probe-at="0 0 0.5" ${attributes}>${light}</phong-viewer>`;
+  await mount(viewer('gui') + viewer('view="diffuse"'), {
+    css: `phong-viewer { width: 100% !important; height: 360px !important } .paper { width: 520px }
+      :root { color-scheme: dark }`,
+  });
+  await expect(page.locator('.box')).toHaveCount(2);
+  await expect(page.locator('.legend')).toHaveCount(1);
+  await page.emulateMedia({ media: 'print' });
+  const screen = await page.evaluate(marksOverPictures);
+  expect(screen.length).toBeGreaterThan(16);
+  // The page is laid out for paper without its scripts.
+  const paper = await page.evaluate((marks) => {
+    const read = new Function(`return (${marks})()`) as () => number[];
+    document.body.className = 'paper';
+    const places = read();
+    const texts = document.querySelectorAll('phong-viewer');
+    const inks = [...texts].flatMap(({ shadowRoot }) =>
+      [...shadowRoot!.querySelectorAll('.box, .box :not(.swatch, svg *), .legend, .legend-title')].map((text) => {
+        const { color, backgroundColor } = getComputedStyle(text);
+        return `${color} on ${backgroundColor}`;
+      }),
+    );
+    document.body.className = '';
+    return { places, inks: [...new Set(inks)] };
+  }, String(marksOverPictures));
+  await page.emulateMedia({ media: null });
+  expect(paper.places.length).toBe(screen.length);
+  paper.places.forEach((place, i) => expect(place).toBeCloseTo(screen[i]!, 2));
+  expect(paper.inks.sort()).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
+});
+
 /** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
 async function readPdf(own: Browser, pdf: Buffer): Promise<Page> {
   const browser = await browserWithPdfViewer(own);
