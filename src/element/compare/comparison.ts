@@ -5,7 +5,7 @@ import type { PictureBox } from '../../camera/gesture.js';
 import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
-import { fieldsOf } from '../internals.js';
+import { fieldsOf, placed } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
 import panelColumn from '../page/panel-column.css?inline';
 import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
@@ -72,6 +72,7 @@ export class Comparison implements DividerHost, ReactiveController {
     this.#viewers = viewers;
     const slots = this.#element.shadowRoot!.querySelectorAll<HTMLSlotElement>('.pane > slot');
     viewers.forEach((viewer, i) => slots[i]?.assign(viewer));
+    viewers.forEach((viewer) => placed(viewer));
     this.#observe();
   }
 
