@@ -137,10 +137,12 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
     const places = read();
     const texts = document.querySelectorAll('phong-viewer');
     const inks = [...texts].flatMap(({ shadowRoot }) =>
-      [...shadowRoot!.querySelectorAll('.box, .box :not(.swatch, svg *), .legend, .legend-title')].map((text) => {
-        const { color, backgroundColor } = getComputedStyle(text);
-        return `${color} on ${backgroundColor}`;
-      }),
+      [...shadowRoot!.querySelectorAll('.box, .box :not(.swatch, svg *), .legend, .legend-title')].map(
+        (text) => {
+          const { color, backgroundColor } = getComputedStyle(text);
+          return `${color} on ${backgroundColor}`;
+        },
+      ),
     );
     document.body.className = '';
     return { places, inks: [...new Set(inks)] };
@@ -148,7 +150,10 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
   await page.emulateMedia({ media: null });
   expect(paper.places.length).toBe(screen.length);
   paper.places.forEach((place, i) => expect(place).toBeCloseTo(screen[i]!, 2));
-  expect(paper.inks.sort()).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
+  expect(paper.inks.sort()).toEqual([
+    'rgb(0, 0, 0) on rgb(255, 255, 255)',
+    'rgb(0, 0, 0) on rgba(0, 0, 0, 0)',
+  ]);
 });
 
 /** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */

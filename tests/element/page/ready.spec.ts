@@ -108,7 +108,10 @@ test('waits for children that load', async ({ mount }) => {
   expect(facts).toEqual({ loaded: true, drawCalls: 2 });
 });
 
-test('waits for a comparison to place its viewers, and for one that was just shown', async ({ mount, page }) => {
+test('waits for a comparison to place its viewers, and for one that was just shown', async ({
+  mount,
+  page,
+}) => {
   await mount('<main></main>', { css: `${css} phong-compare { width: 200px; height: 100px }` });
   const drawn = await page.evaluate(async () => {
     const counts: number[] = [];
