@@ -64,6 +64,8 @@ export class Viewport implements StageClient, Framed {
    * moving.
    */
   moveTo: (now: number) => boolean = () => false;
+  /** Something that belongs to the first picture is still on its way. */
+  awaited: () => boolean = () => false;
   /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
   recover: (error: unknown, draw: () => void) => boolean = () => false;
 
@@ -244,14 +246,18 @@ export class Viewport implements StageClient, Framed {
   }
 
   advance(now: number): boolean {
-    return (this.#moving = this.drawable && this.moveTo(now));
+    return (this.#moving = this.drawable && !this.#waits && this.moveTo(now));
   }
 
   draw(): void {
-    if (!this.drawable) return;
+    if (!this.drawable || this.#waits) return;
     if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.#still.step()) return;
     if (this.#moving || this.#still.startable) this.animate();
+  }
+
+  get #waits(): boolean {
+    return this.#frames === 0 && this.awaited();
   }
 
   redraw(): void {

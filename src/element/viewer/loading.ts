@@ -56,6 +56,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.add(this.ownMesh);
+    viewport.awaited = () => this.#meshes().some((mesh) => mesh.awaitsShape);
     viewport.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
@@ -183,6 +184,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return false;
   }
 
+  /** Something is there, whatever else failed. */
+  get shows(): boolean {
+    return this.#meshes().some(({ root }) => root !== null);
+  }
+
   /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */
   get loaded(): boolean {
     const wanted = this.#meshes().filter((mesh) => mesh.wanted);
@@ -236,6 +242,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   };
 
   #end(mesh: SceneMesh): void {
+    this.#context.viewport.animate(); // the first picture may have waited for it
     if (!this.#progress.end(mesh)) return;
     clearTimeout(this.#barTimer);
     this.#isSlow = false;
