@@ -125,14 +125,12 @@ test.describe('dist/', () => {
     }
   });
 
-  test("gives 'use client' to servers that render React components alone: bundlers warn of it", async () => {
+  test("gives 'use client' to servers that render React components alone: bundlers warn of it", () => {
     for (const entry of ['react', 'react-standalone']) {
       const code = (name: string): string => readFileSync(join(dist, `${name}.js`), 'utf8');
-      expect(code(`${entry}-client`)).toMatch(/^'use client';\n/);
+      const names = 'PhongCompare, PhongLight, PhongMesh, PhongViewer';
+      expect(code(`${entry}-client`)).toBe(`'use client';\nexport { ${names} } from './${entry}.js';\n`);
       expect(code(entry)).not.toContain('use client');
-      const load = async (name: string): Promise<object> =>
-        (await import(pathToFileURL(join(dist, `${name}.js`)).href)) as object;
-      expect(await load(`${entry}-client`)).toEqual(await load(entry));
     }
   });
 
