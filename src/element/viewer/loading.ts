@@ -47,6 +47,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   #removal: ReturnType<typeof setTimeout> | undefined;
   #barTimer: ReturnType<typeof setTimeout> | undefined;
   #isSlow = false;
+  #hasDrawn = false;
   /** Meshes whose content has not been drawn yet. */
   readonly #undrawn = new Set<SceneMesh>();
 
@@ -56,7 +57,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.add(this.ownMesh);
-    viewport.awaited = () => this.#meshes().some((mesh) => mesh.awaitsShape);
+    viewport.awaited = () => !this.#hasDrawn && this.#meshes().some((mesh) => mesh.awaitsShape);
     viewport.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
@@ -104,6 +105,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** All content has been drawn. */
   #drawn(): void {
+    this.#hasDrawn = true;
     for (const mesh of this.#undrawn) mesh.drawn();
     this.#undrawn.clear();
   }

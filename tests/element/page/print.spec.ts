@@ -97,9 +97,14 @@ test('keeps round what is round where paper is narrower than the screen, with a 
   await reader.close();
 });
 
-/** Runs in the page: where the marks over the pictures are, in shares of the pictures as they are shown. */
-function marksOverPictures(): number[] {
+/**
+ * Runs in the page: where the marks over the pictures are, in shares of the pictures as they are shown, and the colours
+ * of the texts. `className`: that of the body meanwhile. No script of the page runs, as when paper is laid out.
+ */
+function marksOverPictures(className: string): { places: number[]; inks: string[] } {
   const places: number[] = [];
+  const inks = new Set<string>();
+  document.body.className = className;
   for (const { shadowRoot } of document.querySelectorAll('phong-viewer')) {
     const canvas = shadowRoot!.querySelector('canvas')!;
     const box = canvas.getBoundingClientRect();
@@ -110,8 +115,14 @@ function marksOverPictures(): number[] {
       places.push((x - box.x - box.width / 2) / (canvas.width * scale));
       places.push((y - box.y - box.height / 2) / (canvas.height * scale));
     }
+    const texts = '.box, .box :not(.swatch, svg *), .legend, .legend-title';
+    for (const text of shadowRoot!.querySelectorAll(texts)) {
+      const { color, backgroundColor } = getComputedStyle(text);
+      inks.add(`${color} on ${backgroundColor}`);
+    }
   }
-  return places;
+  document.body.className = '';
+  return { places, inks: [...inks].sort() };
 }
 
 test('paper of another width keeps N at its foot, and lights and axes at their places', async ({
@@ -128,32 +139,13 @@ test('paper of another width keeps N at its foot, and lights and axes at their p
   await expect(page.locator('.box')).toHaveCount(2);
   await expect(page.locator('.legend')).toHaveCount(1);
   await page.emulateMedia({ media: 'print' });
-  const screen = await page.evaluate(marksOverPictures);
+  const { places: screen } = await page.evaluate(marksOverPictures, '');
   expect(screen.length).toBeGreaterThan(16);
-  // The page is laid out for paper without its scripts.
-  const paper = await page.evaluate((marks) => {
-    const read = new Function(`return (${marks})()`) as () => number[];
-    document.body.className = 'paper';
-    const places = read();
-    const texts = document.querySelectorAll('phong-viewer');
-    const inks = [...texts].flatMap(({ shadowRoot }) =>
-      [...shadowRoot!.querySelectorAll('.box, .box :not(.swatch, svg *), .legend, .legend-title')].map(
-        (text) => {
-          const { color, backgroundColor } = getComputedStyle(text);
-          return `${color} on ${backgroundColor}`;
-        },
-      ),
-    );
-    document.body.className = '';
-    return { places, inks: [...new Set(inks)] };
-  }, String(marksOverPictures));
+  const paper = await page.evaluate(marksOverPictures, 'paper');
   await page.emulateMedia({ media: null });
   expect(paper.places.length).toBe(screen.length);
   paper.places.forEach((place, i) => expect(place).toBeCloseTo(screen[i]!, 2));
-  expect(paper.inks.sort()).toEqual([
-    'rgb(0, 0, 0) on rgb(255, 255, 255)',
-    'rgb(0, 0, 0) on rgba(0, 0, 0, 0)',
-  ]);
+  expect(paper.inks).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
 });
 
 /** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
