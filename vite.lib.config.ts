@@ -27,12 +27,20 @@ function staysImport(specifier: string): boolean {
 
 /**
  * dist/react.js imports dist/index.js, so that a page has one copy of the elements, and react-standalone.js the
- * standalone file.
+ * standalone file. Beside each is the file that React's servers import, under the condition `react-server`: they look
+ * for its first line, of which bundlers would warn in every other build.
  */
 const beside = (id: './index.js' | './phong-viewer.standalone.js'): Plugin => ({
   name: 'beside',
   enforce: 'pre',
   resolveId: (specifier) => (specifier === './index.js' ? { id, external: 'relative' } : null),
+  generateBundle(_options, bundle) {
+    for (const file of Object.values(bundle)) {
+      if (file.type !== 'chunk' || !file.isEntry) continue;
+      const source = `'use client';\nexport { ${file.exports.join(', ')} } from './${file.fileName}';\n`;
+      this.emitFile({ type: 'asset', fileName: file.fileName.replace('.js', '-client.js'), source });
+    }
+  },
 });
 
 const reactEntries: Readonly<Record<string, Plugin>> = {
@@ -52,9 +60,6 @@ const beforeLit: Plugin = {
       ? { id: './trusted-types.js', external: 'relative', moduleSideEffects: true }
       : null,
 };
-
-/** React's servers look for this line before any other. */
-const clientDirective = "'use client';\n";
 
 /** Built one by one: each is a single file, which compresses better than several files with shared parts. */
 const entries: Readonly<Record<string, string>> = {
@@ -80,9 +85,8 @@ export default defineConfig(({ mode }) => ({
     inPage(),
     decoderWorkers({ plugins: workerPlugins }),
     beforeLit,
-    ...(reactEntries[mode] === undefined
-      ? [licences({ listed: false })]
-      : [reactEntries[mode], licences({ listed: false, directive: clientDirective })]),
+    reactEntries[mode],
+    licences({ listed: false }),
   ],
   build: {
     outDir: outputFolder('dist'),

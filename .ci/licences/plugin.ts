@@ -84,9 +84,8 @@ const introduction =
 
 /**
  * @param options.listed whether to write THIRD-PARTY-LICENSES.txt too; default true.
- * @param options.directive a line for the head of each file, before the notice; default none.
  */
-export function licences({ listed = true, directive = '' } = {}): Plugin {
+export function licences({ listed = true } = {}): Plugin {
   return {
     name: 'licences',
     apply: 'build',
@@ -95,7 +94,7 @@ export function licences({ listed = true, directive = '' } = {}): Plugin {
         rolldownOptions: {
           // `banner` would come before minification, which drops it.
           output: {
-            postBanner: ({ isEntry, modules }) => directive + notice(isEntry, partsOf(Object.keys(modules))),
+            postBanner: ({ isEntry, modules }) => notice(isEntry, partsOf(Object.keys(modules))),
           },
         },
       },

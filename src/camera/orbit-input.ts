@@ -4,6 +4,7 @@
 
 import { PointerGesture } from './gesture.js';
 import type { GestureHost } from './gesture.js';
+import { keepDrag, SLOP } from './kept-drag.js';
 import type { Pose } from './orbit.js';
 import { keyPose, keyStep, wheelZoom } from './step.js';
 
@@ -45,6 +46,9 @@ export class OrbitInput {
   /** Where a finger pressed, until it is clear whether it scrolls the page or drags. */
   #undecided: { readonly x: number; readonly y: number } | undefined;
   #menuUntil = -1;
+  /** Where the drag began, and whether a pointer has moved away from there since. */
+  #start = { x: 0, y: 0, left: false };
+  #release: ((moved: boolean) => void) | undefined;
 
   constructor(surface: HTMLElement, host: OrbitInputHost) {
     this.#surface = surface;
@@ -74,10 +78,8 @@ export class OrbitInput {
         active,
       );
     }
-    // A drag must not select text, nor drag an existing selection: that would cancel the pointer.
-    for (const type of ['selectstart', 'dragstart'] as const) {
-      surface.addEventListener(type, (event) => this.#preventWhileDragging(event), { signal });
-    }
+    // A drag must not select text: that would cancel the pointer.
+    surface.addEventListener('selectstart', (event) => this.#preventWhileDragging(event), { signal });
     surface.addEventListener('touchstart', (event) => this.#onTouch(event), active);
     surface.addEventListener('touchmove', (event) => this.#onTouch(event), active);
     const view = surface.ownerDocument.defaultView;
@@ -146,16 +148,24 @@ export class OrbitInput {
     this.#touching = touch;
     this.#undecided = touch && begins ? { x: event.clientX, y: event.clientY } : undefined;
     this.#capture(event.pointerId);
-    if (begins) this.#host.held?.(true);
+    if (!begins) return;
+    this.#start = { x: event.clientX, y: event.clientY, left: false };
+    this.#release = keepDrag(this.#surface.ownerDocument.defaultView);
+    this.#host.held?.(true);
   }
 
   #onMove(event: PointerEvent): void {
     if (!this.#gesture.has(event.pointerId)) return;
     // The button was released without an event (over another window, under a menu, while another button is down).
     const mask = this.#button === SECONDARY ? 2 : 1;
-    if ((event.buttons & mask) === 0) this.#lift(event.pointerId);
-    else if (this.#mayScroll(event)) return;
-    else if (this.#gesture.move(event.pointerId, event.clientX, event.clientY)) this.#host.moved('pointer');
+    if ((event.buttons & mask) === 0) {
+      this.#lift(event.pointerId);
+      return;
+    }
+    if (this.#mayScroll(event)) return;
+    const slop = this.#touching ? SLOP.touch : SLOP.mouse;
+    this.#start.left ||= Math.hypot(event.clientX - this.#start.x, event.clientY - this.#start.y) > slop;
+    if (this.#gesture.move(event.pointerId, event.clientX, event.clientY)) this.#host.moved('pointer');
   }
 
   #mayScroll(event: PointerEvent): boolean {
@@ -246,7 +256,9 @@ export class OrbitInput {
   #lift(pointerId: number): void {
     this.#gesture.lift(pointerId);
     if (this.#surface.hasPointerCapture(pointerId)) this.#surface.releasePointerCapture(pointerId);
-    if (!this.#gesture.active) this.#host.held?.(false);
+    if (this.#gesture.active) return;
+    this.#release?.(this.#gesture.dragged && this.#start.left);
+    this.#host.held?.(false);
   }
 
   #end(): void {

@@ -31,3 +31,7 @@ export const sceneMeshes = new WeakMap<PhongMesh | PhongViewer, SceneMesh>();
 
 /** The point that the user has pinned a viewer's probe to, in world space. */
 export const viewerPins = new WeakMap<PhongViewer, Vec3>();
+
+/** A viewer has got its place in a comparison, which observers report only after a frame. */
+export const placed = (viewer: PhongViewer & { connectedMoveCallback?(): void }): void =>
+  viewer.connectedMoveCallback?.();

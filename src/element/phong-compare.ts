@@ -10,6 +10,7 @@ import { COMPARE_FIELDS, type CompareValues } from './fields/compare-fields.js';
 import { attributesOf, defineProperties, FieldBinding } from './fields/field-binding.js';
 import type { CompareProperties } from './fields/properties.js';
 import { renderWhereShown } from './dom.js';
+import { placed } from './internals.js';
 import { addStyles } from './page/style-sheets.js';
 import styles from './phong-compare.css?inline';
 import { compareMarkup } from './viewer/to-html.js';
@@ -81,7 +82,9 @@ class CompareElement extends LitElement implements PublicCompare {
   }
 
   protected override updated(): void {
-    if (this.#comparison === null) this.renderRoot.querySelector('slot')?.assign(...this.viewers);
+    if (this.#comparison !== null) return;
+    this.renderRoot.querySelector('slot')?.assign(...this.viewers);
+    if (this.#failed) this.viewers.forEach((viewer) => placed(viewer));
   }
 
   async #load(): Promise<void> {

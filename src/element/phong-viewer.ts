@@ -164,6 +164,8 @@ class ViewerElement extends LitElement implements PublicViewer {
   }
 
   get ready(): Promise<void> {
+    // Observers report what was just shown only after a frame.
+    if (!this.#context.viewport.drawable) this.#visibility.look();
     return this.#readiness.promise;
   }
 
@@ -216,7 +218,10 @@ class ViewerElement extends LitElement implements PublicViewer {
     this.#readiness.check();
   }
 
-  /** After `moveBefore` everything is as it was: the browser would disconnect and connect the element without this. */
+  /**
+   * After `moveBefore` everything is as it was: the browser would disconnect and connect the element without this. A
+   * comparison calls it when it has placed the viewer.
+   */
   connectedMoveCallback(): void {
     this.#visibility.look();
     this.#extras.apply();
@@ -271,7 +276,7 @@ class ViewerElement extends LitElement implements PublicViewer {
   #settled(): boolean {
     this.#update();
     if (!this.#visibility.connected) return true;
-    if (this.#loading.pending || this.#extras.pending !== null) return false;
+    if (this.#loading.pending || this.#extras.pending !== null || isUnplaced(this)) return false;
     const { viewport } = this.#context;
     const converging = viewport.converging && !this.#camera.moving;
     return !viewport.drawable || (viewport.upToDate && !converging);
@@ -282,6 +287,10 @@ defineProperties(ViewerElement.prototype, VIEWER_FIELDS);
 
 export type PhongViewer = PublicViewer;
 export const PhongViewer: ViewerClass = ViewerElement;
+
+/** In a comparison that has not placed it yet. */
+const isUnplaced = ({ parentElement, assignedSlot }: PublicViewer): boolean =>
+  parentElement?.localName === 'phong-compare' && parentElement.shadowRoot !== null && assignedSlot === null;
 
 const STYLE_KEYS = ['shading', 'reflection', 'terms'] as const;
 

@@ -8,6 +8,7 @@ import {
   OPEN_PANEL,
   type Panel,
   type PanelChange,
+  WIDE_PANEL,
 } from '../element/viewer/viewer-panel.js';
 import type { PhongLight } from '../element/phong-light.js';
 import type { PhongMesh } from '../element/phong-mesh.js';
@@ -36,7 +37,7 @@ import { VIEWER_ROWS } from './viewer-folders.js';
  * In viewers narrower than this, the panel starts closed, because it would hide the picture. `text`: in font sizes;
  * `column`: upper limit in CSS pixels, the width from which the panel stands beside the picture.
  */
-const WIDE = { text: 40, column: 640 } as const;
+const WIDE = { text: 40, column: WIDE_PANEL } as const;
 
 /** Added to the viewer's own sheets, so that they follow it into other documents. */
 const STYLES = panelColumn + panelStyles + controls + targets;

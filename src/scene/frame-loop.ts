@@ -15,6 +15,8 @@ export interface Framed {
   advance(now: number): boolean;
   /** Phase 3: draws if the picture is out of date. */
   draw(): void;
+  /** It has another size since it was drawn. */
+  readonly resized: boolean;
 }
 
 export class FrameLoop {
@@ -65,6 +67,22 @@ export class FrameLoop {
     });
     this.#running.clear();
   };
+
+  /**
+   * Draws the waiting pictures of another size now. Call between layout and paint: in the next frame they would be
+   * stretched in this one.
+   */
+  drawResized(): void {
+    for (const picture of this.#waiting) {
+      if (!picture.resized) continue;
+      this.cancel(picture);
+      this.#running.add(picture);
+    }
+    this.#each((picture) => {
+      picture.draw();
+    });
+    this.#running.clear();
+  }
 
   /** One broken picture must not stop the others of the page. */
   #each(action: (picture: Framed) => void): void {

@@ -48,6 +48,8 @@ export class Viewport implements StageClient, Framed {
   #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
+  /** It has another size since it was drawn. */
+  resized = false;
   /** The picture has not changed, but its pixels are gone. */
   #blank = false;
   /** Something moves by itself, as of the last animation frame. */
@@ -62,6 +64,8 @@ export class Viewport implements StageClient, Framed {
    * moving.
    */
   moveTo: (now: number) => boolean = () => false;
+  /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
+  awaited: () => boolean = () => false;
   /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
   recover: (error: unknown, draw: () => void) => boolean = () => false;
 
@@ -167,6 +171,7 @@ export class Viewport implements StageClient, Framed {
   resize(width: number, height: number): void {
     if (width === this.#wanted.width && height === this.#wanted.height) return;
     this.#wanted = { width, height };
+    this.resized = true;
     this.fit.resized(width, height);
     this.#outdate();
     this.#wake();
@@ -239,24 +244,23 @@ export class Viewport implements StageClient, Framed {
   }
 
   advance(now: number): boolean {
-    return (this.#moving = this.drawable && this.moveTo(now));
+    return (this.#moving = this.drawable && !this.awaited() && this.moveTo(now));
   }
 
   draw(): void {
-    if (!this.drawable) return;
+    if (!this.drawable || this.awaited()) return;
     if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.#still.step()) return;
-    if (!this.#moving && this.#still.startable) this.animate();
+    if (this.#moving || this.#still.startable) this.animate();
   }
 
   redraw(): void {
-    if (!this.drawable || this.#near === undefined) {
-      this.#outdate();
-      return;
-    }
+    const isShown = this.drawable && this.#near !== undefined;
+    if (!isShown) this.#outdate();
+    if (!isShown) return;
     const changed = this.#dirty;
     // Before drawing: if that throws, the next attempt follows the next change.
-    this.#dirty = this.#blank = false;
+    this.#dirty = this.#blank = this.resized = false;
     if (!changed && this.#still.samples > 0) {
       this.show(false);
       this.#signals.frameEnded.emit();
@@ -356,16 +360,14 @@ export class Viewport implements StageClient, Framed {
     // The triangles of the picture that is shown.
     this.#bringInStep(this, this.#still.samples > 0);
     this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
-    const { camera, frame } = this.#view;
     const owners = new Map<Object3D, Owner>();
     for (const mesh of this.#tree.meshes) for (const part of mesh.parts) owners.set(part.mesh, ownerOf(mesh));
-    const objects = drawnObjects(this.scene, camera, (object) => owners.get(object));
-    return { width, height, frame: copyFrame(frame), camera: camera.clone(), objects };
+    const objects = drawnObjects(this.scene, this.#view.camera, (object) => owners.get(object));
+    return { width, height, frame: copyFrame(this.#view.frame), camera: this.#view.camera.clone(), objects };
   }
 
   get stats(): ViewportStats {
-    const { programs, viewersDrawn } = stage;
-    const { samples } = this.#still;
+    const [{ programs, viewersDrawn }, { samples }] = [stage, this.#still];
     return { ...this.#painter.stats, frames: this.#frames, samples, programs, viewersDrawn };
   }
 

@@ -34,6 +34,7 @@ test.describe('the packed package', () => {
     // What the README links to.
     /^(src\/[A-Z-]+\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js(\.map)?$/,
+    /^dist\/react(-standalone)?-client\.js$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
@@ -124,8 +125,13 @@ test.describe('dist/', () => {
     }
   });
 
-  test("begins react.js with 'use client', for servers that render React components", () => {
-    expect(readFileSync(join(dist, 'react.js'), 'utf8')).toMatch(/^'use client';\n/);
+  test("gives 'use client' to servers that render React components alone: bundlers warn of it", () => {
+    for (const entry of ['react', 'react-standalone']) {
+      const code = (name: string): string => readFileSync(join(dist, `${name}.js`), 'utf8');
+      const names = 'PhongCompare, PhongLight, PhongMesh, PhongViewer';
+      expect(code(`${entry}-client`)).toBe(`'use client';\nexport { ${names} } from './${entry}.js';\n`);
+      expect(code(entry)).not.toContain('use client');
+    }
   });
 
   test('keeps the lazy parts out of the standalone file', () => {

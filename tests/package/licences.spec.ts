@@ -10,9 +10,9 @@ import { outputFolder } from '../../.ci/output-folder.mjs';
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const dist = outputFolder('dist');
 
-/** The first comment of a file below dist/, after a directive if there is one; empty where it begins with code. */
+/** The first comment of a file below dist/; empty where it begins with code. */
 const notice = (path: string): string =>
-  /^(?:'use client';\n)?\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
+  /^\/\*![^]*?\*\//.exec(readFileSync(join(dist, path), 'utf8'))?.[0] ?? '';
 
 function version(name: string): string {
   const text = readFileSync(join(repository, 'node_modules', name, 'package.json'), 'utf8');

@@ -37,6 +37,7 @@ function picture(name: string, log: string[], moving = false): Framed {
       return moving;
     },
     draw: () => log.push(`draw ${name}`),
+    resized: false,
   };
 }
 
@@ -75,6 +76,19 @@ describe('the frame loop', () => {
     expect(log).toEqual([]);
     runFrame();
     expect(log).toContain('draw late');
+  });
+
+  test('draws waiting pictures of another size before the browser paints, and no second time', () => {
+    const log: string[] = [];
+    const larger = { ...picture('larger', log), resized: true };
+    frameLoop.request(larger);
+    frameLoop.drawResized();
+    expect(log).toEqual(['draw larger']);
+    expect(callbacks.size).toBe(0);
+    for (const one of [larger, picture('b', log)]) frameLoop.request(one);
+    frameLoop.drawResized();
+    runFrame(7);
+    expect(log.slice(1)).toEqual(['draw larger', 'prepare b', 'advance b 7', 'draw b']);
   });
 
   test('takes the frames of each picture from the window that shows it', () => {

@@ -266,12 +266,14 @@ describe('coming and going', () => {
 
 describe('defaults of the browser', () => {
   it.each(['selectstart', 'dragstart'])('%s is prevented during a drag alone', (type) => {
-    const { fire, mouse } = setUp();
-    expect(fire(type)).toBe(false);
+    const { surface, window, fire, mouse } = setUp();
+    // What is dragged may be an element around the picture.
+    const on = type === 'dragstart' ? window : surface;
+    expect(fire(type, {}, on)).toBe(false);
     mouse('pointerdown', 0);
-    expect(fire(type)).toBe(true);
+    expect(fire(type, {}, on)).toBe(true);
     mouse('pointerup', 0);
-    expect(fire(type)).toBe(false);
+    expect(fire(type, {}, on)).toBe(false);
   });
 
   it.each(['touchstart', 'touchmove'])('%s is prevented for two fingers that hold the picture', (type) => {

@@ -5,13 +5,13 @@ import type { PictureBox } from '../../camera/gesture.js';
 import type { CompareValues } from '../fields/compare-fields.js';
 import { phrase } from '../fields/texts.js';
 import { inspect } from '../diagnosis/inspect.js';
-import { fieldsOf } from '../internals.js';
+import { fieldsOf, placed } from '../internals.js';
 import { leaveTexts, useTexts } from '../page/page-texts.js';
 import panelColumn from '../page/panel-column.css?inline';
 import { CORNER_STYLES, CORNERS, PictureCorners } from '../page/picture-box.js';
 import { addStyles } from '../page/style-sheets.js';
 import type { PhongCompare, PhongViewer } from '../elements.js';
-import { OPEN_PANEL } from '../viewer/viewer-panel.js';
+import { AWAITED, OPEN_PANEL, WIDE_PANEL } from '../viewer/viewer-panel.js';
 import styles from './comparison.css?inline';
 import { Divider, type DividerHost } from './divider.js';
 import { placesOf, rangeOf, withMoved } from './divider-positions.js';
@@ -72,6 +72,7 @@ export class Comparison implements DividerHost, ReactiveController {
     this.#viewers = viewers;
     const slots = this.#element.shadowRoot!.querySelectorAll<HTMLSlotElement>('.pane > slot');
     viewers.forEach((viewer, i) => slots[i]?.assign(viewer));
+    viewers.forEach((viewer) => placed(viewer));
     this.#observe();
   }
 
@@ -119,7 +120,7 @@ export class Comparison implements DividerHost, ReactiveController {
     const rtl = this.isRtl();
     const dividers = split ? Math.max(viewers.length - 1, 0) : 0;
     this.#dividers = Array.from({ length: dividers }, (_, i) => this.#dividers[i] ?? new Divider(this));
-    const open = split ? viewers.filter(hasOpenPanel) : [];
+    const open = split ? this.#withPanels(viewers) : [];
     const kinds = `${open.length > 0 ? ' docked' : ''}${rtl ? ' rtl' : ''}`;
     return html`<div class=${`box ${layout} ${direction}${kinds}`}>
       ${CORNERS}
@@ -164,6 +165,16 @@ export class Comparison implements DividerHost, ReactiveController {
       <slot></slot>
       <div class="label" part="label" aria-hidden="true" ?hidden=${text === ''} .textContent=${text}></div>
     </div>`;
+  }
+
+  /** Viewers whose panels are open; while none is, those whose panels are about to be. */
+  #withPanels(viewers: readonly PhongViewer[]): readonly PhongViewer[] {
+    const place = (viewer: PhongViewer): string | null =>
+      panelPlace(viewer)?.getAttribute(OPEN_PANEL) ?? null;
+    const awaited = viewers.filter((viewer) => place(viewer) === AWAITED);
+    const open = viewers.filter((viewer) => place(viewer) === '');
+    const waits = awaited.length > 0 && open.length === 0 && this.#element.clientWidth >= WIDE_PANEL;
+    return waits ? awaited : open;
   }
 
   get #places(): readonly number[] {
@@ -218,8 +229,6 @@ export class Comparison implements DividerHost, ReactiveController {
 
 const panelPlace = (viewer: PhongViewer): Element | null =>
   viewer.shadowRoot?.querySelector('[part=panel]') ?? null;
-
-const hasOpenPanel = (viewer: PhongViewer): boolean => panelPlace(viewer)?.hasAttribute(OPEN_PANEL) === true;
 
 /** A closed rectangle as points of a polygon. */
 const corners = (left: string, top: string, right: string, bottom: string): string =>

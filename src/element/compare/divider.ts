@@ -2,6 +2,7 @@
 // of the box, along its own axes.
 import { html, type TemplateResult } from 'lit';
 import type { PictureBox } from '../../camera/gesture.js';
+import { keepDrag } from '../../camera/kept-drag.js';
 import { keyStep } from './divider-positions.js';
 
 export interface DividerHost {
@@ -24,6 +25,7 @@ interface Press {
   readonly x: number;
   readonly y: number;
   readonly place: number;
+  readonly release: (moved: boolean) => void;
 }
 
 export class Divider {
@@ -71,8 +73,9 @@ export class Divider {
     if (button !== 0 || this.#press !== null) return;
     const handle = (this.#handle = event.currentTarget as HTMLElement);
     // The button may be released in another window, which no event reports.
-    handle.ownerDocument.defaultView?.addEventListener('blur', this.#end);
-    this.#press = { pointerId, x, y, place: this.#host.placeOf(this).place };
+    const view = handle.ownerDocument.defaultView;
+    view?.addEventListener('blur', this.#end);
+    this.#press = { pointerId, x, y, place: this.#host.placeOf(this).place, release: keepDrag(view) };
     handle.focus({ preventScroll: true });
     try {
       handle.setPointerCapture(pointerId);
@@ -99,7 +102,10 @@ export class Divider {
   /** Ends a drag. */
   readonly #end = (): void => {
     const handle = this.#handle;
-    const id = this.#press?.pointerId;
+    const press = this.#press;
+    const id = press?.pointerId;
+    // A press on a divider is never a click for the page.
+    press?.release(true);
     this.#press = null;
     handle?.ownerDocument.defaultView?.removeEventListener('blur', this.#end);
     if (id !== undefined && handle?.hasPointerCapture(id) === true) handle.releasePointerCapture(id);

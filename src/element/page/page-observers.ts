@@ -1,6 +1,7 @@
 // Visibility, size, printing and pixel ratio, observed for all viewers of a document by one set of observers and
 // listeners. They belong to the document's own window, which may be that of an iframe or a popup. There are none while
 // no element is watched.
+import { frameLoopOf } from '../../scene/frame-loop.js';
 
 /** Watches one element. */
 export interface Watcher {
@@ -109,6 +110,7 @@ export class PageObservers {
       }, this.#surroundings),
       resize: new view.ResizeObserver((entries) => {
         for (const entry of entries) this.#watched.get(entry.target)?.resized(entry);
+        frameLoopOf(view).drawResized();
       }),
       listeners,
     };

@@ -95,9 +95,7 @@ export class Visibility implements ReactiveController, Watcher {
   /** Measures now, by layout: observers report only after a frame. */
   look(): void {
     if (this.#page === null) return;
-    const distance = distanceFromView(this.#element);
-    this.#inView = distance < 0;
-    this.#near = distance < this.#page.margin;
+    this.#locate(this.#page);
     this.#measure(this.#element.clientWidth, this.#element.clientHeight);
     this.shown();
   }
@@ -122,6 +120,8 @@ export class Visibility implements ReactiveController, Watcher {
 
   resized(entry: ResizeObserverEntry): void {
     const { width, height } = entry.contentRect;
+    // The other observers report an element that is shown again only after this frame.
+    if (this.#near === false && this.#page !== null) this.#locate(this.#page);
     this.#measure(width, height);
     // Missing in browsers without this box, whatever the types say.
     this.#box = (entry.devicePixelContentBoxSize as readonly ResizeObserverSize[] | undefined)?.[0];
@@ -145,6 +145,12 @@ export class Visibility implements ReactiveController, Watcher {
 
   closed(): void {
     this.#host.disconnectedCallback();
+  }
+
+  #locate({ margin }: PageObservers): void {
+    const distance = distanceFromView(this.#element);
+    this.#inView = distance < 0;
+    this.#near = distance < margin;
   }
 
   get #hidden(): boolean {

@@ -47,6 +47,7 @@ export class ViewerDisplay {
       this.#checkEmpty();
       this.#reveal();
     });
+    signals.ended.listen(() => this.#reveal());
     signals.shown.listen(() => viewer.dispatchEvent(new CustomEvent('render')));
   }
 
@@ -139,9 +140,10 @@ export class ViewerDisplay {
     if (changed) this.#extras.apply();
   }
 
-  /** Removes the poster once everything requested has been drawn for the first time. */
+  /** Removes the poster once everything requested has been drawn for the first time, or is known to fail. */
   #reveal(): void {
-    if (this.#revealed || this.#loading.pending || this.#failure.newest !== null) return;
+    if (this.#revealed || this.#loading.pending || !this.#context.viewport.upToDate) return;
+    if (this.#failure.newest !== null && !this.#loading.shows) return;
     this.#revealed = true;
     if (this.#viewer.poster !== '') this.#viewer.requestUpdate();
   }

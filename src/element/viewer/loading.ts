@@ -47,6 +47,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   #removal: ReturnType<typeof setTimeout> | undefined;
   #barTimer: ReturnType<typeof setTimeout> | undefined;
   #isSlow = false;
+  #hasDrawn = false;
   /** Meshes whose content has not been drawn yet. */
   readonly #undrawn = new Set<SceneMesh>();
 
@@ -56,6 +57,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.add(this.ownMesh);
+    viewport.awaited = () => !this.#hasDrawn && this.#meshes().some((mesh) => mesh.awaitsShape);
     viewport.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
@@ -103,6 +105,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
 
   /** All content has been drawn. */
   #drawn(): void {
+    this.#hasDrawn = true;
     for (const mesh of this.#undrawn) mesh.drawn();
     this.#undrawn.clear();
   }
@@ -183,6 +186,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return false;
   }
 
+  /** Something is there, whatever else failed. */
+  get shows(): boolean {
+    return this.#meshes().some(({ root }) => root !== null);
+  }
+
   /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */
   get loaded(): boolean {
     const wanted = this.#meshes().filter((mesh) => mesh.wanted);
@@ -236,6 +244,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   };
 
   #end(mesh: SceneMesh): void {
+    this.#context.viewport.animate(); // the first picture may have waited for it
     if (!this.#progress.end(mesh)) return;
     clearTimeout(this.#barTimer);
     this.#isSlow = false;

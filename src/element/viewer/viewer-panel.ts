@@ -27,13 +27,16 @@ export class ViewerPanel {
     if (wanted !== this.#wanted) {
       this.#panel?.dispose();
       this.#panel = null;
+      place?.removeAttribute(OPEN_PANEL);
     }
     this.#wanted = wanted;
     if (wanted === false) return;
     if (loadPanel === null || place === null) return;
+    if (this.#panel === null) place.setAttribute(OPEN_PANEL, AWAITED);
     const code = await loadPanel().catch((error: unknown) => {
       console.warn(`<phong-viewer gui>: ${(error as Error).message}`);
     });
+    if (this.#panel === null) place.removeAttribute(OPEN_PANEL);
     if (code === undefined) return;
     const root = this.#viewer.shadowRoot;
     if (this.#wanted === false || this.#panel !== null || root === null) return;
@@ -56,8 +59,14 @@ export class ViewerPanel {
 
 type Wanted = boolean | readonly string[];
 
-/** Attribute of the panel's place while the panel is open. */
+/** Attribute of the panel's place while the panel is open; {@link AWAITED} while its code is being fetched. */
 export const OPEN_PANEL = 'data-open';
+
+/** The picture leaves room for a panel that will be open: from {@link WIDE_PANEL} pixels on, see phong-viewer.css. */
+export const AWAITED = 'awaited';
+
+/** CSS pixels. From this width on the panel stands open beside the picture; see panel.css. */
+export const WIDE_PANEL = 640;
 
 /** What has changed, so that a panel updates only that. */
 export type PanelChange = 'camera' | 'light' | 'lights' | 'mesh' | 'meshes' | 'viewer';

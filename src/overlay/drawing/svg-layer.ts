@@ -24,15 +24,23 @@ export class SvgLayer {
 
   /**
    * `figure`: what it shows is of this size for a text of 12 pixels, and scaled by the style sheet. By default it shows
-   * pixels of the page, with labels as large as the text around it.
+   * pixels of the picture ({@link over}), with labels as large as the text around it.
    */
   constructor(
     className: string | null = null,
     figure: { readonly width: number; readonly height: number } | null = null,
   ) {
-    const viewBox = figure === null ? null : `0 0 ${String(figure.width)} ${String(figure.height)}`;
-    set(this.element, { class: className, viewBox });
+    set(this.element, { class: className });
+    if (figure !== null) this.over(figure);
     this.element.style.font = labelFont(figure === null ? '1em' : '12px');
+  }
+
+  /**
+   * What is shown belongs to a picture of this size, CSS pixels. On paper, which is laid out without scripts, both are
+   * scaled alike.
+   */
+  over({ width, height }: { readonly width: number; readonly height: number }): void {
+    set(this.element, { viewBox: `0 0 ${String(width)} ${String(height)}` });
   }
 
   /**

@@ -98,6 +98,7 @@ class Helpers implements Extra {
     if (this.#view === null || seen.some((value, i) => value !== this.#seen[i])) {
       this.#seen = seen;
       this.#scene = ballOf(this.#host);
+      this.#svg.over(size);
       this.#view = this.#projection(size, width > 0 && height > 0 ? width / height : undefined);
     }
     return this.#view;

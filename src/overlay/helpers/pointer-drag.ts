@@ -2,6 +2,7 @@
 // pixels, which CSS transforms may turn. One pointer at a time.
 import { PictureCorners } from '../../element/page/picture-box.js';
 import { alongAxes, type PictureBox } from '../../camera/gesture.js';
+import { keepDrag } from '../../camera/kept-drag.js';
 
 export interface DragListener {
   /** The primary button pressed this element. False: it is not for dragging. */
@@ -18,6 +19,7 @@ interface Press {
   readonly y: number;
   /** The layer's axes on the page. */
   readonly axes: PictureBox['axes'];
+  readonly release: (moved: boolean) => void;
   dragged: boolean;
 }
 
@@ -30,7 +32,8 @@ export function listenToPointers(list: HTMLElement, surface: HTMLElement, listen
   let press: Press | null = null;
   const release = (): void => {
     if (press === null) return;
-    const { id, element } = press;
+    const { id, element, dragged } = press;
+    press.release(dragged);
     press = null;
     surface.ownerDocument.defaultView?.removeEventListener('blur', release);
     if (element.hasPointerCapture(id)) element.releasePointerCapture(id);
@@ -46,9 +49,10 @@ export function listenToPointers(list: HTMLElement, surface: HTMLElement, listen
     if (event.button !== 0 || !(target instanceof HTMLElement)) return;
     event.preventDefault(); // no selection, no focus elsewhere
     if (!listener.press(target)) return;
-    press = { id, element: target, x, y, axes: corners.box.axes, dragged: false };
+    const view = surface.ownerDocument.defaultView;
+    press = { id, element: target, x, y, axes: corners.box.axes, release: keepDrag(view), dragged: false };
     // The button may be released in another window, which no event reports.
-    surface.ownerDocument.defaultView?.addEventListener('blur', release);
+    view?.addEventListener('blur', release);
     try {
       target.setPointerCapture(id);
     } catch {

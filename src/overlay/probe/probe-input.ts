@@ -1,6 +1,7 @@
 // Pointer and keys on a picture, as its probe takes them. A mouse hovers, a click or tap without a drag pins, arrow
 // keys move the cross-hair. The camera takes the same events: a drag turns the picture and is no click. Places are CSS
 // pixels of the layer.
+import { SLOP } from '../../camera/kept-drag.js';
 import { ARROWS } from '../arrow-keys.js';
 import type { Point } from '../drawing/projection.js';
 
@@ -19,9 +20,6 @@ export interface ProbeInputHost {
   /** Neither cross-hair nor table has the focus any more. */
   blurred(): void;
 }
-
-/** A press that moves farther than this turns the camera and pins nothing. CSS pixels; fingers are less steady. */
-const SLOP = { mouse: 4, touch: 10 } as const;
 
 /** CSS pixels per press of an arrow key, and with Shift. */
 const STEP = { fine: 1, coarse: 10 } as const;

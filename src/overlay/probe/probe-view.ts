@@ -202,6 +202,7 @@ export class ProbeView {
   #contentOf({ at, fragment, message }: ProbedPoint): BoxState['content'] {
     const { values } = this.#host;
     const { x, y } = at ?? this.middle;
+    this.#drawing.over(this.size);
     this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
     // The legend of a view is at the lower edge.
     const preferred = values.view === 'shaded' ? 'low' : 'high';

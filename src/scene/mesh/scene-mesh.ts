@@ -163,6 +163,11 @@ export class SceneMesh implements Animated, ContentOwner {
     return this.#values.src !== '' || this.#values.geometry !== null;
   }
 
+  /** The code of its shape is being fetched. */
+  get awaitsShape(): boolean {
+    return this.#load.pending && this.#values.src === '';
+  }
+
   /** What it shows now is what its values name: a model, a shape, or (null) something else, as after a failure. */
   get complete(): 'model' | 'shape' | null {
     if (this.root === null || !this.#load.has(this.#values)) return null;

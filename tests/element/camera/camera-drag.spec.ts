@@ -293,3 +293,40 @@ test('reports the camera once per task, with the source pointer', async ({ page,
   await drag(page, [300, 200], [0, 0], { steps: 1 });
   expect(await events.take()).toEqual([]);
 });
+
+test('turns in a link, a draggable card, a label and a summary, which take plain clicks only', async ({
+  page,
+  mount,
+}) => {
+  await mount(
+    `<a href="#went">${box}</a><div draggable="true">${box}</div><label>${box}<input type="checkbox"></label>
+    <details><summary>${box}</summary>text</details>`,
+    { width: 200, height: 130, css: 'summary { display: block } input { display: block; margin: 0 }' },
+  );
+  await page.evaluate(() => {
+    const heard: string[] = [];
+    for (const type of ['dragstart', 'click'])
+      for (const around of document.querySelectorAll('a, [draggable], label, summary'))
+        around.addEventListener(type, ({ target }) => {
+          if (target !== document.querySelector('input')) heard.push(`${type} ${around.localName}`);
+        });
+    Object.assign(window, { heard });
+  });
+  const outcome = (): Promise<unknown> =>
+    page.evaluate(() => ({
+      heard: (window as unknown as { heard: string[] }).heard.splice(0),
+      hash: location.hash,
+      checked: document.querySelector('input')!.checked,
+      open: document.querySelector('details')!.open,
+    }));
+  const viewers = await page.locator('phong-viewer').all();
+  for (const viewer of viewers) {
+    const { x, y } = (await viewer.boundingBox())!;
+    await drag(page, [x + 40, y + 60], [100, 0]);
+    expect(await cameraOf(viewer)).toMatchObject({ theta: -150, phi: 70 });
+  }
+  expect(await outcome()).toEqual({ heard: [], hash: '', checked: false, open: false });
+  for (const viewer of viewers) await viewer.click();
+  const heard = ['a', 'div', 'label', 'summary'].map((around) => `click ${around}`);
+  expect(await outcome()).toEqual({ heard, hash: '#went', checked: true, open: true });
+});

@@ -4,7 +4,7 @@
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, type PhongViewer, settled } from '../support/viewer.js';
+import { assign, nextFrame, type PhongViewer, settled } from '../support/viewer.js';
 
 const size = { width: 300, height: 200 };
 const model = '/fixtures/models/no-normals.glb';
@@ -215,6 +215,48 @@ for (const [what, withdraw] of [
     expect(await viewer.evaluate((element: PhongViewer) => element.loaded)).toBe(true);
   });
 }
+
+test('the first picture has all shapes that the markup names but those that fail, and replaces the poster', async ({
+  page,
+  mount,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(/Failed to load resource/);
+  let send: (() => void) | undefined;
+  const code = /\/(solids|teapot)-/;
+  await page.route(code, async (route) => {
+    if (route.request().url().includes('teapot')) return route.abort();
+    await new Promise<void>((resolve) => (send = resolve));
+    return route.continue();
+  });
+  const poster = "data:image/svg+xml,<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9'/>";
+  const shapes = ['sphere', 'torus', 'teapot', 'cone', 'box'];
+  const meshes = shapes.map((shape) => `<phong-mesh geometry="${shape}"></phong-mesh>`).join('');
+  const viewer = await mount(
+    `<phong-viewer alt="Shapes" poster="${poster}" auto-rotate="30">${meshes}</phong-viewer>`,
+    { ...size, waitForReady: false },
+  );
+  await expect.poll(() => send !== undefined).toBe(true);
+  await expect(viewer.locator('[part=notice]')).toHaveText(/teapot/);
+  await nextFrame(page);
+  const shown = (): Promise<unknown> =>
+    viewer.evaluate(({ stats, shadowRoot }: PhongViewer) => ({
+      frames: stats.frames,
+      posters: shadowRoot!.querySelectorAll('[part=poster]').length,
+    }));
+  expect(await shown()).toEqual({ frames: 0, posters: 1 });
+  const drawn = await viewer.evaluateHandle((element: PhongViewer) => {
+    const pictures: number[][] = [];
+    element.addEventListener('render', () => {
+      pictures.push([element.stats.frames, element.stats.drawCalls, element.camera.theta]);
+    });
+    return pictures;
+  });
+  send!();
+  await expect.poll(() => drawn.evaluate(([first]) => first)).toEqual([1, 4, 30]);
+  await expect(viewer.locator('[part=poster]')).toHaveCount(0);
+  await page.unroute(code);
+});
 
 test('a poster that cannot be shown leaves no trace, and the next one is shown', async ({ page, mount }) => {
   await slowDown(page);

@@ -97,6 +97,57 @@ test('keeps round what is round where paper is narrower than the screen, with a 
   await reader.close();
 });
 
+/**
+ * Runs in the page: where the marks over the pictures are, in shares of the pictures as they are shown, and the colours
+ * of the texts. `className`: that of the body meanwhile. No script of the page runs, as when paper is laid out.
+ */
+function marksOverPictures(className: string): { places: number[]; inks: string[] } {
+  const places: number[] = [];
+  const inks = new Set<string>();
+  document.body.className = className;
+  for (const { shadowRoot } of document.querySelectorAll('phong-viewer')) {
+    const canvas = shadowRoot!.querySelector('canvas')!;
+    const box = canvas.getBoundingClientRect();
+    const scale = Math.min(box.width / canvas.width, box.height / canvas.height);
+    for (const mark of shadowRoot!.querySelectorAll(':is(.helpers, .probe) > svg :is(circle, text)')) {
+      const place = mark.getBoundingClientRect();
+      const [x, y] = [place.x + place.width / 2, place.y + place.height / 2];
+      places.push((x - box.x - box.width / 2) / (canvas.width * scale));
+      places.push((y - box.y - box.height / 2) / (canvas.height * scale));
+    }
+    const texts = '.box, .box :not(.swatch, svg *), .legend, .legend-title';
+    for (const text of shadowRoot!.querySelectorAll(texts)) {
+      const { color, backgroundColor } = getComputedStyle(text);
+      inks.add(`${color} on ${backgroundColor}`);
+    }
+  }
+  document.body.className = '';
+  return { places, inks: [...inks].sort() };
+}
+
+test('paper of another width keeps N at its foot, and lights and axes at their places', async ({
+  mount,
+  page,
+}) => {
+  const light = '<phong-light name="lamp" position="1 2 1 1"></phong-light>';
+  const viewer = (attributes: string): string =>
+    `<phong-viewer geometry="sphere" helpers="lights axes" probe probe-at="0 0 0.5" ${attributes}>${light}</phong-viewer>`;
+  await mount(viewer('gui') + viewer('view="diffuse"'), {
+    css: `phong-viewer { width: 100% !important; height: 360px !important } .paper { width: 520px }
+      :root { color-scheme: dark }`,
+  });
+  await expect(page.locator('.box')).toHaveCount(2);
+  await expect(page.locator('.legend')).toHaveCount(1);
+  await page.emulateMedia({ media: 'print' });
+  const { places: screen } = await page.evaluate(marksOverPictures, '');
+  expect(screen.length).toBeGreaterThan(16);
+  const paper = await page.evaluate(marksOverPictures, 'paper');
+  await page.emulateMedia({ media: null });
+  expect(paper.places.length).toBe(screen.length);
+  paper.places.forEach((place, i) => expect(place).toBeCloseTo(screen[i]!, 2));
+  expect(paper.inks).toEqual(['rgb(0, 0, 0) on rgb(255, 255, 255)', 'rgb(0, 0, 0) on rgba(0, 0, 0, 0)']);
+});
+
 /** Shows a PDF by Chromium's own viewer, its pages below each other. Skips the test where no browser has one. */
 async function readPdf(own: Browser, pdf: Buffer): Promise<Page> {
   const browser = await browserWithPdfViewer(own);

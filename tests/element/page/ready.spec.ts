@@ -107,3 +107,32 @@ test('waits for children that load', async ({ mount }) => {
   }));
   expect(facts).toEqual({ loaded: true, drawCalls: 2 });
 });
+
+test('waits for a comparison to place its viewers, and for one that was just shown', async ({
+  mount,
+  page,
+}) => {
+  await mount('<main></main>', { css: `${css} phong-compare { width: 200px; height: 100px }` });
+  const drawn = await page.evaluate(async () => {
+    const counts: number[] = [];
+    const viewer = '<phong-viewer geometry="sphere"></phong-viewer>';
+    const main = document.querySelector('main')!;
+    for (const layout of ['split', 'side']) {
+      main.innerHTML = `<phong-compare layout="${layout}">${viewer}${viewer}</phong-compare>`;
+      for (const each of document.querySelectorAll('phong-viewer')) {
+        await each.ready;
+        counts.push(each.stats.frames);
+      }
+    }
+    main.innerHTML = `<div class="gone"><phong-compare>${viewer}</phong-compare>${viewer}</div>`;
+    for (const each of document.querySelectorAll('phong-viewer')) {
+      await each.ready;
+      counts.push(each.stats.frames);
+    }
+    const last = document.querySelector<HTMLElementTagNameMap['phong-viewer']>('.gone > phong-viewer')!;
+    last.parentElement!.className = '';
+    await last.ready;
+    return { counts, shown: last.stats.frames };
+  });
+  expect(drawn).toEqual({ counts: [1, 1, 1, 1, 0, 0], shown: 1 });
+});

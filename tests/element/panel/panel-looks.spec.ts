@@ -160,3 +160,36 @@ test('from right to left the picture stands to the right of the panel, and numbe
   await expect(field(lamp, 'name')).toHaveCSS('direction', 'rtl');
   await expectNothingCut(viewer);
 });
+
+test('the picture leaves the panel its place before its code is there, and is drawn once', async ({
+  page,
+  mount,
+}) => {
+  let send: (() => void) | undefined;
+  await page.route(/\/panel-/, async (route) => {
+    await new Promise<void>((resolve) => (send = resolve));
+    return route.continue();
+  });
+  const viewer = (kind: string): string =>
+    `<phong-viewer class="${kind}" alt="${kind}" geometry="box" gui></phong-viewer>`;
+  const compared = `<phong-compare>${viewer('split')}<phong-viewer alt="B" geometry="box"></phong-viewer></phong-compare>`;
+  await mount(viewer('wide') + viewer('small') + viewer('phone') + compared, {
+    css: `.wide, phong-compare { width: 900px !important; height: 100px !important }
+      .small { width: 300px !important; height: 100px !important }
+      .phone { width: 400px !important; height: 430px !important; font-size: 8px }`,
+  });
+  const pictures = (): Promise<unknown> =>
+    page.evaluate(() =>
+      [...document.querySelectorAll('phong-viewer')].map(({ shadowRoot, stats }) => {
+        const { clientWidth, clientHeight } = shadowRoot!.querySelector('.holder')!;
+        return [Math.round(clientWidth), Math.round(clientHeight), stats.frames];
+      }),
+    );
+  const wide = [594, 100, 1];
+  const expected = [wide, [300, 100, 1], [400, 215, 1], wide, wide];
+  expect(await pictures()).toEqual(expected);
+  send!();
+  await expect(page.locator('.lil-root')).toHaveCount(4);
+  expect(await pictures()).toEqual(expected);
+  await page.unroute(/\/panel-/);
+});
