@@ -13,9 +13,9 @@ const repository = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(repository);
 
 for (const mode of ['index', 'trusted-types', 'core', 'reference', 'react', 'react-standalone', 'playwright'])
-  await build({ configFile: join(repository, 'vite.lib.config.ts'), mode, logLevel: 'warn' });
+  await build({ configFile: join(repository, '.ci/vite/lib.config.ts'), mode, logLevel: 'warn' });
 for (const name of ['standalone', 'classic'])
-  await build({ configFile: join(repository, `vite.${name}.config.ts`), logLevel: 'warn' });
+  await build({ configFile: join(repository, `.ci/vite/${name}.config.ts`), logLevel: 'warn' });
 runNode(
   'node_modules/typescript/bin/tsc',
   '-p',
