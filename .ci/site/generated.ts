@@ -5,6 +5,7 @@ import { readdirSync, readFileSync, existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
 import type { CustomElementDeclaration, Package, Type } from 'custom-elements-manifest';
+import { DEFAULT } from '../manifest/attributes-page.mjs';
 import { blocksHtml, escapeHtml, inlineHtml } from './markdown.js';
 
 // -- API --------------------------------------------------------------------------------------------------------------
@@ -111,8 +112,7 @@ const described = (text: string | undefined): string =>
   text === undefined || text === '' ? '' : blocksHtml(text);
 
 /** The default is shown on its own, from the manifest's field, and not twice. */
-const withoutDefault = (text: string | undefined): string =>
-  (text ?? '').replace(/ Default [^.:\n]+(\.\d+[^.:\n]*)*\.(?=\s|$)/, '');
+const withoutDefault = (text: string | undefined): string => (text ?? '').replace(DEFAULT, '');
 
 const defaultHtml = (text: string): string => `<p class="type">default <code>${escapeHtml(text)}</code></p>`;
 
