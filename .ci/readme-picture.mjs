@@ -23,7 +23,7 @@ export const README_PICTURE_SCALE = 1.5;
  * The page that follows the README's picture.
  * @returns {string}
  */
-function readmePage() {
+export function readmePage() {
   const text = readFileSync(join(repository, 'README.md'), 'utf8');
   const snippet = /!\[[^\]]+\]\(([^)]+)\)\n\n```html\n([^]*?)```/.exec(text);
   if (snippet?.[1] !== README_PICTURE || snippet[2] === undefined)

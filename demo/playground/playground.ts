@@ -4,19 +4,13 @@ import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
 import { EXAMPLES } from './examples.js';
-import { readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
+import { MOST_TRIANGLES, readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
 import { showScene } from './show.js';
 
 /** Milliseconds without a keystroke before the scene is in the address. */
 const ADDRESS_MS = 400;
 /** Milliseconds without a change in the picture before it is written into the markup. */
 const SETTLE_MS = 300;
-/** Characters per line of markup that the page writes. */
-const LINE_LENGTH = 76;
-
-/** Far more than a person writes by hand: 0.23 GB. The text may come from a stranger's link. */
-const MOST_TRIANGLES = 2 ** 22;
-
 const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const viewer = part<HTMLElementTagNameMap['phong-viewer']>('scene');
 const gate = part('gate');
@@ -176,10 +170,13 @@ function textOf(source: string): string {
   return typeof scene === 'string' ? source : written(scene);
 }
 
+/** Characters per line of markup that the page writes: as many as the field shows, 76 at most. */
+const lineLength = (): number => Math.min(76, Math.floor((part('editor').clientWidth - 40) / 7.9));
+
 /** The scene as markup. */
 function written(scene: Scene): string {
   const element = sceneElement(scene);
-  const pieces = element === null ? [] : markupOf(element, LINE_LENGTH);
+  const pieces = element === null ? [] : markupOf(element, lineLength());
   return `${pieces.map((piece) => piece.text).join('')}\n`;
 }
 
@@ -196,21 +193,53 @@ choice.addEventListener('change', () => {
 });
 area.addEventListener('input', () => typed(area.value));
 addEventListener('hashchange', () => void open());
-part('share').addEventListener('click', () => {
-  void putInAddress().then(async () => {
+/** A button that puts the scene somewhere else, and says where. A failure is a sentence too. */
+function sharing(id: string, share: (scene: Scene) => Promise<string>): void {
+  part(id).addEventListener('click', () => {
     const said = part<HTMLOutputElement>('shared');
-    try {
-      await navigator.clipboard.writeText(location.href);
-      said.textContent = 'Copied.';
-    } catch {
-      said.textContent = 'The link is in the address bar.';
-    }
+    if (shown === null) return;
+    share(shown).then(
+      (words) => (said.textContent = words),
+      (error: unknown) => (said.textContent = error instanceof Error ? error.message : String(error)),
+    );
   });
+}
+
+async function copied(words: string, otherwise: string): Promise<string> {
+  try {
+    await navigator.clipboard.writeText(words);
+    return 'Copied.';
+  } catch {
+    return otherwise;
+  }
+}
+
+sharing('link', async () => {
+  await putInAddress();
+  return copied(location.href, 'The link is in the address bar.');
+});
+sharing('frame', async (scene) => {
+  const { frameOf } = await import('./share.js');
+  const frame = await frameOf(scene, document.baseURI);
+  return copied(frame, frame);
+});
+sharing('file', async (scene) => {
+  const { fileOf } = await import('./share.js');
+  const file = URL.createObjectURL(new Blob([await fileOf(scene, document.baseURI)], { type: 'text/html' }));
+  const anchor = document.createElement('a');
+  anchor.href = file;
+  anchor.download = 'scene.html';
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(file), 60_000);
+  return 'Saved as scene.html.';
 });
 
 await open();
-// The picture comes first. The text can be changed in the plain field until the editor is there.
-await viewer.ready;
+// The first picture comes first, not the converged one. The text can be changed in the plain field until then.
+await Promise.race([
+  viewer.ready,
+  new Promise((resolve) => viewer.addEventListener('render', resolve, { once: true })),
+]);
 const { startEditor } = await import('./editor.js');
 const focused = document.activeElement === area;
 editor = startEditor(part('editor'), text, typed);

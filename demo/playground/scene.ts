@@ -21,6 +21,8 @@ export interface Scene {
 
 /** Far more than a person writes. Each mesh costs memory, so a short link must not ask for tens of thousands. */
 export const MOST_ELEMENTS = 1000;
+/** The same in triangles: 0.23 GB. */
+export const MOST_TRIANGLES = 2 ** 22;
 const MOST_MESSAGES = 5;
 /** Characters of a name in a message. */
 const LONGEST_NAME = 40;
