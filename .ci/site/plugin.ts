@@ -183,7 +183,11 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
         sceneHtml,
       ),
   ],
-  ['panelled', (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui')],
+  [
+    'panelled',
+    (name: string) =>
+      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4" target="0 -0.1 0"'),
+  ],
 ]);
 
 function sceneHtml(name: string): string {

@@ -106,7 +106,8 @@ for (const type of ['pointerdown', 'keydown', 'wheel', 'input', 'drop'] as const
     if (type === 'pointerdown') pressed = true;
     settle();
   };
-  viewer.addEventListener(type, noteTouch, { passive: true });
+  // Before the viewer, which keeps the keys that it uses.
+  viewer.addEventListener(type, noteTouch, { passive: true, capture: true });
 }
 for (const type of ['pointerup', 'pointercancel', 'blur'] as const) {
   addEventListener(type, () => {
