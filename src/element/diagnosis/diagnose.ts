@@ -100,6 +100,10 @@ const unknownTags = (viewer: Element): string[] =>
 function lonely(element: Element): string {
   const name = element.getAttribute('name') ?? '';
   const which = `<${element.localName}${name === '' ? '' : ` name="${clip(name)}"`}>`;
+  // Pandoc's Markdown makes a paragraph of each part.
+  const before = element.closest('p')?.previousElementSibling;
+  if (before?.matches('p:has(phong-viewer)') === true)
+    return `${which} is not inside a <phong-viewer>, so it has no effect. ${EMPTY_LINE}`;
   return element.closest('phong-viewer') === null
     ? `${which} is not inside a <phong-viewer>, so it has no effect. Move it into one.`
     : `${which} is inside an element with a slot, so it has no effect. Move it out of that element.`;

@@ -137,7 +137,9 @@ test('keys that the viewer uses do not reach the page, where they would turn a s
     'n',
   ]);
   expect(await reached(page.getByRole('separator'), 'ArrowRight', 'End', 'n')).toEqual(['n']);
-  expect(await reached(viewer.getByText('add light'), ' ', 'Enter', 'Escape')).toEqual(['Escape']);
+  expect(await reached(viewer.getByRole('button', { name: 'add light' }), ' ', 'Enter', 'Escape')).toEqual([
+    'Escape',
+  ]);
   expect(
     await reached(
       viewer.getByRole('listbox', { name: 'Lights in the picture' }).locator('> *').first(),
