@@ -186,7 +186,7 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
   [
     'panelled',
     (name: string) =>
-      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4" target="0 -0.1 0"'),
+      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
   ],
 ]);
 

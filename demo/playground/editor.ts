@@ -103,26 +103,26 @@ const unbrokenAttributes = ViewPlugin.fromClass(
       this.decorations = attributesOf(view);
     }
 
-    update({ view, docChanged, viewportChanged, startState, state }: ViewUpdate): void {
-      if (docChanged || viewportChanged || syntaxTree(startState) !== syntaxTree(state))
+    update({ view, docChanged, viewportChanged, geometryChanged, startState, state }: ViewUpdate): void {
+      if (docChanged || viewportChanged || geometryChanged || syntaxTree(startState) !== syntaxTree(state))
         this.decorations = attributesOf(view);
     }
   },
   { decorations: (plugin) => plugin.decorations },
 );
 
-/** Characters. Longer ones would leave most of a line empty. */
-const LONGEST_UNBROKEN = 46;
-
 const unbroken = Decoration.mark({ class: 'cm-attribute' });
 
-function attributesOf({ state, visibleRanges }: EditorView): DecorationSet {
+function attributesOf(view: EditorView): DecorationSet {
+  const { state, visibleRanges } = view;
+  // Longer ones would leave most of a line empty.
+  const longest = Math.min(46, view.contentDOM.clientWidth / view.defaultCharacterWidth - 10);
   const marks: Range<Decoration>[] = [];
   for (const { from, to } of visibleRanges)
     syntaxTree(state).iterate({
       ...{ from, to },
       enter: (node) => {
-        if (node.name === 'Attribute' && node.to - node.from <= LONGEST_UNBROKEN)
+        if (node.name === 'Attribute' && node.to - node.from <= longest)
           marks.push(unbroken.range(node.from, node.to));
       },
     });

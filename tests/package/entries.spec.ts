@@ -35,6 +35,7 @@ test.describe('the packed package', () => {
     /^(src\/[A-Z-]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js(\.map)?$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
+    /^dist\/embed\.(html|js)$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/(chunks|shared)\/(basis_transcoder|draco_decoder)\.wasm$/,

@@ -54,7 +54,11 @@ async function expectHead(page: Page, request: APIRequestContext): Promise<void>
   // The repository's address is a placeholder until it is published.
   expect.soft(await page.content()).not.toContain('OWNER');
   const picture = await contentOf(page, 'meta[property="og:image"]');
-  const response = await request.get(`/demo/assets/${picture?.split('/assets/')[1] ?? ''}`);
+  // Absolute, once the site has an address.
+  const [, asset] = /^https:.*\/(assets\/.*)/.exec(picture ?? '') ?? [];
+  const response = await request.get(
+    asset === undefined ? new URL(picture ?? '', page.url()).href : `/demo/${asset}`,
+  );
   expect.soft(response.headers()['content-type']).toBe('image/png');
 }
 
