@@ -110,9 +110,7 @@ const builds = new Map<string, Promise<void>>();
 async function built(file: string, parts: readonly string[]): Promise<string | null> {
   const key = parts.join(' ');
   if (!existsSync(file) && !builds.has(key)) {
-    console.log(
-      `Building ${relative(repository, file)}: a page asks for it. This takes half a minute, once.`,
-    );
+    console.log(`Building ${relative(repository, file)}: a page asks for it. This takes ten seconds, once.`);
     builds.set(key, run(join(repository, '.ci/build.mjs'), ...parts));
   }
   await builds.get(key);

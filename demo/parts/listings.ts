@@ -24,7 +24,7 @@ export function showListings(root: ParentNode): void {
 export function listing(place: HTMLElement, title: string): HTMLPreElement {
   const text = document.createElement('pre');
   text.translate = false;
-  if (place.classList.contains('tall')) {
+  if (place.matches('.tall, .whole')) {
     text.tabIndex = 0;
     text.setAttribute('role', 'region');
     text.setAttribute('aria-label', title);
