@@ -2,17 +2,16 @@
 // come from a stranger: nothing in it can run, and no file of another site is loaded.
 import 'phong-viewer';
 import { readFragment } from '../playground/address.js';
-import { MOST_TRIANGLES, readScene, withoutHosts, type Scene } from '../playground/scene.js';
+import { readScene, withoutHosts, type Scene } from '../playground/scene.js';
 import { showScene } from '../playground/show.js';
 
 const viewer = document.createElement('phong-viewer');
-viewer.maxTriangles = MOST_TRIANGLES;
 const message = document.querySelector('p')!;
 
 const sheet = new CSSStyleSheet();
 sheet.replaceSync(`
   html, body { height: 100%; margin: 0; }
-  phong-viewer { display: block; width: 100%; height: 100%; }
+  phong-viewer, phong-compare { display: block; width: 100%; height: 100%; }
   p { position: absolute; inset: auto 0 0; margin: 0; padding: 0.5em 1em; font: 0.875rem/1.4 system-ui, sans-serif; }
   p:empty { display: none; }
 `);
@@ -35,11 +34,11 @@ async function show(): Promise<void> {
   message.textContent =
     scene.hosts.length === 0 ? '' : `Files of other sites are not loaded here: ${scene.hosts.join(', ')}.`;
   const own = withoutHosts(scene, new Set(), document.baseURI);
+  if (!viewer.isConnected) document.body.prepend(viewer);
   showScene(viewer, shown, own);
   viewer.resetCamera();
   shown = own;
   document.title = viewer.alt || 'A scene';
-  if (!viewer.isConnected) document.body.prepend(viewer);
 }
 
 addEventListener('hashchange', () => void show());

@@ -56,14 +56,11 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   let [shown] = viewers;
   const caption = text.previousElementSibling;
   const title = caption?.firstElementChild?.textContent ?? '';
-  // The playground shows one viewer.
-  if (shown?.localName === 'phong-viewer') {
-    caption?.append(
-      pressable('Edit', `Edit in the playground: ${title}`, () => {
-        if (shown !== undefined) void edit(current(shown));
-      }),
-    );
-  }
+  caption?.append(
+    pressable('Edit', `Edit in the playground: ${title}`, () => {
+      if (shown !== undefined) void edit(current(shown));
+    }),
+  );
   const write = (): void => {
     if (shown !== undefined) text.replaceChildren(...markupOf(current(shown), lineLength(text)).map(span));
   };

@@ -4,7 +4,7 @@ import { markupOf } from '../parts/markup.js';
 import { fragmentOf, readFragment } from './address.js';
 import type { Editor } from './editor.js';
 import { EXAMPLES } from './examples.js';
-import { MOST_TRIANGLES, readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
+import { readScene, sceneElement, withoutHosts, type Scene } from './scene.js';
 import { showScene } from './show.js';
 
 /** Milliseconds without a keystroke before the scene is in the address. */
@@ -13,11 +13,10 @@ const ADDRESS_MS = 400;
 const SETTLE_MS = 300;
 const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const viewer = part<HTMLElementTagNameMap['phong-viewer']>('scene');
+const picture = viewer.parentElement!;
 const gate = part('gate');
 const choice = part<HTMLSelectElement>('example');
 const area = part<HTMLTextAreaElement>('text');
-
-viewer.maxTriangles = MOST_TRIANGLES;
 
 let text = '';
 /** The scene that the viewer shows; null before the first. */
@@ -44,8 +43,11 @@ function write(next: string): void {
   touched = false;
   showScene(viewer, shown, permitted);
   shown = permitted;
-  shownMarkup = viewer.toHTML();
+  shownMarkup = liveMarkup();
 }
+
+/** Of the viewer, or of the comparison that it is in. */
+const liveMarkup = (): string => (viewer.closest('phong-compare') ?? viewer).toHTML();
 
 function say(messages: readonly string[]): void {
   part('messages').replaceChildren(
@@ -88,7 +90,7 @@ function settle(): void {
 function writeBack(): void {
   // Files that wait for a click are not in the viewer, and so not in its markup.
   if (!gate.hidden) return;
-  const markup = viewer.toHTML();
+  const markup = liveMarkup();
   if (markup === shownMarkup) return;
   const scene = readScene(markup, document.baseURI);
   if (typeof scene === 'string') return;
@@ -107,7 +109,7 @@ for (const type of ['pointerdown', 'keydown', 'wheel', 'input', 'drop'] as const
     settle();
   };
   // Before the viewer, which keeps the keys that it uses.
-  viewer.addEventListener(type, noteTouch, { passive: true, capture: true });
+  picture.addEventListener(type, noteTouch, { passive: true, capture: true });
 }
 for (const type of ['pointerup', 'pointercancel', 'blur'] as const) {
   addEventListener(type, () => {
@@ -167,7 +169,7 @@ function start(next: string): void {
 
 /** An example as the playground writes markup: several attributes on a line, and with the panel. */
 function textOf(source: string): string {
-  const scene = readScene(source.replace('<phong-viewer', '<phong-viewer gui'), document.baseURI);
+  const scene = readScene(source.replace(/^<phong-viewer/, '<phong-viewer gui'), document.baseURI);
   return typeof scene === 'string' ? source : written(scene);
 }
 

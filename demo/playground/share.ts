@@ -47,7 +47,9 @@ const MEDIA: Readonly<Record<string, string>> = {
 export async function fileOf(scene: Scene, page: string): Promise<string> {
   const script = await textOf(new URL('../phong-viewer.classic.js', page));
   const sources = new Set(
-    scene.elements.flatMap(({ attributes }) => [attributes.get('src'), attributes.get('poster')]),
+    [scene.elements, ...scene.others]
+      .flat()
+      .flatMap(({ attributes }) => [attributes.get('src'), attributes.get('poster')]),
   );
   const inside = new Map<string, string>();
   for (const source of sources) if (source) inside.set(source, await dataUrl(new URL(source, page)));
@@ -59,7 +61,7 @@ export async function fileOf(scene: Scene, page: string): Promise<string> {
 <title>${escaped(titleOf(scene))}</title>
 <style>
   html, body { height: 100%; margin: 0 }
-  phong-viewer { display: block; width: 100%; height: 100% }
+  phong-viewer, phong-compare { display: block; width: 100%; height: 100% }
 </style>
 <script>${script.replaceAll(/<(?=\/script|!--|script)/gi, '\\x3c')}</script>
 

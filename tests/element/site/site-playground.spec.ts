@@ -123,6 +123,21 @@ test('typing keeps the unchanged parts: the model is fetched once, the camera st
   expect(fetched).toBe(1);
 });
 
+test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
+  page,
+}) => {
+  await page.goto('/demo/playground/#example=compare');
+  await allReady(page);
+  await expect(page.locator('.cm-content')).toBeVisible();
+  await expect(page.locator('phong-compare > phong-viewer')).toHaveCount(2);
+  await expect(page.locator('#messages')).toBeEmpty();
+  await page.getByRole('separator').press('ArrowRight');
+  await expect.poll(() => textOf(page)).toContain('at="51"');
+  await rewrite(page, SCENE);
+  await expect(page.locator('phong-compare')).toHaveCount(0);
+  await expect(page.locator('phong-viewer')).toHaveCount(1);
+});
+
 test('the picture waits while the markup is incomplete', async ({ page }) => {
   const viewer = await open(page);
   await rewrite(page, '<phong-vie');
