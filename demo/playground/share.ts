@@ -85,7 +85,7 @@ async function dataUrl(address: URL): Promise<string> {
   const type = MEDIA[ending] ?? '';
   return new Promise((resolve) => {
     const reader = new FileReader();
-    reader.addEventListener('load', () => resolve(String(reader.result)));
+    reader.addEventListener('load', () => resolve(reader.result as string));
     reader.readAsDataURL(new Blob([bytes], { type }));
   });
 }
