@@ -233,9 +233,9 @@ test.describe('a viewer whose end tag is missing', () => {
     const paragraphs = `<p><phong-viewer alt="" geometry="box">${light('')}</p><p>${light('name="lamp"')}</phong-viewer></p>`;
     await mount(`${scene(code)}<div>${paragraph}</div>${paragraphs}`, size);
     expect(await reported(page, warnings, 3)).toEqual([
+      `<phong-light name="lamp"> is not inside a <phong-viewer>, so it has no effect. ${cure}`,
       `<phong-viewer> contains its lights and meshes as code, which is not shown. ${cure}`,
       `<phong-viewer> contains the text "Next", which is not shown. ${cure}`,
-      `<phong-light name="lamp"> is not inside a <phong-viewer>, so it has no effect. ${cure}`,
     ]);
   });
 
