@@ -119,7 +119,9 @@ async function built(file: string, parts: readonly string[]): Promise<string | n
 
 const run = (...args: readonly string[]): Promise<void> =>
   new Promise((resolve) => {
-    spawn(process.execPath, args, { stdio: 'inherit' }).on('close', () => resolve());
+    // The development server's own mode would put Lit's development build inside.
+    const env = { ...process.env, NODE_ENV: 'production' };
+    spawn(process.execPath, args, { stdio: 'inherit', env }).on('close', () => resolve());
   });
 
 const contentType = (path: string): string =>
