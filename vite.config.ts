@@ -9,7 +9,7 @@ import { basisTranscoder } from './.ci/basis-transcoder.js';
 import { dracoDecoder } from './.ci/draco-decoder.js';
 import { outputFolder } from './.ci/output-folder.mjs';
 import { packageAliases } from './.ci/package-aliases.js';
-import { pageFiles, sitePages } from './.ci/site/plugin.js';
+import { elementData, pageFiles, sitePages } from './.ci/site/plugin.js';
 import { strippedGlsl } from './.ci/strip-glsl.js';
 
 const repository = fileURLToPath(new URL('.', import.meta.url));
@@ -21,7 +21,7 @@ export default defineConfig({
   // A missing page is an error, not the first page.
   appType: 'mpa',
   publicDir: false,
-  plugins: [dracoDecoder(), basisTranscoder(), strippedGlsl(), licences(), sitePages()],
+  plugins: [dracoDecoder(), basisTranscoder(), strippedGlsl(), licences(), elementData(), sitePages()],
   resolve: {
     alias: packageAliases,
     // Lit's development build would log a warning on every page.

@@ -1,30 +1,56 @@
 // @ts-check
-// Makes dist/: the ES modules, the standalone and the classic file, the types, the ready sets of texts, and the
-// manifests of the elements.
+// Makes dist/: the ES modules, the standalone and the classic file, the page for frames, the types, the ready sets of
+// texts, and the manifests of the elements. `node .ci/build.mjs classic` makes only that part; the site's server asks
+// for parts that a page wants.
 
 import { spawnSync } from 'node:child_process';
-import { existsSync } from 'node:fs';
+import { copyFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
-import { build } from 'vite';
 import { outputFolder } from './output-folder.mjs';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
 process.chdir(repository);
+await import('./install.mjs');
+const { build } = await import('vite');
 
-for (const mode of ['index', 'trusted-types', 'core', 'reference', 'react', 'react-standalone', 'playwright'])
-  await build({ configFile: join(repository, 'vite.lib.config.ts'), mode, logLevel: 'warn' });
-for (const name of ['standalone', 'classic'])
-  await build({ configFile: join(repository, `vite.${name}.config.ts`), logLevel: 'warn' });
-runNode(
-  'node_modules/typescript/bin/tsc',
-  '-p',
-  'tsconfig.build.json',
-  '--outDir',
-  outputFolder('dist') + '/types',
-);
-runNode('.ci/texts.mjs');
-if (existsSync('.ci/manifest.mjs')) runNode('.ci/manifest.mjs');
+/** The first of them empties dist/. */
+const entries = ['index', 'trusted-types', 'core', 'reference', 'react', 'react-standalone', 'playwright'];
+
+/** @type {Readonly<Record<string, () => void | Promise<void>>>} */
+const parts = {
+  modules: async () => {
+    for (const mode of entries) await bundle('lib', mode);
+  },
+  standalone: () => bundle('standalone'),
+  classic: () => bundle('classic'),
+  types: () =>
+    runNode(
+      'node_modules/typescript/bin/tsc',
+      '-p',
+      'tsconfig.build.json',
+      '--outDir',
+      outputFolder('dist') + '/types',
+    ),
+  texts: () => runNode('.ci/texts.mjs'),
+  manifest: () => runNode('.ci/manifest.mjs'),
+  embed: async () => {
+    await bundle('embed');
+    copyFileSync('demo/embed/embed.html', join(outputFolder('dist'), 'embed.html'));
+  },
+};
+
+const chosen = process.argv.slice(2);
+for (const [name, make] of Object.entries(parts))
+  if (chosen.length === 0 || chosen.includes(name)) await make();
+
+/** @param {string} config @param {string} [mode] */
+async function bundle(config, mode) {
+  const configFile = join(repository, `.ci/vite/${config}.config.ts`);
+  // How long a plugin took is no warning, least of all for who builds this for the first time.
+  const quiet = { rolldownOptions: { checks: { pluginTimings: false } } };
+  await build({ configFile, build: quiet, logLevel: 'warn', ...(mode === undefined ? {} : { mode }) });
+}
 
 /** @param {string[]} args */
 function runNode(...args) {

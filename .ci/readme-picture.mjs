@@ -1,5 +1,5 @@
 // @ts-check
-// `npm run readme:picture`: draws the README's first snippet with the built package and stores it as the README's
+// `npm run readme:picture`: draws the README's page with the built package and stores it as the README's
 // picture. The picture shows exactly that markup; tests/visual/readme.spec.ts compares the two. Needs `npm run build`
 // first.
 
@@ -20,10 +20,10 @@ export const README_PICTURE = 'demo/assets/images/readme.png';
 export const README_PICTURE_SCALE = 1.5;
 
 /**
- * The first block of HTML in the README, which follows its picture.
+ * The page that follows the README's picture.
  * @returns {string}
  */
-export function readmeSnippet() {
+export function readmePage() {
   const text = readFileSync(join(repository, 'README.md'), 'utf8');
   const snippet = /!\[[^\]]+\]\(([^)]+)\)\n\n```html\n([^]*?)```/.exec(text);
   if (snippet?.[1] !== README_PICTURE || snippet[2] === undefined)
@@ -31,17 +31,19 @@ export function readmeSnippet() {
   return snippet[2];
 }
 
+/** The scene of that page. @returns {string} */
+export const readmeSnippet = () => /<phong-viewer[^]*<\/phong-viewer>/.exec(readmePage())?.[0] ?? '';
+
 async function draw() {
   readCommandLine(
-    "npm run readme:picture: draws the README's first snippet with the built package as its picture",
+    "npm run readme:picture: draws the README's page with the built package as its picture",
     {},
   );
   const dist = outputFolder('dist');
-  needBuilt(join(dist, 'phong-viewer.standalone.js'), 'npm run build');
-  const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>README</title><body>${readmeSnippet()}</body>`;
+  needBuilt(join(dist, 'phong-viewer.classic.js'), 'npm run build');
   const server = createServer((request, response) => {
     const path = normalize(join(dist, decodeURIComponent(new URL(request.url ?? '/', 'http://x').pathname)));
-    if (request.url === '/') response.setHeader('content-type', 'text/html').end(html);
+    if (request.url === '/') response.setHeader('content-type', 'text/html').end(readmePage());
     else if (path.startsWith(dist) && existsSync(path) && statSync(path).isFile()) {
       response.setHeader('content-type', 'text/javascript');
       createReadStream(path).pipe(response);

@@ -67,7 +67,7 @@ const rows = [
     [all || chosen.includes('types'), 'types', ['node_modules/typescript/bin/tsc', '--noEmit']],
     [building, 'build', ['.ci/build.mjs']],
     [building, 'demo build', vite],
-    [building, 'harness', [...vite, '--config', 'vite.harness.config.ts']],
+    [building, 'harness', [...vite, '--config', '.ci/vite/harness.config.ts']],
     [all || chosen.includes('format'), 'format', ['node_modules/prettier/bin/prettier.cjs', '--check', '.']],
   ],
 ];

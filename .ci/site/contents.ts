@@ -9,9 +9,14 @@ export interface Entry {
 /** The header's navigation, on every page. */
 export const sections: readonly Entry[] = [
   { path: 'guide/', label: 'Guide' },
+  { path: 'examples/', label: 'Examples' },
   { path: 'playground/', label: 'Playground' },
-  { path: 'gallery/', label: 'Gallery' },
   { path: 'api/', label: 'API' },
+  { path: 'install/', label: 'Install' },
+];
+
+/** Links of the footer. */
+export const foot: readonly Entry[] = [
   { path: 'bench/', label: 'Bench' },
   { path: 'releases/', label: 'Releases' },
 ];

@@ -1,7 +1,7 @@
 // What do all pages of the site share? The head for browsers, search engines and link previews, the header with the
 // navigation, the footer with the way to the package. Text only; knows no page's content.
 
-import { closerLooks, guide, sections, type Entry } from './contents.js';
+import { closerLooks, foot, guide, sections, type Entry } from './contents.js';
 import { escapeHtml } from './markdown.js';
 
 /** Scripts, styles, models and pictures come from the site itself; nothing inline, nothing evaluated. */
@@ -31,9 +31,12 @@ export interface Page {
 
 export interface Facts {
   readonly version: string;
-  /** The repository's address in a browser. */
+  /** The repository's address in a browser; empty if it has none yet. */
   readonly repository: string;
-  /** Where the site is published: absolute, with a slash at the end. Link previews need absolute addresses. */
+  /**
+   * Where the site is published: absolute, with a slash at the end; empty if that is not known. Link previews need
+   * absolute addresses.
+   */
   readonly site: string;
 }
 
@@ -53,13 +56,12 @@ export function headHtml({ path, title, description }: Page, { site }: Facts, po
     <title>${full}</title>
     <meta name="description" content="${description}" />
     <meta name="color-scheme" content="light dark" />
-    <link rel="canonical" href="${site}${path}" />
+    ${site === '' ? '' : `<link rel="canonical" href="${site}${path}" />\n    <meta property="og:url" content="${site}${path}" />`}
     <meta property="og:type" content="website" />
     <meta property="og:site_name" content="phong-viewer" />
     <meta property="og:title" content="${full}" />
     <meta property="og:description" content="${description}" />
-    <meta property="og:url" content="${site}${path}" />
-    <meta property="og:image" content="${site}assets/images/preview.png" />
+    <meta property="og:image" content="${site || root}assets/images/preview.png" />
     <meta property="og:image:width" content="1200" />
     <meta property="og:image:height" content="630" />
     <meta property="og:image:alt" content="A knot, a sphere, a cone and a box under a sun, a lamp and a spot" />
@@ -97,12 +99,14 @@ export function footerHtml(path: string, { version, repository }: Facts): string
   return `${neighboursHtml(path, root)}
       <footer class="foot">
         <p class="get">
-          Get it: <code>npm install phong-viewer three</code>, or
-          <a href="${root}#install">one file without a bundler</a>.
+          Get it: <a href="${root}install/">one file for a page of your own</a>, or, once published,
+          <code>npm install phong-viewer three</code>.
         </p>
         <p>
-          phong-viewer ${escapeHtml(version)}, MIT licence, <a href="${escapeHtml(repository)}">source</a>. Every picture
-          by phong-viewer on these pages is drawn as you look at it.
+          phong-viewer ${escapeHtml(version)}, MIT licence${
+            repository === '' ? '' : `, <a href="${escapeHtml(repository)}">source</a>`
+          }. ${foot.map(({ path: to, label }) => `<a href="${root}${to}">${label}</a>`).join(', ')}. Every picture by
+          phong-viewer on these pages is drawn as you look at it.
         </p>
       </footer>`;
 }

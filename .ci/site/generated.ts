@@ -5,6 +5,7 @@ import { readdirSync, readFileSync, existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync } from 'node:zlib';
 import type { CustomElementDeclaration, Package, Type } from 'custom-elements-manifest';
+import { DEFAULT } from '../manifest/attributes-page.mjs';
 import { blocksHtml, escapeHtml, inlineHtml } from './markdown.js';
 
 // -- API --------------------------------------------------------------------------------------------------------------
@@ -111,8 +112,7 @@ const described = (text: string | undefined): string =>
   text === undefined || text === '' ? '' : blocksHtml(text);
 
 /** The default is shown on its own, from the manifest's field, and not twice. */
-const withoutDefault = (text: string | undefined): string =>
-  (text ?? '').replace(/ Default [^.:\n]+(\.\d+[^.:\n]*)*\.(?=\s|$)/, '');
+const withoutDefault = (text: string | undefined): string => (text ?? '').replace(DEFAULT, '');
 
 const defaultHtml = (text: string): string => `<p class="type">default <code>${escapeHtml(text)}</code></p>`;
 
@@ -123,12 +123,40 @@ const typeHtml = (type: Type | undefined, before = ''): string =>
 
 // -- Release notes ----------------------------------------------------------------------------------------------------
 
-/** The change log without its title. @param repository the address that its relative links refer to. */
+const RELATIVE_LINK = /\[([^\]]+)\]\((?!https?:)[^)]+\)/g;
+
+/** The change log without its title. @param repository the address that its relative links refer to; empty: no links. */
 export const releasesHtml = (changelog: string, repository: string): string =>
-  blocksHtml(changelog.replace(/^# .*\n/, ''), `${repository}/blob/main/`).replace(
+  blocksHtml(
+    repository === ''
+      ? changelog.replace(/^# .*\n/, '').replace(RELATIVE_LINK, '$1')
+      : changelog.replace(/^# .*\n/, ''),
+    `${repository}/blob/main/`,
+  ).replace(
     /<h2>\[?([^\]<]+)\]?/g,
     (_, name: string) => `<h2 id="${escapeHtml(name.split(' ')[0]!.toLowerCase())}">${name}`,
   );
+
+// -- Examples ---------------------------------------------------------------------------------------------------------
+
+export interface Example {
+  readonly name: string;
+  readonly title: string;
+  readonly words: string;
+}
+
+/** Each example: its picture, what it shows, its markup, and the way to the playground. */
+export const examplesHtml = (examples: readonly Example[], sceneHtml: (name: string) => string): string =>
+  examples
+    .map(
+      ({ name, title, words }) => `<section class="example" id="${name}" aria-labelledby="${name}-title">
+      <h2 id="${name}-title">${escapeHtml(title)}</h2>
+      <p>${inlineHtml(words)} <a href="../playground/#example=${name}" aria-label="Open in the playground: ${escapeHtml(title)}">Playground</a></p>
+      <figure>${sceneHtml(name)}</figure>
+      <div class="listing" data-of="#${name} figure > *" data-title="${escapeHtml(title)}"></div>
+    </section>`,
+    )
+    .join('\n');
 
 // -- Sizes ------------------------------------------------------------------------------------------------------------
 

@@ -1,15 +1,25 @@
 // Makes pages of the files in demo/: adds what all pages share, replaces comments such as `<!-- api -->` by generated
 // parts, and gives the playground the documented attributes. The same in the development server and in the build.
 
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { cpSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import type { Package as Manifest } from 'custom-elements-manifest';
 import type { Plugin } from 'vite';
 import { outputFolder } from '../output-folder.mjs';
 import { footerHtml, headerHtml, headHtml, type Facts } from './frame.js';
-import { apiHtml, membersHtml, releasesHtml, sizeOf, sizesHtml } from './generated.js';
+import {
+  apiHtml,
+  examplesHtml,
+  type Example,
+  membersHtml,
+  releasesHtml,
+  sizeOf,
+  sizesHtml,
+} from './generated.js';
+import { readmePage } from '../readme-picture.mjs';
+import { escapeHtml } from './markdown.js';
 import { pairsHtml, type ModelEntries } from './models.js';
 import { picturesHtml } from './pictures.js';
 import { readResults } from '../../tests/bench/results.mjs';
@@ -17,8 +27,12 @@ import { readResults } from '../../tests/bench/results.mjs';
 const repository = fileURLToPath(new URL('../..', import.meta.url));
 const demo = join(repository, 'demo');
 const dist = outputFolder('dist');
-/** For pages opened from disk. The start page offers it. */
-const classic = join(dist, 'phong-viewer.classic.js');
+/** Files of dist/ that pages offer or show, and the part of the build that makes each. */
+const BUILT: readonly (readonly [file: RegExp, parts: readonly string[]])[] = [
+  [/^\/phong-viewer\.classic\.js$/, ['classic']],
+  [/^\/phong-viewer\.standalone\.js$|^\/chunks\/[\w.-]+$/, ['standalone']],
+  [/^\/embed\.(html|js)$/, ['manifest', 'embed']],
+];
 
 /** Every index.html under demo/. */
 export const pageFiles = (): string[] =>
@@ -31,6 +45,19 @@ const HTML_DATA = 'virtual:html-data';
 /** The names of the documented attributes by tag. */
 const ATTRIBUTES = 'virtual:attributes';
 
+/** Tags and attributes as modules: `virtual:html-data`, `virtual:attributes`. */
+export function elementData(): Plugin {
+  return {
+    name: 'element-data',
+    resolveId: (id) => (id === HTML_DATA || id === ATTRIBUTES ? `\0${id}` : null),
+    load(id) {
+      if (id === `\0${HTML_DATA}`) return `export default ${readBuilt('vscode.html-custom-data.json')}.tags;`;
+      if (id === `\0${ATTRIBUTES}`) return `export default ${JSON.stringify(documentedAttributes())};`;
+      return null;
+    },
+  };
+}
+
 export function sitePages(): Plugin {
   let building = false;
   return {
@@ -38,17 +65,18 @@ export function sitePages(): Plugin {
     configResolved(config) {
       building = config.command === 'build';
     },
-    resolveId: (id) => (id === HTML_DATA || id === ATTRIBUTES ? `\0${id}` : null),
-    load(id) {
-      if (id === `\0${HTML_DATA}`) return `export default ${readBuilt('vscode.html-custom-data.json')}.tags;`;
-      if (id === `\0${ATTRIBUTES}`) return `export default ${JSON.stringify(documentedAttributes())};`;
-      return null;
-    },
     configureServer({ middlewares }) {
-      middlewares.use('/phong-viewer.classic.js', (_request, response, next) => {
-        if (existsSync(classic))
-          response.setHeader('content-type', 'text/javascript').end(readFileSync(classic));
-        else next();
+      middlewares.use((request, response, next) => {
+        const path = (request.url ?? '').replace(/[?#].*$/, '');
+        const parts = BUILT.find(([file]) => file.test(path))?.[1];
+        if (parts === undefined) {
+          next();
+          return;
+        }
+        void built(join(dist, path), parts).then((file) => {
+          if (file === null) response.writeHead(404).end(`${path} is not there.`);
+          else response.setHeader('content-type', contentType(path)).end(readFileSync(file));
+        });
       });
     },
     transformIndexHtml: {
@@ -61,11 +89,43 @@ export function sitePages(): Plugin {
       const output = outputFolder('site');
       // Files in demo/assets keep their names: Vite does not follow the `src` of a custom element.
       cpSync(join(demo, 'assets'), join(output, 'assets'), { recursive: true });
-      if (existsSync(classic)) cpSync(classic, join(output, 'phong-viewer.classic.js'));
-      writeFileSync(join(output, 'sitemap.xml'), sitemap());
+      for (const name of [
+        'phong-viewer.classic.js',
+        'phong-viewer.standalone.js',
+        'chunks',
+        'embed.html',
+        'embed.js',
+      ])
+        if (existsSync(join(dist, name))) cpSync(join(dist, name), join(output, name), { recursive: true });
+      const { site } = packageFacts();
+      if (site !== '') writeFileSync(join(output, 'sitemap.xml'), sitemap(site));
     },
   };
 }
+
+/** Builds in progress, by their parts: each runs once. */
+const builds = new Map<string, Promise<void>>();
+
+/** The file, made first if it is missing; null if it cannot be made. */
+async function built(file: string, parts: readonly string[]): Promise<string | null> {
+  const key = parts.join(' ');
+  if (!existsSync(file) && !builds.has(key)) {
+    console.log(`Building ${relative(repository, file)}: a page asks for it. This takes ten seconds, once.`);
+    builds.set(key, run(join(repository, '.ci/build.mjs'), ...parts));
+  }
+  await builds.get(key);
+  return existsSync(file) ? file : null;
+}
+
+const run = (...args: readonly string[]): Promise<void> =>
+  new Promise((resolve) => {
+    // The development server's own mode would put Lit's development build inside.
+    const env = { ...process.env, NODE_ENV: 'production' };
+    spawn(process.execPath, args, { stdio: 'inherit', env }).on('close', () => resolve());
+  });
+
+const contentType = (path: string): string =>
+  path.endsWith('.html') ? 'text/html' : path.endsWith('.wasm') ? 'application/wasm' : 'text/javascript';
 
 function pageHtml(source: string, path: string, building: boolean): string {
   const title = /<title>([^<]*)<\/title>\s*/.exec(source);
@@ -80,12 +140,20 @@ function pageHtml(source: string, path: string, building: boolean): string {
     .replace('<head>', () => `<head>${head}`)
     .replace(/<div class="sheet[^"]*">/, (sheet) => sheet + headerHtml(path))
     .replace('</main>', () => `</main>${footerHtml(path, facts)}`)
-    .replaceAll('href="repository:', () => `href="${facts.repository}/blob/main/`)
+    .replace(/<a href="repository:([^"]+)"\s*>([^]*?)<\/a\s*>/g, (_, file: string, words: string) =>
+      repositoryLink(file, words, facts.repository),
+    )
     .replace(
       /<!-- ([a-z]+)(?: ([a-z-]+))? -->/g,
       (comment: string, name: string, argument?: string) => generated.get(name)?.(argument ?? '') ?? comment,
     );
 }
+
+/** A link to a file of the repository; its name, where the repository has no address yet. */
+const repositoryLink = (file: string, words: string, repository: string): string =>
+  repository === ''
+    ? `${words} (<code>${file}</code> in the repository)`
+    : `<a href="${repository}/blob/main/${file}">${words}</a>`;
 
 /** What replaces the comments `<!-- name -->` and `<!-- name argument -->`. */
 const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
@@ -106,7 +174,20 @@ const generated: ReadonlyMap<string, (argument: string) => string> = new Map<
   ],
   ['pictures', () => picturesHtml(readResults(join(repository, 'tests/bench/results')))],
   ['scene', sceneHtml],
-  ['panelled', (name: string) => sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui')],
+  ['page', () => escapeHtml(readmePage()).trim()],
+  [
+    'examples',
+    () =>
+      examplesHtml(
+        JSON.parse(readFileSync(join(demo, 'examples/examples.json'), 'utf8')) as Example[],
+        sceneHtml,
+      ),
+  ],
+  [
+    'panelled',
+    (name: string) =>
+      sceneHtml(name).replace('<phong-viewer', '<phong-viewer gui radius="4.2" target="0 -0.16 0"'),
+  ],
 ]);
 
 function sceneHtml(name: string): string {
@@ -144,13 +225,18 @@ function packageFacts(): Facts {
   ) as { version: string; repository: { url: string } };
   const address = source.url.replace(/^git\+/, '').replace(/\.git$/, '');
   const [, owner = '', name = ''] = /\/([^/]+)\/([^/]+)$/.exec(address) ?? [];
+  // A placeholder is an address for nobody.
+  const published = owner !== 'OWNER';
   // GitHub Pages' address, unless the build is told another one.
-  const site = process.env['SITE_URL'] || `https://${owner}.github.io/${name}`;
-  return { version, repository: address, site: site.replace(/\/*$/, '/') };
+  const site = process.env['SITE_URL'] || (published ? `https://${owner}.github.io/${name}` : '');
+  return {
+    version,
+    repository: published ? address : '',
+    site: site.replace(/\/*$/, site === '' ? '' : '/'),
+  };
 }
 
-function sitemap(): string {
-  const { site } = packageFacts();
+function sitemap(site: string): string {
   const addresses = pageFiles().map((file) =>
     file
       .slice(demo.length + 1)

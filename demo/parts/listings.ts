@@ -12,13 +12,19 @@ export function showListings(root: ParentNode): void {
     const viewers = [...root.querySelectorAll(place.dataset['of'] ?? '')];
     follow(viewers, listing(place, place.dataset['title'] ?? 'The markup of this picture'));
   }
+  // A text that is there already gets a caption and a button.
+  for (const place of root.querySelectorAll<HTMLElement>('.listing[data-title]:not([data-of])')) {
+    const text = place.textContent.trim();
+    place.replaceChildren();
+    listing(place, place.dataset['title'] ?? '').textContent = text;
+  }
 }
 
 /** Fills `place` with a caption, a copy button and a `<pre>`, which is returned. */
 export function listing(place: HTMLElement, title: string): HTMLPreElement {
   const text = document.createElement('pre');
   text.translate = false;
-  if (place.classList.contains('tall')) {
+  if (place.matches('.tall, .whole')) {
     text.tabIndex = 0;
     text.setAttribute('role', 'region');
     text.setAttribute('aria-label', title);
@@ -50,16 +56,13 @@ function follow(viewers: readonly Element[], text: HTMLElement): void {
   let [shown] = viewers;
   const caption = text.previousElementSibling;
   const title = caption?.firstElementChild?.textContent ?? '';
-  // The playground shows one viewer.
-  if (shown?.localName === 'phong-viewer') {
-    caption?.append(
-      pressable('Edit', `Edit in the playground: ${title}`, () => {
-        if (shown !== undefined) void edit(current(shown));
-      }),
-    );
-  }
+  caption?.append(
+    pressable('Edit', `Edit in the playground: ${title}`, () => {
+      if (shown !== undefined) void edit(current(shown));
+    }),
+  );
   const write = (): void => {
-    if (shown !== undefined) text.replaceChildren(...markupOf(current(shown), lineLength()).map(span));
+    if (shown !== undefined) text.replaceChildren(...markupOf(current(shown), lineLength(text)).map(span));
   };
   const observer = new MutationObserver(write);
   for (const viewer of viewers) {
@@ -120,8 +123,12 @@ function pressable(words: string, label: string, press: () => void): HTMLButtonE
   return button;
 }
 
-/** Characters of a listing that fit into the page: 76, or fewer on a phone. */
-const lineLength = (): number => Math.min(76, Math.floor(document.documentElement.clientWidth / 8.5));
+/** Pixels around the text of a listing, and of a character. */
+const [MARGIN, CHARACTER] = [4, 7.9];
+
+/** Characters that fit into a listing: 76 at most. One that is folded away will be as wide as the page allows. */
+const lineLength = ({ clientWidth }: Element): number =>
+  Math.min(76, Math.floor(((clientWidth || document.documentElement.clientWidth - 60) - MARGIN) / CHARACTER));
 
 function span({ kind, text }: { readonly kind: string; readonly text: string }): Node {
   if (kind === 'plain') return document.createTextNode(text);

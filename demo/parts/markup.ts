@@ -26,11 +26,14 @@ function startTag(element: Element, indent: string, lineLength: number): Piece[]
   const name = element.localName;
   const pieces: Piece[] = [plain(`${indent}<`), { kind: 'tag', text: name }];
   let column = indent.length + 1 + name.length;
-  for (const { name: attribute, value } of element.attributes) {
-    if (/^(id|class|loading|data-.*)$/.test(attribute)) continue;
+  const written = [...element.attributes].filter((a) => !/^(id|class|loading|data-.*)$/.test(a.name));
+  // What follows the last attribute must stay on its line.
+  const ending = element.children.length === 0 ? name.length + 4 : 1;
+  for (const [i, { name: attribute, value }] of written.entries()) {
     const quoted = value === '' ? '' : `"${value.replaceAll('&', '&amp;').replaceAll('"', '&quot;')}"`;
     const length = attribute.length + (quoted === '' ? 0 : quoted.length + 1);
-    const folds = column + 1 + length > lineLength;
+    const after = i === written.length - 1 ? ending : 0;
+    const folds = column + 1 + length + after > lineLength;
     const before = folds ? `\n${indent}    ` : ' ';
     column = (folds ? indent.length + 4 : column + 1) + length;
     pieces.push(plain(before + attribute + (quoted === '' ? '' : '=')));

@@ -1,4 +1,9 @@
 // Types of what the build makes of the package's manifest and of imports of markup as text (.ci/site/plugin.ts).
+interface ImportMeta {
+  /** Vite's import of all files that a pattern names. */
+  glob<T>(pattern: string, options: Readonly<Record<string, string | boolean>>): Record<string, T>;
+}
+
 declare module 'virtual:attributes' {
   /** The documented attributes by tag. */
   const attributes: Readonly<Record<string, readonly string[]>>;

@@ -10,9 +10,16 @@ import {
   type CompletionResult,
 } from '@codemirror/autocomplete';
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
-import { HighlightStyle, LRLanguage, syntaxHighlighting } from '@codemirror/language';
-import { Annotation, EditorState } from '@codemirror/state';
-import { EditorView, keymap } from '@codemirror/view';
+import { HighlightStyle, LRLanguage, syntaxHighlighting, syntaxTree } from '@codemirror/language';
+import { Annotation, EditorState, type Range } from '@codemirror/state';
+import {
+  Decoration,
+  type DecorationSet,
+  EditorView,
+  keymap,
+  ViewPlugin,
+  type ViewUpdate,
+} from '@codemirror/view';
 import { tags as kinds } from '@lezer/highlight';
 import { parser } from '@lezer/html';
 import tags from 'virtual:html-data';
@@ -43,6 +50,7 @@ export function startEditor(place: HTMLElement, text: string, changed: (text: st
         // Tab keeps moving the focus, so that the keyboard can leave the editor.
         keymap.of([...completionKeymap, ...defaultKeymap, ...historyKeymap]),
         EditorView.lineWrapping,
+        unbrokenAttributes,
         EditorView.domEventHandlers({ beforeinput: replaceSelected }),
         EditorView.contentAttributes.of({
           'aria-label': 'Markup of the scene',
@@ -86,6 +94,41 @@ function replaceSelected(event: InputEvent, view: EditorView): boolean {
   return true;
 }
 
+/** Keeps each attribute with its value on one line: lines break between attributes, where there is room for one. */
+const unbrokenAttributes = ViewPlugin.fromClass(
+  class {
+    decorations: DecorationSet;
+
+    constructor(view: EditorView) {
+      this.decorations = attributesOf(view);
+    }
+
+    update({ view, docChanged, viewportChanged, geometryChanged, startState, state }: ViewUpdate): void {
+      if (docChanged || viewportChanged || geometryChanged || syntaxTree(startState) !== syntaxTree(state))
+        this.decorations = attributesOf(view);
+    }
+  },
+  { decorations: (plugin) => plugin.decorations },
+);
+
+const unbroken = Decoration.mark({ class: 'cm-attribute' });
+
+function attributesOf(view: EditorView): DecorationSet {
+  const { state, visibleRanges } = view;
+  // Longer ones would leave most of a line empty.
+  const longest = Math.min(46, view.contentDOM.clientWidth / view.defaultCharacterWidth - 10);
+  const marks: Range<Decoration>[] = [];
+  for (const { from, to } of visibleRanges)
+    syntaxTree(state).iterate({
+      ...{ from, to },
+      enter: (node) => {
+        if (node.name === 'Attribute' && node.to - node.from <= longest)
+          marks.push(unbroken.range(node.from, node.to));
+      },
+    });
+  return Decoration.set(marks, true);
+}
+
 const highlighting = HighlightStyle.define([
   { tag: kinds.tagName, fontWeight: '600' },
   { tag: kinds.attributeValue, color: 'var(--ambient)' },
@@ -99,6 +142,7 @@ const theme = EditorView.theme({
   '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '1.55' },
   '.cm-content': { padding: '0.5rem 0', caretColor: 'var(--ink)' },
   '.cm-line': { padding: '0 0.75rem' },
+  '.cm-attribute': { display: 'inline-block', maxWidth: '100%' },
   '.cm-cursor': { borderLeftColor: 'var(--ink)' },
   '.cm-tooltip': { backgroundColor: 'var(--paper)', color: 'var(--ink)', border: '1px solid var(--quiet)' },
   '.cm-tooltip-autocomplete ul li[aria-selected]': { backgroundColor: 'var(--ink)', color: 'var(--paper)' },

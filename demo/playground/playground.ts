@@ -11,19 +11,12 @@ import { showScene } from './show.js';
 const ADDRESS_MS = 400;
 /** Milliseconds without a change in the picture before it is written into the markup. */
 const SETTLE_MS = 300;
-/** Characters per line of markup that the page writes. */
-const LINE_LENGTH = 76;
-
-/** Far more than a person writes by hand: 0.23 GB. The text may come from a stranger's link. */
-const MOST_TRIANGLES = 2 ** 22;
-
 const part = <T extends HTMLElement>(id: string): T => document.getElementById(id) as T;
 const viewer = part<HTMLElementTagNameMap['phong-viewer']>('scene');
+const picture = viewer.parentElement!;
 const gate = part('gate');
 const choice = part<HTMLSelectElement>('example');
 const area = part<HTMLTextAreaElement>('text');
-
-viewer.maxTriangles = MOST_TRIANGLES;
 
 let text = '';
 /** The scene that the viewer shows; null before the first. */
@@ -50,8 +43,11 @@ function write(next: string): void {
   touched = false;
   showScene(viewer, shown, permitted);
   shown = permitted;
-  shownMarkup = viewer.toHTML();
+  shownMarkup = liveMarkup();
 }
+
+/** Of the viewer, or of the comparison that it is in. */
+const liveMarkup = (): string => (viewer.closest('phong-compare') ?? viewer).toHTML();
 
 function say(messages: readonly string[]): void {
   part('messages').replaceChildren(
@@ -94,7 +90,7 @@ function settle(): void {
 function writeBack(): void {
   // Files that wait for a click are not in the viewer, and so not in its markup.
   if (!gate.hidden) return;
-  const markup = viewer.toHTML();
+  const markup = liveMarkup();
   if (markup === shownMarkup) return;
   const scene = readScene(markup, document.baseURI);
   if (typeof scene === 'string') return;
@@ -112,7 +108,8 @@ for (const type of ['pointerdown', 'keydown', 'wheel', 'input', 'drop'] as const
     if (type === 'pointerdown') pressed = true;
     settle();
   };
-  viewer.addEventListener(type, noteTouch, { passive: true });
+  // Before the viewer, which keeps the keys that it uses.
+  picture.addEventListener(type, noteTouch, { passive: true, capture: true });
 }
 for (const type of ['pointerup', 'pointercancel', 'blur'] as const) {
   addEventListener(type, () => {
@@ -172,14 +169,17 @@ function start(next: string): void {
 
 /** An example as the playground writes markup: several attributes on a line, and with the panel. */
 function textOf(source: string): string {
-  const scene = readScene(source.replace('<phong-viewer', '<phong-viewer gui'), document.baseURI);
+  const scene = readScene(source.replace(/^<phong-viewer/, '<phong-viewer gui'), document.baseURI);
   return typeof scene === 'string' ? source : written(scene);
 }
+
+/** Characters per line of markup that the page writes: as many as the field shows, 76 at most. */
+const lineLength = (): number => Math.min(76, Math.floor((part('editor').clientWidth - 40) / 7.9));
 
 /** The scene as markup. */
 function written(scene: Scene): string {
   const element = sceneElement(scene);
-  const pieces = element === null ? [] : markupOf(element, LINE_LENGTH);
+  const pieces = element === null ? [] : markupOf(element, lineLength());
   return `${pieces.map((piece) => piece.text).join('')}\n`;
 }
 
@@ -196,21 +196,53 @@ choice.addEventListener('change', () => {
 });
 area.addEventListener('input', () => typed(area.value));
 addEventListener('hashchange', () => void open());
-part('share').addEventListener('click', () => {
-  void putInAddress().then(async () => {
+/** A button that puts the scene somewhere else, and says where. A failure is a sentence too. */
+function sharing(id: string, share: (scene: Scene) => Promise<string>): void {
+  part(id).addEventListener('click', () => {
     const said = part<HTMLOutputElement>('shared');
-    try {
-      await navigator.clipboard.writeText(location.href);
-      said.textContent = 'Copied.';
-    } catch {
-      said.textContent = 'The link is in the address bar.';
-    }
+    if (shown === null) return;
+    share(shown).then(
+      (words) => (said.textContent = words),
+      (error: unknown) => (said.textContent = error instanceof Error ? error.message : String(error)),
+    );
   });
+}
+
+async function copied(words: string, otherwise: string): Promise<string> {
+  try {
+    await navigator.clipboard.writeText(words);
+    return 'Copied.';
+  } catch {
+    return otherwise;
+  }
+}
+
+sharing('link', async () => {
+  await putInAddress();
+  return copied(location.href, 'The link is in the address bar.');
+});
+sharing('frame', async (scene) => {
+  const { frameOf } = await import('./share.js');
+  const frame = await frameOf(scene, document.baseURI);
+  return copied(frame, frame);
+});
+sharing('file', async (scene) => {
+  const { fileOf } = await import('./share.js');
+  const file = URL.createObjectURL(new Blob([await fileOf(scene, document.baseURI)], { type: 'text/html' }));
+  const anchor = document.createElement('a');
+  anchor.href = file;
+  anchor.download = 'scene.html';
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(file), 60_000);
+  return 'Saved as scene.html.';
 });
 
 await open();
-// The picture comes first. The text can be changed in the plain field until the editor is there.
-await viewer.ready;
+// The first picture comes first, not the converged one. The text can be changed in the plain field until then.
+await Promise.race([
+  viewer.ready,
+  new Promise((resolve) => viewer.addEventListener('render', resolve, { once: true })),
+]);
 const { startEditor } = await import('./editor.js');
 const focused = document.activeElement === area;
 editor = startEditor(part('editor'), text, typed);

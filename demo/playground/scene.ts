@@ -13,6 +13,10 @@ export interface SceneElement {
 export interface Scene {
   /** The viewer first, then its lights and meshes in document order. */
   readonly elements: readonly SceneElement[];
+  /** The comparison around the viewer; null if it stands alone. */
+  readonly comparison: SceneElement | null;
+  /** The other viewers of the comparison, each with its lights and meshes. */
+  readonly others: readonly (readonly SceneElement[])[];
   /** What the text contains besides, as sentences for the user. At most {@link MOST_MESSAGES}. */
   readonly leftOut: readonly string[];
   /** Origins of other hosts that the scene wants to load files from. */
@@ -21,6 +25,10 @@ export interface Scene {
 
 /** Far more than a person writes. Each mesh costs memory, so a short link must not ask for tens of thousands. */
 export const MOST_ELEMENTS = 1000;
+/** The same in triangles: 0.23 GB. */
+export const MOST_TRIANGLES = 2 ** 22;
+/** Viewers of a comparison. */
+const MOST_VIEWERS = 4;
 const MOST_MESSAGES = 5;
 /** Characters of a name in a message. */
 const LONGEST_NAME = 40;
@@ -44,17 +52,20 @@ export function readScene(text: string, base: string): Scene | string {
   if (viewer === undefined) return 'Write a <phong-viewer> to see a picture.';
   const reader = new SceneReader(base);
   reader.readAround(parsed, viewer);
-  reader.readViewer(viewer);
-  if (reader.elements.length > MOST_ELEMENTS) {
+  const elements = reader.readViewer(viewer);
+  const { comparison, others } = reader.readComparison(viewer);
+  if (reader.count > MOST_ELEMENTS) {
     return `The scene has too many elements to show: at most ${MOST_ELEMENTS.toLocaleString('en')}.`;
   }
-  return { elements: reader.elements, leftOut: reader.sentences(), hosts: [...reader.hosts] };
+  const found = { leftOut: reader.sentences(), hosts: [...reader.hosts] };
+  return { elements, comparison, others, ...found };
 }
 
 const isHtml = (element: Element): boolean => element.namespaceURI === HTML;
 
 class SceneReader {
-  readonly elements: SceneElement[] = [];
+  /** Of all elements that were kept. */
+  count = 0;
   readonly hosts = new Set<string>();
   readonly #base: string;
   readonly #leftOut = new Set<string>();
@@ -68,18 +79,32 @@ class SceneReader {
     for (const element of parsed.querySelectorAll('head > *, body > *')) {
       if (!element.contains(viewer)) this.#leave(`<${clipped(element.localName)}>`);
     }
-    // One viewer is shown: the first of a comparison.
-    if (viewer.closest(COMPARISON) !== null) this.#leave(`<${COMPARISON}>`);
   }
 
-  readViewer(viewer: Element): void {
-    this.#keep(viewer);
+  /** What is around the first viewer, if it is a comparison. */
+  readComparison(viewer: Element): Pick<Scene, 'comparison' | 'others'> {
+    const compare = viewer.closest(COMPARISON);
+    if (compare === null) return { comparison: null, others: [] };
+    const others = [...compare.children].filter((child) => {
+      if (child.localName !== VIEWER) this.#leave(`<${clipped(child.localName)}>`);
+      return child.localName === VIEWER && child !== viewer;
+    });
+    if (others.length >= MOST_VIEWERS) this.#leave(`viewers after ${String(MOST_VIEWERS)}`);
+    return {
+      comparison: this.#kept(compare),
+      others: others.slice(0, MOST_VIEWERS - 1).map((other) => this.readViewer(other)),
+    };
+  }
+
+  readViewer(viewer: Element): readonly SceneElement[] {
+    const elements = [this.#kept(viewer)];
     const filter = (node: Node): number => this.#filter(node as Element);
     const walker = viewer.ownerDocument.createTreeWalker(viewer, NodeFilter.SHOW_ELEMENT, filter);
     for (let node = walker.nextNode(); node !== null; node = walker.nextNode()) {
-      if (this.elements.length > MOST_ELEMENTS) return;
-      this.#keep(node as Element);
+      if (this.count > MOST_ELEMENTS) break;
+      elements.push(this.#kept(node as Element));
     }
+    return elements;
   }
 
   sentences(): readonly string[] {
@@ -98,7 +123,7 @@ class SceneReader {
     return localName === VIEWER ? NodeFilter.FILTER_REJECT : NodeFilter.FILTER_SKIP;
   }
 
-  #keep(element: Element): void {
+  #kept(element: Element): SceneElement {
     const tag = element.localName;
     const names = documented.get(tag);
     const kept = new Map<string, string>();
@@ -106,7 +131,8 @@ class SceneReader {
       if (names?.has(name) !== true) this.#leave(`${clipped(name)} of <${tag}>`);
       else if (!LOADING.has(name) || this.#mayLoad(name, value, tag)) kept.set(name, value);
     }
-    this.elements.push({ tag, attributes: kept });
+    this.count++;
+    return { tag, attributes: kept };
   }
 
   #mayLoad(name: string, value: string, tag: string): boolean {
@@ -130,18 +156,25 @@ const clipped = (name: string): string =>
 /** The scene as one element of a document that runs nothing, to be written as markup. */
 export function sceneElement(scene: Scene): Element | null {
   const inert = document.implementation.createHTMLDocument('');
-  const [viewer, ...children] = scene.elements.map(({ tag, attributes: all }) => {
+  const build = ({ tag, attributes: all }: SceneElement): HTMLElement => {
     const element = inert.createElement(tag);
     for (const [name, value] of all) element.setAttribute(name, value);
     return element;
+  };
+  const viewers = [scene.elements, ...scene.others].map((elements) => {
+    const [viewer, ...children] = elements.map(build);
+    viewer?.append(...children);
+    return viewer!;
   });
-  viewer?.append(...children);
-  return viewer ?? null;
+  if (scene.comparison === null) return viewers[0] ?? null;
+  const compare = build(scene.comparison);
+  compare.append(...viewers);
+  return compare;
 }
 
 /** The scene without the files of other hosts, unless the user has allowed these. */
 export function withoutHosts(scene: Scene, allowed: ReadonlySet<string>, base: string): Scene {
-  const elements = scene.elements.map(({ tag, attributes: all }) => ({
+  const permitted = ({ tag, attributes: all }: SceneElement): SceneElement => ({
     tag,
     attributes: new Map(
       [...all].filter(([name, value]) => {
@@ -150,6 +183,10 @@ export function withoutHosts(scene: Scene, allowed: ReadonlySet<string>, base: s
         return kind === 'own' || (kind !== 'refused' && allowed.has(kind.host));
       }),
     ),
-  }));
-  return { ...scene, elements };
+  });
+  return {
+    ...scene,
+    elements: scene.elements.map(permitted),
+    others: scene.others.map((other) => other.map(permitted)),
+  };
 }

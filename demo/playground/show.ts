@@ -1,6 +1,6 @@
 // How does the live viewer follow the scene? What has not changed is left alone, so that the camera, the panel and
 // loaded models stay while someone types. Builds only the elements of a checked scene.
-import type { Scene, SceneElement } from './scene.js';
+import { MOST_TRIANGLES, type Scene, type SceneElement } from './scene.js';
 
 type Viewer = HTMLElementTagNameMap['phong-viewer'];
 
@@ -11,6 +11,8 @@ export function showScene(viewer: Viewer, before: Scene | null, scene: Scene): v
   const live = [...viewer.querySelectorAll<HTMLElement>('phong-light, phong-mesh')];
   const known = before?.elements ?? [];
   update(viewer, known[0], root);
+  compareWith(viewer, before, scene);
+  viewer.maxTriangles = MOST_TRIANGLES / (1 + scene.others.length);
   // The panel's markup may list the children in another order than they stand in: then all are built again.
   const inStep = live.length === known.length - 1 && live.every((e, i) => e.localName === known[i + 1]!.tag);
   if (!inStep) {
@@ -25,6 +27,29 @@ export function showScene(viewer: Viewer, before: Scene | null, scene: Scene): v
   });
   for (const element of live.slice(children.length)) element.remove();
 }
+
+/** Puts the viewer into the scene's comparison, or out of one. The other viewers are built again where they changed. */
+function compareWith(viewer: Viewer, before: Scene | null, scene: Scene): void {
+  const around = viewer.closest('phong-compare');
+  if (scene.comparison === null) {
+    around?.replaceWith(viewer);
+    return;
+  }
+  const compare = around ?? document.createElement('phong-compare');
+  if (around === null) viewer.replaceWith(compare);
+  update(compare, before?.comparison ?? undefined, scene.comparison);
+  if (around !== null && before !== null && textOf(before.others) === textOf(scene.others)) return;
+  const others = scene.others.map(([root, ...children]) => {
+    const other = built(root!) as Viewer;
+    other.maxTriangles = MOST_TRIANGLES / (1 + scene.others.length);
+    other.append(...children.map(built));
+    return other;
+  });
+  compare.replaceChildren(viewer, ...others);
+}
+
+const textOf = (viewers: Scene['others']): string =>
+  JSON.stringify(viewers.map((one) => one.map(({ tag, attributes }) => [tag, ...attributes])));
 
 function built(element: SceneElement): HTMLElement {
   const made = document.createElement(element.tag);

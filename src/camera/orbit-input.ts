@@ -221,6 +221,8 @@ export class OrbitInput {
     if (step === undefined || !(step.kind === 'turn' ? orbit : step.kind === 'zoom' ? zoom : orbit || zoom))
       return;
     event.preventDefault();
+    // In slides the page would turn to the next one.
+    event.stopPropagation();
     if (step.kind === 'reset') {
       this.#host.reset();
       this.reanchor();

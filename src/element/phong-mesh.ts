@@ -16,8 +16,8 @@ interface MeshElement extends MeshProperties {
 }
 
 /**
- * A mesh of the `<phong-viewer>` around it. Its properties have the attributes' names. A bad attribute value warns and
- * gives the default; a bad property value throws.
+ * A mesh of the nearest `<phong-viewer>` around it, as with lights. Its properties have the attributes' names. A bad
+ * attribute value warns and gives the default; a bad property value throws.
  */
 class MeshElement extends ChildElement<MeshValues> implements PublicMesh {
   static readonly observedAttributes: readonly string[] = attributesOf(MESH_FIELDS);

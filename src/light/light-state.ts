@@ -20,7 +20,7 @@ export const LIGHT_SPACES = ['world', 'camera'] as const satisfies readonly Ligh
 export interface LightValues {
   /** Text shown in the panel and in explanations. Default: empty, shown as `light N`. */
   name: string;
-  /** Whether the light takes part at all. Default true. */
+  /** Whether the light takes part. An inactive light costs no shading. Default true. */
   active: boolean;
   /** Ia: colour of the light's ambient term; 255 is full, more is a brighter light, up to 1e6. Default 0 0 0. */
   ambient: Vec3;
@@ -29,15 +29,18 @@ export interface LightValues {
   /** Is: colour of the specular term, as `ambient`. Default 255 255 255. */
   specular: Vec3;
   /**
-   * Homogeneous position. w = 1: the light's place, in scene units; w = 0: the vector that points to a light
-   * infinitely far away. Default 1 2 3 0.
+   * Homogeneous position x y z w. w = 1: the light's place, in scene units; w = 0: the vector that points to a light
+   * infinitely far away. Three numbers mean w = 1. Default 1 2 3 0.
    */
   position: Vec4;
   /** Where a spot points, away from the light; any length. Zero: no spot. Default 0 0 -1. */
   axis: Vec3;
-  /** Half-angle of a spot's cone in degrees, 0–180. 180 means no cone. Default 180. */
+  /** Half-angle of a spot's cone in degrees, 0–180: a hard edge. 180 means no cone. Default 180. */
   aperture: number;
-  /** Exponent of the decay away from a spot's axis, >= 0. Below 1e-6: no decay. Default 0. */
+  /**
+   * Exponent of the decay away from a spot's axis, >= 0: a soft edge. 20° off the axis 1 leaves 0.97 of the light, 4
+   * leaves 0.88, 12 leaves 0.69, 48 leaves 0.23. Below 1e-6: no decay. Default 0.
+   */
   cutoff: number;
   /** kc, kl and kq of 1 / max(kc + kl·d + kq·d², 1); positional lights only. Default 1 0 0: none. */
   attenuation: Vec3;

@@ -11,7 +11,7 @@ export interface SurfaceValues {
   kd: Vec3;
   /** Ks: the same of specular light. Default 128 128 128. */
   ks: Vec3;
-  /** Specular exponent. Unitless, 0 to 1e6, default 32. Below 1e-6 it makes a constant lobe. */
+  /** Specular exponent n. Below 1e-6 it makes a constant lobe. Default 32. */
   shininess: number;
 }
 

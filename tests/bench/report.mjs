@@ -1,5 +1,5 @@
 // @ts-check
-// `npm run bench:report`: writes REPORT.md, charts/ and the README's figures from all results. Nothing in them is typed by hand.
+// `npm run bench:report`: writes REPORT.md, charts/ and the README's sentence from all results. Nothing in them is typed by hand.
 
 import { mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -21,7 +21,7 @@ import {
   taa,
   WITHIN,
 } from './pictures.mjs';
-import { writeFigures } from './readme.mjs';
+import { writeSentence } from './readme.mjs';
 import { ratioOf, ratioOverSubjects, ratioToBest, readResults, valueOf } from './results.mjs';
 import { median, pairedRatios } from './statistics.mjs';
 import { modelSubject, modelSubjects, NETWORKS, PICTURES, pictureSubject, SUBJECTS } from './subjects.mjs';
@@ -31,7 +31,7 @@ import { modelSubject, modelSubjects, NETWORKS, PICTURES, pictureSubject, SUBJEC
 const here = fileURLToPath(new URL('.', import.meta.url));
 
 const USAGE = `
-npm run bench:report -- [options]: writes REPORT.md, its charts and the README's figures from the results
+npm run bench:report -- [options]: writes REPORT.md, its charts and the README's sentence from the results
   --folder DIR   holds results/ and gets REPORT.md and charts/; default tests/bench. Another one leaves the README alone
   --help`;
 
@@ -48,7 +48,7 @@ export function reportOf(results) {
   );
   const report = `# What the bench measured
 
-Written by \`npm run bench:report\` from \`results/\`. Ratios are to plain three.js with MeshPhongMaterial on a canvas with the same
+For people who ask what a picture costs. Written by \`npm run bench:report\` from \`results/\`. Ratios are to plain three.js with MeshPhongMaterial on a canvas with the same
 attributes, measured in turns in the same browser: the median of the rounds' ratios, with quartiles in brackets. Frame times are the
 GPU's own, in software the CPU time of the GPU process. The longest frame is wall time, and so is the start. Script is the CPU time
 of the page's main thread; its ratios are to three's frame of one unlit mesh.
@@ -330,5 +330,5 @@ if (process.argv[1] === fileURLToPath(import.meta.url)) {
   for (const [file, svg] of charts) writeFileSync(join(folder, 'charts', file), `${svg}\n`);
   writeFileSync(join(folder, 'REPORT.md'), report);
   console.log(`REPORT.md and ${charts.size} charts from ${results.length} results`);
-  if (folder === here) writeFigures(results);
+  if (folder === here) writeSentence(results);
 }

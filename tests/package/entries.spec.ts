@@ -32,10 +32,11 @@ test.describe('the packed package', () => {
   const intended = [
     /^(package\.json|README\.md|LICENSE|CHANGELOG\.md)$/,
     // What the README links to.
-    /^(src\/[A-Z-]+\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
+    /^(src\/[A-Z-]+\.md|\.github\/SECURITY\.md|tests\/(bench|stress)\/REPORT\.md|tests\/bench\/charts\/[\w-]+\.svg|demo\/assets\/images\/readme\.png)$/,
     /^dist\/(index|trusted-types|core|reference|react|react-standalone|playwright)\.js(\.map)?$/,
     /^dist\/react(-standalone)?-client\.js$/,
     /^dist\/phong-viewer\.(standalone|classic)\.js$/,
+    /^dist\/embed\.(html|js)$/,
     /^dist\/shared\/[\w.-]+\.js(\.map)?$/,
     /^dist\/chunks\/[\w.-]+\.js$/,
     /^dist\/(chunks|shared)\/(basis_transcoder|draco_decoder)\.wasm$/,

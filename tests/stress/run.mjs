@@ -176,7 +176,7 @@ async function builtHarness() {
   const { build } = await import('vite');
   const { outputFolder } = await import('../../.ci/output-folder.mjs');
   const repository = fileURLToPath(new URL('../..', import.meta.url));
-  await build({ configFile: join(repository, 'vite.harness.config.ts'), logLevel: 'warn' });
+  await build({ configFile: join(repository, '.ci/vite/harness.config.ts'), logLevel: 'warn' });
   return outputFolder('dist-harness');
 }
 

@@ -5,6 +5,7 @@ import { createRequire } from 'node:module';
 import { Ajv } from 'ajv';
 import type { CustomElementDeclaration } from 'custom-elements-manifest';
 import { describe, expect, it } from 'vitest';
+import { attributesPage } from '../../.ci/manifest/attributes-page.mjs';
 import { describeElements } from '../../.ci/manifest/elements.mjs';
 import { customElementsManifest, vsCodeHtmlData, webTypes } from '../../.ci/manifest/formats.mjs';
 import * as tables from '../../.ci/manifest/tables.js';
@@ -33,6 +34,11 @@ const fieldOf = (title: string) => {
   const [tag = '', name] = title.split(' ');
   return Object.entries(tables.fields[tag]!).find(([key]) => tables.attributeOf(key) === name)![1];
 };
+
+it('the page of attributes is written from the fields (`npm run manifest` writes it again)', () => {
+  const page = readFileSync(new URL('../../src/ATTRIBUTES.md', import.meta.url), 'utf8');
+  expect(page).toBe(attributesPage(elements));
+});
 
 describe('the custom elements manifest', () => {
   it('keeps to the published schema', () => {

@@ -1,4 +1,4 @@
-// The README's script about shadeAt, as a strict TypeScript project sees it: readme.test.ts compares the two.
+// The script about shadeAt in src/API.md, as a strict TypeScript project sees it: readme.test.ts compares the two.
 import '../../src/index.js';
 
 const fragment = await document.querySelector('phong-viewer')?.shadeAt(240, 100);

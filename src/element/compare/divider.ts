@@ -141,5 +141,6 @@ export class Divider {
     else if (step !== undefined) this.#host.move(this, place + step);
     else return;
     event.preventDefault();
+    event.stopPropagation();
   };
 }

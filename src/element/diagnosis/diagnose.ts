@@ -69,12 +69,26 @@ function diagnoseContent(viewer: Element): void {
         `Write </${parentElement?.localName ?? ''}> before it.`,
     );
   }
-  const hidden = hiddenContent(viewer);
+  const cut = cutByMarkdown(viewer);
+  const hidden = cut === 'code' ? 'its lights and meshes as code' : hiddenContent(viewer);
   if (hidden !== null)
-    warn(
-      `<phong-viewer> contains ${hidden}, which is not shown. ` +
-        'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.',
-    );
+    warn(`<phong-viewer> contains ${hidden}, which is not shown. ${cut === null ? UNCLOSED : EMPTY_LINE}`);
+}
+
+const UNCLOSED =
+  'HTML has no self-closed tags: write </phong-viewer> after the lights and meshes of each viewer.';
+
+const EMPTY_LINE =
+  'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+
+/**
+ * What Markdown made of the content after an empty line: a paragraph, in which the parser ignores the viewer's end tag,
+ * or code if the line was indented. Null if it was not Markdown.
+ */
+function cutByMarkdown(viewer: Element): 'paragraph' | 'code' | null {
+  for (const code of viewer.querySelectorAll('pre > code'))
+    if (/<\/?phong-/.test(code.textContent)) return 'code';
+  return viewer.querySelector('p > :is(phong-light, phong-mesh)') === null ? null : 'paragraph';
 }
 
 /** Tags inside a viewer that look like this package's, but are not defined. */
@@ -86,6 +100,10 @@ const unknownTags = (viewer: Element): string[] =>
 function lonely(element: Element): string {
   const name = element.getAttribute('name') ?? '';
   const which = `<${element.localName}${name === '' ? '' : ` name="${clip(name)}"`}>`;
+  // Pandoc's Markdown makes a paragraph of each part.
+  const before = element.closest('p')?.previousElementSibling;
+  if (before?.matches('p:has(phong-viewer)') === true)
+    return `${which} is not inside a <phong-viewer>, so it has no effect. ${EMPTY_LINE}`;
   return element.closest('phong-viewer') === null
     ? `${which} is not inside a <phong-viewer>, so it has no effect. Move it into one.`
     : `${which} is inside an element with a slot, so it has no effect. Move it out of that element.`;

@@ -35,7 +35,7 @@ export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
 export type Helper = (typeof HELPERS)[number];
 
 export interface CameraValues {
-  /** Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z. Default 30. */
+  /** Azimuth of the eye about +y in degrees, any finite number; 0 looks from +z, 90 from +x. Default 30. */
   theta: number;
   /** Polar angle of the eye from +y in degrees, 0–180. Default 70. */
   phi: number;
@@ -46,18 +46,28 @@ export interface CameraValues {
 }
 
 export interface ViewerValues extends ShapeValues, CameraValues {
-  /** The picture in words. Empty, the default: none. The attribute alt="" says that the picture is decoration. */
+  /**
+   * The picture in words. Empty, the default: none. The attribute `alt=""` says that the picture is decoration. Without
+   * it, and without `aria-label` or `aria-labelledby`, the console warns.
+   */
   alt: string;
-  /** Address of an image shown until the first picture is drawn. Default empty: none. */
+  /**
+   * Address of an image shown until the first picture is drawn. One that cannot be shown leaves nothing behind. Default
+   * empty: none.
+   */
   poster: string;
   /**
-   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing. `eager`:
-   * nothing, the picture is drawn off screen too. `lazy`: drawing and fetching models. Default auto.
+   * What waits until the viewer is in view or less than a screen height away from it. `auto`: drawing; models are
+   * fetched at once. `eager`: nothing, the picture is drawn off screen too, as screenshots of whole pages need. `lazy`:
+   * drawing and fetching models. Default auto.
    */
   loading: Loading;
   /** Files dropped on the viewer become its `src`. Default false. */
   droppable: boolean;
-  /** How files that a model names are fetched from other origins. Null, the default: not at all. */
+  /**
+   * How files that a model names are fetched from other origins: without (`anonymous`) or with credentials. Null, the
+   * default: not at all.
+   */
   crossOrigin: 'anonymous' | 'use-credentials' | null;
   /** Vertical field of view in degrees, 1–170. Default 45. */
   fov: number;
@@ -71,7 +81,7 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   shading: Shading;
   /** Specular lobe: R·V or N·H. Default phong. */
   reflection: Reflection;
-  /** Which terms are summed. Default all three; an empty list sums none. */
+  /** Which terms are summed; an empty list sums none. Default all three. */
   terms: readonly Term[];
   /** `srgb` shades encoded colours; `linear` decodes them first and encodes the sum. Default srgb. */
   colorInterpolation: ColorInterpolation;
@@ -95,8 +105,8 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** What the picture shows: the shaded colours, or one quantity of the equation with a legend. Default shaded. */
   view: View;
   /**
-   * Name of the light that `view` is limited to. Empty, the default: all lights, or the first active one where a view
-   * is of one.
+   * Name of the light that `view` is limited to, `shaded` too. A name that no light has warns, and the picture is black.
+   * Empty, the default: all lights, or the first active one where a view is of one.
    */
   viewLight: string;
   /** The user can point at the picture to see N, L, R and V there, and the sum light by light. Default false. */
@@ -109,9 +119,9 @@ export interface ViewerValues extends ShapeValues, CameraValues {
   /** Viewers of a page with the same name here move their cameras together. Empty, the default: alone. */
   cameraGroup: string;
   /**
-   * The control panel is shown. A list of folders (`lights camera shading show meshes`) opens these; a list of
-   * attributes of lights, meshes and the viewer shows only their rows, in this order and without folders. Default
-   * false.
+   * The control panel is shown: beside the picture from 640 px on, over it below. A list of folders (`lights camera
+   * shading show meshes`) opens these; a list of attributes of lights, meshes and the viewer shows only their rows, in
+   * this order and without folders. `gui="false"` is off. Default false.
    */
   gui: boolean | readonly string[];
 }
@@ -120,36 +130,11 @@ export interface ViewerValues extends ShapeValues, CameraValues {
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
 /** Attributes whose rows `gui` can show alone: those of all elements that the panel edits. */
-export const GUI_ROWS = [
-  ...[
-    'active',
-    'ambient',
-    'diffuse',
-    'specular',
-    'position',
-    'axis',
-    'aperture',
-    'cutoff',
-    'attenuation',
-    'space',
-  ],
-  ...[
-    'ka',
-    'kd',
-    'ks',
-    'shininess',
-    'segments',
-    'rotation',
-    'scale',
-    'name',
-    'theta',
-    'phi',
-    'radius',
-    'target',
-  ],
-  ...['fov', 'auto-rotate', 'shading', 'reflection', 'terms', 'color-interpolation', 'antialias', 'samples'],
-  ...['view', 'view-light', 'helpers', 'probe'],
-] as const;
+export const GUI_ROWS: readonly string[] = (
+  'active ambient diffuse specular position axis aperture cutoff attenuation space ka kd ks shininess segments ' +
+  'rotation scale name theta phi radius target fov auto-rotate shading reflection terms color-interpolation ' +
+  'antialias samples view view-light helpers probe'
+).split(' ');
 
 export const CAMERA_FIELDS: Fields<CameraValues> = {
   theta: numberField(30, {}),

@@ -86,6 +86,7 @@ export class ViewerDisplay {
     // Escape must do nothing else then, such as closing a dialog around the viewer.
     const escapes = (event as KeyboardEvent).key === 'Escape' && !event.defaultPrevented;
     if (escapes && this.#failure.dismiss()) event.preventDefault();
+    if (isUsed(event as KeyboardEvent)) event.stopPropagation();
   };
 
   readonly #dropPoster = (): void => {
@@ -192,4 +193,17 @@ class ViewerStates {
       this.#states = undefined; // Chrome before 125 accepts only names that begin with two dashes
     }
   }
+}
+
+/**
+ * Whether a key has done something inside the viewer: by a handler, or in a field or button. Such keys do not reach the
+ * page, where they would turn a slide.
+ */
+function isUsed(event: KeyboardEvent): boolean {
+  if (event.defaultPrevented) return true;
+  if (event.ctrlKey || event.altKey || event.metaKey || event.key === 'Tab' || event.key === 'Escape')
+    return false;
+  const [target] = event.composedPath() as [Element];
+  // What is slotted is the page's own.
+  return target.getRootNode() === event.currentTarget && target.matches('button, input, select, textarea');
 }

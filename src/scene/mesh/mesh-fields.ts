@@ -27,18 +27,24 @@ import { MODEL_TYPES, type ModelType } from '../../model/format-names.js';
 
 /** Where a mesh's triangles come from. `src` wins if both are given. */
 export interface ShapeValues extends SurfaceValues {
-  /** URL of a model, relative to the page, or a `Blob` or `File` that holds one (property only); empty for none. */
+  /**
+   * URL of a model, relative to the page, used instead of `geometry`; or a `Blob` or `File` that holds one (property
+   * only). Empty for none.
+   */
   src: string | Blob;
   /**
    * Format of `src`, where content, extension and server do not tell: `obj` or `model/obj`, for example. Default null.
    */
   type: ModelType | null;
-  /** A built-in shape; null for none. */
+  /**
+   * A built-in shape, centred on the origin: `box` (1 × 1 × 1), `sphere` (⌀ 1), `cylinder`, `cone` and `pyramid` (⌀ 1,
+   * height 1), `torus` (outer ⌀ 1), `torus-knot` and `teapot` (in a unit box), `plane` (1 × 1, facing +y). Null for none.
+   */
   geometry: GeometryName | null;
   /**
    * Segments around the shape, 1–512, or `auto`: under Phong shading as many as a round shape's outline (1/4 of a device
    * pixel) and the shading of its faces (one code) need, within what its pixels allow; otherwise the shape's own number,
-   * as for shapes with flat faces. Default auto.
+   * as for shapes with flat faces. Framing and zoom always measure the round shape. Default auto.
    */
   segments: number | 'auto';
   /**
@@ -53,15 +59,15 @@ export interface ShapeValues extends SurfaceValues {
 export interface MeshValues extends ShapeValues {
   /** Shown in the panel and in explanations. */
   name: string;
-  /** Scene units. Default 0 0 0. */
+  /** Place of its origin, in scene units. Default 0 0 0. */
   position: Vec3;
   /** Degrees about x, y, z: three.js's Euler order XYZ, right-handed. Default 0 0 0. */
   rotation: Vec3;
-  /** Factors along the mesh's own axes, −1e12 to 1e12; negative ones mirror. Default 1 1 1. */
+  /** Factors along the mesh's own axes, one or three; negative ones mirror. Default 1 1 1. */
   scale: Vec3;
-  /** Null for the viewer's. */
+  /** How this mesh is shaded, as for the viewer. Null, the default: as the viewer says. */
   shading: Shading | null;
-  /** Null for the viewer's. */
+  /** Specular lobe of this mesh, as for the viewer. Null, the default: as the viewer says. */
   reflection: Reflection | null;
 }
 

@@ -1,6 +1,7 @@
 // Where is the camera, and what moves it besides drags: wheel, keys, properties, `auto`, time? Numbers are compared
 // with float64 formulas computed here. Viewers are 600 × 400 CSS pixels unless a test says otherwise.
 
+import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
 import { assign, cameraOf, drag, type PhongViewer, record, settled } from '../support/viewer.js';
 
@@ -110,6 +111,43 @@ test.describe('keys', () => {
     expect(await cameraOf(viewer)).toMatchObject({ theta: 90, phi: 0, eye: [0, 5, 0], up: [-1, 0, 0] });
     await settled(viewer);
   });
+});
+
+test('keys that the viewer uses do not reach the page, where they would turn a slide; others do', async ({
+  page,
+  mount,
+}) => {
+  const viewer = await mount(
+    '<phong-viewer geometry="box" gui helpers="lights"><phong-light></phong-light></phong-viewer>' +
+      '<phong-compare><phong-viewer></phong-viewer><phong-viewer></phong-viewer></phong-compare>',
+    { width: 900, height: 300 },
+  );
+  await viewer.getByText('add light').waitFor();
+  await page.evaluate(() => {
+    const keys: string[] = [];
+    document.addEventListener('keydown', ({ key }) => keys.push(key));
+    Object.assign(window, { keys });
+  });
+  const reached = async (target: Locator, ...keys: readonly string[]): Promise<string[]> => {
+    await target.focus();
+    for (const key of keys) await page.keyboard.press(key);
+    return page.evaluate(() => (window as unknown as { keys: string[] }).keys.splice(0));
+  };
+  expect(await reached(viewer.locator('[part~=surface]').first(), 'ArrowLeft', '+', 'Home', 'n')).toEqual([
+    'n',
+  ]);
+  expect(await reached(page.getByRole('separator'), 'ArrowRight', 'End', 'n')).toEqual(['n']);
+  expect(await reached(viewer.getByRole('button', { name: 'add light' }), ' ', 'Enter', 'Escape')).toEqual([
+    'Escape',
+  ]);
+  expect(
+    await reached(
+      viewer.getByRole('listbox', { name: 'Lights in the picture' }).locator('> *').first(),
+      'Enter',
+      'ArrowUp',
+      'Enter',
+    ),
+  ).toEqual([]);
 });
 
 test.describe('camera', () => {

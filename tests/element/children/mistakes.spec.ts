@@ -219,6 +219,26 @@ test.describe('a viewer whose end tag is missing', () => {
     ]);
   });
 
+  test('is put down to an empty line where Markdown made paragraphs or code of the lights', async ({
+    page,
+    mount,
+    consoleGuard,
+  }) => {
+    const cure =
+      'In Markdown an empty line ends the HTML: leave none between <phong-viewer> and </phong-viewer>.';
+    const warnings = claim(consoleGuard, 3);
+    // As markdown-it and Pandoc write it.
+    const code = '<pre><code>&lt;phong-light name=&quot;sun&quot;&gt;&lt;/phong-light&gt;\n</code></pre>';
+    const paragraph = `<phong-viewer alt="" geometry="box">\n<p>${light('')}\n</phong-viewer></p>\n<h2>Next</h2>\n`;
+    const paragraphs = `<p><phong-viewer alt="" geometry="box">${light('')}</p><p>${light('name="lamp"')}</phong-viewer></p>`;
+    await mount(`${scene(code)}<div>${paragraph}</div>${paragraphs}`, size);
+    expect(await reported(page, warnings, 3)).toEqual([
+      `<phong-light name="lamp"> is not inside a <phong-viewer>, so it has no effect. ${cure}`,
+      `<phong-viewer> contains its lights and meshes as code, which is not shown. ${cure}`,
+      `<phong-viewer> contains the text "Next", which is not shown. ${cure}`,
+    ]);
+  });
+
   test('is not assumed for wrappers, slots, scripts, or content before an end tag', async ({
     page,
     mount,

@@ -329,9 +329,9 @@ test('works before the first frame and off screen, and is null outside the page'
   expect(await explained(viewer, 30, 40)).toEqual(before);
 });
 
-test('prints the README’s output for its example', async ({ page, mount }) => {
-  const readme = readFileSync(new URL('../../../README.md', import.meta.url), 'utf8');
-  const section = /### Ask why a pixel has its colour\n([^]*?)\n## /.exec(readme)?.[1] ?? '';
+test('prints the output that the page about the API shows for its example', async ({ page, mount }) => {
+  const document = readFileSync(new URL('../../../src/API.md', import.meta.url), 'utf8');
+  const section = /## Ask why a pixel has its colour\n([^]*?)\n## /.exec(document)?.[1] ?? '';
   const [markup, script, output] = Array.from(section.matchAll(/```\w*\n([^]*?)```/g), (block) => block[1]!);
   // Its style attribute is refused by the strict policy.
   await mount(markup!, { csp: '', width: 400, height: 300 });

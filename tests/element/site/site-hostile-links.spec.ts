@@ -83,8 +83,9 @@ async function harm(page: Page): Promise<string[]> {
     if (document.querySelectorAll('style, iframe, object, embed, base').length > 0)
       found.push('markup leaked');
     if (getComputedStyle(document.body).display === 'none') found.push('the page was restyled');
-    const { width, height } = viewer.getBoundingClientRect();
-    if (Math.abs(width / height - 4 / 3) > 0.01) found.push('the picture was restyled');
+    const [place, own] = [viewer.parentElement!.clientWidth, viewer.clientWidth];
+    if (place !== own || getComputedStyle(viewer).position === 'fixed')
+      found.push('the picture was restyled');
     return found;
   });
 }
@@ -126,6 +127,30 @@ for (const isReported of [false, true]) {
     }
   });
 }
+
+test('the page for frames shows the same links as scenes only, and loads nothing from other sites', async ({
+  page,
+  site,
+  consoleGuard,
+}) => {
+  consoleGuard.allow(REPORTS);
+  const elsewhere: string[] = [];
+  page.on('request', (request) => {
+    if (!request.url().startsWith(site.origin)) elsewhere.push(request.url());
+  });
+  for (const [i, [name, text]] of Object.entries(HOSTILE).entries()) {
+    const alt = `hostile-${String(i)}`;
+    await openLink(page, linkTo(text(`alt="${alt}"`)).replace('playground/', 'embed.html'));
+    await expect(page.locator(`phong-viewer[alt=${alt}]`), name).toBeVisible();
+    await allReady(page);
+    expect.soft(await harm(page), name).toEqual([]);
+    expect.soft(elsewhere.splice(0), name).toEqual([]);
+    if (name === 'other hosts, spelled oddly')
+      await expect(page.getByRole('status')).toContainText('Files of other sites are not loaded here');
+  }
+  await openLink(page, 'embed.html#scene=AAAAAAAA____');
+  await expect(page.getByRole('status')).toContainText('This link is broken');
+});
 
 test('the removed parts are named, briefly', async ({ page, consoleGuard }) => {
   consoleGuard.allow(REPORTS);

@@ -4,7 +4,6 @@
 import type { Locator, Page } from '@playwright/test';
 import { accessibleNodes } from '../../a11y/tree.js';
 import { allReady, expect, test } from '../../support/test.js';
-import { linkTo } from '../../support/site-pages.js';
 import { drag, nextFrame, type PhongViewer } from '../support/viewer.js';
 
 async function open(page: Page, path: string): Promise<void> {
@@ -160,14 +159,6 @@ for (const [path, id] of [
 test('the guide prints every figure on paper', async ({ page }) => {
   await open(page, 'guide/see/');
   await expectPrinted(page);
-});
-
-test('the playground says that it shows one viewer of a comparison', async ({ page }) => {
-  const viewer = '<phong-viewer geometry="box" alt="A box"></phong-viewer>';
-  await page.goto(`/demo/${linkTo(`<phong-compare>${viewer}${viewer}</phong-compare>`)}`);
-  await allReady(page);
-  await expect(page.locator('#messages')).toHaveText('Left out: <phong-compare>.');
-  await expect(page.locator('phong-viewer')).toHaveCount(1);
 });
 
 test('the lights page draws its lights on request, and drags of them are in its listing', async ({

@@ -123,6 +123,21 @@ test('typing keeps the unchanged parts: the model is fetched once, the camera st
   expect(fetched).toBe(1);
 });
 
+test('a comparison is shown, a drag of its divider is written, and one viewer can be left', async ({
+  page,
+}) => {
+  await page.goto('/demo/playground/#example=compare');
+  await allReady(page);
+  await expect(page.locator('.cm-content')).toBeVisible();
+  await expect(page.locator('phong-compare > phong-viewer')).toHaveCount(2);
+  await expect(page.locator('#messages')).toBeEmpty();
+  await page.getByRole('separator').press('ArrowRight');
+  await expect.poll(() => textOf(page)).toContain('at="51"');
+  await rewrite(page, SCENE);
+  await expect(page.locator('phong-compare')).toHaveCount(0);
+  await expect(page.locator('phong-viewer')).toHaveCount(1);
+});
+
 test('the picture waits while the markup is incomplete', async ({ page }) => {
   const viewer = await open(page);
   await rewrite(page, '<phong-vie');
@@ -147,15 +162,15 @@ test('tags, attributes and words are completed', async ({ page }) => {
 });
 
 test('examples are opened by the list and by their address', async ({ page }) => {
-  await page.goto('/demo/playground/#example=facets');
-  await expect(page.locator('phong-viewer')).toHaveAttribute('shading', 'flat');
+  await page.goto('/demo/playground/#example=lesson');
+  await expect(page.locator('phong-viewer')).toHaveAttribute('view', 'n-dot-l');
   const choice = page.getByRole('combobox', { name: 'Example' });
-  await expect(choice).toHaveValue('facets');
-  await choice.selectOption('candle');
-  await expect(page.locator('phong-light[name=flame]')).toHaveCount(1);
-  await expect(page.locator('phong-viewer')).not.toHaveAttribute('shading');
+  await expect(choice).toHaveValue('lesson');
+  await choice.selectOption('spot');
+  await expect(page.locator('phong-light[name=spot]')).toHaveCount(1);
+  await expect(page.locator('phong-viewer')).not.toHaveAttribute('view');
   await page.goBack();
-  await expect(page.locator('phong-viewer')).toHaveAttribute('shading', 'flat');
+  await expect(page.locator('phong-viewer')).toHaveAttribute('view', 'n-dot-l');
 });
 
 test('the button copies a link to the current markup', async ({ page, context }) => {
@@ -169,4 +184,49 @@ test('the button copies a link to the current markup', async ({ page, context })
   await page.goto('about:blank');
   await page.goto(link);
   await expect(page.locator('phong-mesh')).toHaveAttribute('geometry', 'cone');
+});
+
+test('a frame and one HTML file show the scene with its model elsewhere, the file from disk too', async ({
+  page,
+  context,
+}, info) => {
+  await context.grantPermissions(['clipboard-read', 'clipboard-write']);
+  const scene = SCENE.replace('geometry="sphere"', 'src="../assets/models/bunny.glb" name="a &lt;b&gt;"');
+  await open(page, scene);
+  await page.getByRole('button', { name: 'Copy a frame' }).click();
+  await expect(page.locator('#shared')).toHaveText('Copied.');
+  const frame = await page.evaluate(() => navigator.clipboard.readText());
+  const saved = page.waitForEvent('download');
+  await page.getByRole('button', { name: 'Save one HTML file' }).click();
+  const file = info.outputPath('scene.html');
+  await (await saved).saveAs(file);
+  for (const address of [/src="([^"]+)"/.exec(frame)![1]!, `file://${file}`]) {
+    const other = await context.newPage();
+    await other.goto(address);
+    await allReady(other);
+    const viewer = other.locator('phong-viewer');
+    expect(await viewer.evaluate((v: PhongViewer) => [v.loaded, v.lights.length, v.meshes[0]!.name])).toEqual(
+      [...[true, 1], 'a <b>'],
+    );
+    expect(await other.evaluate(() => document.querySelector('phong-viewer')!.scene.children.length)).toBe(1);
+    await other.close();
+  }
+});
+
+test('the editor is there with the first picture, long before all samples of a still one', async ({
+  page,
+}) => {
+  await page.goto(`/demo/${linkTo(SCENE.replace('gui', 'gui antialias="full" samples="1024"'))}`);
+  await expect(page.locator('.cm-content')).toBeVisible();
+  expect(await page.evaluate(() => document.querySelector('phong-viewer')!.stats.samples)).toBeLessThan(1024);
+});
+
+test('a line of the editor breaks between attributes, not in a value', async ({ page }) => {
+  const values = Array.from({ length: 12 }, (_, i) => `data${String(i)}="${'1 2 3 '.repeat(4)}"`);
+  await open(page, `<phong-viewer ${values.join(' ')}></phong-viewer>`);
+  const heights = await page
+    .locator('.cm-attribute')
+    .evaluateAll((all) => all.map((one) => one.getClientRects().length * one.getBoundingClientRect().height));
+  expect(heights.length).toBe(12);
+  expect(Math.max(...heights)).toBeLessThan(30);
 });

@@ -2,13 +2,13 @@
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { outputFolder } from './.ci/output-folder.mjs';
+import { outputFolder } from '../output-folder.mjs';
 
 const page = (name: string): string =>
-  fileURLToPath(new URL(`tests/glsl/page/${name}.html`, import.meta.url));
+  fileURLToPath(new URL(`../../tests/glsl/page/${name}.html`, import.meta.url));
 
 export default defineConfig({
-  root: fileURLToPath(new URL('tests/glsl/page', import.meta.url)),
+  root: fileURLToPath(new URL('../../tests/glsl/page', import.meta.url)),
   base: './',
   publicDir: false,
   build: {

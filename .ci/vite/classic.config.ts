@@ -1,16 +1,16 @@
 // Builds dist/phong-viewer.classic.js: everything in one script that is no module, for pages opened from disk. Browsers
-// refuse modules, and so chunks, on file:// pages. Runs after vite.lib.config.ts, which empties dist/.
+// refuse modules, and so chunks, on file:// pages. Runs after lib.config.ts, which empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { licences } from './.ci/licences/plugin.js';
-import { basisTranscoder } from './.ci/basis-transcoder.js';
-import { decoderWorkers } from './.ci/decoder-workers.js';
-import { dracoDecoder } from './.ci/draco-decoder.js';
-import { outputFolder } from './.ci/output-folder.mjs';
-import { standaloneThree } from './.ci/standalone-three/plugin.js';
-import { strippedGlsl } from './.ci/strip-glsl.js';
-import { wasmFiles } from './.ci/wasm-files.js';
+import { licences } from '../licences/plugin.js';
+import { basisTranscoder } from '../basis-transcoder.js';
+import { decoderWorkers } from '../decoder-workers.js';
+import { dracoDecoder } from '../draco-decoder.js';
+import { outputFolder } from '../output-folder.mjs';
+import { standaloneThree } from '../standalone-three/plugin.js';
+import { strippedGlsl } from '../strip-glsl.js';
+import { wasmFiles } from '../wasm-files.js';
 
 export default defineConfig({
   publicDir: false,
@@ -30,7 +30,7 @@ export default defineConfig({
     target: 'es2022',
     chunkSizeWarningLimit: 2048,
     lib: {
-      entry: { 'phong-viewer.classic': fileURLToPath(new URL('src/classic.ts', import.meta.url)) },
+      entry: { 'phong-viewer.classic': fileURLToPath(new URL('../../src/classic.ts', import.meta.url)) },
       formats: ['iife'],
       // Required, but unused: the entry exports nothing, so there is no global.
       name: 'phongViewer',

@@ -1,19 +1,19 @@
 // Builds dist/phong-viewer.standalone.js for pages without a bundler. three and Lit are inside. Panel, loaders and
-// decoders are in dist/chunks, fetched on first use relative to the file itself. Runs after vite.lib.config.ts, which
+// decoders are in dist/chunks, fetched on first use relative to the file itself. Runs after lib.config.ts, which
 // empties dist/.
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
-import { licences } from './.ci/licences/plugin.js';
-import { basisTranscoder } from './.ci/basis-transcoder.js';
-import { decoderWorkers } from './.ci/decoder-workers.js';
-import { dracoDecoder } from './.ci/draco-decoder.js';
-import { modelChunks } from './.ci/model-chunks.js';
-import { outputFolder } from './.ci/output-folder.mjs';
-import { retriedImports } from './.ci/retried-imports.js';
-import { standaloneThree } from './.ci/standalone-three/plugin.js';
-import { strippedGlsl } from './.ci/strip-glsl.js';
-import { wasmFiles } from './.ci/wasm-files.js';
+import { licences } from '../licences/plugin.js';
+import { basisTranscoder } from '../basis-transcoder.js';
+import { decoderWorkers } from '../decoder-workers.js';
+import { dracoDecoder } from '../draco-decoder.js';
+import { modelChunks } from '../model-chunks.js';
+import { outputFolder } from '../output-folder.mjs';
+import { retriedImports } from '../retried-imports.js';
+import { standaloneThree } from '../standalone-three/plugin.js';
+import { strippedGlsl } from '../strip-glsl.js';
+import { wasmFiles } from '../wasm-files.js';
 
 export default defineConfig({
   base: './',
@@ -38,7 +38,7 @@ export default defineConfig({
     target: 'es2022',
     chunkSizeWarningLimit: 1024,
     lib: {
-      entry: { 'phong-viewer.standalone': fileURLToPath(new URL('src/index.ts', import.meta.url)) },
+      entry: { 'phong-viewer.standalone': fileURLToPath(new URL('../../src/index.ts', import.meta.url)) },
       formats: ['es'],
       fileName: (_format, name) => `${name}.js`,
     },

@@ -5,17 +5,17 @@
 
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
-import { licences } from './.ci/licences/plugin.js';
-import { basisTranscoder } from './.ci/basis-transcoder.js';
-import { decoderWorkers } from './.ci/decoder-workers.js';
-import { dracoDecoder, dracoDecoderSpecifier } from './.ci/draco-decoder.js';
-import { inPage } from './.ci/in-page.js';
-import { modelChunks } from './.ci/model-chunks.js';
-import { outputFolder } from './.ci/output-folder.mjs';
-import { strippedGlsl } from './.ci/strip-glsl.js';
-import { wasmFiles } from './.ci/wasm-files.js';
+import { licences } from '../licences/plugin.js';
+import { basisTranscoder } from '../basis-transcoder.js';
+import { decoderWorkers } from '../decoder-workers.js';
+import { dracoDecoder, dracoDecoderSpecifier } from '../draco-decoder.js';
+import { inPage } from '../in-page.js';
+import { modelChunks } from '../model-chunks.js';
+import { outputFolder } from '../output-folder.mjs';
+import { strippedGlsl } from '../strip-glsl.js';
+import { wasmFiles } from '../wasm-files.js';
 
-const source = (path: string): string => fileURLToPath(new URL(`src/${path}`, import.meta.url));
+const source = (path: string): string => fileURLToPath(new URL(`../../src/${path}`, import.meta.url));
 
 // Text imported with a query is inlined, and so are the Draco decoder and the Basis transcoder: a user's bundler would
 // find no export.
