@@ -2,6 +2,7 @@
 import type { CompleteTexts } from '../fields/texts.js';
 
 const texts: CompleteTexts = {
+  en: 'de',
   '3D scene': '3D-Szene',
   Loading: 'Wird geladen',
   'Try again': 'Nochmal versuchen',
@@ -101,6 +102,7 @@ const texts: CompleteTexts = {
   '{cosines} = {cosine} is not above 0: no highlight.':
     '{cosines} = {cosine} ist nicht größer als 0: kein Glanzlicht.',
   'At the point itself, {steps}': 'Am Punkt selbst, {steps}',
+  '+ {number} lights': '+ {number} Lichter',
   Controls: 'Einstellungen',
   Lights: 'Lichter',
   Camera: 'Kamera',

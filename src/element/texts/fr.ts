@@ -2,6 +2,7 @@
 import type { CompleteTexts } from '../fields/texts.js';
 
 const texts: CompleteTexts = {
+  en: 'fr',
   '3D scene': 'Scène 3D',
   Loading: 'Chargement',
   'Try again': 'Réessayer',
@@ -100,6 +101,7 @@ const texts: CompleteTexts = {
   '{cosines} = {cosine} is not above 0: no highlight.':
     '{cosines} = {cosine} n’est pas supérieur à 0 : pas de reflet.',
   'At the point itself, {steps}': 'Au point même, {steps}',
+  '+ {number} lights': '+ {number} lumières',
   Controls: 'Réglages',
   Lights: 'Lumières',
   Camera: 'Caméra',

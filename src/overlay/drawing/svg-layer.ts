@@ -22,17 +22,9 @@ export class SvgLayer {
   });
   #shown: DrawnPrimitive[] = [];
 
-  /**
-   * `figure`: what it shows is of this size for a text of 12 pixels, and scaled by the style sheet. By default it shows
-   * pixels of the page, with labels as large as the text around it.
-   */
-  constructor(
-    className: string | null = null,
-    figure: { readonly width: number; readonly height: number } | null = null,
-  ) {
-    const viewBox = figure === null ? null : `0 0 ${String(figure.width)} ${String(figure.height)}`;
-    set(this.element, { class: className, viewBox });
-    this.element.style.font = labelFont(figure === null ? '1em' : '12px');
+  /** Labels are as large as the text around it. */
+  constructor() {
+    this.element.style.font = labelFont('1em');
   }
 
   /**

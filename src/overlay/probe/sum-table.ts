@@ -3,8 +3,9 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
-import { CONTENTS, type TableLayout, titleOf } from './columns.js';
-import { shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
+import { localNumber } from '../../element/page/local-number.js';
+import { addedCells, type Cells, cellsOf, cellText, isIdle, type TableShape, titleOf } from './columns.js';
+import { byShare, shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
@@ -20,6 +21,8 @@ export class SumTable {
   #pointed: Chosen;
   /** Pressed. */
   #kept: Chosen;
+  /** Lights that presses on the row of the others have passed over. */
+  #turned = 0;
 
   /** `choose` is called when another light is chosen. */
   constructor(choose: () => void) {
@@ -31,17 +34,32 @@ export class SumTable {
     return [this.#pointed, this.#kept].find((light) => light !== undefined && this.#lights.includes(light));
   }
 
-  /** `shown`: the light that the figure is about. */
+  /** `shown`: the light that the figure is about. `most`: lights with a row of their own. */
   template(
     sum: Sum,
     shown: SumRow | null,
     texts: ViewerTexts | null,
-    { columns, digits }: TableLayout,
+    shape: TableShape,
+    most: number,
   ): TemplateResult {
-    this.#lights = sum.rows.map(({ light }) => light);
+    const { columns, digits } = shape;
+    const { rows, others } = this.#shared(sum.rows, most);
+    this.#lights = rows.map(({ light }) => light);
     // One Tab stop: the row shown, else the first one.
-    const stop = Math.max(shown === null ? 0 : sum.rows.indexOf(shown), 0);
+    const stop = Math.max(shown === null ? 0 : rows.indexOf(shown), 0);
+    const cells = (row: Cells): readonly TemplateResult[] =>
+      columns.map(
+        (column) =>
+          html`<td
+            dir="ltr"
+            class=${isIdle(row, column) ? 'idle' : nothing}
+            data-column=${column}
+            data-title=${titleOf(column, texts)}
+            .textContent=${cellText(row, column, shape, texts)}
+          ></td>`,
+      );
     return html`<table
+      class=${shape.stacked ? 'stacked' : nothing}
       @pointerover=${this.#point}
       @pointerleave=${this.#leave}
       @focusin=${this.#point}
@@ -59,24 +77,55 @@ export class SumTable {
         </tr>
       </thead>
       <tbody>
-        ${sum.rows.map(
+        ${rows.map(
           (row, i) =>
             html`<tr class=${row === shown ? 'shown' : nothing}>
               <th scope="row">${this.#headTemplate(row, i === stop, texts)}</th>
-              ${columns.map((column) => html`<td dir="ltr">${CONTENTS[column](row, digits, columns)}</td>`)}
+              ${cells(cellsOf(row))}
             </tr>`,
         )}
+        ${
+          others.length === 0
+            ? nothing
+            : html`<tr class="others">
+                <th scope="row">
+                  <button
+                    type="button"
+                    tabindex=${rows.length === 0 ? 0 : -1}
+                    .textContent=${phrase(texts, '+ {number} lights', {
+                      number: localNumber(String(others.length), texts),
+                    })}
+                    @click=${() => this.#turn(most)}
+                  ></button>
+                </th>
+                ${cells(addedCells(others))}
+              </tr>`
+        }
       </tbody>
       <tfoot>
         ${sum.totals.map(
           ({ label, color }) =>
             html`<tr>
               <th scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
-              <td dir="ltr">${tripleText(color, digits)}</td>
+              <td dir="ltr">${tripleText(color, digits, texts)}</td>
             </tr>`,
         )}
       </tfoot>
     </table>`;
+  }
+
+  /** The lights that add most, in their order, and the others. A press on these shows the next ones. */
+  #shared(all: readonly SumRow[], most: number): Record<'rows' | 'others', readonly SumRow[]> {
+    if (all.length <= most) return { rows: all, others: [] };
+    const order = byShare(all);
+    const from = this.#turned % all.length;
+    const own = new Set([...order.slice(from), ...order].slice(0, most));
+    return { rows: all.filter((row) => own.has(row)), others: all.filter((row) => !own.has(row)) };
+  }
+
+  #turn(by: number): void {
+    this.#turned += Math.max(by, 1);
+    this.#choose();
   }
 
   /** The light's name, and why it adds less than one might expect. */
