@@ -50,7 +50,7 @@ const texts: CompleteTexts = {
   'R · V': 'R · V',
   'N · H': 'N · H',
   Attenuation: 'Atenuación',
-  Decay: 'Caída hacia el borde',
+  Decay: 'Caída',
   Triangles: 'Triángulos',
   'all lights': 'todas las luces',
   'no light is active': 'ninguna luz está encendida',

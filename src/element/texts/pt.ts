@@ -50,7 +50,7 @@ const texts: CompleteTexts = {
   'R · V': 'R · V',
   'N · H': 'N · H',
   Attenuation: 'Atenuação',
-  Decay: 'Queda em direção à borda',
+  Decay: 'Queda',
   Triangles: 'Triângulos',
   'all lights': 'todas as luzes',
   'no light is active': 'nenhuma luz está acesa',

@@ -2,7 +2,7 @@
 // column.
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { isBlack } from '../../light/light-features.js';
-import { add, type Vec3 } from '../../math/vector.js';
+import { add } from '../../math/vector.js';
 import { type Sum, type SumRow, numberText, termText } from './sum.js';
 
 const TERMS = ['ambient', 'diffuse', 'specular'] as const;
@@ -19,51 +19,37 @@ export interface TableShape {
   readonly stacked: boolean;
 }
 
-/** What a row has in its columns. */
-export type Cells = Pick<SumRow, (typeof TERMS)[number] | 'total'> & {
-  /** Null for several lights. */
-  readonly factors: Readonly<Record<'att' | 'decay', number>> | null;
-};
-
-export const cellsOf = ({ ambient, diffuse, specular, total, att, decay }: SumRow): Cells => ({
-  ...{ ambient, diffuse, specular, total },
-  factors: { att, decay },
-});
-
-/** Several lights as one row. */
-export const addedCells = (rows: readonly SumRow[]): Cells => {
-  const sum = (key: Exclude<keyof Cells, 'factors'>): Vec3 =>
-    rows.reduce<Vec3>((all, row) => add(all, row[key]), [0, 0, 0]);
-  return {
-    ambient: sum('ambient'),
-    diffuse: sum('diffuse'),
-    specular: sum('specular'),
-    total: sum('total'),
-    factors: null,
-  };
-};
+/** Several lights as one row, without factors. */
+export const addedRow = ([first, ...rest]: readonly SumRow[]): SumRow =>
+  rest.reduce(
+    (all, { ambient, diffuse, specular, total }) => ({
+      ...all,
+      ambient: add(all.ambient, ambient),
+      diffuse: add(all.diffuse, diffuse),
+      specular: add(all.specular, specular),
+      total: add(all.total, total),
+    }),
+    { ...first!, att: NaN, decay: NaN },
+  );
 
 /** What is in a cell: numbers, which keep their order in languages that are written from the right. */
 export function cellText(
-  cells: Cells,
+  row: SumRow,
   column: Column,
   { columns, digits }: TableShape,
   texts: ViewerTexts | null,
 ): string {
   if (column === '…')
-    return TERMS.some((term) => !columns.includes(term) && !isBlack(cells[term])) ? column : '';
-  if (column === 'sum') return termText(cells.total, digits, texts);
-  if (column !== 'att' && column !== 'decay') return termText(cells[column], digits, texts);
-  const factor = cells.factors?.[column];
+    return TERMS.some((term) => !columns.includes(term) && !isBlack(row[term])) ? column : '';
+  if (column === 'sum') return termText(row.total, digits, texts);
+  if (column !== 'att' && column !== 'decay') return termText(row[column], digits, texts);
   // 1 for most lights.
-  return factor === undefined ? '' : numberText(factor, factor === 1 ? 0 : 2, texts);
+  return Number.isNaN(row[column]) ? '' : numberText(row[column], row[column] === 1 ? 0 : 2, texts);
 }
 
 /** A number that a stacked table leaves out. */
-export const isIdle = (cells: Cells, column: Column): boolean =>
-  column === 'ambient'
-    ? isBlack(cells.ambient)
-    : (column === 'att' || column === 'decay') && (cells.factors?.[column] ?? 1) === 1;
+export const isIdle = (row: SumRow, column: Column): boolean =>
+  column === 'ambient' ? isBlack(row.ambient) : (column === 'att' || column === 'decay') && row[column] === 1;
 
 export const titleOf = (column: Column, texts: ViewerTexts | null): string =>
   column === '…' ? column : phrase(texts, column);

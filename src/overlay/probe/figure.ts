@@ -64,7 +64,7 @@ export function figureOf(
   const color = colorOf(chosen);
   arcs.push({ points: arc(N, L, ARC_RADIUS.L), label: normalWords(texts, chosen.share).angle });
   if (chosen.absence !== null) return { vectors, arcs };
-  const { angle } = lobeWords(texts, chosen.share, fragment.shininess);
+  const { angle } = lobeWords(texts, chosen.share.RoV, fragment.shininess);
   if (halfway) {
     const H = normalize(add(L, V));
     vectors.push({ ...plain('H', H), color });

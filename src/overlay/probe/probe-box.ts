@@ -50,8 +50,8 @@ interface Form {
 /** Width of the picture's free part from which on the box is a column, CSS pixels. */
 const WIDE = 560;
 
-/** Lights that are not left out before the steps are, and rows that any box can have. */
-const LIGHTS = { least: 3, most: 24 } as const;
+/** Lights that are not left out before the steps are. */
+const LEAST_LIGHTS = 3;
 
 /** Pixels by which the point has to cross the middle before the box changes sides: it does not jump back and forth. */
 const GAIN = 4;
@@ -115,19 +115,15 @@ export class ProbeBox {
       digits,
       stacked,
     });
-    const all = Math.min(sum.rows.length, LIGHTS.most);
-    const fits = (form: Form): boolean => {
+    const all = sum.rows.length;
+    const fits = (form: Form, isAcross = false): boolean => {
       this.#render(state, form);
       const { scrollWidth, clientWidth, scrollHeight, clientHeight } = this.#element;
-      return scrollWidth <= clientWidth && scrollHeight <= clientHeight;
-    };
-    const fitsAcross = (form: Form): boolean => {
-      this.#render(state, form);
-      return this.#element.scrollWidth <= this.#element.clientWidth;
+      return scrollWidth <= clientWidth && (isAcross || scrollHeight <= clientHeight);
     };
     /** With as many lights as fit, at least `least` and never all but one: its row is as high as that of the others. */
     const fitsWithFewer = (form: Form, least: number): boolean => {
-      let [low, high] = [least, all - (all === sum.rows.length ? 2 : 0)];
+      let [low, high] = [least, all - 2];
       if (low > high || !fits({ ...form, lights: low })) return false;
       while (low < high) {
         const middle = Math.ceil((low + high) / 2);
@@ -148,7 +144,7 @@ export class ProbeBox {
         [true, false].some((steps) =>
           last.some((each) => {
             const form: Form = { ...full, note: false, steps, shape: each };
-            return fits(form) || fitsWithFewer(form, steps ? LIGHTS.least : 0);
+            return fits(form) || fitsWithFewer(form, steps ? LEAST_LIGHTS : 0);
           }),
         )
       );
@@ -156,7 +152,9 @@ export class ProbeBox {
     const column = [shape(0, 1), shape(0, 0), shape(0, 1, true), shape(0, 0, true)];
     if (isWide && fitsSomehow(true, column, [shape(NO_AMBIENT, 0), shape(NO_AMBIENT, 0, true)])) return;
     const strips = [shape(0, 1), ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0))];
-    const strip = strips.filter((each) => fitsAcross({ ...bare, isColumn: false, shape: each })).slice(0, 1);
+    const strip = strips
+      .filter((each) => fits({ ...bare, isColumn: false, lights: all, shape: each }, true))
+      .slice(0, 1);
     const last = [...strip, shape(NO_AMBIENT, 0, true)];
     if (!fitsSomehow(false, strip, last)) this.#render(state, { ...bare, isColumn: false });
   }
@@ -171,7 +169,7 @@ export class ProbeBox {
     const kinds = {
       pinned,
       ...(isColumn
-        ? { column: true, start: !this.#isAtStart, end: this.#isAtStart }
+        ? { column: true, end: this.#isAtStart }
         : { strip: true, low: this.#isAbove, high: !this.#isAbove }),
       alone: !isEmpty && shape === null,
       stacked: shape?.stacked === true,

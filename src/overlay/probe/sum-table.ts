@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
 import { localNumber } from '../../element/page/local-number.js';
-import { addedCells, type Cells, cellsOf, cellText, isIdle, type TableShape, titleOf } from './columns.js';
+import { addedRow, cellText, isIdle, type TableShape, titleOf } from './columns.js';
 import { byShare, shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
@@ -43,11 +43,12 @@ export class SumTable {
     most: number,
   ): TemplateResult {
     const { columns, digits } = shape;
-    const { rows, others } = this.#shared(sum.rows, most);
-    this.#lights = rows.map(({ light }) => light);
+    const own = this.#own(sum.rows, most);
+    const others = sum.rows.filter((row) => !own.has(row));
+    this.#lights = sum.rows.map(({ light }) => light);
     // One Tab stop: the row shown, else the first one.
-    const stop = Math.max(shown === null ? 0 : rows.indexOf(shown), 0);
-    const cells = (row: Cells): readonly TemplateResult[] =>
+    const stop = shown !== null && own.has(shown) ? shown : sum.rows.find((row) => own.has(row));
+    const cells = (row: SumRow): readonly TemplateResult[] =>
       columns.map(
         (column) =>
           html`<td
@@ -77,11 +78,11 @@ export class SumTable {
         </tr>
       </thead>
       <tbody>
-        ${rows.map(
-          (row, i) =>
-            html`<tr class=${row === shown ? 'shown' : nothing}>
-              <th scope="row">${this.#headTemplate(row, i === stop, texts)}</th>
-              ${cells(cellsOf(row))}
+        ${sum.rows.map(
+          (row) =>
+            html`<tr class=${row === shown ? 'shown' : nothing} ?hidden=${!own.has(row)}>
+              <th scope="row">${this.#headTemplate(row, row === stop, texts)}</th>
+              ${cells(row)}
             </tr>`,
         )}
         ${
@@ -91,14 +92,14 @@ export class SumTable {
                 <th scope="row">
                   <button
                     type="button"
-                    tabindex=${rows.length === 0 ? 0 : -1}
+                    tabindex=${own.size === 0 ? 0 : -1}
                     .textContent=${phrase(texts, '+ {number} lights', {
                       number: localNumber(String(others.length), texts),
                     })}
                     @click=${() => this.#turn(most)}
                   ></button>
                 </th>
-                ${cells(addedCells(others))}
+                ${cells(addedRow(others))}
               </tr>`
         }
       </tbody>
@@ -114,13 +115,10 @@ export class SumTable {
     </table>`;
   }
 
-  /** The lights that add most, in their order, and the others. A press on these shows the next ones. */
-  #shared(all: readonly SumRow[], most: number): Record<'rows' | 'others', readonly SumRow[]> {
-    if (all.length <= most) return { rows: all, others: [] };
-    const order = byShare(all);
-    const from = this.#turned % all.length;
-    const own = new Set([...order.slice(from), ...order].slice(0, most));
-    return { rows: all.filter((row) => own.has(row)), others: all.filter((row) => !own.has(row)) };
+  /** The lights that add most. A press on the row of the others shows the next ones. */
+  #own(rows: readonly SumRow[], most: number): ReadonlySet<SumRow> {
+    const order = byShare(rows);
+    return new Set([...order.slice(this.#turned % Math.max(rows.length, 1)), ...order].slice(0, most));
   }
 
   #turn(by: number): void {
@@ -170,6 +168,9 @@ export class SumTable {
     const row = (event.target as Element).closest('tbody > tr');
     if (!(event.key in step) || row === null) return;
     event.preventDefault();
-    row[step[event.key as keyof typeof step]]?.querySelector('button')?.focus();
+    const sibling = step[event.key as keyof typeof step];
+    let next = row[sibling];
+    while (next !== null && (next as HTMLElement).hidden) next = next[sibling];
+    next?.querySelector('button')?.focus();
   };
 }

@@ -79,16 +79,10 @@ export function stepsText(
   const normal = { name, ...normalWords(texts, share) };
   if (absence !== null)
     return phrase(texts, '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.', normal);
-  return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, share, shininess, halfway)}`;
+  return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, share.RoV, shininess, halfway)}`;
 }
 
-function lobeText(
-  texts: ViewerTexts | null,
-  share: LightExplanation,
-  shininess: number,
-  halfway: boolean,
-): string {
-  const cosine = share.RoV;
+function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, halfway: boolean): string {
   const cosines = halfway ? 'N·H' : 'R·V';
   const exponent = exponentOf(shininess);
   if (exponent > 0 && cosine <= 0)
@@ -98,7 +92,7 @@ function lobeText(
     });
   return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
     cosines,
-    ...lobeWords(texts, share, shininess),
+    ...lobeWords(texts, cosine, shininess),
     exponent: localNumber(String(Number(exponent.toPrecision(3))), texts),
     power: numberText(cosine ** exponent, 3, texts),
   });
@@ -107,25 +101,19 @@ function lobeText(
 /** As the equation's table of limits has it: x^0 is 1 for every x. */
 const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
 
-interface CosineWords {
-  readonly angle: string;
-  readonly cosine: string;
-}
-
-/** N·L. The figure has the same angle. */
+/** N·L and its angle. */
 export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>
   cosineWords(texts, NoL, 3);
 
-/** R·V, or N·H. A large exponent magnifies what the cosine is rounded by. */
-export function lobeWords(
-  texts: ViewerTexts | null,
-  { RoV }: LightExplanation,
-  shininess: number,
-): CosineWords {
+/** R·V or N·H, and its angle. A large exponent magnifies what the cosine is rounded by. */
+export function lobeWords(texts: ViewerTexts | null, cosine: number, shininess: number): CosineWords {
   const exponent = exponentOf(shininess);
-  const isNear = (n: number): boolean => Math.abs(rounded(RoV, n) ** exponent - RoV ** exponent) < 0.005;
-  return cosineWords(texts, RoV, RoV > 0 || exponent === 0 ? decimals(3, isNear) : 3);
+  const isNear = (n: number): boolean =>
+    Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
+  return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
 }
+
+type CosineWords = Readonly<Record<'angle' | 'cosine', string>>;
 
 /** A cosine with this many decimals, and its angle with as many as it takes to have that cosine. */
 function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number): CosineWords {
