@@ -30,13 +30,7 @@ export interface ExtraHost {
 }
 
 /** CSS pixels of the layer, or of the file that is being drawn. */
-export interface PlacedName {
-  readonly text: string;
-  readonly left: number;
-  readonly top: number;
-  readonly right: number;
-  readonly bottom: number;
-}
+export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number> & { text: string }>;
 
 export interface Extra {
   /** A frame was drawn, or the viewer's own values have changed. */

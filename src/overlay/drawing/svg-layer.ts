@@ -58,15 +58,7 @@ export class SvgLayer {
 
 /** Labels are placed again for each list, but few of them move. */
 const isSame = (a: Primitive, b: Primitive): boolean =>
-  a === b ||
-  (a.kind === 'label' &&
-    b.kind === 'label' &&
-    a.text === b.text &&
-    a.at.x === b.at.x &&
-    a.at.y === b.at.y &&
-    a.color === b.color &&
-    a.part === b.part &&
-    a.opacity === b.opacity);
+  a === b || (a.kind === 'label' && JSON.stringify(a) === JSON.stringify(b));
 
 function draw(elements: readonly SVGElement[], primitive: Primitive): void {
   const opacity = String(primitive.opacity ?? 1);

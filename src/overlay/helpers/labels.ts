@@ -48,18 +48,8 @@ export function listOf(
   );
   const labels = names.flatMap(({ part, opacity = 1 }, i): Label[] => {
     const at = places[i];
-    return at
-      ? [
-          {
-            kind: 'label',
-            at,
-            text: texts[i]!,
-            color: COLOR,
-            opacity,
-            ...(part === undefined ? {} : { part }),
-          },
-        ]
-      : [];
+    const shown = part === undefined ? {} : { part };
+    return at ? [{ kind: 'label', at, text: texts[i]!, color: COLOR, opacity, ...shown }] : [];
   });
   const placed = labels.map(({ at, text }) => ({
     text,

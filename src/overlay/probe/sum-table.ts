@@ -52,6 +52,7 @@ export class SumTable {
       columns.map(
         (column) =>
           html`<td
+            role="cell"
             dir="ltr"
             class=${isIdle(row, column) ? 'idle' : nothing}
             data-column=${column}
@@ -60,6 +61,7 @@ export class SumTable {
           ></td>`,
       );
     return html`<table
+      role="table"
       class=${shape.stacked ? 'stacked' : nothing}
       @pointerover=${this.#point}
       @pointerleave=${this.#leave}
@@ -71,25 +73,25 @@ export class SumTable {
       <caption class="reader">
         ${phrase(texts, 'Red, green and blue of each term; 255 is full')}
       </caption>
-      <thead>
-        <tr>
-          <th scope="col">${phrase(texts, 'light')}</th>
-          ${columns.map((column) => html`<th scope="col">${titleOf(column, texts)}</th>`)}
+      <thead class=${shape.stacked ? 'reader' : nothing} role="rowgroup">
+        <tr role="row">
+          <th role="columnheader" scope="col">${phrase(texts, 'light')}</th>
+          ${columns.map((column) => html`<th role="columnheader" scope="col">${titleOf(column, texts)}</th>`)}
         </tr>
       </thead>
-      <tbody>
+      <tbody role="rowgroup">
         ${sum.rows.map(
           (row) =>
-            html`<tr class=${row === shown ? 'shown' : nothing} ?hidden=${!own.has(row)}>
-              <th scope="row">${this.#headTemplate(row, row === stop, texts)}</th>
+            html`<tr role="row" class=${row === shown ? 'shown' : nothing} ?hidden=${!own.has(row)}>
+              <th role="rowheader" scope="row">${this.#headTemplate(row, row === stop, texts)}</th>
               ${cells(row)}
             </tr>`,
         )}
         ${
           others.length === 0
             ? nothing
-            : html`<tr class="others">
-                <th scope="row">
+            : html`<tr role="row" class="others">
+                <th role="rowheader" scope="row">
                   <button
                     type="button"
                     tabindex=${own.size === 0 ? 0 : -1}
@@ -103,12 +105,12 @@ export class SumTable {
               </tr>`
         }
       </tbody>
-      <tfoot>
+      <tfoot role="rowgroup">
         ${sum.totals.map(
           ({ label, color }) =>
-            html`<tr>
-              <th scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
-              <td dir="ltr">${tripleText(color, digits, texts)}</td>
+            html`<tr role="row">
+              <th role="rowheader" scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
+              <td role="cell" dir="ltr">${tripleText(color, digits, texts)}</td>
             </tr>`,
         )}
       </tfoot>

@@ -84,7 +84,7 @@ test.describe('a mouse over a viewer with a probe', () => {
     await page.mouse.move(280, 130);
     await expect
       .poll(async () => (await labels(viewer)).sort().join())
-      .toMatch(/^\d+°,L lamp,L sun,N,R ∠V \d+°,V$/);
+      .toMatch(/^[\d.]+°,L lamp,L sun,N,R ∠V [\d.]+°,V$/);
     await assign(viewer, { reflection: 'blinn-phong' });
     await expect.poll(() => labels(viewer)).toContain('H');
     expect(await labels(viewer)).not.toContainEqual(expect.stringMatching(/^R/));

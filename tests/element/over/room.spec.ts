@@ -99,7 +99,7 @@ test.describe('the probe between the dividers of a comparison', () => {
       expect(cut).toEqual([]);
     });
 
-  test('leaves out columns in their order, and below 12 em all but the colour', async ({ page, mount }) => {
+  test('leaves out columns in their order, and at last all but the colour', async ({ page, mount }) => {
     const viewer = await mount(ball('probe probe-at="0 0 0.5"'), { height: 500 });
     const columns = viewer.locator('[part=probe] thead th');
     const seen: string[] = [];
@@ -120,8 +120,8 @@ test.describe('the probe between the dividers of a comparison', () => {
     ];
     expect([...new Set(seen)]).toEqual(order.filter((each) => seen.includes(each)));
     expect(seen[0]).toBe(all);
-    expect(seen.at(-1)).toBe('…');
-    await viewer.evaluate((element) => (element.style.width = '143px'));
+    expect(seen).toContain('…');
+    await viewer.evaluate((element) => (element.style.width = '90px'));
     await laidOut(page);
     await expect(viewer.locator('[part=probe] .codes')).toBeVisible();
     await expect(viewer.locator('[part=probe] table')).toBeHidden();
