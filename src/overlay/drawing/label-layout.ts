@@ -20,7 +20,7 @@ export interface Box {
 }
 
 /** Height of a label's line, and how far above its lower edge the baseline is. In font sizes. */
-export const LINE = { height: 4 / 3, descent: 1 / 3 } as const;
+const LINE = { height: 4 / 3, descent: 1 / 3 } as const;
 
 /** Pixels to the room's edge: the text's outline. */
 const MARGIN = 2;

@@ -378,7 +378,7 @@ test.describe('the box', () => {
       await nextFrame(page);
       await expect(box(viewer).getByRole('table')).toBeVisible();
       const { hidden, right, edge, name } = await box(viewer).evaluate((element) => {
-        const last = [...element.querySelectorAll('tr > :last-child')].filter((cell) =>
+        const last = [...element.querySelectorAll(':is(tbody, tfoot) > tr > :last-child')].filter((cell) =>
           cell.checkVisibility(),
         );
         return {
