@@ -1,5 +1,6 @@
-// Are numbers that are only read written as the page's language writes them?
+// Are numbers that are only read written as the language of the words around them writes them?
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import de from '../../src/element/texts/de.js';
 import { localNumber } from '../../src/element/page/local-number.js';
 
 const inLanguage = (lang: string): void => {
@@ -23,7 +24,14 @@ describe('numbers that are only read', () => {
     ['de', '∞', '∞'],
   ])('under lang="%s" %s is %s', (lang, number, expected) => {
     inLanguage(lang);
-    expect(localNumber(number)).toBe(expected);
+    expect(localNumber(number, {})).toBe(expected);
+  });
+
+  it('are English without texts, and in the language that texts name, whatever the page', () => {
+    inLanguage('fr');
+    expect([null, {}, de].map((texts) => localNumber('0.5', texts))).toEqual(['0.5', '0,5', '0,5']);
+    inLanguage('en');
+    expect([null, {}, de].map((texts) => localNumber('0.5', texts))).toEqual(['0.5', '0.5', '0,5']);
   });
 
   it('ask the browser once for each language', () => {
@@ -34,7 +42,7 @@ describe('numbers that are only read', () => {
     };
     vi.stubGlobal('Intl', new Proxy(Intl, { get: counted }));
     inLanguage('it');
-    for (let i = 0; i < 3; i++) expect(localNumber('0.5')).toBe('0,5');
+    for (let i = 0; i < 3; i++) expect(localNumber('0.5', {})).toBe('0,5');
     expect(asked).toBe(1);
   });
 });

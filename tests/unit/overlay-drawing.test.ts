@@ -5,9 +5,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vector.js';
 import { coreColor, luminance } from '../../src/overlay/drawing/contrast.js';
-import { arrow } from '../../src/overlay/drawing/display-list.js';
-import { boxAround, boxesAlong, LINE, placeLabels } from '../../src/overlay/drawing/label-layout.js';
-import { inside, Projection } from '../../src/overlay/drawing/projection.js';
+import { labelBox, placeLabels } from '../../src/overlay/drawing/label-layout.js';
+import { Projection } from '../../src/overlay/drawing/projection.js';
 
 const sight = {
   pose: { theta: 0, phi: 90, radius: 4, target: [0, 0, 0] },
@@ -72,43 +71,10 @@ describe('a projection', () => {
       }),
     );
   });
-
-  it('keeps an end near the layer, however far away the other end is', () => {
-    for (const { x } of new Projection(sight).segment([1e15, 0, 3.999], [-50, 0, 0])!) {
-      expect(x).toBeGreaterThanOrEqual(-400);
-      expect(x).toBeLessThanOrEqual(800);
-    }
-  });
-
-  it('joins the visible pieces of a line and separates them where it is hidden', () => {
-    const projection = new Projection(sight);
-    expect(
-      projection.line([
-        [0, 0, 0],
-        [0, 1, 0],
-        [1, 1, 0],
-      ]),
-    ).toHaveLength(1);
-    expect(
-      projection.line([
-        [0, 0, 0],
-        [0, 0, 9],
-        [0, 1, 9],
-        [0, 1, 0],
-      ]),
-    ).toHaveLength(2);
-  });
-
-  it('moves points inside, or to the middle of a layer without room', () => {
-    expect(inside({ x: -50, y: 1e9 }, sight, 10)).toEqual({ x: 10, y: 190 });
-    expect(inside({ x: 3, y: 3 }, { width: 10, height: 300 }, 10)).toEqual({ x: 5, y: 10 });
-  });
 });
 
 describe('labels', () => {
   const room = { left: 0, top: 0, right: 300, bottom: 150 };
-  const line = { height: 12 * LINE.height, descent: 12 * LINE.descent };
-
   it('stay inside and never overlap, however many points there are', () => {
     const wish = fc.record({
       center: fc.record({ x: fc.integer({ min: 0, max: 300 }), y: fc.integer({ min: 0, max: 150 }) }),
@@ -119,8 +85,7 @@ describe('labels', () => {
       fc.property(fc.array(wish, { maxLength: 64 }), (wishes) => {
         const boxes = placeLabels(wishes, room, [], 12).flatMap((at, i) => {
           if (at === null) return [];
-          const top = at.y + line.descent - line.height;
-          return [{ left: at.x, top, right: at.x + wishes[i]!.width, bottom: top + line.height }];
+          return [labelBox(at, wishes[i]!.width, 12)];
         });
         boxes.forEach((a, i) => {
           expect(a.left >= 0 && a.top >= 0 && a.right <= 300 && a.bottom <= 150).toBe(true);
@@ -131,39 +96,6 @@ describe('labels', () => {
         });
       }),
     );
-  });
-
-  it('are placed to the right, or elsewhere if that place is taken', () => {
-    const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
-    expect(placeLabels(wishes, room, [], 12)[0]!.x).toBe(110);
-    expect(placeLabels(wishes, room, [boxAround({ x: 120, y: 75 }, 8)], 12)[0]!.x).toBe(50);
-  });
-
-  it('cover least where everything is taken, and keep clear of lines where they can', () => {
-    const wishes = [{ center: { x: 100, y: 75 }, gap: 6, width: 30 }];
-    const along = boxesAlong(
-      [
-        { x: 100, y: 75 },
-        { x: 200, y: 75 },
-      ],
-      2,
-    );
-    const [at] = placeLabels(wishes, room, along, 12);
-    expect(at!.x + 30).toBeLessThan(100);
-    const all = [room, boxAround({ x: 120, y: 75 }, 20)];
-    expect(placeLabels(wishes, room, all, 12)[0]!.x).toBeLessThan(100);
-  });
-
-  it('stay in a part of the picture, and are as high as their text', () => {
-    const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
-    expect(placeLabels(wishes, { ...room, right: 140 }, [], 12)[0]!.x).toBe(50);
-    expect(placeLabels(wishes, { ...room, top: 68, bottom: 90 }, [], 24)).toEqual([null]);
-  });
-
-  it('are placed in the order of their priority', () => {
-    const wish = { center: { x: 20, y: 8 }, gap: 0, width: 40 };
-    const placed = placeLabels([wish, wish, wish], { ...room, right: 62, bottom: 16 }, [], 12);
-    expect(placed.map((at) => at !== null)).toEqual([true, false, false]);
   });
 });
 
@@ -185,26 +117,4 @@ describe('a core and its black outline', () => {
     expect(coreColor([1, 0.8, 0.5])).toEqual([1, 0.8, 0.5]);
     expect(coreColor([2, 2, 1])).toEqual([1, 1, 0.5]);
   });
-});
-
-it('draws an arrow of no length without a head', () => {
-  const look = { color: '#fff', width: 1 };
-  expect(
-    arrow(
-      [
-        { x: 1, y: 1 },
-        { x: 1, y: 1 },
-      ],
-      look,
-    ),
-  ).toHaveLength(1);
-  expect(
-    arrow(
-      [
-        { x: 1, y: 1 },
-        { x: 9, y: 1 },
-      ],
-      look,
-    ),
-  ).toHaveLength(2);
 });

@@ -8,10 +8,9 @@ import type { FragmentExplanation, LightExplanation } from '../../src/element/ex
 import { srgbDecode } from '../../src/math/color.js';
 import { length, type Vec3 } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
-import { CONTENTS, layoutOf } from '../../src/overlay/probe/columns.js';
+import { cellText, columnsOf } from '../../src/overlay/probe/columns.js';
 import { drawingOf } from '../../src/overlay/probe/drawing.js';
 import { figureOf, MOST_LIGHTS } from '../../src/overlay/probe/figure.js';
-import { planeOf } from '../../src/overlay/probe/plane.js';
 import { byShare, numberText, shownAbsence, sumOf, tripleText } from '../../src/overlay/probe/sum.js';
 import { fragmentText, stepsText } from '../../src/overlay/probe/words.js';
 import { LightState, shade, type Surface } from '../../src/reference/index.js';
@@ -143,40 +142,41 @@ describe('the sum', () => {
     expect(shownAbsence({ ...row!, absence: 'outside its cone' })).toBeNull();
   });
 
-  it('has "…" in place of terms that there is no room for, in the rows whose sum has them', () => {
+  it('has "…" in place of terms that have no column, in the rows whose sum has them', () => {
     const sum = sumOf(explained([TWO[0]!, { ...TWO[2]!, ambient: [0, 0, 0] }]), false);
-    const at = (room: number) => layoutOf(sum, { width: 400, room, fontSize: 12 }, null)!;
-    const seen = new Map<string, readonly string[]>();
-    for (let room = 700; room > 150; room -= 5) {
-      const { columns, digits } = at(room);
-      const more = CONTENTS['…'];
-      if (columns[0] === '…')
-        seen.set(
-          columns.join(' '),
-          sum.rows.map((row) => more(row, digits, columns)),
-        );
-      else expect(columns).toEqual(expect.arrayContaining(['ambient', 'diffuse', 'specular', 'sum']));
-    }
-    expect([...seen]).toEqual([
-      ['… diffuse specular sum', ['…', '']],
-      ['… diffuse sum', ['…', '…']],
-      ['… sum', ['…', '…']],
+    const shown = (left: number): string[] => {
+      const shape = { columns: columnsOf(sum, left, true), digits: 0, stacked: false };
+      const [first = '…', ...rest] = shape.columns;
+      const marks = sum.rows.map((row) => (first === '…' ? cellText(row, first, shape, null) : ''));
+      return [[first, ...rest].join(' '), ...marks];
+    };
+    expect([0, 1, 2, 3, 4, 5].map(shown)).toEqual([
+      ['ambient diffuse specular att decay sum', '', ''],
+      ['ambient diffuse specular att sum', '', ''],
+      ['ambient diffuse specular sum', '', ''],
+      ['… diffuse specular sum', '…', ''],
+      ['… diffuse sum', '…', '…'],
+      ['… sum', '…', '…'],
     ]);
+    expect(columnsOf(sum, 0, false), 'under Gouraud the factors are not those of the terms').not.toContain(
+      'att',
+    );
   });
 
   it('prints numbers with a typographic minus, none before a zero, and short at any size', () => {
-    expect(numberText(-0.001, 2)).toBe('0.00');
-    expect(numberText(-1.5, 1)).toBe('−1.5');
-    expect(numberText(Infinity, 1)).toBe('∞');
-    expect(numberText(1.5e300, 1)).toBe('1.5e+300');
-    expect(tripleText([1, 2.25, 255], 1)).toBe('1.0 2.3 255.0');
+    expect(numberText(-0.001, 2, null)).toBe('0.00');
+    expect(numberText(-1.5, 1, null)).toBe('−1.5');
+    expect(numberText(Infinity, 1, null)).toBe('∞');
+    expect(numberText(1.5e300, 1, null)).toBe('1.5e+300');
+    expect(tripleText([1, 2.25, 255], 1, null)).toBe('1.0 2.3 255.0');
+    expect(tripleText([1, 2.25, 255], 1, { en: 'de' }), 'a wider gap').toBe('1,0\u20022,3\u2002255,0');
   });
 });
 
 describe('the figure', () => {
   const figure = (fragment: FragmentExplanation, chosen = 0, options = { alone: false, halfway: false }) => {
     const sum = sumOf(fragment, false);
-    return figureOf(fragment, sum, sum.rows[chosen] ?? null, options);
+    return figureOf(fragment, sum, sum.rows[chosen] ?? null, options, null);
   };
 
   it('has N, L of each light, and R of the chosen one, all unit vectors', () => {
@@ -184,6 +184,34 @@ describe('the figure', () => {
     expect(vectors.map(({ name }) => name)).toEqual(['N', 'L light 3', 'L light 1', 'R ∠V 0°']);
     for (const { direction } of vectors) expect(length(direction)).toBeCloseTo(1, 12);
     expect(arcs.map(({ label }) => label)).toEqual(['45°']);
+  });
+
+  it('has the angles that the words have', () => {
+    const fragment = explained([{ position: [0.3, 1, -0.4, 0] }]);
+    const [row] = sumOf(fragment, false).rows;
+    const said = [...stepsText(null, row!, fragment, false).matchAll(/cos ([\d.]+°)/g)].map(
+      ([, angle]) => angle,
+    );
+    const { vectors, arcs } = figure(fragment);
+    expect([arcs[0]!.label, vectors.at(-1)!.name]).toEqual([said[0], `R ∠V ${said[1]!}`]);
+  });
+
+  it('calls an arrow L where its light\u2019s own name stands beside it', () => {
+    const fragment = explained(TWO);
+    const pose = { theta: 0, phi: 45, radius: Math.sqrt(8), target: [0, 0, 0] } as const;
+    const projection = new Projection({ pose, fov: 45, width: 600, height: 400 });
+    const at = { x: 300, y: 200 };
+    const texts = (left: number): string[] => {
+      const names = [{ text: 'light 1', left, top: 90, right: left + 40, bottom: 106 }];
+      const room = { left: 0, top: 0, right: 600, bottom: 400 };
+      const space = { outline: [], room, boxes: [], names, fontSize: 12 };
+      const list = drawingOf(projection, [0, 0, 0], at, figure(fragment), space);
+      return list
+        .flatMap((each) => (each.kind === 'label' ? [each.text] : []))
+        .filter((text) => text.startsWith('L'));
+    };
+    expect(texts(310).sort()).toEqual(['L', 'L light 3']);
+    expect(texts(10).sort()).toEqual(['L light 1', 'L light 3']);
   });
 
   it('has H and its angle to N under Blinn–Phong', () => {
@@ -249,16 +277,16 @@ describe('the figure', () => {
           for (const row of sum.rows) {
             const pose = { theta: 0, phi: 45, radius: Math.sqrt(8), target: [0, 0, 0] } as const;
             const projection = new Projection({ pose, fov: 45, width, height });
-            const drawn = figureOf(fragment, sum, row, { alone: false, halfway });
-            const covered = { left: 0, top: 0, right: 0, bottom: 0 };
+            const drawn = figureOf(fragment, sum, row, { alone: false, halfway }, null);
             const list = drawingOf(projection, [0, 0, 0], { x: width / 2, y: height / 2 }, drawn, {
               outline: [],
               room: { left: 0, top: 0, right: width, bottom: height },
-              covered,
+              boxes: [],
+              names: [],
               fontSize: 12,
             });
             // JSON writes null for what is not finite.
-            const text = JSON.stringify([list, planeOf(fragment, row, halfway)]);
+            const text = JSON.stringify(list);
             expect(text).not.toMatch(/"[xy]":null/);
           }
         }

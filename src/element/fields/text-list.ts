@@ -3,6 +3,8 @@
 import type { ViewerErrorCode } from '../events.js';
 
 export const VIEWER_TEXTS = [
+  // The language, as in `lang`: numbers are written in it
+  'en',
   // The picture, and what is around it
   '3D scene',
   'Loading',
@@ -92,6 +94,7 @@ export const VIEWER_TEXTS = [
   '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.',
   '{cosines} = {cosine} is not above 0: no highlight.',
   'At the point itself, {steps}',
+  '+ {number} lights',
   // The panel's titles
   'Controls',
   'Lights',

@@ -1,5 +1,6 @@
-// Numbers that are only read, in the digits and with the decimal sign of the page's language. Fields keep the point:
+// Numbers that are only read, in the digits and with the decimal sign of the words around them. Fields keep the point:
 // what users type is what stands in HTML.
+import { phrase, type ViewerTexts } from '../fields/texts.js';
 
 /** Node has no document. */
 const page = globalThis as { readonly document?: { readonly documentElement?: { readonly lang: string } } };
@@ -7,9 +8,13 @@ const page = globalThis as { readonly document?: { readonly documentElement?: { 
 /** The digits from 9 to 0 and the decimal sign, by language. */
 const signs = new Map<string, readonly string[]>();
 
-/** A number as text, such as `−0.25`, as the page's `lang` writes it. Without a language, or a known one, unchanged. */
-export function localNumber(number: string): string {
-  const lang = page.document?.documentElement?.lang ?? '';
+/**
+ * A number as text, such as `−0.25`, in the language of the texts. Texts that do not name theirs are in the page's.
+ * Without a language, or a known one, unchanged.
+ */
+export function localNumber(number: string, texts: ViewerTexts | null): string {
+  const isUnnamed = texts !== null && texts.en === undefined;
+  const lang = isUnnamed ? (page.document?.documentElement?.lang ?? '') : phrase(texts, 'en');
   let own = signs.get(lang);
   if (own === undefined) signs.set(lang, (own = signsOf(lang)));
   return number.replace(/[\d.]/g, (sign) => own[9 - Number(sign)] ?? own[10]!);

@@ -2,6 +2,7 @@
 import type { CompleteTexts } from '../fields/texts.js';
 
 const texts: CompleteTexts = {
+  en: 'es',
   '3D scene': 'Escena 3D',
   Loading: 'Cargando',
   'Try again': 'Reintentar',
@@ -49,7 +50,7 @@ const texts: CompleteTexts = {
   'R · V': 'R · V',
   'N · H': 'N · H',
   Attenuation: 'Atenuación',
-  Decay: 'Caída hacia el borde',
+  Decay: 'Caída',
   Triangles: 'Triángulos',
   'all lights': 'todas las luces',
   'no light is active': 'ninguna luz está encendida',
@@ -99,6 +100,7 @@ const texts: CompleteTexts = {
     '{cosines} = cos {angle} = {cosine}, elevado a {exponent}: {power}.',
   '{cosines} = {cosine} is not above 0: no highlight.': '{cosines} = {cosine} no es mayor que 0: sin brillo.',
   'At the point itself, {steps}': 'En el punto mismo, {steps}',
+  '+ {number} lights': '+ {number} luces',
   Controls: 'Controles',
   Lights: 'Luces',
   Camera: 'Cámara',

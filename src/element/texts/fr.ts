@@ -2,6 +2,7 @@
 import type { CompleteTexts } from '../fields/texts.js';
 
 const texts: CompleteTexts = {
+  en: 'fr',
   '3D scene': 'Scène 3D',
   Loading: 'Chargement',
   'Try again': 'Réessayer',
@@ -49,7 +50,7 @@ const texts: CompleteTexts = {
   'R · V': 'R · V',
   'N · H': 'N · H',
   Attenuation: 'Atténuation',
-  Decay: 'Décroissance vers le bord',
+  Decay: 'Décroissance',
   Triangles: 'Triangles',
   'all lights': 'toutes les lumières',
   'no light is active': 'aucune lumière n’est allumée',
@@ -100,6 +101,7 @@ const texts: CompleteTexts = {
   '{cosines} = {cosine} is not above 0: no highlight.':
     '{cosines} = {cosine} n’est pas supérieur à 0 : pas de reflet.',
   'At the point itself, {steps}': 'Au point même, {steps}',
+  '+ {number} lights': '+ {number} lumières',
   Controls: 'Réglages',
   Lights: 'Lumières',
   Camera: 'Caméra',
@@ -174,8 +176,8 @@ const texts: CompleteTexts = {
   'diffuse term': 'terme diffus',
   'specular term': 'terme spéculaire',
   'colour space': 'espace de couleurs',
-  antialias: 'anticrénelage',
-  samples: 'échantillons',
+  antialias: 'anti\u00adcrénelage',
+  samples: 'échan\u00adtillons',
   'Per pixel, with antialias full': 'Par pixel, avec anticrénelage complet',
   directional: 'directionnelle',
   point: 'ponctuelle',

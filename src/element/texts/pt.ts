@@ -2,6 +2,7 @@
 import type { CompleteTexts } from '../fields/texts.js';
 
 const texts: CompleteTexts = {
+  en: 'pt',
   '3D scene': 'Cena 3D',
   Loading: 'Carregando',
   'Try again': 'Tentar novamente',
@@ -49,7 +50,7 @@ const texts: CompleteTexts = {
   'R · V': 'R · V',
   'N · H': 'N · H',
   Attenuation: 'Atenuação',
-  Decay: 'Queda em direção à borda',
+  Decay: 'Queda',
   Triangles: 'Triângulos',
   'all lights': 'todas as luzes',
   'no light is active': 'nenhuma luz está acesa',
@@ -99,6 +100,7 @@ const texts: CompleteTexts = {
     '{cosines} = cos {angle} = {cosine}, elevado a {exponent}: {power}.',
   '{cosines} = {cosine} is not above 0: no highlight.': '{cosines} = {cosine} não é maior que 0: sem brilho.',
   'At the point itself, {steps}': 'No próprio ponto, {steps}',
+  '+ {number} lights': '+ {number} luzes',
   Controls: 'Controles',
   Lights: 'Luzes',
   Camera: 'Câmera',

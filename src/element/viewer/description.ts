@@ -22,9 +22,9 @@ export const cameraText = (
   { theta, phi, radius }: Pick<CameraState, 'theta' | 'phi' | 'radius'>,
 ): string =>
   phrase(texts, 'Camera: azimuth {theta}°, polar angle {phi}°, distance {radius}.', {
-    theta: numbers([Math.round(theta)]),
-    phi: numbers([Math.round(phi)]),
-    radius: numbers([radius]),
+    theta: numbers([Math.round(theta)], texts),
+    phi: numbers([Math.round(phi)], texts),
+    radius: numbers([radius], texts),
   });
 
 /** All lights in one sentence; empty for none. `names`: of {@link lightName}. */
@@ -48,8 +48,8 @@ export const lightName = (
 export function lightText(texts: ViewerTexts | null, name: string, values: LightValues): string {
   const light = phrase(texts, lightOf(kindOf(values)), {
     name: lightName(texts, name, values),
-    position: numbers(values.position.slice(0, 3)),
-    diffuse: numbers(values.diffuse),
+    position: numbers(values.position.slice(0, 3), texts),
+    diffuse: numbers(values.diffuse, texts),
   });
   return values.space === 'camera' ? phrase(texts, '{light}, in camera space', { light }) : light;
 }
@@ -74,11 +74,11 @@ const fileOf = (src: string): string => /([^/?#]*)(?:[?#].*)?$/.exec(src)?.[1] ?
 const MINUS = /* @__PURE__ */ String.fromCodePoint(0x2212);
 
 /**
- * In the page's language. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is
+ * In the language of the texts. Three digits are enough for the ear. Some screen readers skip a hyphen, so a minus sign is
  * used.
  */
-const numbers = (values: readonly number[]): string =>
+const numbers = (values: readonly number[], texts: ViewerTexts | null): string =>
   values
-    .map((value) => localNumber(String(Number(value.toPrecision(3)))))
+    .map((value) => localNumber(String(Number(value.toPrecision(3))), texts))
     .join(' ')
     .replaceAll('-', MINUS);

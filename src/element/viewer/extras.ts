@@ -22,10 +22,15 @@ export interface ExtraHost {
   readonly children: ViewerChildren;
   /** `tree.layer` lies over the picture and lets the pointer through. */
   readonly tree: ViewerTree;
+  /** The names that helpers have placed over the picture. The probe's keep clear of them. */
+  readonly names: { placed: readonly PlacedName[] };
   /** Size of the picture, CSS pixels. 0 × 0 while the viewer has no box. */
   size(): { readonly width: number; readonly height: number };
   snapshot(): ViewerSnapshot;
 }
+
+/** CSS pixels of the layer, or of the file that is being drawn. */
+export type PlacedName = Readonly<Record<'left' | 'top' | 'right' | 'bottom', number> & { text: string }>;
 
 export interface Extra {
   /** A frame was drawn, or the viewer's own values have changed. */
@@ -76,6 +81,7 @@ export class ViewerExtras implements ReactiveController {
   readonly #camera: ViewerCamera;
   readonly #children: ViewerChildren;
   readonly #visibility: Visibility;
+  readonly #names: ExtraHost['names'] = { placed: [] };
   readonly #extras = new Map<Kind, Extra | 'loading'>();
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
@@ -133,7 +139,9 @@ export class ViewerExtras implements ReactiveController {
 
   /** What the extras show belongs to this picture, which was captured in this task. */
   async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
-    const extras = [...this.#extras.values()].filter((extra) => extra !== 'loading');
+    const extras = KINDS.map((kind) => this.#extras.get(kind)).filter(
+      (extra) => extra !== undefined && extra !== 'loading',
+    );
     if (extras.length === 0) return;
     const { width, height } = picture;
     // Apart from the picture: the scene can change while some code is fetched.
@@ -172,6 +180,7 @@ export class ViewerExtras implements ReactiveController {
       values,
       viewport,
       tree,
+      names: this.#names,
       camera: this.#camera,
       children: this.#children,
       size: () => this.#visibility.size,

@@ -20,7 +20,7 @@ export interface Box {
 }
 
 /** Height of a label's line, and how far above its lower edge the baseline is. In font sizes. */
-export const LINE = { height: 4 / 3, descent: 1 / 3 } as const;
+const LINE = { height: 4 / 3, descent: 1 / 3 } as const;
 
 /** Pixels to the room's edge: the text's outline. */
 const MARGIN = 2;
@@ -58,6 +58,12 @@ export function placeLabels(
     taken.push(box);
     return { x: box.left, y: box.bottom - LINE.descent * fontSize };
   });
+}
+
+/** What a label covers, by the left end of its baseline. */
+export function labelBox({ x, y }: Point, width: number, fontSize: number): Box {
+  const bottom = y + LINE.descent * fontSize;
+  return { left: x, top: bottom - LINE.height * fontSize, right: x + width, bottom };
 }
 
 /** The first place of those that cover least of `avoided`. */
@@ -140,29 +146,21 @@ const MOST_WIDTHS = 1000;
 /** Pixels at which texts are measured. Widths at other sizes are in proportion. */
 const MEASURED = 12;
 
-const LABEL = labelFont(`${String(MEASURED)}px`);
-
-/** The font of a table. */
-export const PLAIN = `${String(MEASURED)}px system-ui, sans-serif`;
-
 const widths = new Map<string, number>();
 let context: CanvasRenderingContext2D | null = null;
 
-/** Measured by a canvas, which costs no layout. CSS pixels. `font`: that of labels, or {@link PLAIN}. */
-export function textWidth(text: string, fontSize: number, font = LABEL): number {
-  return (widthAt(text, font) * fontSize) / MEASURED;
-}
+/** Measured by a canvas, which costs no layout. CSS pixels. */
+export const textWidth = (text: string, fontSize: number): number => (measured(text) * fontSize) / MEASURED;
 
-function widthAt(text: string, font: string): number {
-  const key = `${font} ${text}`;
-  const known = widths.get(key);
+function measured(text: string): number {
+  const known = widths.get(text);
   if (known !== undefined) return known;
   if (widths.size >= MOST_WIDTHS) widths.clear();
   context ??= document.createElement('canvas').getContext('2d');
-  if (context !== null) context.font = font;
+  if (context !== null) context.font = labelFont(`${String(MEASURED)}px`);
   // Without a canvas: seven pixels a letter is wider than most text.
   const width = context?.measureText(text).width ?? 7 * text.length;
-  widths.set(key, width);
+  widths.set(text, width);
   return width;
 }
 

@@ -22,17 +22,9 @@ export class SvgLayer {
   });
   #shown: DrawnPrimitive[] = [];
 
-  /**
-   * `figure`: what it shows is of this size for a text of 12 pixels, and scaled by the style sheet. By default it shows
-   * pixels of the picture ({@link over}), with labels as large as the text around it.
-   */
-  constructor(
-    className: string | null = null,
-    figure: { readonly width: number; readonly height: number } | null = null,
-  ) {
-    set(this.element, { class: className });
-    if (figure !== null) this.over(figure);
-    this.element.style.font = labelFont(figure === null ? '1em' : '12px');
+  /** Labels are as large as the text around it. */
+  constructor() {
+    this.element.style.font = labelFont('1em');
   }
 
   /**
@@ -74,15 +66,7 @@ export class SvgLayer {
 
 /** Labels are placed again for each list, but few of them move. */
 const isSame = (a: Primitive, b: Primitive): boolean =>
-  a === b ||
-  (a.kind === 'label' &&
-    b.kind === 'label' &&
-    a.text === b.text &&
-    a.at.x === b.at.x &&
-    a.at.y === b.at.y &&
-    a.color === b.color &&
-    a.part === b.part &&
-    a.opacity === b.opacity);
+  a === b || (a.kind === 'label' && JSON.stringify(a) === JSON.stringify(b));
 
 function draw(elements: readonly SVGElement[], primitive: Primitive): void {
   const opacity = String(primitive.opacity ?? 1);

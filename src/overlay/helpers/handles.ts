@@ -153,7 +153,7 @@ export class Handles {
     const label =
       part === 'place'
         ? lightText(texts, name, values)
-        : phrase(texts, PART_TEXTS[part], { name, degrees: localNumber(String(values.aperture)) });
+        : phrase(texts, PART_TEXTS[part], { name, degrees: localNumber(String(values.aperture), texts) });
     set(element, { 'aria-label': label, 'aria-description': phrase(texts, 'Enter starts moving.') });
   }
 

@@ -56,13 +56,16 @@ class Helpers implements Extra {
     if (!hasLights) this.#lights.hide();
     if (view === null) {
       this.#objects.hide();
+      this.#host.names.placed = [];
       this.#svg.show([]);
       return;
     }
     const objects = this.#objects.show(view, this.#scene, helpers);
     const lights = hasLights ? this.#lights.show(view, this.#scene, isFrame) : NO_DRAWING;
     const { box, fontSize, boxes } = this.#room;
-    this.#svg.show(listOf([objects, lights], box, fontSize, boxes));
+    const { list, placed } = listOf([objects, lights], box, fontSize, boxes);
+    this.#host.names.placed = placed;
+    this.#svg.show(list);
   }
 
   /** The same at the picture's size: as large in it, in proportion, as on the page. */
@@ -76,13 +79,20 @@ class Helpers implements Extra {
     const objects = this.#objects.drawingAt(view, scene, helpers);
     const lights = helpers.includes('lights') ? this.#lights.drawingAt(view, scene) : NO_DRAWING;
     const { fontSize } = this.#room;
-    drawList(context, listOf([objects, lights], whole(view), fontSize), scale, fontSize);
+    const { list, placed } = listOf([objects, lights], whole(view), fontSize);
+    drawList(context, list, scale, fontSize);
+    // For the probe, which draws next.
+    const { names } = this.#host;
+    const shown = names.placed;
+    names.placed = placed;
+    queueMicrotask(() => (names.placed = shown));
   }
 
   dispose(): void {
     this.#lights.hide();
     this.#objects.hide();
     this.#room.dispose();
+    this.#host.names.placed = [];
     this.#element.remove();
     removeStyles(this.#root, styles);
   }

@@ -1,7 +1,8 @@
 // Names in the picture, and their places. Places the names of all helpers together, so that none covers another. CSS
 // pixels of the layer.
+import type { PlacedName } from '../../element/viewer/extras.js';
 import type { Label, Primitive } from '../drawing/display-list.js';
-import { type Box, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
+import { type Box, labelBox, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';
 
 export interface Name {
@@ -35,7 +36,7 @@ export function listOf(
   room: Box,
   fontSize: number,
   boxes: readonly Box[] = [],
-): Primitive[] {
+): { readonly list: readonly Primitive[]; readonly placed: readonly PlacedName[] } {
   const names = [...drawings].reverse().flatMap((each) => each.names);
   const texts = names.map(({ text }) => shortened(text));
   const places = placeLabels(
@@ -47,18 +48,12 @@ export function listOf(
   );
   const labels = names.flatMap(({ part, opacity = 1 }, i): Label[] => {
     const at = places[i];
-    return at
-      ? [
-          {
-            kind: 'label',
-            at,
-            text: texts[i]!,
-            color: COLOR,
-            opacity,
-            ...(part === undefined ? {} : { part }),
-          },
-        ]
-      : [];
+    const shown = part === undefined ? {} : { part };
+    return at ? [{ kind: 'label', at, text: texts[i]!, color: COLOR, opacity, ...shown }] : [];
   });
-  return [...drawings.flatMap(({ list }) => list), ...labels];
+  const placed = labels.map(({ at, text }) => ({
+    text,
+    ...labelBox(at, textWidth(text, fontSize), fontSize),
+  }));
+  return { list: [...drawings.flatMap(({ list }) => list), ...labels], placed };
 }

@@ -104,10 +104,7 @@ const GRID = 1.5;
 /** Twice as many as a scene at the origin has. */
 const MOST_LINES = 40;
 
-/**
- * 1, 2 or 5 times a power of ten, at least `length`. Chunks of overlays share no file, so legend/view-scale.ts has its
- * own.
- */
+/** 1, 2 or 5 times a power of ten, at least `length`. */
 function roundStep(length: number): number {
   const power = 10 ** Math.floor(Math.log10(length));
   return ([1, 2, 5, 10].find((step) => step * power >= length) ?? 10) * power;

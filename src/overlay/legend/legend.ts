@@ -4,7 +4,6 @@ import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
 import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView } from '../../material/view/picture-view.js';
-import {} from '../../material/view/view-table.js';
 import type { View } from '../../material/views.js';
 import { chosenLights, lightsText, unknownLightText } from './chosen-lights.js';
 import { LegendBox } from './legend-box.js';
@@ -22,7 +21,7 @@ class ViewExtra implements Extra {
   readonly #root: ShadowRoot;
   /** The values that the picture was last set to. */
   #shown = '';
-  #scale: { readonly key: string; readonly bars: readonly Bar[] } = { key: '', bars: [] };
+  #scale: { readonly key: readonly unknown[]; readonly bars: readonly Bar[] } = { key: [], bars: [] };
   /** Values of `view-light` that were warned of. */
   readonly #warned = new Set<string>();
   #warning: ReturnType<typeof setTimeout> | undefined;
@@ -74,8 +73,9 @@ class ViewExtra implements Extra {
     const host = this.#host;
     const { view, reflection } = host.values;
     const { texts } = host.viewer;
-    const key = `${view} ${document.documentElement.lang}`;
-    if (this.#scale.key !== key) this.#scale = { key, bars: barsOf(view) };
+    const key = [view, texts, document.documentElement.lang];
+    if (key.some((value, i) => value !== this.#scale.key[i]))
+      this.#scale = { key, bars: barsOf(view, texts) };
     this.#legend.show({
       label: phrase(texts, 'Legend'),
       title: phrase(texts, titleOf(view, reflection === 'blinn-phong')),

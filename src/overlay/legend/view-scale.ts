@@ -1,5 +1,6 @@
 // The title and the scale of a view's legend, as data.
 import type { ViewerText } from '../../element/fields/text-list.js';
+import type { ViewerTexts } from '../../element/fields/texts.js';
 import { localNumber } from '../../element/page/local-number.js';
 import { VIEW_TABLE, type ViewEntry, viewEntry } from '../../material/view/view-table.js';
 import type { View } from '../../material/views.js';
@@ -27,10 +28,10 @@ interface LegendTitle {
   readonly blinnTitle?: ViewerText;
 }
 
-export const barsOf = (view: View): readonly Bar[] =>
+export const barsOf = (view: View, texts: ViewerTexts | null): readonly Bar[] =>
   SCALES[viewEntry(view).scale].map((bar) => ({
     ...bar,
-    marks: bar.marks.map(({ at, text }) => ({ at, text: localNumber(text) })),
+    marks: bar.marks.map(({ at, text }) => ({ at, text: localNumber(text, texts) })),
   }));
 
 const GREY: readonly Bar[] = [{ label: '', colors: [BLACK, [255, 255, 255]], marks: UNIT_MARKS }];

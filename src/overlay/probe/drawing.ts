@@ -1,6 +1,7 @@
 // Turns a fragment's figure into lines over the picture: arrows, arcs and labels in CSS pixels of the layer, as a
 // display list.
 import { type Vec3, add, scale } from '../../math/vector.js';
+import type { PlacedName } from '../../element/viewer/extras.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
 import {
@@ -26,6 +27,9 @@ const MARK = 6;
 /** Half the width that labels keep clear of an arrow, CSS pixels. */
 const LINE_HALF = 3;
 
+/** Distance from an arrow's tip to its light's name, in font sizes. */
+const BESIDE = 6;
+
 /** Layers smaller than this have room for arrows but not for their names. CSS pixels. */
 const NAMED = { width: 140, height: 110 };
 
@@ -40,13 +44,14 @@ export const markOf = (at: Point, dashed: boolean): Primitive[] => [
   { kind: 'disc', center: at, radius: MARK, fill: null, color: '#fff', width: 2, dashed },
 ];
 
-interface Surroundings {
+export interface Surroundings {
   /** A triangle around the point, if any. */
   readonly outline: readonly Vec3[];
   /** Labels stay inside. */
   readonly room: Box;
-  /** By the box. */
-  readonly covered: Box;
+  /** By the box, and by the names of lights and axes. */
+  readonly boxes: readonly Box[];
+  readonly names: readonly PlacedName[];
   readonly fontSize: number;
 }
 
@@ -56,14 +61,14 @@ export function drawingOf(
   p: Vec3,
   at: Point,
   { vectors, arcs }: Figure,
-  { outline, room, covered, fontSize }: Surroundings,
+  { outline, room, boxes, names, fontSize }: Surroundings,
 ): Primitive[] {
   const unit = arrowLength(projection) / projection.pixelsPerUnit(projection.depthOf(p));
   const placeOf = (vector: Vec3): Point | null => projection.point(add(p, scale(vector, unit)));
   const list: Primitive[] = [];
   const label = labelsOf(fontSize);
   const labels: Labelled[] = [label('V', at, MARK + 4)];
-  const avoided = [boxAround(at, MARK), covered];
+  const avoided = [boxAround(at, MARK)];
   if (outline.length > 0)
     list.push({
       kind: 'stroke',
@@ -79,14 +84,15 @@ export function drawingOf(
     avoided.push(...boxesAlong(line, 1));
     labels.push(label(text, line[Math.floor(line.length / 2)]!, 8));
   }
-  for (const { name, direction, color, dashed } of vectors) {
+  for (const { name, of, direction, color, dashed } of vectors) {
     const tip = placeOf(direction);
     if (tip === null) continue;
     const css = cssColor(coreColor(color ?? WHITE));
     avoided.push(...boxesAlong([at, tip], LINE_HALF));
     if (Math.hypot(tip.x - at.x, tip.y - at.y) > MARK)
       list.push(...arrow([at, tip], { color: css, width: 2.5, dashed }));
-    labels.push(label(shortened(name), tip, 7, css));
+    const isNamed = names.some((each) => each.text === shortened(of ?? '') && isBeside(tip, each, fontSize));
+    labels.push(label(isNamed ? 'L' : shortened(name), tip, 7, css));
   }
   list.push(...markOf(at, false), dot(at));
   if (projection.width < NAMED.width || projection.height < NAMED.height) return list;
@@ -97,6 +103,7 @@ export function drawingOf(
     room,
     avoided,
     fontSize,
+    [...boxes, ...names],
   );
   labels.forEach(({ text, color }, i) => {
     const place = places[i];
@@ -104,6 +111,10 @@ export function drawingOf(
   });
   return list;
 }
+
+/** An arrow's name here would be read together with the other one. */
+const isBeside = ({ x, y }: Point, { left, right, top, bottom }: Box, fontSize: number): boolean =>
+  Math.hypot(Math.max(left - x, x - right, 0), Math.max(top - y, y - bottom, 0)) < BESIDE * fontSize;
 
 /** The tip of V, which points at the eye. */
 const dot = (center: Point): Primitive => ({

@@ -2,8 +2,10 @@
 // world space. V is not among them: it points at the eye, so the picture shows it as a point. For the same reason the
 // angle between R and V has no arc: it would lie on R itself.
 import type { FragmentExplanation } from '../../element/explanation.js';
+import type { ViewerTexts } from '../../element/fields/texts.js';
 import { add, dot, length, map, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
-import { byShare, degreesText, type Sum, type SumRow } from './sum.js';
+import { byShare, type Sum, type SumRow } from './sum.js';
+import { lobeWords, normalWords } from './words.js';
 
 /** Most lights with arrows. More arrows would be unreadable. */
 export const MOST_LIGHTS = 6;
@@ -16,6 +18,8 @@ const ARC_RADIUS = { L: 0.5, H: 0.7 };
 
 export interface Vector {
   readonly name: string;
+  /** The name of its light. */
+  readonly of?: string;
   /** Unit length. */
   readonly direction: Vec3;
   /** Channels 0–1, 1 or the light's own; null for white. */
@@ -41,6 +45,7 @@ export function figureOf(
   sum: Sum,
   chosen: SumRow | null,
   { alone, halfway }: { readonly alone: boolean; readonly halfway: boolean },
+  texts: ViewerTexts | null,
 ): Figure {
   const { N, V } = fragment;
   const hasNormal = length(N) > 0;
@@ -52,20 +57,21 @@ export function figureOf(
     const { L } = row.share;
     if (row.absence === 'no direction') continue;
     const name = sum.rows.length === 1 ? 'L' : `L ${row.name}`;
-    vectors.push({ name, direction: L, color: colorOf(row), dashed: row.absence !== null });
+    vectors.push({ name, of: row.name, direction: L, color: colorOf(row), dashed: row.absence !== null });
   }
   if (chosen === null || !hasNormal || chosen.absence === 'no direction') return { vectors, arcs };
-  const { L, NoL, RoV } = chosen.share;
+  const { L, NoL } = chosen.share;
   const color = colorOf(chosen);
-  arcs.push({ points: arc(N, L, ARC_RADIUS.L), label: degreesText(NoL) });
+  arcs.push({ points: arc(N, L, ARC_RADIUS.L), label: normalWords(texts, chosen.share).angle });
   if (chosen.absence !== null) return { vectors, arcs };
+  const { angle } = lobeWords(texts, chosen.share.RoV, fragment.shininess);
   if (halfway) {
     const H = normalize(add(L, V));
     vectors.push({ ...plain('H', H), color });
-    arcs.push({ points: arc(N, H, ARC_RADIUS.H), label: degreesText(RoV) });
+    arcs.push({ points: arc(N, H, ARC_RADIUS.H), label: angle });
   } else {
     const R = subtract(scale(N, 2 * NoL), L);
-    vectors.push({ ...plain(`R ∠V ${degreesText(RoV)}`, R), color });
+    vectors.push({ ...plain(`R ∠V ${angle}`, R), color });
   }
   return { vectors, arcs };
 }
@@ -88,5 +94,23 @@ function arc(from: Vec3, to: Vec3, radius: number): Vec3[] {
     // Slerp; nearly equal or opposite vectors span no plane.
     const [a, b] = sine < 1e-6 ? [1 - t, t] : [Math.sin((1 - t) * angle) / sine, Math.sin(t * angle) / sine];
     return scale(add(scale(from, a), scale(to, b)), radius);
+  });
+}
+
+/**
+ * The corners of the triangle that a fragment belongs to, in world space, as drawn now. Empty if the object's geometry
+ * has changed.
+ */
+export function trianglePlaces({ object, triangle }: FragmentExplanation): Vec3[] {
+  const { geometry, matrixWorld } = object;
+  const { index } = geometry;
+  const position = geometry.getAttribute('position');
+  if (3 * triangle + 2 >= (index ?? position).count) return [];
+  const e = matrixWorld.elements;
+  return [0, 1, 2].map((corner): Vec3 => {
+    const vertex = index === null ? 3 * triangle + corner : index.getX(3 * triangle + corner);
+    const [x, y, z] = [position.getX(vertex), position.getY(vertex), position.getZ(vertex)];
+    const along = (row: 0 | 1 | 2): number => e[row] * x + e[4 + row]! * y + e[8 + row]! * z + e[12 + row]!;
+    return [along(0), along(1), along(2)];
   });
 }

@@ -1,13 +1,14 @@
-// The probe's box: the colour, the table of its sum, and the steps of one light, in a box at the picture's lower or
-// upper edge, whichever is away from the point.
-import { html, noChange, nothing, type TemplateResult } from 'lit';
+// The probe's box: the colour, the table of its sum, and the steps of one light. A column at the picture's side in wide
+// pictures, else a strip along its upper or lower edge, whichever is away from the point. The style sheet gives it a
+// size; what does not fit in there is left out in a fixed order, by trying.
+import { html, noChange, nothing, render, type TemplateResult } from 'lit';
+import { create } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import type { Box } from '../drawing/label-layout.js';
+import type { Point } from '../drawing/projection.js';
 import type { Room } from '../drawing/room.js';
-import { SvgLayer } from '../drawing/svg-layer.js';
-import { layoutOf, type TableLayout } from './columns.js';
-import { PLANE, planeOf } from './plane.js';
+import { columnsOf, MOST_LEFT, NO_AMBIENT, type TableShape } from './columns.js';
 import { type Sum, type SumRow, tripleText } from './sum.js';
 import { type Chosen, STEPS, SumTable } from './sum-table.js';
 import { FILTERED, GOURAUD, stepsText, UNLIT } from './words.js';
@@ -26,6 +27,8 @@ export interface BoxContent {
 export interface BoxState {
   /** A message stands in place of a sum. Null: nothing is shown. */
   readonly content: BoxContent | string | null;
+  /** The point on the layer. */
+  readonly at: Point;
   /** The point stays where it is. The box takes the pointer then; otherwise the picture below it can be reached. */
   readonly pinned: boolean;
   /** The user has pinned it. */
@@ -33,57 +36,39 @@ export interface BoxState {
   readonly texts: ViewerTexts | null;
 }
 
-/** The most of the room's height that the box has; see probe.css. */
-const HIGHEST = 0.48;
+/** One way to show it. */
+interface Form {
+  readonly isColumn: boolean;
+  /** Null: there is only room for the colour. */
+  readonly shape: TableShape | null;
+  /** Lights with a row of their own. */
+  readonly lights: number;
+  readonly note: boolean;
+  readonly steps: boolean;
+}
 
-/** Pixels between the box and the point, where the other edge leaves more: room for arrows. */
-const CLEARANCE = 60;
+/** Width of the picture's free part from which on the box is a column, CSS pixels. */
+const WIDE = 560;
 
-/** Pixels by which the edge that the box is not at must be better. */
-const GAIN = 12;
+/** Lights that are not left out before the steps are. */
+const LEAST_LIGHTS = 3;
 
-/** The edge of the picture that the box can be at. */
-export type Edge = 'low' | 'high';
-
-/** From the box to the room's edge; see probe.css. CSS pixels. */
-const MARGIN = 8;
-
-/** Rooms narrower than this have smaller margins; see probe.css. In font sizes. */
-const ROOMY = 40;
-
-/** Margins, paddings and borders on both sides of the table, and a scroll bar. CSS pixels. */
-const SPACE = { roomy: 36, small: 22, scrollBar: 12 } as const;
-
-/** The least room beside the table for the angles side on; see probe.css. In font sizes. */
-const BESIDE = { width: 58, height: 33 } as const;
-
-/** Largest height of a table's line, and of head and steps around the table. In font sizes. */
-const LINES = { row: 1.6, around: 6 } as const;
+/** Pixels by which the point has to cross the middle before the box changes sides: it does not jump back and forth. */
+const GAIN = 4;
 
 export class ProbeBox {
-  /** The angles side on, where there is room. */
-  readonly #plane = new SvgLayer('plane', PLANE);
+  /** Holds the box, in the free part of the picture. */
+  readonly place = create('div', { class: 'probe-place' });
   readonly #table: SumTable;
-  readonly #resized = new ResizeObserver(([entry]) => {
-    const [size] = entry?.borderBoxSize ?? [];
-    if (size === undefined || size.blockSize === 0) return;
-    this.#size = { width: size.inlineSize, height: size.blockSize };
-    this.#changed();
-  });
-  /** Size of the box as it was last laid out: reading it here would cost a layout per frame. */
-  #size = { width: 0, height: 0 };
-  #edge: Edge = 'low';
   readonly #room: Room;
-  readonly #changed: () => void;
   readonly #release: () => void;
+  /** The point is in the half where text begins, and in the upper half. */
+  #isAtStart = false;
+  #isAbove = true;
 
-  /**
-   * `changed`: another light was chosen, or the box has another size. `release`: the button that takes the pin away was
-   * pressed.
-   */
+  /** `changed`: another light was chosen. `release`: the button that takes the pin away was pressed. */
   constructor(room: Room, changed: () => void, release: () => void) {
     this.#room = room;
-    this.#changed = changed;
     this.#release = release;
     this.#table = new SumTable(changed);
   }
@@ -92,17 +77,109 @@ export class ProbeBox {
     return this.#table.chosen;
   }
 
-  template({ content, pinned, releasable, texts }: BoxState): TemplateResult {
+  /** Shows this, and gives what the box covers of the layer. Forces a layout, of this box alone. */
+  show(state: BoxState): Box {
+    this.#keepAwayFrom(state.at);
+    this.#fit(state);
+    const { left, top } = this.#room.box;
+    const { offsetLeft, offsetTop, offsetWidth, offsetHeight } = this.#element;
+    const [x, y] = [left + offsetLeft, top + offsetTop];
+    return { left: x, top: y, right: x + offsetWidth, bottom: y + offsetHeight };
+  }
+
+  get #element(): HTMLElement {
+    return this.place.firstElementChild as HTMLElement;
+  }
+
+  #keepAwayFrom({ x, y }: Point): void {
+    const { left, right, top, bottom } = this.#room.box;
+    const across = (x - (left + right) / 2) * (this.place.matches(':dir(rtl)') ? -1 : 1);
+    const down = y - (top + bottom) / 2;
+    if (Math.abs(across) > GAIN) this.#isAtStart = across < 0;
+    if (Math.abs(down) > GAIN) this.#isAbove = down < 0;
+  }
+
+  /** The first form that fits. Without a sum there is one. */
+  #fit(state: BoxState): void {
+    const { box } = this.#room;
+    const isWide = box.right - box.left >= WIDE;
+    const { content } = state;
+    const bare: Form = { isColumn: isWide, shape: null, lights: 0, note: true, steps: true };
+    if (content === null || typeof content === 'string') {
+      this.#render(state, bare);
+      return;
+    }
+    const { sum, gouraud } = content;
+    const shape = (left: number, digits: number, stacked = false): TableShape => ({
+      columns: columnsOf(sum, left, !gouraud),
+      digits,
+      stacked,
+    });
+    const all = sum.rows.length;
+    const fits = (form: Form, isAcross = false): boolean => {
+      this.#render(state, form);
+      const { scrollWidth, clientWidth, scrollHeight, clientHeight } = this.#element;
+      return scrollWidth <= clientWidth && (isAcross || scrollHeight <= clientHeight);
+    };
+    /** With as many lights as fit, at least `least` and never all but one: its row is as high as that of the others. */
+    const fitsWithFewer = (form: Form, least: number): boolean => {
+      let [low, high] = [least, all - 2];
+      if (low > high || !fits({ ...form, lights: low })) return false;
+      while (low < high) {
+        const middle = Math.ceil((low + high) / 2);
+        if (fits({ ...form, lights: middle })) low = middle;
+        else high = middle - 1;
+      }
+      this.#render(state, { ...form, lights: low });
+      return true;
+    };
+    const fitsSomehow = (
+      isColumn: boolean,
+      shapes: readonly TableShape[],
+      last: readonly TableShape[],
+    ): boolean => {
+      const full: Form = { ...bare, isColumn, lights: all };
+      return (
+        [true, false].some((note) => shapes.some((each) => fits({ ...full, note, shape: each }))) ||
+        [true, false].some((steps) =>
+          last.some((each) => {
+            const form: Form = { ...full, note: false, steps, shape: each };
+            return fits(form) || fitsWithFewer(form, steps ? LEAST_LIGHTS : 0);
+          }),
+        )
+      );
+    };
+    const column = [shape(0, 1), shape(0, 0), shape(0, 1, true), shape(0, 0, true)];
+    if (isWide && fitsSomehow(true, column, [shape(NO_AMBIENT, 0), shape(NO_AMBIENT, 0, true)])) return;
+    const strips = [shape(0, 1), ...Array.from({ length: MOST_LEFT + 1 }, (_, left) => shape(left, 0))];
+    const strip = strips
+      .filter((each) => fits({ ...bare, isColumn: false, lights: all, shape: each }, true))
+      .slice(0, 1);
+    const last = [...strip, shape(NO_AMBIENT, 0, true)];
+    if (!fitsSomehow(false, strip, last)) this.#render(state, { ...bare, isColumn: false });
+  }
+
+  #render(state: BoxState, form: Form): void {
+    render(this.#template(state, form), this.place);
+  }
+
+  #template({ content, pinned, releasable, texts }: BoxState, form: Form): TemplateResult {
     const isEmpty = content === null || typeof content === 'string';
-    const layout = isEmpty ? null : this.#layoutOf(content.sum, texts);
+    const { isColumn, shape, note, steps } = form;
     const kinds = {
       pinned,
-      alone: !isEmpty && layout === null,
-      narrow: layout?.narrow === true,
+      ...(isColumn
+        ? { column: true, end: this.#isAtStart }
+        : { strip: true, low: this.#isAbove, high: !this.#isAbove }),
+      alone: !isEmpty && shape === null,
+      stacked: shape?.stacked === true,
+      fine: shape?.digits === 1,
+      'no-note': !note,
+      'no-steps': !steps,
     };
     // What is hidden keeps its elements.
     return html`<div
-      class=${`box ${this.#edge} ${classMap(kinds)}`}
+      class=${`box ${classMap(kinds)}`}
       part="probe"
       role="group"
       ?hidden=${content === null}
@@ -110,7 +187,7 @@ export class ProbeBox {
       aria-label=${phrase(texts, 'Probe')}
     >
       <p class="head">
-        ${isEmpty ? noChange : colorTemplate(content, texts, layout?.digits ?? 0)}
+        ${isEmpty ? noChange : colorTemplate(content, texts, shape?.digits ?? 0)}
         <button
           class="release"
           type="button"
@@ -121,18 +198,19 @@ export class ProbeBox {
         ></button>
       </p>
       <p class="note" dir="auto" .textContent=${isEmpty ? (content ?? '') : noteOf(content, texts)}></p>
-      ${isEmpty || layout === null ? noChange : this.#sumTemplate(content, texts, layout)}
+      ${isEmpty || shape === null ? noChange : this.#sumTemplate(content, texts, shape, form.lights)}
     </div>`;
   }
 
-  #sumTemplate(content: BoxContent, texts: ViewerTexts | null, layout: TableLayout): TemplateResult {
-    const { fragment, sum, row, halfway } = content;
-    this.#plane.show(row === null ? [] : planeOf(fragment, row, halfway));
+  #sumTemplate(
+    content: BoxContent,
+    texts: ViewerTexts | null,
+    shape: TableShape,
+    lights: number,
+  ): TemplateResult {
+    const { sum, row } = content;
     return html`
-      <div class="beside">
-        <div class="scroll">${this.#table.template(sum, row, texts, layout)}</div>
-        ${this.#plane.element}
-      </div>
+      ${this.#table.template(sum, row, texts, shape, lights)}
       <p
         class="steps"
         id=${STEPS}
@@ -140,45 +218,6 @@ export class ProbeBox {
         .textContent=${row === null ? '' : stepsOf(content, row, texts)}
       ></p>
     `;
-  }
-
-  /** The box is in this tree now. */
-  follow(root: ParentNode): void {
-    this.#resized.observe(root.querySelector('.box')!);
-  }
-
-  /** The columns that fit into the room beside everything else in the box. */
-  #layoutOf(sum: Sum, texts: ViewerTexts | null): TableLayout | null {
-    const { box, fontSize } = this.#room;
-    const [width, height] = [box.right - box.left, box.bottom - box.top];
-    const lines = sum.rows.length + sum.totals.length + 1;
-    const scrolls = (lines * LINES.row + LINES.around) * fontSize > HIGHEST * height;
-    const hasPlane = width >= BESIDE.width * fontSize && height >= BESIDE.height * fontSize;
-    const around = width < ROOMY * fontSize ? SPACE.small : SPACE.roomy;
-    const beside = (scrolls ? SPACE.scrollBar : 0) + (hasPlane ? (PLANE.width / 12 + 1) * fontSize : 0);
-    return layoutOf(sum, { width, room: width - around - beside, fontSize }, texts);
-  }
-
-  /**
-   * Chooses the edge for a point at `y`: the preferred one unless the point is near it and the other one leaves more
-   * room. Returns what the box covers of the layer.
-   */
-  keepAwayFrom(y: number, rtl: boolean, preferred: Edge): Box {
-    const { width, height } = this.#size;
-    const { box } = this.#room;
-    const room = { low: box.bottom - y, high: y - box.top };
-    const other = preferred === 'low' ? 'high' : 'low';
-    // The current place is preferred by a margin, so that the box does not jump back and forth.
-    const lead = this.#edge === other ? GAIN : -GAIN;
-    const near = room[preferred] - lead < height + MARGIN + CLEARANCE;
-    this.#edge = near && room[other] + lead > room[preferred] ? other : preferred;
-    const top = this.#edge === 'high' ? box.top : box.bottom - height - MARGIN;
-    const left = rtl ? box.right - width - MARGIN : box.left;
-    return { left, right: left + width + MARGIN, top, bottom: top + height + MARGIN };
-  }
-
-  dispose(): void {
-    this.#resized.disconnect();
   }
 }
 
@@ -208,6 +247,6 @@ const colorTemplate = (
   digits: number,
 ): TemplateResult => html`
   <span class="swatch" .style=${`background-color: rgb(${color.map((x) => x.toFixed(2)).join(' ')})`}></span>
-  <span class="codes" dir="ltr">${fragment.filtered ? '≈ ' : ''}${tripleText(color, digits)}</span>
+  <span class="codes" dir="ltr">${fragment.filtered ? '≈ ' : ''}${tripleText(color, digits, texts)}</span>
   <span class="scale" aria-hidden="true">${phrase(texts, 'of 255')}</span>
 `;

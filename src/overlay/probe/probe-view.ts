@@ -8,16 +8,15 @@ import type { ExtraHost } from '../../element/viewer/extras.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { Primitive } from '../drawing/display-list.js';
-import { type Box, whole } from '../drawing/label-layout.js';
+import { whole } from '../drawing/label-layout.js';
 import { type Point, Projection, type Sight } from '../drawing/projection.js';
 import { Room } from '../drawing/room.js';
 import { SvgLayer } from '../drawing/svg-layer.js';
-import { drawingOf, markOf } from './drawing.js';
-import { figureOf } from './figure.js';
-import { type BoxState, ProbeBox } from './probe-box.js';
+import { drawingOf, markOf, type Surroundings } from './drawing.js';
+import { figureOf, trianglePlaces } from './figure.js';
+import { type BoxContent, ProbeBox } from './probe-box.js';
 import styles from './probe.css?inline';
 import { byShare, type Sum, type SumRow, sumOf } from './sum.js';
-import { trianglePlaces } from './plane.js';
 import { fragmentText } from './words.js';
 
 /** What the probe shows. */
@@ -31,17 +30,12 @@ export interface ProbedPoint {
   readonly pinned: boolean;
 }
 
-/** A file has no box. */
-const NOTHING_COVERED: Box = { left: 0, right: 0, top: 0, bottom: 0 };
-
 const KEYS =
   'Arrow keys move it by a pixel, with Shift by ten. Enter pins it to the surface, Escape releases it.';
 
 export class ProbeView {
   /** What is drawn, below boxes and notices. */
   readonly root = create('div', { class: 'probe' });
-  /** Holds the box, in the free part of the picture. */
-  readonly place = create('div', { class: 'probe-place' });
   /** The cross-hair. The mark that is seen is part of the drawing. */
   readonly cursor: HTMLElement;
   readonly #host: ExtraHost;
@@ -65,11 +59,15 @@ export class ProbeView {
     this.#room = new Room(host.tree, () => this.#show());
     this.#box = new ProbeBox(this.#room, () => this.#show(), release);
     addStyles(host.viewer.shadowRoot!, styles);
-    this.#render(null);
-    this.cursor = this.root.querySelector('.cursor')!;
-    this.#box.follow(this.place);
     host.tree.room.before(this.root);
     host.tree.free.append(this.place);
+    this.#show();
+    this.cursor = this.root.querySelector('.cursor')!;
+  }
+
+  /** Holds the box. */
+  get place(): HTMLElement {
+    return this.#box.place;
   }
 
   get shown(): ProbedPoint | null {
@@ -103,11 +101,12 @@ export class ProbeView {
   drawerOf(picture: HTMLCanvasElement): (fragment: FragmentExplanation) => void {
     const { scale, ...size } = fileSize(picture, this.#host.size().height);
     const projection = this.#projectionTo(size);
+    const names = this.#host.names.placed;
     return (fragment) => {
       const at = projection.point(fragment.p);
       const context = picture.getContext('2d');
       if (at === null || context === null) return;
-      const list = this.#drawingOf(fragment, at, projection, whole(size), NOTHING_COVERED);
+      const list = this.#drawingOf(fragment, at, projection, { room: whole(size), boxes: [], names });
       drawList(context, list, scale, this.#room.fontSize);
     };
   }
@@ -138,7 +137,6 @@ export class ProbeView {
 
   dispose(): void {
     this.#announcer.dispose();
-    this.#box.dispose();
     this.#room.dispose();
     this.root.remove();
     this.place.remove();
@@ -167,20 +165,30 @@ export class ProbeView {
     this.#again = this.#showing;
     if (this.#showing) return;
     this.#showing = true;
-    if (this.#shown === null) this.#drawing.show([]);
-    this.#render(this.#shown === null ? null : this.#contentOf(this.#shown));
+    this.#render();
     this.#showing = false;
     if (this.#again) this.#show();
   }
 
-  #render(content: BoxState['content']): void {
+  #render(): void {
+    const { at, fragment, message } = this.#shown ?? { at: null, fragment: null, message: null };
     const texts = (this.#language = this.#texts);
-    const state = {
-      content,
+    const { x, y } = at ?? this.middle;
+    if (this.#shown !== null) this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
+    const covered = this.#box.show({
+      content: fragment === null ? message : this.#contentOf(fragment),
+      at: { x, y },
       pinned: this.#shown?.pinned === true,
       releasable: this.#releasable,
       texts,
-    };
+    });
+    this.#drawing.over(this.size);
+    if (at === null) this.#drawing.show([]);
+    else if (fragment === null) this.#drawing.show(markOf(at, true));
+    else {
+      const space = { room: this.#room.box, boxes: [covered], names: this.#host.names.placed };
+      this.#drawing.show(this.#drawingOf(fragment, at, this.projection, space));
+    }
     const probe = html`
       ${this.#drawing.element}
       <div
@@ -195,43 +203,27 @@ export class ProbeView {
       ${this.#announcer.element}
     `;
     render(probe, this.root);
-    render(this.#box.template(state), this.place);
   }
 
-  /** Draws the arrows, and gives what the box shows. */
-  #contentOf({ at, fragment, message }: ProbedPoint): BoxState['content'] {
-    const { values } = this.#host;
-    const { x, y } = at ?? this.middle;
-    this.#drawing.over(this.size);
-    this.#place = `translate: ${x.toFixed(1)}px ${y.toFixed(1)}px`;
-    // The legend of a view is at the lower edge.
-    const preferred = values.view === 'shaded' ? 'low' : 'high';
-    const covered = this.#box.keepAwayFrom(y, this.place.matches(':dir(rtl)'), preferred);
-    if (at === null || fragment === null) {
-      this.#drawing.show(at === null ? [] : markOf(at, true));
-      return message;
-    }
+  #contentOf(fragment: FragmentExplanation): BoxContent {
     const sum = this.#sumOf(fragment);
-    this.#drawing.show(this.#drawingOf(fragment, at, this.projection, this.#room.box, covered));
     const halfway = this.#isHalfway(fragment);
-    const gouraud = this.#isGouraud(fragment);
-    return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud };
+    return { fragment, sum, row: this.#rowOf(sum), halfway, gouraud: this.#isGouraud(fragment) };
   }
 
-  /** The arrows at `at`, with labels in the room, outside the covered box. */
+  /** The arrows at `at`, with labels in the space. */
   #drawingOf(
     fragment: FragmentExplanation,
     at: Point,
     projection: Projection,
-    room: Box,
-    covered: Box,
+    space: Pick<Surroundings, 'room' | 'boxes' | 'names'>,
   ): Primitive[] {
     const sum = this.#sumOf(fragment);
     const look = { alone: this.#box.chosen !== undefined, halfway: this.#isHalfway(fragment) };
-    const figure = figureOf(fragment, sum, this.#rowOf(sum), look);
+    const figure = figureOf(fragment, sum, this.#rowOf(sum), look, this.#texts);
     const outline = this.#isGouraud(fragment) ? trianglePlaces(fragment) : [];
     const { fontSize } = this.#room;
-    return drawingOf(projection, fragment.p, at, figure, { outline, room, covered, fontSize });
+    return drawingOf(projection, fragment.p, at, figure, { outline, ...space, fontSize });
   }
 
   /** The row that the figure shows. */

@@ -3,8 +3,9 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import type { PhongLight } from '../../element/elements.js';
-import { CONTENTS, type TableLayout, titleOf } from './columns.js';
-import { shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
+import { localNumber } from '../../element/page/local-number.js';
+import { addedRow, cellText, isIdle, type TableShape, titleOf } from './columns.js';
+import { byShare, shownAbsence, type Sum, type SumRow, tripleText } from './sum.js';
 
 /** Undefined for no light. Null is the head-light. */
 export type Chosen = PhongLight | null | undefined;
@@ -20,6 +21,8 @@ export class SumTable {
   #pointed: Chosen;
   /** Pressed. */
   #kept: Chosen;
+  /** Lights that presses on the row of the others have passed over. */
+  #turned = 0;
 
   /** `choose` is called when another light is chosen. */
   constructor(choose: () => void) {
@@ -31,17 +34,35 @@ export class SumTable {
     return [this.#pointed, this.#kept].find((light) => light !== undefined && this.#lights.includes(light));
   }
 
-  /** `shown`: the light that the figure is about. */
+  /** `shown`: the light that the figure is about. `most`: lights with a row of their own. */
   template(
     sum: Sum,
     shown: SumRow | null,
     texts: ViewerTexts | null,
-    { columns, digits }: TableLayout,
+    shape: TableShape,
+    most: number,
   ): TemplateResult {
+    const { columns, digits } = shape;
+    const own = this.#own(sum.rows, most);
+    const others = sum.rows.filter((row) => !own.has(row));
     this.#lights = sum.rows.map(({ light }) => light);
     // One Tab stop: the row shown, else the first one.
-    const stop = Math.max(shown === null ? 0 : sum.rows.indexOf(shown), 0);
+    const stop = shown !== null && own.has(shown) ? shown : sum.rows.find((row) => own.has(row));
+    const cells = (row: SumRow): readonly TemplateResult[] =>
+      columns.map(
+        (column) =>
+          html`<td
+            role="cell"
+            dir="ltr"
+            class=${isIdle(row, column) ? 'idle' : nothing}
+            data-column=${column}
+            data-title=${titleOf(column, texts)}
+            .textContent=${cellText(row, column, shape, texts)}
+          ></td>`,
+      );
     return html`<table
+      role="table"
+      class=${shape.stacked ? 'stacked' : nothing}
       @pointerover=${this.#point}
       @pointerleave=${this.#leave}
       @focusin=${this.#point}
@@ -52,31 +73,59 @@ export class SumTable {
       <caption class="reader">
         ${phrase(texts, 'Red, green and blue of each term; 255 is full')}
       </caption>
-      <thead>
-        <tr>
-          <th scope="col">${phrase(texts, 'light')}</th>
-          ${columns.map((column) => html`<th scope="col">${titleOf(column, texts)}</th>`)}
+      <thead class=${shape.stacked ? 'reader' : nothing} role="rowgroup">
+        <tr role="row">
+          <th role="columnheader" scope="col">${phrase(texts, 'light')}</th>
+          ${columns.map((column) => html`<th role="columnheader" scope="col">${titleOf(column, texts)}</th>`)}
         </tr>
       </thead>
-      <tbody>
+      <tbody role="rowgroup">
         ${sum.rows.map(
-          (row, i) =>
-            html`<tr class=${row === shown ? 'shown' : nothing}>
-              <th scope="row">${this.#headTemplate(row, i === stop, texts)}</th>
-              ${columns.map((column) => html`<td dir="ltr">${CONTENTS[column](row, digits, columns)}</td>`)}
+          (row) =>
+            html`<tr role="row" class=${row === shown ? 'shown' : nothing} ?hidden=${!own.has(row)}>
+              <th role="rowheader" scope="row">${this.#headTemplate(row, row === stop, texts)}</th>
+              ${cells(row)}
             </tr>`,
         )}
+        ${
+          others.length === 0
+            ? nothing
+            : html`<tr role="row" class="others">
+                <th role="rowheader" scope="row">
+                  <button
+                    type="button"
+                    tabindex=${own.size === 0 ? 0 : -1}
+                    .textContent=${phrase(texts, '+ {number} lights', {
+                      number: localNumber(String(others.length), texts),
+                    })}
+                    @click=${() => this.#turn(most)}
+                  ></button>
+                </th>
+                ${cells(addedRow(others))}
+              </tr>`
+        }
       </tbody>
-      <tfoot>
+      <tfoot role="rowgroup">
         ${sum.totals.map(
           ({ label, color }) =>
-            html`<tr>
-              <th scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
-              <td dir="ltr">${tripleText(color, digits)}</td>
+            html`<tr role="row">
+              <th role="rowheader" scope="row" colspan=${columns.length}>${phrase(texts, label)}</th>
+              <td role="cell" dir="ltr">${tripleText(color, digits, texts)}</td>
             </tr>`,
         )}
       </tfoot>
     </table>`;
+  }
+
+  /** The lights that add most. A press on the row of the others shows the next ones. */
+  #own(rows: readonly SumRow[], most: number): ReadonlySet<SumRow> {
+    const order = byShare(rows);
+    return new Set([...order.slice(this.#turned % Math.max(rows.length, 1)), ...order].slice(0, most));
+  }
+
+  #turn(by: number): void {
+    this.#turned += Math.max(by, 1);
+    this.#choose();
   }
 
   /** The light's name, and why it adds less than one might expect. */
@@ -121,6 +170,9 @@ export class SumTable {
     const row = (event.target as Element).closest('tbody > tr');
     if (!(event.key in step) || row === null) return;
     event.preventDefault();
-    row[step[event.key as keyof typeof step]]?.querySelector('button')?.focus();
+    const sibling = step[event.key as keyof typeof step];
+    let next = row[sibling];
+    while (next !== null && (next as HTMLElement).hidden) next = next[sibling];
+    next?.querySelector('button')?.focus();
   };
 }

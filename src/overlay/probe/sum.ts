@@ -2,6 +2,7 @@
 // Colours in codes: 255 is full.
 import type { PhongLight } from '../../element/elements.js';
 import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
+import type { ViewerTexts } from '../../element/fields/texts.js';
 import { localNumber } from '../../element/page/local-number.js';
 import { isBlack } from '../../light/light-features.js';
 import { radians } from '../../math/angle.js';
@@ -96,25 +97,27 @@ const brightness = ([r, g, b]: Vec3): number => r + g + b;
 
 const codes = (color: Vec3): Vec3 => map(color, (x) => 255 * x);
 
-/** In the page's language, with a typographic minus; zero has no sign. */
-export function numberText(value: number, digits: number): string {
+/** In the language of the texts, with a typographic minus; zero has no sign. */
+export function numberText(value: number, digits: number, texts: ViewerTexts | null): string {
   if (!Number.isFinite(value)) return value > 0 ? '∞' : '−∞';
   // Larger numbers, from extreme lights, would not fit with all digits.
   const text = Math.abs(value) < 1e6 ? value.toFixed(digits) : value.toExponential(1);
-  return localNumber(text.replace(/^-(?!0(\.0*)?$)/, '−').replace(/^-/, ''));
+  return localNumber(text.replace(/^-(?!0(\.0*)?$)/, '−').replace(/^-/, ''), texts);
 }
 
-/** Three numbers with a space between. */
-export const tripleText = (color: Vec3, digits: number): string =>
-  color.map((x) => numberText(x, digits)).join(' ');
+/** Three numbers with a space between: a wider one where a comma would run into it. */
+export const tripleText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
+  color
+    .map((x) => numberText(x, digits, texts))
+    .join(digits > 0 && localNumber('.', texts) === ',' ? '\u2002' : ' ');
 
 /** A term that adds nothing is one zero: most are, and the others are easier to find. */
-export const termText = (color: Vec3, digits: number): string =>
-  isBlack(color) ? '0' : tripleText(color, digits);
+export const termText = (color: Vec3, digits: number, texts: ViewerTexts | null): string =>
+  isBlack(color) ? localNumber('0', texts) : tripleText(color, digits, texts);
 
 /** The angle whose cosine this is, in degrees. */
 export const degreesOf = (cosine: number): number =>
   Math.acos(Math.min(Math.max(cosine, -1), 1)) / radians(1);
 
-export const degreesText = (cosine: number, digits = 0): string =>
-  `${numberText(degreesOf(cosine), digits)}°`;
+export const degreesText = (cosine: number, digits: number, texts: ViewerTexts | null): string =>
+  `${numberText(degreesOf(cosine), digits, texts)}°`;

@@ -2,7 +2,7 @@
 // Plain functions from values to text.
 import { localNumber } from '../../element/page/local-number.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
-import type { FragmentExplanation } from '../../element/explanation.js';
+import type { FragmentExplanation, LightExplanation } from '../../element/explanation.js';
 import { LEAST_EXPONENT } from '../../light/light-layout.js';
 import { cosDegrees } from '../../math/angle.js';
 import {
@@ -21,9 +21,9 @@ const NAMED = 3;
 
 /** The point, its colour, and the sum of the lights that add most. */
 export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplanation, sum: Sum): string {
-  const [red = '', green = '', blue = ''] = sum.color.map((x) => numberText(x, 0));
+  const [red = '', green = '', blue = ''] = sum.color.map((x) => numberText(x, 0, texts));
   const parts = [
-    phrase(texts, 'Point {point}.', { point: placeText(fragment) }),
+    phrase(texts, 'Point {point}.', { point: placeText(texts, fragment) }),
     phrase(texts, 'Colour: red {red}, green {green}, blue {blue}.', { red, green, blue }),
   ];
   if (fragment.unlit) parts.push(phrase(texts, UNLIT));
@@ -31,7 +31,8 @@ export function fragmentText(texts: ViewerTexts | null, fragment: FragmentExplan
   const shown = byShare(sum.rows).slice(0, NAMED);
   for (const row of shown) parts.push(rowText(texts, row));
   const more = sum.rows.length - shown.length;
-  if (more > 0) parts.push(`${phrase(texts, 'More lights: {number}', { number: String(more) })}.`);
+  if (more > 0)
+    parts.push(`${phrase(texts, 'More lights: {number}', { number: localNumber(String(more), texts) })}.`);
   return parts.join(' ');
 }
 
@@ -46,17 +47,17 @@ export const NOTHING = 'No surface there.';
 function rowText(texts: ViewerTexts | null, row: SumRow): string {
   const values = {
     name: row.name,
-    ambient: tripleText(row.ambient, 0),
-    diffuse: tripleText(row.diffuse, 0),
-    specular: tripleText(row.specular, 0),
+    ambient: tripleText(row.ambient, 0, texts),
+    diffuse: tripleText(row.diffuse, 0, texts),
+    specular: tripleText(row.specular, 0, texts),
   };
   const text = phrase(texts, '{name}: ambient {ambient}, diffuse {diffuse}, specular {specular}', values);
   const absence = shownAbsence(row);
   return absence === null ? `${text}.` : `${text}, ${phrase(texts, absence)}.`;
 }
 
-const placeText = ({ p }: FragmentExplanation): string =>
-  p.map((x) => localNumber(String(Number(x.toPrecision(3)))).replace('-', '−')).join(' ');
+const placeText = (texts: ViewerTexts | null, { p }: FragmentExplanation): string =>
+  p.map((x) => localNumber(String(Number(x.toPrecision(3))), texts).replace('-', '−')).join(' ');
 
 /** The steps from a light's vectors through its cosines to its terms, at the point itself. */
 export function stepsText(
@@ -70,12 +71,12 @@ export function stepsText(
       light === null || rounded(degreesOf(share.c), digits) > light.aperture;
     return phrase(texts, '{name}: {angle} from its axis, outside its cone, so it adds nothing.', {
       name,
-      angle: degreesText(share.c, decimals(0, isOutside)),
+      angle: degreesText(share.c, decimals(0, isOutside), texts),
     });
   }
   if (absence === 'no direction') return phrase(texts, '{name}: no direction, so only ambient.', { name });
   if (absence === 'no normal') return phrase(texts, '{name}: no normal here, so only ambient.', { name });
-  const normal = { name, ...cosineWords(share.NoL, 3) };
+  const normal = { name, ...normalWords(texts, share) };
   if (absence !== null)
     return phrase(texts, '{name}: N·L = cos {angle} = {cosine} is not above 0, so only ambient.', normal);
   return `${phrase(texts, '{name}: N·L = cos {angle} = {cosine};', normal)} ${lobeText(texts, share.RoV, shininess, halfway)}`;
@@ -83,30 +84,46 @@ export function stepsText(
 
 function lobeText(texts: ViewerTexts | null, cosine: number, shininess: number, halfway: boolean): string {
   const cosines = halfway ? 'N·H' : 'R·V';
-  // As the equation's table of limits has it: x^0 is 1 for every x.
-  const exponent = shininess < LEAST_EXPONENT ? 0 : shininess;
+  const exponent = exponentOf(shininess);
   if (exponent > 0 && cosine <= 0)
     return phrase(texts, '{cosines} = {cosine} is not above 0: no highlight.', {
       cosines,
-      cosine: numberText(cosine, 3),
+      cosine: numberText(cosine, 3, texts),
     });
-  const power = cosine ** exponent;
-  // A large exponent magnifies what the cosine is rounded by.
-  const digits = decimals(3, (n) => Math.abs(rounded(cosine, n) ** exponent - power) < 0.005);
   return phrase(texts, '{cosines} = cos {angle} = {cosine}, to the power of {exponent}: {power}.', {
     cosines,
-    ...cosineWords(cosine, digits),
-    exponent: localNumber(String(Number(exponent.toPrecision(3)))),
-    power: numberText(power, 3),
+    ...lobeWords(texts, cosine, shininess),
+    exponent: localNumber(String(Number(exponent.toPrecision(3))), texts),
+    power: numberText(cosine ** exponent, 3, texts),
   });
 }
 
+/** As the equation's table of limits has it: x^0 is 1 for every x. */
+const exponentOf = (shininess: number): number => (shininess < LEAST_EXPONENT ? 0 : shininess);
+
+/** N·L and its angle. */
+export const normalWords = (texts: ViewerTexts | null, { NoL }: LightExplanation): CosineWords =>
+  cosineWords(texts, NoL, 3);
+
+/** R·V or N·H, and its angle. A large exponent magnifies what the cosine is rounded by. */
+export function lobeWords(texts: ViewerTexts | null, cosine: number, shininess: number): CosineWords {
+  const exponent = exponentOf(shininess);
+  const isNear = (n: number): boolean =>
+    Math.abs(rounded(cosine, n) ** exponent - cosine ** exponent) < 0.005;
+  return cosineWords(texts, cosine, cosine > 0 ? decimals(3, isNear) : 3);
+}
+
+type CosineWords = Readonly<Record<'angle' | 'cosine', string>>;
+
 /** A cosine with this many decimals, and its angle with as many as it takes to have that cosine. */
-function cosineWords(cosine: number, digits: number): Readonly<Record<'angle' | 'cosine', string>> {
-  const text = numberText(cosine, digits);
+function cosineWords(texts: ViewerTexts | null, cosine: number, digits: number): CosineWords {
+  const text = numberText(cosine, digits, null);
   const hasCosine = (n: number): boolean =>
-    numberText(cosDegrees(rounded(degreesOf(cosine), n)), digits) === text;
-  return { angle: degreesText(cosine, decimals(0, hasCosine)), cosine: text };
+    numberText(cosDegrees(rounded(degreesOf(cosine), n)), digits, null) === text;
+  return {
+    angle: degreesText(cosine, decimals(0, hasCosine), texts),
+    cosine: numberText(cosine, digits, texts),
+  };
 }
 
 /** The fewest decimals, from `least` to nine, that make a statement of rounded numbers true. */

@@ -98,7 +98,7 @@ test('each mistake in the scripts gives one warning, and the other texts are use
   ]);
 });
 
-test('numbers that are only read follow the page’s language', async ({ mount, page }) => {
+test('numbers that are only read follow the language of the words', async ({ mount, page }) => {
   const first = await mount(
     `<phong-viewer geometry="box" view="n-dot-l" radius="2.5" probe probe-at="0 0.5 0">
       <phong-light position="0.5 2 1 1" attenuation="1 0.25 0"></phong-light></phong-viewer>`,
@@ -110,7 +110,6 @@ test('numbers that are only read follow the page’s language', async ({ mount, 
   await assignToPage(page, { Legend: 'Legende' });
   await expect(legend(first)).toContainText('0,5');
   await expect(surface).toHaveAttribute('aria-description', /distance 2,5\./);
-  await expect(first.locator('li').first()).toContainText('position 0,5 2 1');
   await expect(first.locator('[part=probe]')).toContainText(/0,\d\d/);
   expect(await first.locator('[part=probe]').innerText()).not.toMatch(/\d\.\d/);
 });
