@@ -5,9 +5,8 @@ import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../src/math/vector.js';
 import { coreColor, luminance } from '../../src/overlay/drawing/contrast.js';
-import { arrow } from '../../src/overlay/drawing/display-list.js';
-import { boxAround, boxesAlong, LINE, placeLabels } from '../../src/overlay/drawing/label-layout.js';
-import { inside, Projection } from '../../src/overlay/drawing/projection.js';
+import { LINE, placeLabels } from '../../src/overlay/drawing/label-layout.js';
+import { Projection } from '../../src/overlay/drawing/projection.js';
 
 const sight = {
   pose: { theta: 0, phi: 90, radius: 4, target: [0, 0, 0] },
@@ -17,24 +16,6 @@ const sight = {
 } as const;
 
 describe('a projection', () => {
-  it('shows the target in the middle, x to the right and y upward', () => {
-    const projection = new Projection(sight);
-    expect(projection.point([0, 0, 0])).toEqual({ x: 200, y: 100 });
-    const { x, y } = projection.point([1, 2, 0])!;
-    expect(x).toBeCloseTo(200 + 25, 10);
-    expect(y).toBeCloseTo(100 - 50, 10);
-  });
-
-  it('gives no place to points behind the eye, in its plane or at it', () => {
-    const projection = new Projection(sight);
-    for (const place of [
-      [0, 0, 4],
-      [3, 1, 4],
-      [0, 0, 9],
-    ] as const)
-      expect(projection.point(place)).toBeNull();
-  });
-
   it('is inverted by the point at a place and a depth', () => {
     const angle = fc.double({ min: -180, max: 180, noNaN: true });
     const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
@@ -46,15 +27,6 @@ describe('a projection', () => {
         for (const i of [0, 1, 2] as const) expect(again[i]).toBeCloseTo(place[i], 10);
       }),
     );
-  });
-
-  it('clips a line that runs behind the eye, and drops one that lies behind it', () => {
-    const projection = new Projection(sight);
-    const [from, to] = projection.segment([0, -1, 0], [0, -1, 100])!;
-    expect(from).toEqual({ x: 200, y: 125 });
-    expect(to).toEqual({ x: 200, y: 400 });
-    expect(projection.segment([0, 0, 5], [0, 0, 100])).toBeNull();
-    expect(projection.segment([1e6, 0, 0], [1e6, 1, 0])).toBeNull();
   });
 
   it('keeps the ends of lines finite and near the layer for all coordinates', () => {
@@ -71,37 +43,6 @@ describe('a projection', () => {
         }
       }),
     );
-  });
-
-  it('keeps an end near the layer, however far away the other end is', () => {
-    for (const { x } of new Projection(sight).segment([1e15, 0, 3.999], [-50, 0, 0])!) {
-      expect(x).toBeGreaterThanOrEqual(-400);
-      expect(x).toBeLessThanOrEqual(800);
-    }
-  });
-
-  it('joins the visible pieces of a line and separates them where it is hidden', () => {
-    const projection = new Projection(sight);
-    expect(
-      projection.line([
-        [0, 0, 0],
-        [0, 1, 0],
-        [1, 1, 0],
-      ]),
-    ).toHaveLength(1);
-    expect(
-      projection.line([
-        [0, 0, 0],
-        [0, 0, 9],
-        [0, 1, 9],
-        [0, 1, 0],
-      ]),
-    ).toHaveLength(2);
-  });
-
-  it('moves points inside, or to the middle of a layer without room', () => {
-    expect(inside({ x: -50, y: 1e9 }, sight, 10)).toEqual({ x: 10, y: 190 });
-    expect(inside({ x: 3, y: 3 }, { width: 10, height: 300 }, 10)).toEqual({ x: 5, y: 10 });
   });
 });
 
@@ -132,39 +73,6 @@ describe('labels', () => {
       }),
     );
   });
-
-  it('are placed to the right, or elsewhere if that place is taken', () => {
-    const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
-    expect(placeLabels(wishes, room, [], 12)[0]!.x).toBe(110);
-    expect(placeLabels(wishes, room, [boxAround({ x: 120, y: 75 }, 8)], 12)[0]!.x).toBe(50);
-  });
-
-  it('cover least where everything is taken, and keep clear of lines where they can', () => {
-    const wishes = [{ center: { x: 100, y: 75 }, gap: 6, width: 30 }];
-    const along = boxesAlong(
-      [
-        { x: 100, y: 75 },
-        { x: 200, y: 75 },
-      ],
-      2,
-    );
-    const [at] = placeLabels(wishes, room, along, 12);
-    expect(at!.x + 30).toBeLessThan(100);
-    const all = [room, boxAround({ x: 120, y: 75 }, 20)];
-    expect(placeLabels(wishes, room, all, 12)[0]!.x).toBeLessThan(100);
-  });
-
-  it('stay in a part of the picture, and are as high as their text', () => {
-    const wishes = [{ center: { x: 100, y: 75 }, gap: 10, width: 40 }];
-    expect(placeLabels(wishes, { ...room, right: 140 }, [], 12)[0]!.x).toBe(50);
-    expect(placeLabels(wishes, { ...room, top: 68, bottom: 90 }, [], 24)).toEqual([null]);
-  });
-
-  it('are placed in the order of their priority', () => {
-    const wish = { center: { x: 20, y: 8 }, gap: 0, width: 40 };
-    const placed = placeLabels([wish, wish, wish], { ...room, right: 62, bottom: 16 }, [], 12);
-    expect(placed.map((at) => at !== null)).toEqual([true, false, false]);
-  });
 });
 
 describe('a core and its black outline', () => {
@@ -180,31 +88,4 @@ describe('a core and its black outline', () => {
       }),
     );
   });
-
-  it('keep the colour of a light that is bright enough', () => {
-    expect(coreColor([1, 0.8, 0.5])).toEqual([1, 0.8, 0.5]);
-    expect(coreColor([2, 2, 1])).toEqual([1, 1, 0.5]);
-  });
-});
-
-it('draws an arrow of no length without a head', () => {
-  const look = { color: '#fff', width: 1 };
-  expect(
-    arrow(
-      [
-        { x: 1, y: 1 },
-        { x: 1, y: 1 },
-      ],
-      look,
-    ),
-  ).toHaveLength(1);
-  expect(
-    arrow(
-      [
-        { x: 1, y: 1 },
-        { x: 9, y: 1 },
-      ],
-      look,
-    ),
-  ).toHaveLength(2);
 });

@@ -4,7 +4,6 @@ import type { Page } from '@playwright/test';
 import type { ConsoleGuard } from '../../support/console-guard.js';
 import { expect, test } from '../../support/test.js';
 import type { Site } from '../../support/site.js';
-import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { nextFrame, settled, type PhongViewer } from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
@@ -266,14 +265,6 @@ test.describe('the code that knows mistakes', () => {
     await failed;
     await viewer.evaluate((element: PhongViewer) => (element.theta = 5));
     await settled(viewer);
-  });
-
-  test('leaves the page at rest after it has run', async ({ page, mount, consoleGuard }) => {
-    const warnings = claim(consoleGuard, 1);
-    await countEverything(page);
-    await mount(`${mistake}${scene('<div><p>wrapped</p></div>')}<p>Text</p>`, size);
-    await reported(page, warnings, 1);
-    expect(await spentIn(page, 300)).toEqual(NOTHING);
   });
 });
 

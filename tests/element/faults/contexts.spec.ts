@@ -124,18 +124,6 @@ test('a context lost again while it is restored comes back with the next restora
   expect((await events.take()).length).toBeLessThanOrEqual(2);
 });
 
-test('a context lost as soon as it opens is reported as lost', async ({ mount, page }) => {
-  await page.addInitScript(() => (window.faults.opening = 'lost'));
-  const viewer = await mount(box, SIZE);
-  await expect(viewer.locator('[part=notice]')).toContainText('context was lost');
-  await page.evaluate(() => {
-    window.faults.opening = 'works';
-    window.faults.restore();
-  });
-  await expect(viewer.locator('[part=notice]')).toHaveCount(0);
-  await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(1);
-});
-
 test('a viewer that connects while the context is lost reports it', async ({ mount, page }) => {
   await mount(box, SIZE);
   await page.evaluate(() => window.faults.lose());

@@ -240,16 +240,6 @@ test('the first light with a new kind or feature compiles at most one program, t
   }
 });
 
-test('an inactive light has its program from the start', async ({ page, mount }) => {
-  await logGl(page);
-  const viewer = await mount(sceneMarkup(sceneOf([SUN, { ...SPOT, active: false, ambient: [9, 9, 9], cutoff: 3, attenuation: [1, 1, 1] }])), size); // prettier-ignore
-  await nextFrame(page);
-  await glSpent(page);
-  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.active = true));
-  await nextFrame(page);
-  expect(await glSpent(page)).toMatchObject({ links: 0, compiles: 0, draws: 1 });
-});
-
 /**
  * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still
  * picture's program has the lights' numbers in its text, that frame goes over to one that reads them.

@@ -167,17 +167,6 @@ test.describe('toBlob', () => {
       expect(Buffer.compare(await viewer.screenshot(), onScreen), what).toBe(0);
     }
   });
-
-  test('keeps the camera of a tall viewer that is hidden', async ({ page, mount }) => {
-    const tall = { width: 40, height: 120 };
-    const viewer = await mount(box, tall);
-    const before = await cameraOf(viewer);
-    const shown = await pixels(viewer, tall);
-    await viewer.evaluate((element) => (element.style.display = 'none'));
-    await nextFrame(page);
-    expect(await cameraOf(viewer)).toEqual(before);
-    expect(compare(await pixels(viewer, tall), shown).max).toBe(0);
-  });
 });
 
 test('requestRender shows changes of an own object in scene', async ({ mount }) => {
@@ -216,18 +205,6 @@ test('requestRender keeps target and radius, and refit fits them to the changed 
   expect(target).toEqual([2, 0, 0]);
   expect(radius / before.radius).toBeCloseTo(Math.hypot(2.5, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
   expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
-});
-
-test('refit leaves a declared or moved camera alone', async ({ mount }) => {
-  const viewer = await mount(box, size);
-  await assign(viewer, { radius: 5, target: [0, 1, 0] });
-  const before = await cameraOf(viewer);
-  await viewer.evaluate((element: PhongViewer) => {
-    element.scene.children[0]!.clone().position.set(9, 9, 9);
-    element.refit();
-  });
-  await settled(viewer);
-  expect(await cameraOf(viewer)).toEqual(before);
 });
 
 test('stats is a plain snapshot of what a scene costs', async ({ mount }) => {

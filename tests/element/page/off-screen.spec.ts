@@ -84,26 +84,6 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
   for (const one of both) await expect.poll(() => frames(one)).toBeGreaterThan(4);
 });
 
-test('pictures below the end of a scrolling box are drawn before they come into view', async ({
-  page,
-  mount,
-}) => {
-  const inside = await mount(`<main><p></p>${viewer()}<p></p>${viewer()}</main>`, {
-    ...size,
-    css: 'main { height: 200px; overflow: auto } p { margin: 0; height: 600px }',
-  });
-  await nextFrame(page);
-  await nextFrame(page);
-  expect(await frames(inside)).toBe(1);
-  const far = page.locator('phong-viewer').last();
-  expect(await frames(far)).toBe(0);
-  await assign(inside, { kd: [9, 9, 9] });
-  await nextFrame(page);
-  expect(await frames(inside)).toBe(2);
-  await page.evaluate(() => document.querySelector('main')!.scrollTo(0, 500));
-  await expect.poll(() => frames(far)).toBe(1);
-});
-
 for (const overflow of ['auto', 'hidden']) {
   test(`the next pictures of a carousel are drawn before they come into view (overflow: ${overflow})`, async ({
     page,
