@@ -2,7 +2,7 @@
 // fingers are Chromium's own touch input.
 
 import { expect, test } from '../../support/test.js';
-import { assign, cameraOf, drag, Fingers } from '../support/viewer.js';
+import { cameraOf, drag, Fingers } from '../support/viewer.js';
 
 test.describe('shifting the target', () => {
   // At the target's distance one CSS pixel is 2 r tan(fov/2) / height scene units; at θ = φ = 90° right is −z, up is

@@ -2,7 +2,7 @@
 // compared with those of the same scene in markup.
 
 import type { Locator } from '@playwright/test';
-import { allReady, compare, expect, pixels, test } from '../../support/test.js';
+import { allReady, expect, pixels, test } from '../../support/test.js';
 import { type PhongViewer, record } from '../support/viewer.js';
 import { green, red, same, shown, size } from './plane-scene.js';
 
