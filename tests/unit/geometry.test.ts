@@ -129,6 +129,31 @@ describe('sizes', () => {
     });
     if (name === 'torus-knot' || name === 'teapot') expect(Math.max(...extent)).toBeCloseTo(1, 2);
   });
+
+  it('turns the plane toward +y', async () => {
+    const geometry = await createGeometry('plane', 3);
+    for (const { normals, cross } of triangles(geometry)) {
+      expect(normals[0][1]).toBeCloseTo(1, 12);
+      expect(cross[1]).toBeGreaterThan(0);
+    }
+    expect(geometry.getAttribute('position').count).toBe(16);
+  });
+
+  it('puts the corners of the pyramid on a circle of diameter 1, its sides facing the axes', async () => {
+    const geometry = await createGeometry('pyramid', undefined);
+    const facing = new Set<string>();
+    for (let i = 0; i < geometry.getAttribute('position').count; i += 1) {
+      const [x, y, z] = vertex(geometry, 'position', i);
+      if (y < 0) expect(Math.hypot(x, z)).toBeCloseTo(0.5, 6);
+      const [nx, , nz] = vertex(geometry, 'normal', i);
+      facing.add(`${String(Math.sign(Math.round(nx * 1e6)))} ${String(Math.sign(Math.round(nz * 1e6)))}`);
+    }
+    expect(facing).toEqual(new Set(['0 1', '1 0', '0 -1', '-1 0', '0 0']));
+  });
+
+  it('divides a side of the pyramid into segments² triangles', async () => {
+    expect((await createGeometry('pyramid', 5)).index?.count).toBe(6 * 25 * 3);
+  });
 });
 
 describe('closed shapes', () => {
@@ -156,6 +181,10 @@ describe('closed shapes', () => {
       }
     },
   );
+
+  it('are neither the plane nor the teapot, which show both of their sides', () => {
+    expect(GEOMETRIES.filter((name) => !CLOSED.has(name))).toEqual(['teapot', 'plane']);
+  });
 });
 
 describe('sharing', () => {
@@ -171,6 +200,14 @@ describe('sharing', () => {
     const next = acquireGeometry('sphere', 12);
     expect(next).not.toBe(first);
     releaseGeometry('sphere', 12);
+  });
+
+  it('is by the number of segments that the shape uses', () => {
+    const byDefault = acquireGeometry('sphere', undefined);
+    expect(acquireGeometry('sphere', 64)).toBe(byDefault);
+    expect(acquireGeometry('cone', 1)).toBe(acquireGeometry('cone', 3));
+    for (const segments of [undefined, 64]) releaseGeometry('sphere', segments);
+    for (const segments of [1, 3]) releaseGeometry('cone', segments);
   });
 
   it('frees a lazy shape that was released before it arrived, and builds it at once when its code is here', async () => {

@@ -164,7 +164,7 @@ for (const [when, calls] of [
   });
 }
 
-test('@release a first viewer of 8192 × 8192 device pixels is drawn, smaller if need be', async ({
+test('a first viewer of 8192 × 8192 device pixels is drawn, smaller if need be', async ({
   mount,
   page,
 }) => {
@@ -188,7 +188,7 @@ test('@release a first viewer of 8192 × 8192 device pixels is drawn, smaller if
   expect(compare(await pixels(page.locator('phong-viewer')), small).max).toBe(0);
 });
 
-test('@release a picture that gets far larger than the GPU allows keeps its shape', async ({
+test('a picture that gets far larger than the GPU allows keeps its shape', async ({
   mount,
   page,
 }) => {
