@@ -41,7 +41,8 @@ describe('lights in a grid', () => {
     const { into, size } = divided(lights, box);
     const rows = rowByNumber(into);
     let found = 0;
-    for (let i = 0; i < fullOr(4000, 1500); i++) {
+    const points = fullOr(4000, 1500);
+    for (let i = 0; i < points; i++) {
       const p = pointIn(random, box, size);
       const added = new Set(addedAt(into, p));
       lights.forEach((one, k) => {
@@ -50,7 +51,7 @@ describe('lights in a grid', () => {
         if (!added.has(rows.get(k + 1)!)) expect.fail(`light ${k} at ${String(p)}`);
       });
     }
-    expect(found).toBeGreaterThan(500);
+    expect(found).toBeGreaterThan(points / 8);
   });
 
   it.each([

@@ -18,7 +18,6 @@ import {
   Scene,
   Sprite,
 } from 'three';
-import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import type { Sides } from '../../src/material/back-faces.js';
