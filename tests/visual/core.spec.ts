@@ -126,19 +126,6 @@ test('a hundred equal meshes share one specialised program', async ({ page }) =>
   expectSame(settled!, general!, '100 meshes');
 });
 
-test('clones of materials look the same and share programs', async ({ page }) => {
-  await openCore(page);
-  const lights = mixedLights(4);
-  const surface = { shininess: 8, ka: [90, 0, 9], ks: [255, 9, 200] } as const;
-  const [own, clone] = await drawCore(
-    page,
-    { ...view, lights, surface, style: { reflection: 'blinn-phong' }, frames: SETTLED },
-    { clone: true },
-  );
-  expectSame(clone!, own!, 'a clone');
-  expect(clone!.programs).toBe(own!.programs);
-});
-
 for (const device of firstOf(['gpu', 'software'] as const, 1)) {
   test(`a restored context draws the same again, ${device}`, async ({ page, consoleGuard }) => {
     consoleGuard.allow(/THREE.WebGLRenderer: Context (Lost|Restored)/);

@@ -25,30 +25,6 @@ test.describe('changes', () => {
     await allReady(page);
     expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
   });
-
-  test('of active turn a light off and on, in every spelling', async ({ page, mount }) => {
-    const viewer = await mount(
-      scene(green, red.replace('<phong-light', '<phong-light active="false"')),
-      size,
-    );
-    const [on, off] = [await shown(page, scene(green, red)), await shown(page, scene(green))];
-    same(await pixels(viewer), off);
-    for (const [active, wanted] of [
-      ['true', on],
-      ['FALSE', off],
-      ['', on],
-      [false, off],
-      [null, on],
-    ] as const) // prettier-ignore
-    {
-      await viewer.evaluate((element: PhongViewer, value) => {
-        const light = element.lights[1]!;
-        if (typeof value === 'string') light.setAttribute('active', value);
-        else Reflect.set(light, 'active', value);
-      }, active);
-      same(await pixels(viewer), wanted);
-    }
-  });
 });
 
 test.describe('the head-light', () => {

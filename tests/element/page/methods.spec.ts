@@ -2,7 +2,7 @@
 // for JPEG, what the browser reads back.
 
 import type { Locator } from '@playwright/test';
-import { allReady, compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
 import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
@@ -111,24 +111,6 @@ test.describe('toBlob', () => {
     expect(await rejection(viewer, { width: 10, height: '10' })).toMatch(/^(Range|Type)Error$/);
     expect(await rejection(viewer, { quality: 7 })).toBe('RangeError');
     expect(compare(await pixels(viewer), before).max).toBe(0);
-  });
-
-  test('leaves the picture on the screen intact', async ({ page, mount }) => {
-    const viewer = await mount(`${box}<phong-viewer geometry="torus"></phong-viewer>`, size);
-    for (const alone of [false, true]) {
-      if (alone)
-        await page
-          .locator('phong-viewer')
-          .nth(1)
-          .evaluate((other) => other.remove());
-      await allReady(page);
-      const before = await viewer.screenshot();
-      await pixels(viewer, { width: 31, height: 300 });
-      expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
-      await pixels(viewer, { width: 31, height: 300 });
-      await allReady(page);
-      expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
-    }
   });
 
   test('shows changes of the same task, and works off screen, hidden and outside the document', async ({

@@ -139,24 +139,6 @@ test('in an iframe the same holds, and nothing moves while the iframe itself is 
   expect(await frames(inside.first())).toBe(rest);
 });
 
-test('in an iframe that is far away nothing is fetched or drawn', async ({ page, mount }) => {
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
-  await mount(`<main><iframe></iframe></main><phong-viewer></phong-viewer>`, { ...size, css: above(2000) });
-  const inside = page.frameLocator('iframe').locator('phong-viewer');
-  await page.evaluate(async (src) => {
-    const viewer = document.createElement('phong-viewer');
-    Object.assign(viewer, { src, loading: 'lazy' });
-    document.querySelector('iframe')!.contentDocument!.body.append(viewer);
-    await viewer.ready;
-  }, bunny);
-  await nextFrame(page);
-  await nextFrame(page);
-  expect([await frames(inside), requests.includes(bunny)]).toEqual([0, false]);
-  await page.evaluate(() => scrollTo(0, 700));
-  await expect.poll(() => inside.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
-});
-
 test('in a closed accordion nearby nothing is drawn', async ({ page, mount }) => {
   const inside = await mount(`<main>${viewer()}</main>`, { ...size, css: 'main { height: 0; overflow: hidden }' }); // prettier-ignore
   await nextFrame(page);
