@@ -19,7 +19,7 @@ const SIZE = { width: 160, height: 120 };
 const EDGE = 3e-3;
 const STEEP = 8;
 /** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(4, 2));
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(4, 3));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 class Tally {
