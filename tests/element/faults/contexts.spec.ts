@@ -164,10 +164,7 @@ for (const [when, calls] of [
   });
 }
 
-test('a first viewer of 8192 × 8192 device pixels is drawn, smaller if need be', async ({
-  mount,
-  page,
-}) => {
+test('a first viewer of 8192 × 8192 device pixels is drawn, smaller if need be', async ({ mount, page }) => {
   test.slow();
   const viewer = await mount(box, { width: 8192, height: 8192 });
   await expect(viewer.locator('[part=notice]')).toHaveCount(0);
@@ -188,10 +185,7 @@ test('a first viewer of 8192 × 8192 device pixels is drawn, smaller if need be'
   expect(compare(await pixels(page.locator('phong-viewer')), small).max).toBe(0);
 });
 
-test('a picture that gets far larger than the GPU allows keeps its shape', async ({
-  mount,
-  page,
-}) => {
+test('a picture that gets far larger than the GPU allows keeps its shape', async ({ mount, page }) => {
   test.slow();
   const viewer = await mount(box.repeat(2), SIZE);
   for (const [width, height] of [
