@@ -40,6 +40,8 @@ if (values.release || chosen.includes('release')) process.env['PHONG_VIEWER_RELE
 /** @typedef {{ passed: number, failed: number, skipped: number }} Count */
 /** @type {{ name: string, count: Count, seconds: number }[]} */
 const results = [];
+/** Browser tests that passed only at a second attempt: their places and titles. @type {string[]} */
+const retried = [];
 const reports = mkdtempSync(join(tmpdir(), 'phong-viewer-'));
 const secondsFile = 'node_modules/.cache/phong-viewer/step-seconds.json';
 
@@ -149,12 +151,28 @@ async function browser() {
     const reporters = '--reporter=list,json,./tests/support/time-left.mjs';
     const args = ['test', reporters, '--pass-with-no-tests', ...folders];
     const { status } = await node(['node_modules/@playwright/test/cli.js', ...args]);
-    return counted(report, status, ({ stats, errors }) => ({
-      passed: stats.expected + stats.flaky,
-      failed: Math.max(stats.unexpected, errors.length > 0 ? 1 : 0),
-      skipped: stats.skipped,
-    }));
+    return counted(report, status, ({ stats, errors, suites }) => {
+      retried.push(...suites.flatMap(flakyIn));
+      return {
+        passed: stats.expected + stats.flaky,
+        failed: Math.max(stats.unexpected, errors.length > 0 ? 1 : 0),
+        skipped: stats.skipped,
+      };
+    });
   });
+}
+
+/**
+ * The tests of a suite that Playwright calls flaky.
+ * @param {{ suites?: any[], specs: { file: string, line: number, title: string, tests: { status: string }[] }[] }} suite
+ * @returns {string[]}
+ */
+function flakyIn({ suites = [], specs }) {
+  const own = specs.filter(({ tests }) => tests.some(({ status }) => status === 'flaky'));
+  return [
+    ...own.map(({ file, line, title }) => `tests/${file}:${line} ${title}`),
+    ...suites.flatMap(flakyIn),
+  ];
 }
 
 /** @param {string} report @param {number} status @param {(json: any) => Count} read @returns {Count} */
@@ -246,6 +264,8 @@ function summarize() {
     const verdict = count.failed > 0 ? 'FAILED' : 'ok';
     console.log(`${name.padEnd(12)}${verdict.padEnd(8)}${countLine(count)} in ${seconds.toFixed(1)} s`);
   }
+  if (retried.length > 0)
+    console.log(`${retried.length} passed only at a second attempt:\n  ${retried.join('\n  ')}`);
   console.log(countLine(total));
   process.exit(total.failed > 0 ? 1 : 0);
 }

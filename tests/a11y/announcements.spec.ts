@@ -108,22 +108,3 @@ test('changes of lights and camera by the panel are announced; changes by a scri
   await folder.getByRole('textbox', { name: 'θ azimuth' }).fill('90');
   await expect(region(viewer)).toHaveText('Camera: azimuth 90°, polar angle 70°, distance 4.');
 });
-
-test('a removed viewer announces nothing; once it is back, it announces again', async ({ page, mount }) => {
-  const viewer = await mount(scene());
-  await viewer.evaluate((element: PhongViewer) => {
-    element
-      .shadowRoot!.querySelector('.surface')!
-      .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft' }));
-  });
-  await expect(region(viewer)).toHaveCount(1);
-  await viewer.evaluate((element) => {
-    element.remove();
-    document.body.append(element);
-  });
-  await page.waitForTimeout(A_WHILE);
-  await expect(region(viewer)).toHaveText('');
-  await page.keyboard.press('Tab');
-  await page.keyboard.press('ArrowLeft');
-  await expect(region(viewer)).toHaveText('Camera: azimuth 40°, polar angle 70°, distance 4.');
-});

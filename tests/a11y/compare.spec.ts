@@ -54,17 +54,6 @@ test('a divider has a name with its two panes, and a value', async ({ page, moun
   ).toEqual([true, true]);
 });
 
-test('`labels` name groups around the viewers, whose own names stay', async ({ page, mount }) => {
-  await mount(
-    `<phong-compare labels="before, after">${viewer('A box')}${viewer('Another box')}</phong-compare>`,
-    { css },
-  );
-  await expect(page.getByRole('separator')).toBeAttached();
-  const nodes = await accessibleNodes(page);
-  const named = nodes.filter(({ role }) => /^(group|application)$/.test(role)).map(({ name }) => name);
-  expect(named).toEqual(['before', 'A box', 'after', 'Another box']);
-});
-
 test('among linked viewers only the one that the user moves announces the camera', async ({
   page,
   mount,

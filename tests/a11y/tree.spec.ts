@@ -113,14 +113,6 @@ test('aria-labelledby names the picture by other elements’ text, and aria-labe
   await expect.poll(name).toBe('A box');
 });
 
-test('names and texts are never parsed as markup', async ({ page, mount }) => {
-  const element = await mount(viewer('alt="A box"'));
-  await element.evaluate((target: PhongViewer) => (target.lights[0]!.name = '$& {position} <b>'));
-  await expect
-    .poll(async () => (await accessibleNode(page, 'application')).description)
-    .toMatch(/Lights: \$& \{position\} <b>\.$/);
-});
-
 test('a viewer hidden by its author stays hidden', async ({ page, mount }) => {
   await mount(viewer('aria-hidden="true" orbit="false" zoom="false"'));
   expect(await roles(page)).toEqual([]);

@@ -40,7 +40,7 @@ for (const usage of ['standalone', 'modules'] as const) {
   });
 }
 
-test('the standalone file is about as large as a bundle of plain three.js with its Phong material', async () => {
+test('@release the standalone file is about as large as a bundle of plain three.js with its Phong material', async () => {
   const three = await bundleOf(`
     import { DirectionalLight, Mesh, MeshPhongMaterial, PerspectiveCamera, PointLight, Scene } from 'three';
     import { SphereGeometry, SpotLight, WebGLRenderer } from 'three';
@@ -53,7 +53,7 @@ test('the standalone file is about as large as a bundle of plain three.js with i
   expect(sentSize(['phong-viewer.standalone.js']) / brotliSize(three)).toBeLessThan(1.2);
 });
 
-test('a bundled app is not larger than measured, and smaller with the standalone file', async () => {
+test('@release a bundled app is not larger than measured, and smaller with the standalone file', async () => {
   const bundled = async (file: string): Promise<number> =>
     brotliSize(await bundleOf(`import ${JSON.stringify(join(outputFolder('dist'), file))};`));
   // Measured: 178.5 kB, because bundlers keep three.js's shader chunks, and about 127 kB.
@@ -71,7 +71,7 @@ test("the React components add little to the elements' own code", () => {
   expect(sentSize(['react.js'])).toBeLessThan(1024);
 });
 
-test('the React components with the standalone file bring no second copy of the elements or of three.js', async () => {
+test('@release the React components with the standalone file bring no second copy of the elements or of three.js', async () => {
   const app = await bundleOf(
     `export * from ${JSON.stringify(join(outputFolder('dist'), 'react-standalone.js'))};`,
   );
@@ -79,7 +79,7 @@ test('the React components with the standalone file bring no second copy of the 
   expect(brotliSize(app) - sentSize(['phong-viewer.standalone.js'])).toBeLessThan(5000);
 });
 
-test('the sizes that the start page shows before the first build are about right', () => {
+test('@release the sizes that the start page shows before the first build are about right', () => {
   for (const row of SIZES) {
     const kilobytes = measured(outputFolder('dist'), row) ?? NaN;
     expect(Math.abs(row.noted - kilobytes), `${row.words}: ${kilobytes} kB`).toBeLessThan(0.1 * kilobytes);

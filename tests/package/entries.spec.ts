@@ -16,7 +16,10 @@ interface PackedFile {
   readonly size: number;
 }
 
+let packed: readonly PackedFile[] | undefined;
+
 function packedFiles(): readonly PackedFile[] {
+  if (packed !== undefined) return packed;
   // Through a shell, because npm is a script on Windows.
   const json = execFileSync('npm pack --dry-run --json --ignore-scripts', {
     cwd: repository,
@@ -25,8 +28,11 @@ function packedFiles(): readonly PackedFile[] {
     stdio: ['ignore', 'pipe', 'ignore'],
   });
   const [pack] = JSON.parse(json) as [{ files: PackedFile[] }];
-  return pack.files;
+  return (packed = pack.files);
 }
+
+// One worker for all, so that the package is packed once.
+test.describe.configure({ mode: 'default' });
 
 test.describe('the packed package', () => {
   const intended = [

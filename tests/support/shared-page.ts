@@ -45,6 +45,8 @@ export class SharedPage {
     for (const page of others) await page.close();
     try {
       await first!.goto('about:blank', { timeout: 5000 });
+      // A mouse that rests where the next test's viewer appears hovers over it.
+      await first!.mouse.move(-1, -1);
       for (const undo of this.#undo.splice(0).reverse()) await undo();
     } catch {
       await this.close();

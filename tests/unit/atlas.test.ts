@@ -37,27 +37,6 @@ describe('an atlas of pictures', () => {
     );
   });
 
-  test('holds twenty equal pictures that fill the area exactly', () => {
-    const sizes = Array.from({ length: 20 }, () => ({ width: 256, height: 180 }));
-    expect(layOutAtlas(sizes, { side: 4096, area: 1280 * 720 }).places).toHaveLength(20);
-  });
-
-  test('places the first picture in the corner, as if it were alone', () => {
-    fc.assert(
-      fc.property(sizes, (wanted) => {
-        expect(layOutAtlas(wanted, limit).places[0]).toEqual({ x: 0, y: 0, ...wanted[0] });
-      }),
-    );
-  });
-
-  test('is exactly as large as its only picture', () => {
-    fc.assert(
-      fc.property(side, side, (width, height) => {
-        expect(layOutAtlas([{ width, height }], limit)).toMatchObject({ width, height });
-      }),
-    );
-  });
-
   test('uses seven tenths or more for a page of equal pictures, from nine on', () => {
     fc.assert(
       fc.property(fc.integer({ min: 9, max: 200 }), fc.integer({ min: 1, max: 80 }), side, (count, w, h) => {

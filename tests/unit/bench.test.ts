@@ -5,13 +5,10 @@ import { join } from 'node:path';
 import { describe, expect, test } from 'vitest';
 import { errorOf } from '../bench/front/errors.js';
 import { glbOf } from '../bench/glb.mjs';
-import { endOfUploads, readTrace } from '../bench/measure/model.mjs';
+import { readTrace } from '../bench/measure/model.mjs';
 import { MODELS, writeModels } from '../bench/models.mjs';
-import { mixedLights, sceneOf } from '../bench/pages/scenes.js';
-import { pictureError } from '../bench/picture-error.mjs';
+import { mixedLights } from '../bench/pages/scenes.js';
 import { PICTURE_SCENES } from '../bench/pages/picture-scenes.js';
-import { readOptions } from '../bench/options.mjs';
-import { Progress } from '../bench/progress.mjs';
 import {
   addSamples,
   type BenchResult,
@@ -21,7 +18,7 @@ import {
   valueOf,
 } from '../bench/results.mjs';
 import { interleaved, pairedRatios, quantile, spread } from '../bench/statistics.mjs';
-import { chosenSubjects, PICTURES, SUBJECTS } from '../bench/subjects.mjs';
+import { PICTURES } from '../bench/subjects.mjs';
 
 describe('statistics', () => {
   test('interpolate between neighbours where no sample lies at the quantile', () => {
@@ -149,47 +146,6 @@ describe('a trace of a page', () => {
     });
     expect(() => readTrace(Buffer.from('{"traceEvents":[]}'))).toThrow('the trace holds no navigation');
   });
-
-  test('ends the uploads once only the uniforms of frames are left', () => {
-    const upload = (end: number, bytes: number) => ({ start: end - 1, end, bytes });
-    expect(endOfUploads([upload(5, 0), upload(10, 9000), upload(20, 900), upload(30, 100)])).toBe(20);
-    expect(endOfUploads([])).toBeNaN();
-  });
-});
-
-describe('options', () => {
-  test('take flags that begin with dashes, separated by spaces', () => {
-    const { flags, launches, minutes } = readOptions(['--flags', '--use-angle=gl --no-vsync', '--quick']);
-    expect(flags).toEqual(['--use-angle=gl', '--no-vsync']);
-    expect([launches, minutes]).toEqual([1, Infinity]);
-  });
-});
-
-describe('progress', () => {
-  test('estimates a part by its own earlier runs, and an unknown one by the average', () => {
-    const progress = new Progress(['a', 'b', 'a', 'b']);
-    expect(progress.left).toBe(0);
-    progress.finish(60_000);
-    expect(progress.left).toBe(180_000);
-    progress.finish(180_000);
-    expect(progress.left).toBe(240_000);
-    expect(progress.toString()).toBe('[2/4, about 4 min left]');
-  });
-});
-
-describe('subjects', () => {
-  test('are chosen by parts of their names, in their own order', () => {
-    expect(chosenSubjects(['bytes', 'sphere, 1 '])).toEqual(['sphere, 1 light', 'bytes']);
-    expect(chosenSubjects(['a teapot'])).toEqual([]);
-    expect(chosenSubjects([])).toEqual(Object.keys(SUBJECTS));
-  });
-
-  test('name scenes that exist', () => {
-    for (const subject of Object.values(SUBJECTS))
-      if (subject.kind === 'picture') expect(Object.keys(PICTURE_SCENES)).toContain(subject.scene);
-      else if ('scene' in subject) expect(sceneOf(subject.scene).meshes.length).toBeGreaterThan(0);
-    expect(() => sceneOf('teapot:1')).toThrow('no scene is called teapot:1');
-  });
 });
 
 describe('lights', () => {
@@ -212,30 +168,6 @@ describe('errors', () => {
       rmse: Math.sqrt(25 / 3),
       max: 4,
     });
-  });
-
-  test('refuse other sizes and NaN', () => {
-    expect(() => errorOf(new Float64Array(3), new Float64Array(6))).toThrow(RangeError);
-    expect(() => errorOf(Float64Array.from([NaN]), new Float64Array(1))).toThrow('not a number');
-  });
-});
-
-describe('the error of a whole picture', () => {
-  const means = Float64Array.from([10, 20.4, 30, 255, 0, 0, 0, 0]);
-
-  test('is taken over the three colours of each pixel, whatever their alpha', () => {
-    const { rmse, within } = pictureError(Uint8Array.from([10, 20, 30, 0, 0, 0]), means);
-    expect(rmse).toBeCloseTo(Math.sqrt(0.4 ** 2 / 6), 12);
-    expect(within).toBe(1);
-  });
-
-  test('counts a pixel as within one code if all its channels are', () => {
-    expect(pictureError(Uint8Array.from([11, 21, 29, 0, 2, 0]), means).within).toBe(0.5);
-    expect(pictureError(Uint8Array.from([12, 20, 30, 0, 0, 0]), means).within).toBe(0.5);
-  });
-
-  test('refuses a picture of another size', () => {
-    expect(() => pictureError(new Uint8Array(3), means)).toThrow(RangeError);
   });
 });
 

@@ -6,7 +6,7 @@ import { LightState, type Vec3 } from '../../src/reference/index.js';
 import { add, dot, normalize, scale, subtract } from '../../src/math/vector.js';
 import { createGeometry } from '../../src/scene/mesh/shapes/shapes.js';
 import { castPicture } from '../support/caster/cast.mjs';
-import { castHere, castRows } from '../support/caster/picture.js';
+import { castHere } from '../support/caster/picture.js';
 import type { CastCamera, CastMaterial, CastObject, CastScene, TrueShape } from '../support/caster/scene.js';
 import { type Sample, Tracer } from '../support/caster/tracer.js';
 import { fullOr } from '../support/repeats.js';
@@ -99,44 +99,6 @@ describe('a picture by the ray caster', () => {
     expect(areaOf(castHere(sceneOf(distance, solid('torus')), options)) / ring).toBeCloseTo(1, digits);
   });
 
-  it('has the mean of a linear ramp, and of one that wraps', () => {
-    const [width, height] = [16, 4];
-    const unit = 10 / pixelsOf(height);
-    const corners = [[-8, -2], [8, -2], [8, 2], [-8, 2]] as const; // prettier-ignore
-    const data = [0, 0, 0, 255, 255, 255, 255, 255];
-    const ramp = quad(
-      corners.map(([x, y]) => [x * unit, y * unit] as const),
-      { ...UNLIT, texture: { width: 2, height: 1, data } },
-    );
-    const picture = castHere(sceneOf(10, ramp), { width, height });
-    // Texel centres are at a quarter and three quarters: up between them, down again through the ends.
-    const mean = (column: number): number => 255 * (1 - Math.abs((column + 0.5) / 8 - 1.5));
-    for (let column = 4; column < 12; column++)
-      expect(Math.abs(picture[4 * column]! - mean(column)), String(column)).toBeLessThan(0.05);
-    expect(picture[4 * 15]).toBeCloseTo(255 * ((0.5 / 16 + 0.25) / 0.5), 0);
-  });
-
-  it('gives few samples to quiet pixels, within 0.05 codes of all samples', () => {
-    const shiny = { ...WHITE, kd: [120, 80, 40], ks: [200, 200, 200], shininess: 60 } as const;
-    const lights = [
-      new LightState({ position: [1, 2, 3, 0] }).values,
-      new LightState({ position: [-2, 1, 2, 1], axis: [2, -1, -2], aperture: 9 }).values,
-    ];
-    const scene = { ...sceneOf(1.6, solid('torus', shiny)), lights };
-    const options = { width: 40, height: 40, samples: 256 };
-    const rows = (everywhere: boolean): Float64Array =>
-      castRows(new Tracer(scene, 40, 40), { ...options, everywhere }, fullOr(0, 19), fullOr(40, 22));
-    const [few, all] = [rows(false), rows(true)];
-    let [squares, different] = [0, 0];
-    few.forEach((value, i) => {
-      if (value === all[i]) return;
-      different++;
-      squares += (value - all[i]!) ** 2;
-    });
-    expect(different).toBeGreaterThan(fullOr(100, 10));
-    expect(Math.sqrt(squares / different)).toBeLessThan(0.05);
-  });
-
   it('is the same from threads and from disk', async () => {
     const scene = sceneOf(1.6, solid('cone'), await triangles('torus', 16));
     const options = { width: 24, height: 18, samples: 16 };
@@ -208,44 +170,6 @@ describe('a ray of the ray caster', () => {
       expect(most, kind).toBeLessThan(1e-12);
       expect(inside, kind).toBeGreaterThan(-1e-12);
       expect(hits * step ** 2, kind).toBeGreaterThan(3200);
-    }
-  });
-});
-
-describe('triangles under the ray caster', () => {
-  it.each(['sphere', 'torus'] as const)('near the true %s by the square of their number', async (name) => {
-    const step = fullOr(1, 2);
-    const off = async (segments: number): Promise<number> => {
-      const round = new Tracer(sceneOf(1.6, solid(name)), 60, 60);
-      const edged = new Tracer(sceneOf(1.6, await triangles(name, segments)), 60, 60);
-      let [sum, count] = [0, 0];
-      for (let y = 0.5; y < 60; y += step) {
-        for (let x = 0.5; x < 60; x += step) {
-          const [a, b] = [round.hitAt(x, y).t, edged.hitAt(x, y).t];
-          // Away from the outline, where depths change without limit.
-          if (!(a < (name === 'sphere' ? 1.25 : 1.5))) continue;
-          sum += Math.abs(a - b);
-          count++;
-        }
-      }
-      return sum / count;
-    };
-    const [coarse, fine, finest] = [await off(32), await off(64), await off(128)];
-    expect(coarse / fine).toBeGreaterThan(3.3);
-    expect(coarse / fine).toBeLessThan(4.8);
-    expect(fine / finest).toBeGreaterThan(3.3);
-    expect(fine / finest).toBeLessThan(4.8);
-    expect(finest).toBeGreaterThan(0);
-  });
-
-  it('have no gaps between them', async () => {
-    const tracer = new Tracer(sceneOf(1.6, await triangles('sphere', 32)), 40, 40);
-    const random = (i: number): number => (i * 0.6180339887498949) % 1;
-    for (let i = 0; i < fullOr(20_000, 4000); i++) {
-      const [x, y] = [15 + 10 * random(i), 15 + 10 * random(i * 7 + 3)];
-      const { t, front } = tracer.hitAt(x, y);
-      expect(front).toBe(true);
-      expect(t).toBeLessThan(1.2);
     }
   });
 });

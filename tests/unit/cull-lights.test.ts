@@ -6,6 +6,7 @@ import { describe, expect, it } from 'vitest';
 import type { Box } from '../../src/light/cull-lights.js';
 import { radians } from '../../src/math/angle.js';
 import { add, scale } from '../../src/math/vector.js';
+import { fullOr } from '../support/repeats.js';
 import { Random } from '../stress/random.js';
 import { light } from './arbitraries.js';
 import { pack } from './packed-reader.js';
@@ -121,7 +122,7 @@ describe('a cone', () => {
           }
         }
       }),
-      { numRuns: 200 },
+      { numRuns: fullOr(200, 60) },
     );
     expect(culled / cases).toBeGreaterThan(0.3); // 0.41 of these cones are culled
   });
@@ -130,7 +131,7 @@ describe('a cone', () => {
     let missing = 0;
     let culled = 0;
     const random = new Random(SEED);
-    while (missing < 4000) {
+    while (missing < fullOr(4000, 1000)) {
       const box = anyBox(random, random.pick([1e-9, 1, 1e12]));
       const cone = coneBy(random, box);
       const grown = boxOf(box, 0.2 * Math.max(...box.half));

@@ -9,6 +9,7 @@ import type { Box } from '../../src/light/cull-lights.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { emptyPack, type PackedLights } from '../../src/light/pack-lights.js';
 import { radians } from '../../src/math/angle.js';
+import { fullOr } from '../support/repeats.js';
 import { Random } from '../stress/random.js';
 import { light } from './arbitraries.js';
 import {
@@ -40,7 +41,8 @@ describe('lights in a grid', () => {
     const { into, size } = divided(lights, box);
     const rows = rowByNumber(into);
     let found = 0;
-    for (let i = 0; i < 4000; i++) {
+    const points = fullOr(4000, 1500);
+    for (let i = 0; i < points; i++) {
       const p = pointIn(random, box, size);
       const added = new Set(addedAt(into, p));
       lights.forEach((one, k) => {
@@ -49,7 +51,7 @@ describe('lights in a grid', () => {
         if (!added.has(rows.get(k + 1)!)) expect.fail(`light ${k} at ${String(p)}`);
       });
     }
-    expect(found).toBeGreaterThan(500);
+    expect(found).toBeGreaterThan(points / 8);
   });
 
   it.each([

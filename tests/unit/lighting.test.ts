@@ -3,7 +3,6 @@
 import fc from 'fast-check';
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
-import { LIGHT_FEATURES } from '../../src/light/light-layout.js';
 import { LightSet } from '../../src/light/light-set.js';
 import { LightState } from '../../src/light/light-state.js';
 import { PhongLighting, type ShadingFrame } from '../../src/material/lighting.js';
@@ -119,28 +118,5 @@ describe('a three.js camera', () => {
     byCamera.packed.data.subarray(0, rows * 4).forEach((x, i) => expect(x).toBeCloseTo(packed[i]!, 5));
     byCamera.update(camera);
     expect(byCamera.origin).toStrictEqual([0, 0, 0]);
-  });
-});
-
-describe('the features of the picture', () => {
-  it('change only when a light needs other code, and are never removed', () => {
-    const light = new LightState();
-    const lights = new LightSet();
-    lights.add(light);
-    const lighting = new PhongLighting(lights);
-    const next = (change: () => void): number => {
-      change();
-      lighting.updateFrame(frameAt([0, 0, 0], 0));
-      return lighting.declared;
-    };
-    const first = next(() => undefined);
-    expect(next(() => light.set('diffuse', [1, 2, 3]))).toBe(first);
-    expect(next(() => light.set('active', false))).toBe(first);
-    expect(next(() => lights.add(new LightState()))).toBe(first);
-    const both = first | LIGHT_FEATURES.point;
-    expect(both).not.toBe(first);
-    expect(next(() => light.set('position', [1, 2, 3, 1]))).toBe(both);
-    expect(next(() => light.set('position', [1, 2, 3, 0]))).toBe(both);
-    expect(next(() => lights.remove(light))).toBe(both);
   });
 });

@@ -16,24 +16,6 @@ const sight = {
 } as const;
 
 describe('a projection', () => {
-  it('shows the target in the middle, x to the right and y upward', () => {
-    const projection = new Projection(sight);
-    expect(projection.point([0, 0, 0])).toEqual({ x: 200, y: 100 });
-    const { x, y } = projection.point([1, 2, 0])!;
-    expect(x).toBeCloseTo(200 + 25, 10);
-    expect(y).toBeCloseTo(100 - 50, 10);
-  });
-
-  it('gives no place to points behind the eye, in its plane or at it', () => {
-    const projection = new Projection(sight);
-    for (const place of [
-      [0, 0, 4],
-      [3, 1, 4],
-      [0, 0, 9],
-    ] as const)
-      expect(projection.point(place)).toBeNull();
-  });
-
   it('is inverted by the point at a place and a depth', () => {
     const angle = fc.double({ min: -180, max: 180, noNaN: true });
     const coordinate = fc.double({ min: -1, max: 1, noNaN: true });
@@ -45,15 +27,6 @@ describe('a projection', () => {
         for (const i of [0, 1, 2] as const) expect(again[i]).toBeCloseTo(place[i], 10);
       }),
     );
-  });
-
-  it('clips a line that runs behind the eye, and drops one that lies behind it', () => {
-    const projection = new Projection(sight);
-    const [from, to] = projection.segment([0, -1, 0], [0, -1, 100])!;
-    expect(from).toEqual({ x: 200, y: 125 });
-    expect(to).toEqual({ x: 200, y: 400 });
-    expect(projection.segment([0, 0, 5], [0, 0, 100])).toBeNull();
-    expect(projection.segment([1e6, 0, 0], [1e6, 1, 0])).toBeNull();
   });
 
   it('keeps the ends of lines finite and near the layer for all coordinates', () => {
@@ -111,10 +84,5 @@ describe('a core and its black outline', () => {
         expect(Math.max(contrast(core, behind), contrast(0, behind))).toBeGreaterThanOrEqual(2.999);
       }),
     );
-  });
-
-  it('keep the colour of a light that is bright enough', () => {
-    expect(coreColor([1, 0.8, 0.5])).toEqual([1, 0.8, 0.5]);
-    expect(coreColor([2, 2, 1])).toEqual([1, 1, 0.5]);
   });
 });

@@ -7,7 +7,7 @@ import type { Vec3 } from '../../src/math/vector.js';
 import { Projection } from '../../src/overlay/drawing/projection.js';
 import { lightMarks, type Part } from '../../src/overlay/helpers/light-marks.js';
 import { moved, type Anchor, type Travel } from '../../src/overlay/helpers/moves.js';
-import { halfAngle, halfDistance, placedLight } from '../../src/overlay/helpers/placed-light.js';
+import { placedLight } from '../../src/overlay/helpers/placed-light.js';
 
 const scene = { center: [0, 0, 0], radius: 1 } as const;
 const sight = {
@@ -91,33 +91,6 @@ describe('a light that is moved', () => {
     );
   });
 
-  it('returns to its place when the pointer does', () => {
-    const vector = fc.tuple(coordinate, coordinate, coordinate).filter((v) => lengthOf(v) > 0.01);
-    fc.assert(
-      fc.property(view, vector, fc.boolean(), fc.boolean(), (from, v, along, byKeys) => {
-        const sun = values({ position: [...v, 0] });
-        const anchor = anchorOf(sun, from);
-        // A handle at the edge moves under the pointer with the first pixel.
-        if (anchor.handle.outside) return;
-        const { position } = moved(anchor, from, travel(0, 0, { along, byKeys }));
-        for (const i of [0, 1, 2] as const) expect(position![i]).toBeCloseTo(v[i], 9);
-      }),
-    );
-  });
-
-  it('continues around the ball without a jump when the pointer leaves its outline', () => {
-    const from = new Projection(sight);
-    const anchor = anchorOf(values({ position: [0, 0, 1, 0] }), from);
-    let last: Vec3 = [0, 0, 1];
-    for (let dx = 1; dx <= 400; dx++) {
-      const [x, y, z] = moved(anchor, from, travel(dx, 0)).position!;
-      // At the outline a pixel turns most: the square root of its share of the ball.
-      expect(Math.hypot(x - last[0], y - last[1], z - last[2])).toBeLessThan(0.25);
-      last = [x, y, z];
-    }
-    expect(last[2]).toBeLessThan(-0.9);
-  });
-
   it('is finite and within the domain for lights anywhere, the eye and 1e15 included', () => {
     const anywhere = fc.oneof(coordinate, fc.constantFrom(0, 4, -4, 1e15, -1e15, 1e-300));
     fc.assert(
@@ -139,21 +112,6 @@ describe('a light that is moved', () => {
       ),
     );
   });
-
-  it('opens its cone up to the pointer', () => {
-    const from = new Projection(sight);
-    const spot = values({ position: [0, 1, 0, 1], axis: [0, -1, 0], aperture: 20 });
-    const anchor = anchorOf(spot, from, 'aperture');
-    const wider = lightMarks({ ...spot, aperture: 47 }, from, scene, false, Infinity).handles.find(
-      ({ part }) => part === 'aperture',
-    )!;
-    const { x, y } = anchor.handle.at;
-    expect(moved(anchor, from, travel(wider.at.x - x, wider.at.y - y)).aperture).toBeCloseTo(47, 1);
-    expect(moved(anchor, from, travel(16, 0, { byKeys: true })).aperture).toBe(22);
-    expect(moved(anchor, from, travel(-9999, 0, { byKeys: true })).aperture).toBe(0);
-    // At 180 there is no cone, and the handle would disappear during the move.
-    expect(moved(anchor, from, travel(9999, 0, { byKeys: true })).aperture).toBe(179);
-  });
 });
 
 describe('a spot’s helper', () => {
@@ -164,19 +122,6 @@ describe('a spot’s helper', () => {
     return handles.find(({ part }) => part === 'aperture')!.place;
   };
   const radiusOf = ([x, , z]: Vec3): number => Math.hypot(x - 0.2, z - 0.1);
-
-  it('ends at the first surface: over a level floor its ring is the lit pool', () => {
-    for (const aperture of [5, 20, 35]) {
-      const edge = edgeOf(aperture, 2.5);
-      expect(edge[1]).toBeCloseTo(-0.5, 12);
-      expect(radiusOf(edge)).toBeCloseTo(2.5 * Math.tan((aperture * Math.PI) / 180), 12);
-    }
-  });
-
-  it('ends where its axis leaves the scene if it meets no surface', () => {
-    const exit = Math.sqrt(scene.radius ** 2 - 0.05);
-    expect(edgeOf(10, Infinity)[1]).toBeCloseTo(-exit, 12);
-  });
 
   it('has a ring of at most twice the scene’s radius, without a jump at any aperture', () => {
     let before = radiusOf(edgeOf(1, 2.5));
@@ -214,22 +159,5 @@ describe('a light’s helper', () => {
         },
       ),
     );
-  });
-
-  it('stands 1.2 radii from the scene where it is directional, and at the centre without a direction', () => {
-    const from = new Projection(sight);
-    expect(placedLight(values({ position: [0, 5, 0, 0] }), from, scene).place).toEqual([0, 1.2, 0]);
-    expect(placedLight(values({ position: [0, 0, 0, 0] }), from, scene).place).toEqual([0, 0, 0]);
-  });
-
-  it('shows where attenuation and decay have halved the light', () => {
-    expect(halfDistance([1, 0, 0])).toBeNull();
-    expect(halfDistance([1, 1, 0])).toBe(1);
-    expect(halfDistance([0, 0, 2])).toBe(1);
-    expect(halfDistance([2, 1, 1])).toBeNull();
-    expect(halfAngle(0)).toBeNull();
-    expect(halfAngle(1)).toBeCloseTo(90, 10);
-    const cosine = Math.cos((halfAngle(12)! * Math.PI) / 180);
-    expect(((cosine + 1) / 2) ** 12).toBeCloseTo(0.5, 12);
   });
 });

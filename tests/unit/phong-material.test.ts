@@ -40,20 +40,6 @@ function lit(values: readonly Partial<LightValues>[] = [{ ambient: [9, 9, 9] }],
   return { lights, lighting, material, mesh, camera, gpu, draw };
 }
 
-describe('its uniforms', () => {
-  it('are sent once for all meshes of a frame that read the same lights', () => {
-    const spot = { position: [0, 3, 0, 1], axis: [0, -1, 0], aperture: 20 } as const;
-    const { material, mesh, draw } = lit([{}, spot]);
-    const beside = new Mesh(mesh.geometry, material);
-    const far = new Mesh(mesh.geometry, material);
-    far.position.x = 50;
-    draw(3, [mesh, beside]);
-    expect(material.uniformsNeedUpdate).toBe(false);
-    draw(1, [mesh, far]);
-    expect(material.uniformsNeedUpdate).toBe(true);
-  });
-});
-
 describe('another program', () => {
   it('is requested when code is needed for the first time', () => {
     const { lights, lighting, material, draw } = lit();
@@ -81,36 +67,6 @@ describe('another program', () => {
     }
   });
 
-  it('is not requested by a still scene until its specialised one takes over', () => {
-    const { gpu, draw } = lit();
-    const first = draw();
-    expect(draw(20)).toBe(first);
-    expect(draw(20)).toBe(first + 1);
-    expect(draw(100)).toBe(first + 1);
-    expect(gpu.compiled).toHaveLength(1);
-  });
-
-  it('is not requested when lights move or change colour on a GPU', () => {
-    const { lights, gpu, draw } = lit([{}, { position: [1, 2, 3, 1] }]);
-    const settled = draw(40);
-    for (let i = 0; i < 50; i++) {
-      lights.lights[1]!.set('position', [i, 2, 3, 1]);
-      lights.lights[0]!.set('diffuse', [i + 1, i + 1, i + 1]);
-      expect(draw()).toBe(settled);
-    }
-    expect(gpu.compiled).toHaveLength(1);
-  });
-
-  it('is the general one while lights move in software, where specialised ones inline their values', () => {
-    const { lights, gpu, draw } = lit([{}], new FakeRenderer({ name: 'SwiftShader' }));
-    const settled = draw(40);
-    for (let i = 0; i < 50; i++) {
-      lights.lights[0]!.set('position', [i, 1, 1, 0]);
-      expect(draw()).toBe(settled + 1);
-    }
-    expect(gpu.compiled).toHaveLength(1);
-  });
-
   it.each<[string, Partial<ConstructorParameters<typeof FakeRenderer>[0]>, number, number]>([
     ['16 lights in software', { name: 'llvmpipe' }, 16, 1],
     ['17 lights in software', { name: 'Google SwiftShader' }, 17, 0],
@@ -124,29 +80,6 @@ describe('another program', () => {
     );
     draw(60);
     expect(gpu.compiled).toHaveLength(programs);
-  });
-
-  it.each([
-    ['on a GPU', {}, 1],
-    ['on a renderer of unknown name, which counts as a GPU', { name: '' }, 1],
-    ['and the general one in software, whose programs hold the numbers', { name: 'llvmpipe' }, 0],
-  ])('stays while lights move %s', (_, device, programs) => {
-    const { lights, gpu, draw } = lit([{}, {}], new FakeRenderer(device));
-    for (let i = 0; i < 60; i++) {
-      lights.lights[0]!.set('position', [i, 1, 1, 0]);
-      draw();
-    }
-    expect(gpu.compiled).toHaveLength(programs);
-  });
-
-  it('is shared by a thousand equal meshes', () => {
-    const { lighting, gpu, draw } = lit();
-    const meshes = Array.from(
-      { length: 1000 },
-      () => new Mesh(new BoxGeometry(), new PhongMaterial(lighting)),
-    );
-    draw(40, meshes);
-    expect(gpu.compiled).toHaveLength(1);
   });
 });
 

@@ -10,28 +10,18 @@ import {
   Group,
   Line,
   LineBasicMaterial,
-  LinearFilter,
-  LinearMipmapLinearFilter,
-  type MagnificationTextureFilter,
   Mesh,
   MeshBasicMaterial,
-  type MinificationTextureFilter,
-  NearestFilter,
-  NearestMipmapNearestFilter,
   type Object3D,
   PlaneGeometry,
   Points,
   Scene,
   Sprite,
-  Texture,
 } from 'three';
-import fc from 'fast-check';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { Orbit } from '../../src/camera/orbit.js';
 import type { Sides } from '../../src/material/back-faces.js';
-import type { BaseLook } from '../../src/material/file-surface.js';
 import { PhongLighting } from '../../src/material/lighting.js';
-import type { ShadingStyle } from '../../src/material/material-values.js';
 import { PhongMaterial } from '../../src/material/phong-material.js';
 import { drawnObjects, copyFrame, type SceneSnapshot } from '../../src/scene/snapshot/scene-snapshot.js';
 import { distanceAlong, type Hit, pick } from '../../src/scene/snapshot/pick.js';
@@ -74,18 +64,6 @@ beforeEach(() => {
 });
 
 describe('the pick', () => {
-  it('is the nearest of our meshes, wherever it is in the tree', () => {
-    const group = new Group();
-    group.position.z = 0.5;
-    scene.add(group);
-    const nearest = wall(0.5, group);
-    wall(0.9);
-    wall(-1);
-    expect(look()!.drawn.object).toBe(nearest);
-    expect(look()!.depth).toBeCloseTo(2, 12);
-    expect(look(0, 0)).toBeNull();
-  });
-
   it('ignores what is not drawn: hidden objects, parents and materials, and other layers', () => {
     const seen = wall(0);
     const group = new Group();
@@ -106,105 +84,10 @@ describe('the pick', () => {
     expect(look()!.drawn.object).toBe(child);
   });
 
-  it('respects the draw range of the geometry', () => {
-    wall(0.5).geometry.setDrawRange(0, 3); // the upper left half
-    const behind = wall(0);
-    expect(look(40, 40)!.depth).toBeCloseTo(2.5, 12);
-    expect(look(60, 60)!.drawn.object).toBe(behind);
-  });
-
   it('is the later of two that are equally near, as the depth test decides', () => {
     wall();
     const later = wall();
     expect(look()!.drawn.object).toBe(later);
-  });
-
-  it('is the same face of a flattened box everywhere', () => {
-    const box = new Mesh(new BoxGeometry(1, 1, 1), new PhongMaterial(lighting));
-    box.scale.set(1, 1, 0);
-    box.rotation.set(0.3, 0.5, 0.7);
-    own.push(box);
-    scene.add(box);
-    const faces = new Set<number>();
-    for (let at = 40; at <= 60; at++) faces.add(Math.floor(look(at, 97 - at)!.triangle / 2));
-    expect([...faces]).toEqual([5]); // the last of its six
-  });
-
-  describe('is filtered', () => {
-    /** Width of a pixel on a wall at z = 0. */
-    const PIXEL = (2 * 3 * Math.tan(Math.PI / 8)) / SIZE;
-    const textureOf = (size: number, minFilter: MinificationTextureFilter = LinearMipmapLinearFilter) =>
-      Object.assign(new Texture(), { image: { width: size, height: size }, minFilter });
-    const texturedWall = (given: Partial<BaseLook>, style: Partial<ShadingStyle> = {}): Mesh => {
-      const mesh = wall();
-      const material = new PhongMaterial(lighting, given);
-      material.setStyle(style);
-      mesh.material = material;
-      return mesh;
-    };
-    const glowing = (emissiveMap: Texture): Mesh => texturedWall({ emissive: [1, 1, 1], emissiveMap });
-
-    it('where a pixel has more than one texel, however the texture is turned, repeated and moved', () => {
-      const some = (min: number, max: number) => fc.double({ min, max, noNaN: true });
-      fc.assert(
-        fc.property(some(0, 360), some(1, 4), some(0.3, 3), some(-0.5, 2), (turn, repeat, texels, z) => {
-          fc.pre(Math.abs(texels - 1) > 0.002);
-          const size = 1024;
-          const texture = textureOf(size);
-          texture.repeat.set(repeat, repeat);
-          texture.rotation = turn;
-          texture.updateMatrix();
-          const mesh = glowing(texture);
-          // As large as it takes for so many texels in a pixel.
-          mesh.scale.setScalar((size * repeat * PIXEL * (1 - z / 3)) / texels);
-          mesh.rotation.z = 3 * turn;
-          mesh.position.z = z;
-          expect(look(47, 58)!.filtered).toBe(texels > 1);
-          mesh.removeFromParent();
-          own = [];
-        }),
-      );
-    });
-
-    it('where one direction has more than one texel', () => {
-      const mesh = glowing(textureOf(64));
-      mesh.scale.setScalar(64 * PIXEL); // at its own size
-      expect(look()!.filtered).toBe(false);
-      mesh.rotation.x = 1;
-      expect(look()!.filtered).toBe(true);
-    });
-
-    it('only by filters that magnification does not have', () => {
-      const filtered = (min: MinificationTextureFilter, mag: MagnificationTextureFilter): boolean => {
-        const mesh = glowing(Object.assign(textureOf(1024, min), { magFilter: mag }));
-        const hit = look()!;
-        mesh.removeFromParent();
-        return hit.filtered;
-      };
-      expect(filtered(LinearFilter, LinearFilter)).toBe(false);
-      expect(filtered(NearestFilter, NearestFilter)).toBe(false);
-      expect(filtered(LinearFilter, NearestFilter)).toBe(true);
-      expect(filtered(NearestMipmapNearestFilter, NearestFilter)).toBe(true);
-    });
-
-    it('by each texture that the surface uses, and by no other', () => {
-      const texture = textureOf(1024);
-      const cases: readonly (readonly [boolean, Partial<BaseLook>, Partial<ShadingStyle>?])[] = [
-        [true, { normalMap: texture }],
-        [false, { normalMap: texture }, { shading: 'flat' }],
-        [true, { metalRoughMap: texture, metalness: 0.5 }, { shading: 'gouraud' }],
-        [true, { metalRoughMap: texture, roughness: 0.5 }],
-        [false, { metalRoughMap: texture, roughness: 0.5 }, { shading: 'gouraud' }],
-        [false, { metalRoughMap: texture }],
-        [false, { emissiveMap: texture, unlit: true }],
-        [false, {}],
-      ];
-      for (const [filtered, given, style] of cases) {
-        const mesh = texturedWall(given, style);
-        expect(look()!.filtered, JSON.stringify([Object.keys(given), style])).toBe(filtered);
-        mesh.removeFromParent();
-      }
-    });
   });
 
   it('is never in front of the near plane or behind the eye', () => {
@@ -261,27 +144,6 @@ describe('the pick', () => {
       scene.add(box);
       return { box, behind };
     };
-
-    it('looks through single-sided faces from behind, mirrored ones too', () => {
-      for (const mirror of [1, -1]) {
-        const seen = wall(0);
-        const single = wall(0.5);
-        Object.assign(single.material, { sides: 'single' });
-        single.scale.x = mirror;
-        expect(look()!.drawn.object).toBe(single);
-        single.rotation.y = Math.PI;
-        expect(look()!.drawn.object).toBe(seen);
-      }
-    });
-
-    it('sees a flattened single-sided face from both sides', () => {
-      const { box } = boxWithWall('single');
-      box.scale.z = 0;
-      for (const turn of [0, Math.PI]) {
-        box.rotation.y = turn;
-        expect(look()!.drawn.object).toBe(box);
-      }
-    });
 
     it('sees the inside of a closed shape from inside, and looks through its back from outside', () => {
       const { box, behind } = boxWithWall('closed');
@@ -360,16 +222,6 @@ describe('the corners of what was picked', () => {
     for (const N of normalsOf()) expect(N[2]).toBeCloseTo(1, 12);
   });
 
-  it('lie around the point that was hit', () => {
-    wall(0.25).scale.set(1, 0.5, 1);
-    const hit = look(45, 52)!;
-    const corners = cornersOf(hit);
-    for (const axis of [0, 1, 2] as const) {
-      const sum = corners.reduce((all, { p }, i) => all + p[axis] * hit.weights[i]!, 0);
-      expect(sum).toBeCloseTo(hit.p[axis], 12);
-    }
-  });
-
   it('have no normals if the geometry has none', () => {
     wall().geometry.deleteAttribute('normal');
     expect(normalsOf()).toEqual([
@@ -391,16 +243,6 @@ describe('a snapshot of an animated mesh', () => {
     return geometry;
   }
 
-  it('has a copy of the vertices, which does not change', () => {
-    const geometry = animated();
-    const before = taken()!;
-    const place = geometry.getAttribute('position') as BufferAttribute;
-    place.setX(0, 7);
-    place.needsUpdate = true;
-    expect(before.getAttribute('position').getX(0)).toBe(-0.5);
-    expect(taken()!.getAttribute('position').getX(0)).toBe(7);
-  });
-
   it('shares them with the next one while the mesh does not move, so that a probe copies nothing', () => {
     const geometry = animated();
     const before = taken();
@@ -416,15 +258,6 @@ describe('the distance along a ray', () => {
     view.aim(45, scene, { center: [0, 0, 0], radius: 2 }, SIZE, SIZE);
     return distanceAlong(snapshotThrough(view), from, direction);
   };
-
-  it('ends at the nearest surface, from either side, wherever the eye is', () => {
-    wall(0);
-    wall(-1);
-    expect(along([0.1, 0.2, 5], [0, 0, -1])).toBeCloseTo(5, 12);
-    expect(along([0.1, 0.2, -5], [0, 0, 1])).toBeCloseTo(4, 12);
-    expect(along([0.1, 0.2, -0.25], [0.6, 0, 0.8])).toBeCloseTo(0.25 / 0.8, 12);
-    expect(along([0, 0, 5], [0, 1, 0])).toBe(Infinity);
-  });
 
   it("ends at a page author's own mesh too", () => {
     wall(0);

@@ -67,22 +67,4 @@ describe('a mesh without memory', () => {
     expect(second.dispose).toHaveBeenCalledTimes(1);
     expect(first.dispose).not.toHaveBeenCalled();
   });
-
-  it('for another material keeps the one that it has, with one error', () => {
-    const { materials, ended, host, mesh, state } = setUp();
-    mesh.arrived(content(1), host.budget.claim(mesh), url, true);
-    const before = mesh.parts.map(({ material }) => material);
-    ended.mockClear();
-    vi.spyOn(materials, 'exchange').mockImplementation(noMemory);
-    state.set('ka', [9, 9, 9]);
-    mesh.restyle();
-    mesh.restyle();
-    expect(ended.mock.calls).toEqual([[mesh, url, expect.any(RangeError)]]);
-    expect(mesh.parts.map(({ material }) => material)).toEqual(before);
-    vi.restoreAllMocks();
-    state.set('ka', [8, 8, 8]);
-    mesh.restyle();
-    expect(host.dropped).toHaveBeenCalledTimes(1);
-    expect(mesh.parts.every(({ material }) => material.surface.ka[0] === 8)).toBe(true);
-  });
 });

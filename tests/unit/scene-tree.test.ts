@@ -1,7 +1,7 @@
 // In which order are a scene's objects drawn, and which world matrices are computed again?
 
-import { Group, Mesh, Scene } from 'three';
-import { describe, expect, it, vi } from 'vitest';
+import { Mesh, Scene } from 'three';
+import { describe, expect, it } from 'vitest';
 import { FieldStore } from '../../src/fields/field-store.js';
 import { PhongLighting } from '../../src/material/lighting.js';
 import { MESH_FIELDS, type MeshValues } from '../../src/scene/mesh/mesh-fields.js';
@@ -85,40 +85,5 @@ describe('the scene', () => {
     tree.scene.remove(meshes[1]!.root!);
     tree.update();
     expect(names(tree)).toBe('0 2');
-  });
-
-  it('updates only the matrices of what has moved, and those of own objects', () => {
-    const { tree, stores, meshes } = setUp(3);
-    const own = new Mesh();
-    own.matrixAutoUpdate = false;
-    tree.scene.add(own);
-    tree.update();
-    const written = meshes.map(({ root }) => vi.spyOn(root!.matrixWorld, 'multiplyMatrices'));
-    stores[1]!.set('position', [5, 0, 0]);
-    meshes[1]!.update();
-    own.matrix.makeTranslation(1, 2, 3); // without matrixWorldNeedsUpdate, as three.js allows below a scene
-    tree.update();
-    expect(written.map(({ mock }) => mock.calls.length)).toEqual([0, 1, 0]);
-    expect(meshes[1]!.root!.matrixWorld.elements[12]).toBe(5);
-    expect(own.matrixWorld.elements[13]).toBe(2);
-  });
-
-  it('says whether a mesh has moved, also within one of the page', () => {
-    const { tree, stores, meshes } = setUp(2);
-    const moves = (change: () => void): boolean => {
-      const before = tree.moves;
-      change();
-      tree.update();
-      return tree.moves !== before;
-    };
-    const group = new Group();
-    expect(moves(() => undefined)).toBe(false);
-    expect(moves(() => tree.scene.add(group))).toBe(false);
-    stores[1]!.set('position', [5, 0, 0]);
-    expect(moves(() => meshes[1]!.update())).toBe(true);
-    expect(moves(() => undefined)).toBe(false);
-    expect(moves(() => (meshes[1]!.root!.matrixWorldNeedsUpdate = true))).toBe(true); // as an animation does
-    group.add(meshes[0]!.root!);
-    expect(moves(() => group.position.setX(1))).toBe(true);
   });
 });

@@ -7,13 +7,7 @@ import { describe, expect, it } from 'vitest';
 import { declaredFeatures } from '../../src/light/light-features.js';
 import type { LightValues } from '../../src/light/light-state.js';
 import { type BaseLook, PLAIN_LOOK } from '../../src/material/file-surface.js';
-import {
-  type Form,
-  generalVariant,
-  type MaterialFeatures,
-  type MaterialTerms,
-  specialisedVariant,
-} from '../../src/material/program/variant.js';
+import { generalVariant, type MaterialFeatures } from '../../src/material/program/variant.js';
 import {
   DEFAULT_STYLE,
   REFLECTIONS,
@@ -22,7 +16,6 @@ import {
   TERMS,
 } from '../../src/material/material-values.js';
 import { anyLight, light } from './arbitraries.js';
-import { pack } from './packed-reader.js';
 
 /** What differs from a plain material: fields of its look, of its style and the others, side by side. */
 type Difference = Partial<BaseLook & ShadingStyle & Pick<MaterialFeatures, 'linear' | 'mildShininess'>>;
@@ -115,61 +108,5 @@ describe('the general program', () => {
         expect(generalKey(lights, { ...material })).toBe(generalKey(lights.toReversed(), material));
       }),
     );
-  });
-});
-
-describe('a specialised program', () => {
-  const keyOf = (form: Form, lights: readonly LightValues[], material: Partial<MaterialTerms> = {}): string =>
-    specialisedVariant(
-      generalVariant(materialOf(), declaredFeatures(EVERYTHING), 200),
-      { terms: TERMS, integerShininess: 32, ...material },
-      form,
-      pack(lights),
-    ).key;
-  const lights = [light(), light(lamp), light(spot)];
-  const moved = lights.map(
-    (one) => ({ ...one, position: [7, 8, 9, one.position[3]], diffuse: [7, 7, 7] }) as const,
-  );
-
-  it.each<[Form, number]>([
-    ['counted', 1],
-    ['grid', 1],
-    ['inlined', 2],
-  ])('with %s lights makes %i program(s) for lights that move and change colour', (form, programs) => {
-    expect(count([keyOf(form, lights), keyOf(form, moved)])).toBe(programs);
-  });
-
-  it.each<[Form, number]>([
-    ['counted', 3],
-    ['grid', 1],
-    ['inlined', 3],
-  ])('with %s lights makes %i program(s) for one, two and three lamps', (form, programs) => {
-    expect(
-      count(
-        [1, 2, 3].map((n) =>
-          keyOf(
-            form,
-            Array.from({ length: n }, () => light(lamp)),
-          ),
-        ),
-      ),
-    ).toBe(programs);
-  });
-
-  it('has literal addresses for up to 16 lights, which a GPU unrolls, and counts addresses up beyond', () => {
-    const statements = (n: number): string =>
-      specialisedVariant(
-        generalVariant(materialOf(), declaredFeatures([light(lamp)]), 1000),
-        { terms: TERMS, integerShininess: null },
-        'counted',
-        pack(Array.from({ length: n }, () => light(lamp))),
-      ).defines['LIGHT_STATEMENTS']!;
-    expect(statements(16)).not.toContain('row+=');
-    expect(statements(17)).toContain('row+=');
-  });
-
-  it('depends on the terms that are summed and on an integer exponent', () => {
-    const keys = [{}, { terms: ['diffuse'] as const }, { integerShininess: 8 }, { integerShininess: null }];
-    expect(count(keys.map((material) => keyOf('counted', lights, material)))).toBe(4);
   });
 });

@@ -3,7 +3,7 @@
 import { allReady, expect, pixelAt, test } from '../support/test.js';
 import { decodePng } from '../support/picture.js';
 
-test('a screenshot of the whole article shows every picture', async ({ page }) => {
+test('@release a screenshot of the whole article shows every picture', async ({ page }) => {
   await page.goto('/demo/article/');
   await page.evaluate(() => customElements.whenDefined('phong-viewer').then(() => undefined));
   await allReady(page);

@@ -235,7 +235,10 @@ async function firstPicture(page: Page, markup: string): Promise<Picture> {
   return picture;
 }
 
-test('five hundred spots on a floor of many vertices look alike under Gouraud', async ({ page, mount }) => {
+test('@release five hundred spots on a floor of many vertices look alike under Gouraud', async ({
+  page,
+  mount,
+}) => {
   test.setTimeout(120_000);
   await logGl(page);
   const markup = sceneMarkup(overFloor(spots(500, 4), 'gouraud'), 'gouraud');

@@ -20,7 +20,7 @@ import {
 const SIZE = { width: 84, height: 60 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 8));
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 200 : 5));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 const SEEDS = `seeds ${FIRST} to ${FIRST + SCENES - 1}`;
 

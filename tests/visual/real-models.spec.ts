@@ -23,7 +23,7 @@ test('there are twenty models, of all four formats', () => {
   expect([...new Set(formats)].sort()).toEqual(['glb', 'gltf', 'obj', 'ply', 'stl']);
 });
 
-test('each model covers the pixels of the other picture, in similar colours', async ({
+test('@release each model covers the pixels of the other picture, in similar colours', async ({
   page,
   consoleGuard,
 }) => {

@@ -11,7 +11,7 @@ import type { DeclaredScene } from './ray-cast.js';
 const SIZE = { width: 120, height: 84 };
 /** For more or other scenes: PHONG_VIEWER_SCENES=500 PHONG_VIEWER_SEED=1000. */
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 18));
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? (release ? 300 : 12));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 const SHADINGS = ['phong', 'flat', 'gouraud'] as const;

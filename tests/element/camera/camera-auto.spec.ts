@@ -42,13 +42,6 @@ test.describe('auto', () => {
     });
   }
 
-  test('reaches the farthest vertex from a declared target', async ({ mount }) => {
-    const viewer = await mount('<phong-viewer geometry="box" target="2 0 0"></phong-viewer>');
-    const camera = await cameraOf(viewer);
-    expect(camera.target).toEqual([2, 0, 0]);
-    expect(camera.radius).toBeCloseTo(fitted(Math.hypot(2.5, 0.5, 0.5), 600, 400), 6);
-  });
-
   test('refits to new meshes, size and field of view until the user moves the camera', async ({
     page,
     mount,

@@ -3,19 +3,9 @@
 
 import type { Page } from '@playwright/test';
 import { allReady, expect, test } from '../../support/test.js';
-import { holdContext, loseAndRestore } from '../page/many-viewers.js';
 import { opened, slider } from '../panel/panel-rows.js';
 import { countEverything, NOTHING, spentIn } from '../support/counting.js';
-import {
-  assign,
-  cameraOf,
-  drag,
-  Fingers,
-  nextFrame,
-  type PhongViewer,
-  record,
-  settled,
-} from '../support/viewer.js';
+import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 /** Two viewers of 300 × 200 side by side. */
 const pair = (first: string, second: string, inner = ''): string =>
@@ -145,21 +135,6 @@ test('a viewer that leaves its group moves alone, and takes the camera of the ne
   expect((await expectOnePose(page)).theta).toBe(10);
 });
 
-test('a viewer that moves on its page keeps the camera of its group, without an event', async ({
-  page,
-  mount,
-}) => {
-  const first = await mount(pair('', 'fov="20"'), size);
-  const before = JSON.stringify(await expectOnePose(page));
-  const heard = await record(first, 'camera-change');
-  const others = await record(page.locator('phong-viewer').nth(1), 'camera-change');
-  await page.evaluate(() => document.body.append(document.querySelector('phong-viewer')!));
-  await allReady(page);
-  await nextFrame(page);
-  expect(JSON.stringify(await expectOnePose(page))).toBe(before);
-  expect([...(await heard.take()), ...(await others.take())]).toEqual([]);
-});
-
 test('one auto-rotate turns the whole group, and pauses while any viewer is dragged', async ({
   page,
   mount,
@@ -209,13 +184,6 @@ test('groups include viewers in shadow trees, but not in other documents', async
   expect((await cameraOf(other)).theta).toBe(1);
 });
 
-test('the camera of a group is that of toHTML, and auto stays auto', async ({ page, mount }) => {
-  await mount(pair('', 'fov="20"'), size);
-  const html = await page.evaluate(() => document.querySelector('phong-viewer')?.toHTML());
-  expect(html).toContain('radius="auto"');
-  expect(html).toContain('camera-group="a"');
-});
-
 test('a move costs each of 20 linked viewers one event and one frame', async ({ page, mount }) => {
   await mount('<phong-viewer geometry="box" camera-group="a"></phong-viewer>'.repeat(20), {
     width: 60,
@@ -242,18 +210,6 @@ test('a move costs each of 20 linked viewers one event and one frame', async ({ 
   expect(counts.moves).toEqual(Array<number>(20).fill(10));
   expect(counts.frames).toEqual(Array<number>(20).fill(10));
   expect(counts.thetas).toEqual(Array<number>(20).fill(40));
-});
-
-test('two fingers on one viewer shift and zoom all viewers', async ({ page, mount }) => {
-  await mount(pair('', ''), size);
-  const before = JSON.stringify(await expectOnePose(page));
-  const fingers = await Fingers.on(page);
-  await fingers.down([340, 100], [380, 100]);
-  await fingers.move([330, 90], [400, 90]);
-  await fingers.move([320, 80], [420, 80]);
-  expect(JSON.stringify(await expectOnePose(page))).not.toBe(before);
-  await fingers.up();
-  await expectOnePose(page);
 });
 
 test('the panel moves all viewers with the source "panel", and undo moves all back', async ({
@@ -299,14 +255,4 @@ test('the next viewer turns the group once the first is out of view, and nothing
   // The description is written a second after the last frame.
   await expect.poll(() => spentIn(page, 300), { timeout: 20_000 }).toEqual(NOTHING);
   await expectOnePose(page);
-});
-
-test('a group moves while its viewers have no context, and they come back with the right camera', async ({
-  page,
-  mount,
-}) => {
-  await holdContext(page);
-  const first = await mount(pair('', ''), size);
-  await loseAndRestore(page, page.locator('phong-viewer'), () => assign(first, { theta: 123, phi: 45 }));
-  expect(await expectOnePose(page)).toMatchObject({ theta: 123, phi: 45 });
 });

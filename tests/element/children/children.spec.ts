@@ -3,7 +3,7 @@
 
 import type { Locator } from '@playwright/test';
 import { allReady, compare, expect, pixels, test } from '../../support/test.js';
-import { nextFrame, type PhongViewer } from '../support/viewer.js';
+import { type PhongViewer } from '../support/viewer.js';
 import { green, open, red, same, scene, shown, size } from './plane-scene.js';
 
 const box = '<phong-mesh name="box" geometry="box" scale="0.3"></phong-mesh>';
@@ -178,23 +178,6 @@ test.describe('children are found', () => {
 });
 
 test.describe('moves of children', () => {
-  test('within a viewer keep what a mesh shows and load nothing', async ({ page, mount }) => {
-    const model = '<phong-mesh name="model" src="/fixtures/models/textured.glb"></phong-mesh>';
-    const viewer = await mount(scene(red, model, box), size);
-    let requests = 0;
-    page.on('request', () => requests++);
-    const objects = await viewer.evaluate(async (element: PhongViewer) => {
-      const before = element.scene.children.map(({ uuid }) => uuid);
-      element.append(element.meshes[0]!);
-      await element.ready;
-      const after = element.scene.children.map(({ uuid }) => uuid);
-      return [before.every((id) => after.includes(id)), element.meshes.map(({ name }) => name)];
-    });
-    expect(objects).toEqual([true, ['box', 'model']]);
-    expect(requests).toBe(0);
-    same(await pixels(viewer), await shown(page, scene(red, box, model)));
-  });
-
   test('with moveBefore keep everything and update the order', async ({ mount }) => {
     const viewer = await mount(`<main></main>${scene(red, green, box)}`, size);
     const before = await pixels(viewer);
@@ -241,22 +224,6 @@ test.describe('moves of children', () => {
     expect(await names(viewer)).toEqual(['red', 'green', 'model']);
     expect(requests).toEqual([]);
   });
-
-  test('from one viewer to another take effect in both', async ({ page, mount }) => {
-    const first = await mount(`${scene(red, green)}${scene(box)}`, size);
-    const second = page.locator('phong-viewer').nth(1);
-    await page.evaluate(() => {
-      const [from, to] = document.querySelectorAll<PhongViewer>('phong-viewer');
-      from?.append(to!.meshes[0]!);
-      to?.append(from!.lights[0]!);
-    });
-    expect(await names(first)).toEqual(['green', 'box']);
-    expect(await names(second)).toEqual(['red']);
-    same(await pixels(first), await shown(page, scene(green, box)));
-    same(await pixels(second), await shown(page, scene(red)));
-    await second.evaluate((element: PhongViewer) => (element.lights[0]!.active = false));
-    same(await pixels(first), await shown(page, scene(green, box)));
-  });
 });
 
 test('many lights connected one per microtask make one frame and one search, in document order', async ({
@@ -287,17 +254,4 @@ test('many lights connected one per microtask make one frame and one search, in 
     return [inOrder, stats.lightsActive, stats.frames - frames, searches <= 1];
   });
   expect(facts).toEqual([true, 300, 1, true]);
-});
-
-test('a light added and removed in one task changes nothing', async ({ page, mount }) => {
-  const viewer = await mount(scene(red), size);
-  const before = await pixels(viewer);
-  await viewer.evaluate((element: PhongViewer) => {
-    const light = document.createElement('phong-light');
-    element.append(light);
-    light.remove();
-  });
-  await nextFrame(page);
-  expect(await names(viewer)).toEqual(['red']);
-  same(await pixels(viewer), before);
 });

@@ -11,32 +11,9 @@ import { same, shown, size } from './plane-scene.js';
 const open = '<phong-viewer theta="20" phi="60" radius="3" target="0 0 0">';
 const light = '<phong-light position="0.6 1 1.2 0" ambient="60" diffuse="120"></phong-light>';
 const box = '<phong-mesh name="crate" geometry="box" kd="200 40 40"></phong-mesh>';
-const ball = '<phong-mesh geometry="sphere" position="1 0 0" kd="40 200 40"></phong-mesh>';
 const scene = (...meshes: readonly string[]): string => `${open}${light}${meshes.join('')}</phong-viewer>`;
 
 const different = (a: Picture, b: Picture): void => expect(compare(a, b).max).toBeGreaterThan(5);
-
-test('added, removed, reordered and changed meshes give the same picture as markup', async ({
-  page,
-  mount,
-}) => {
-  const viewer = await mount(scene(box), size);
-  const both = await shown(page, scene(box, ball));
-  const one = await shown(page, scene(box));
-  different(both, one);
-  await viewer.evaluate((element, html) => element.insertAdjacentHTML('beforeend', html), ball);
-  same(await pixels(viewer), both);
-  await viewer.evaluate((element: PhongViewer) => element.append(element.meshes[0]!));
-  expect(await viewer.evaluate((element: PhongViewer) => element.meshes.map(({ name }) => name))).toEqual([
-    '',
-    'crate',
-  ]);
-  same(await pixels(viewer), both);
-  await viewer.evaluate((element: PhongViewer) => element.meshes[0]?.remove());
-  same(await pixels(viewer), one);
-  await viewer.evaluate((element, html) => (element.innerHTML = html), light + ball + box);
-  same(await pixels(viewer), both);
-});
 
 test('of meshes at one place the last one in document order is visible, with any program', async ({
   page,
@@ -127,20 +104,6 @@ test('each value acts by attribute and by property, and returns to its default',
   }
 });
 
-test("the viewer's own geometry and its children show together, each with its own material", async ({
-  page,
-  mount,
-}) => {
-  const viewer = await mount(
-    scene(ball).replace('<phong-viewer', '<phong-viewer geometry="box" kd="200 40 40" shininess="5"'),
-    size,
-  );
-  const two = await shown(page, scene(box.replace('kd', 'shininess="5" kd'), ball));
-  same(await pixels(viewer), two);
-  await assign(viewer, { geometry: null });
-  same(await pixels(viewer), await shown(page, scene(ball)));
-});
-
 test('a mesh takes shading and reflection from the viewer unless it has its own', async ({ page, mount }) => {
   const facets = '<phong-mesh geometry="sphere" segments="8"></phong-mesh>';
   const viewer = await mount(scene(facets), size);
@@ -175,11 +138,6 @@ test('a scale of 0 or a mirroring scale never breaks the picture', async ({ moun
   const mirrored = pixelAt(await pixels(viewer), 30, 20);
   await assign(viewer.locator('phong-mesh'), { scale: 1 });
   expect(mirrored).toEqual(pixelAt(await pixels(viewer), 30, 20));
-});
-
-test('meshes in wrappers are shown, other elements are ignored', async ({ page, mount }) => {
-  const viewer = await mount(scene(box, `<div>${ball}</div>`, '<p>Text</p>'), size);
-  same(await pixels(viewer), await shown(page, scene(box, ball)));
 });
 
 test('a model of a mesh brings its own materials, unless an attribute is given', async ({ page, mount }) => {

@@ -4,7 +4,6 @@ import type { Page } from '@playwright/test';
 import type { ConsoleGuard } from '../../support/console-guard.js';
 import { expect, test } from '../../support/test.js';
 import type { Site } from '../../support/site.js';
-import { countEverything, NOTHING, spentIn } from '../support/counting.js';
 import { nextFrame, settled, type PhongViewer } from '../support/viewer.js';
 
 const size = { width: 60, height: 40 };
@@ -25,21 +24,13 @@ const claim = (consoleGuard: ConsoleGuard, count: number): readonly string[] =>
   consoleGuard.allow(/^warning: <phong-/, count);
 
 test.describe('an attribute that does not exist', () => {
+  /** One of each kind of advice; unit/attribute-advice.test.ts has the others. */
   const rows: readonly (readonly [markup: string, warning: string])[] = [
-    [scene('', ' shadng="flat"'), '<phong-viewer> has no attribute shadng. Did you mean shading?'],
     [scene(light('difuse="red"')), '<phong-light> has no attribute difuse. Did you mean diffuse?'],
-    [scene(light('postion="1 2 3"')), '<phong-light> has no attribute postion. Did you mean position?'],
     [scene(light('pos="1 2 3"')), '<phong-light> has no attribute pos. Write position="x y z w": w = 1 for a place, w = 0 for a direction to the light.'], // prettier-ignore
-    [scene(light('color="red"')), '<phong-light> has no attribute color. Write diffuse="…", and specular and ambient for the other terms.'], // prettier-ignore
-    [scene(light('intensity="2"')), '<phong-light> has no attribute intensity. Write larger or smaller values of diffuse, specular and ambient: 255 is full, more is brighter.'], // prettier-ignore
-    [scene(mesh('color="red"')), '<phong-mesh> has no attribute color. Write ka="…", kd="…" and ks="…", the colours of the material.'], // prettier-ignore
     [scene(mesh('diffuse="red"')), '<phong-mesh> has no attribute diffuse. Write kd="…".'],
-    [scene(mesh('sclae="2"')), '<phong-mesh> has no attribute sclae. Did you mean scale?'],
     [scene('', ' width="300"'), '<phong-viewer> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // prettier-ignore
-    [scene('', ' height="300"'), '<phong-viewer> has no attribute height. CSS sets the size: write style="width: …; height: …".'], // prettier-ignore
-    [scene('', ' autorotate="9"'), '<phong-viewer> has no attribute autorotate. Did you mean auto-rotate?'],
     [scene(light('shininess="9"')), '<phong-light> has no attribute shininess. It belongs to <phong-mesh> and <phong-viewer>.'], // prettier-ignore
-    ['<phong-compare width="9"></phong-compare>', '<phong-compare> has no attribute width. CSS sets the size: write style="width: …; height: …".'], // prettier-ignore
     [
       '<phong-compare lables="a"></phong-compare>',
       '<phong-compare> has no attribute lables. Did you mean labels?',
@@ -286,14 +277,6 @@ test.describe('the code that knows mistakes', () => {
     await failed;
     await viewer.evaluate((element: PhongViewer) => (element.theta = 5));
     await settled(viewer);
-  });
-
-  test('leaves the page at rest after it has run', async ({ page, mount, consoleGuard }) => {
-    const warnings = claim(consoleGuard, 1);
-    await countEverything(page);
-    await mount(`${mistake}${scene('<div><p>wrapped</p></div>')}<p>Text</p>`, size);
-    await reported(page, warnings, 1);
-    expect(await spentIn(page, 300)).toEqual(NOTHING);
   });
 });
 

@@ -4,7 +4,7 @@
 import { expect, test } from '../../support/test.js';
 import { countEverything } from '../support/counting.js';
 import { assign, type PhongViewer, settled } from '../support/viewer.js';
-import { expectSmooth, filmZoom, loadAgain, showThumbnails, triangles } from './round-levels.js';
+import { expectSmooth, filmZoom, showThumbnails, triangles } from './round-levels.js';
 
 const SIZE = { width: 120, height: 120 };
 
@@ -84,10 +84,6 @@ test('Gouraud and flat pictures keep the fixed number, and so does a Phong one b
   await settled(right);
   await settled(left);
   expect([await triangles(left), await triangles(right)]).toEqual([auto, auto]);
-});
-
-test('the same markup gives the same picture of the same triangles at each load', async ({ mount }) => {
-  await loadAgain(mount, 5);
 });
 
 test('fifty thumbnails have the levels of their sizes, share them, and rest', async ({ page, mount }) => {

@@ -72,8 +72,6 @@ test.describe('the order of upgrades does not matter', () => {
 
 test.describe('moving the viewer in the document', () => {
   for (const [what, move] of [
-    ['within its parent', (viewer: Element) => viewer.parentElement?.prepend(viewer)],
-    ['into another parent', (viewer: Element) => document.querySelector('aside')?.append(viewer)],
     [
       'into a detached tree and back, with a change on the way',
       (viewer: PhongViewer) => {
@@ -83,14 +81,6 @@ test.describe('moving the viewer in the document', () => {
         viewer.lights[0]!.diffuse = [200, 0, 0];
         viewer.meshes[0]!.scale = [0.3, 0.3, 0.3];
         document.querySelector('aside')?.append(viewer);
-      },
-    ],
-    [
-      'out of the document for a while',
-      async (viewer: Element) => {
-        viewer.remove();
-        await new Promise((resolve) => setTimeout(resolve, 100));
-        document.body.append(viewer);
       },
     ],
     [

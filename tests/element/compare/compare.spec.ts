@@ -187,18 +187,6 @@ test.describe('a divider', () => {
     await page.keyboard.press('ArrowUp');
     expect(await at(compare)).toEqual([69]);
   });
-
-  test('follows the pointer in a rotated and scaled parent', async ({ page, mount }) => {
-    const compare = await compared(
-      page,
-      mount,
-      `<main>${comparison()}</main>`,
-      'main { width: 400px; height: 200px; transform: translate(100px, 100px) rotate(90deg) scale(0.5) }',
-    );
-    const box = (await dividers(compare).boundingBox())!;
-    await drag(page, [box.x + box.width / 2, box.y + box.height / 2], [0, 40]);
-    expect(((await at(compare)) as number[])[0]).toBeCloseTo(70, 6);
-  });
 });
 
 /** Channel by channel, from `left` to `right`. */
@@ -364,36 +352,6 @@ test('viewers can be added and removed, and the comparison can move on its page'
   await nextFrame(page);
 });
 
-test('removing a divider during a drag ends the drag', async ({ page, mount }) => {
-  const compare = await compared(page, mount, comparison());
-  await drag(page, [200, 100], [40, 0], { release: false });
-  await compare.evaluate((element) => element.lastElementChild?.remove());
-  await page.mouse.move(300, 100);
-  await page.mouse.up();
-  await expect(dividers(compare)).toHaveCount(0);
-  const first = page.locator('phong-viewer').first();
-  const before = await cameraOf(first);
-  await drag(page, [300, 100], [40, 0]);
-  expect((await cameraOf(first)).theta).not.toBe(before.theta);
-});
-
-test('values set before the upgrade count', async ({ page, mount, site }) => {
-  await mount('');
-  const address = site.page(comparison(), { css });
-  await page.goto(address);
-  await page.evaluate(async () => {
-    const compare = document.querySelector('phong-compare')!;
-    Object.assign(compare, { at: 20, layout: 'split' });
-    const script = Object.assign(document.createElement('script'), {
-      type: 'module',
-      src: '/dist/phong-viewer.standalone.js',
-    });
-    document.head.append(script);
-    await customElements.whenDefined('phong-compare');
-  });
-  await expect(page.getByRole('separator')).toHaveAttribute('aria-valuenow', '20');
-});
-
 test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   const compare = await compared(page, mount, comparison('id="pair" labels="A &quot;, B"'));
   await drag(page, [200, 100], [40, 0]);
@@ -411,16 +369,6 @@ test('toHTML gives the comparison as it is now', async ({ page, mount }) => {
   expect(await page.locator('phong-compare').evaluate((element: PhongCompare) => element.toHTML())).toBe(
     html,
   );
-});
-
-test('page styles for viewers elsewhere do not affect those inside', async ({ page, mount }) => {
-  await compared(
-    page,
-    mount,
-    comparison(),
-    'phong-viewer { width: 50px; height: 20rem; max-width: 60%; margin: 1rem; float: left; border: 1px solid }',
-  );
-  expect(await page.locator('phong-viewer').first().boundingBox()).toMatchObject({ width: 400, height: 200 });
 });
 
 test('if its code cannot be fetched, the viewers are shown one after the other, with a warning', async ({

@@ -3,6 +3,7 @@ import type { Page } from '@playwright/test';
 // large?
 
 import { compare, expect, pixels, test } from '../../support/test.js';
+import { fullOr } from '../../support/repeats.js';
 import { installFaults } from './faults.js';
 import { nextFrame, type PhongViewer, record } from '../support/viewer.js';
 
@@ -74,7 +75,7 @@ test('a context lost at any call before the end of the first picture is reported
     return 1e6 - window.faults.callsLeft;
   }, box);
   expect(calls).toBeGreaterThan(60);
-  for (let call = 0; call < calls; call += call < 40 ? 1 : 7) {
+  for (let call = 0; call < calls; call += call < 40 ? fullOr(1, 3) : fullOr(7, 21)) {
     await page.evaluate(
       async ({ html, call }) => {
         document.body.replaceChildren();
@@ -123,18 +124,6 @@ test('a context lost again while it is restored comes back with the next restora
   await viewer.evaluate((element: PhongViewer) => element.ready);
   expect(compare(await pixels(viewer), expected).max).toBe(0);
   expect((await events.take()).length).toBeLessThanOrEqual(2);
-});
-
-test('a context lost as soon as it opens is reported as lost', async ({ mount, page }) => {
-  await page.addInitScript(() => (window.faults.opening = 'lost'));
-  const viewer = await mount(box, SIZE);
-  await expect(viewer.locator('[part=notice]')).toContainText('context was lost');
-  await page.evaluate(() => {
-    window.faults.opening = 'works';
-    window.faults.restore();
-  });
-  await expect(viewer.locator('[part=notice]')).toHaveCount(0);
-  await expect.poll(() => viewer.evaluate((element: PhongViewer) => element.stats.frames)).toBe(1);
 });
 
 test('a viewer that connects while the context is lost reports it', async ({ mount, page }) => {

@@ -109,14 +109,6 @@ test('nothing happens out of sight, and changes are drawn once when the viewer b
   }
 });
 
-test('a turning viewer outside the document does nothing', async ({ page, mount }) => {
-  const viewer = await mount(box.replace('geometry', 'auto-rotate="45" geometry'), size);
-  expect((await spentIn(page, A_WHILE)).frames).toBeGreaterThan(1);
-  await viewer.evaluate((element) => element.remove());
-  await nextFrame(page);
-  expect(await spentIn(page, A_WHILE)).toEqual(NOTHING);
-});
-
 test('many changes in one task make one frame', async ({ page, mount }) => {
   const viewer = await mount(`${box}${box}`, size);
   const renders = await record(viewer, 'render');

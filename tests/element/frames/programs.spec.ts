@@ -14,7 +14,6 @@ import {
   logGl,
   type GlProgram,
 } from '../support/gl-log.js';
-import { expectFewPrograms } from './program-walk.js';
 import type { PhongViewer } from '../support/viewer.js';
 
 const size = { width: 60, height: 42 };
@@ -108,34 +107,6 @@ test('scenes with the same needs have the same program, and only further needs a
         expect.soft(one.length, `${a} has more code than ${b}`).toBeGreaterThan(other.length);
     }
   }
-});
-
-test('the code for lights is in one stage only', async ({ page, mount }) => {
-  await logGl(page);
-  const viewer = await mount('<phong-viewer></phong-viewer>', size);
-  const lengths = async (shading: string): Promise<{ vertex: number; fragment: number }> => {
-    await glSpent(page);
-    await viewer.evaluate((element, how) => (element.outerHTML = `<phong-viewer geometry="box" shading="${how}"><phong-light position="1 2 3"></phong-light></phong-viewer>`), shading); // prettier-ignore
-    await viewer.evaluate((element: PhongViewer) => element.ready);
-    const [{ vertex, fragment }] = (await litPrograms(page)) as [GlProgram];
-    return { vertex: reachedCode(vertex).length, fragment: reachedCode(fragment).length };
-  };
-  const atVertices = await lengths('gouraud');
-  for (const shading of ['phong', 'flat']) {
-    const atFragments = await lengths(shading);
-    expect(atFragments.vertex, shading).toBeLessThan(atVertices.vertex / 2);
-    expect(atVertices.fragment, shading).toBeLessThan(atFragments.fragment / 2);
-  }
-});
-
-test('a long random walk makes one general program per feature set, and few specialised ones', async ({
-  page,
-  mount,
-}) => {
-  test.setTimeout(120_000);
-  await logGl(page);
-  const viewer = await mount('<phong-viewer></phong-viewer>', size);
-  await expectFewPrograms(page, viewer, Number(process.env['PHONG_VIEWER_SEED'] ?? 1), 60);
 });
 
 test('another shape is drawn by the same program', async ({ page, mount }) => {

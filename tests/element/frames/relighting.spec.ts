@@ -113,9 +113,9 @@ async function settle(page: Page, viewer: Locator): Promise<void> {
 }
 
 // Few lights get a specialised program while they stand still, many never do in software.
-for (const [lights, which] of [
-  [6, 'few lights'],
-  [30, 'many lights'],
+for (const [lights, which, tag] of [
+  [6, 'few lights', ''],
+  [30, 'many lights', '@release '],
 ] as const) {
   test(`${which} that move cost three calls: one upload, one clear and one draw`, async ({ page, mount }) => {
     await logGl(page);
@@ -131,7 +131,7 @@ for (const [lights, which] of [
     await expectWhole(viewer, which, await shownAfter(viewer, moveLights));
   });
 
-  test(`${which} that move show the whole scene, whatever else changes`, async ({ page, mount }) => {
+  test(`${tag}${which} that move show the whole scene, whatever else changes`, async ({ page, mount }) => {
     await logGl(page);
     const viewer = await mount(markup(lights), size);
     await settle(page, viewer);

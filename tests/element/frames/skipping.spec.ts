@@ -162,7 +162,7 @@ function costOf(viewer: Locator, change: Change, count: number): Promise<Cost> {
 }
 
 const release = process.env['PHONG_VIEWER_RELEASE'] !== undefined;
-const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 2, 3, 7, 16, 39, 40];
+const COUNTS = release ? Array.from({ length: 40 }, (_, i) => i + 1) : [1, 7, 40];
 
 test('one to forty lights that change together cost one frame, one upload of the changes, and no program', async ({
   page,
@@ -240,16 +240,6 @@ test('the first light with a new kind or feature compiles at most one program, t
   }
 });
 
-test('an inactive light has its program from the start', async ({ page, mount }) => {
-  await logGl(page);
-  const viewer = await mount(sceneMarkup(sceneOf([SUN, { ...SPOT, active: false, ambient: [9, 9, 9], cutoff: 3, attenuation: [1, 1, 1] }])), size); // prettier-ignore
-  await nextFrame(page);
-  await glSpent(page);
-  await viewer.evaluate((element: PhongViewer) => (element.lights[1]!.active = true));
-  await nextFrame(page);
-  expect(await glSpent(page)).toMatchObject({ links: 0, compiles: 0, draws: 1 });
-});
-
 /**
  * The most calls of any of these frames. In each, `move` many lights are moved. Not of the first: where a still
  * picture's program has the lights' numbers in its text, that frame goes over to one that reads them.
@@ -281,9 +271,7 @@ test('lights that move in every frame cost four calls more than a still frame, h
   const viewer = await mount('<phong-viewer></phong-viewer>', size);
   const figures: Record<string, readonly [still: number, moving: number]> = {};
   for (const [name, lights] of Object.entries({
-    '1 sun': CROWD.slice(0, 1),
     '1 spot': CROWD.slice(39),
-    '8 of each kind': CROWD.slice(6, 14),
     '32 of each kind': CROWD.slice(0, 32),
   })) {
     await show(viewer, sceneOf(lights));

@@ -2,7 +2,7 @@
 // for JPEG, what the browser reads back.
 
 import type { Locator } from '@playwright/test';
-import { allReady, compare, expect, pixels, test, type Picture } from '../../support/test.js';
+import { compare, expect, pixels, test, type Picture } from '../../support/test.js';
 import { assign, cameraOf, drag, nextFrame, type PhongViewer, record, settled } from '../support/viewer.js';
 
 const size = { width: 120, height: 80 };
@@ -113,24 +113,6 @@ test.describe('toBlob', () => {
     expect(compare(await pixels(viewer), before).max).toBe(0);
   });
 
-  test('leaves the picture on the screen intact', async ({ page, mount }) => {
-    const viewer = await mount(`${box}<phong-viewer geometry="torus"></phong-viewer>`, size);
-    for (const alone of [false, true]) {
-      if (alone)
-        await page
-          .locator('phong-viewer')
-          .nth(1)
-          .evaluate((other) => other.remove());
-      await allReady(page);
-      const before = await viewer.screenshot();
-      await pixels(viewer, { width: 31, height: 300 });
-      expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
-      await pixels(viewer, { width: 31, height: 300 });
-      await allReady(page);
-      expect(Buffer.compare(await viewer.screenshot(), before)).toBe(0);
-    }
-  });
-
   test('shows changes of the same task, and works off screen, hidden and outside the document', async ({
     page,
     mount,
@@ -166,17 +148,6 @@ test.describe('toBlob', () => {
       await nextFrame(page);
       expect(Buffer.compare(await viewer.screenshot(), onScreen), what).toBe(0);
     }
-  });
-
-  test('keeps the camera of a tall viewer that is hidden', async ({ page, mount }) => {
-    const tall = { width: 40, height: 120 };
-    const viewer = await mount(box, tall);
-    const before = await cameraOf(viewer);
-    const shown = await pixels(viewer, tall);
-    await viewer.evaluate((element) => (element.style.display = 'none'));
-    await nextFrame(page);
-    expect(await cameraOf(viewer)).toEqual(before);
-    expect(compare(await pixels(viewer, tall), shown).max).toBe(0);
   });
 });
 
@@ -216,18 +187,6 @@ test('requestRender keeps target and radius, and refit fits them to the changed 
   expect(target).toEqual([2, 0, 0]);
   expect(radius / before.radius).toBeCloseTo(Math.hypot(2.5, 0.5, 0.5) / Math.hypot(0.5, 0.5, 0.5), 5);
   expect(await changes.take()).toContainEqual({ type: 'camera-change', detail: { source: 'auto' } });
-});
-
-test('refit leaves a declared or moved camera alone', async ({ mount }) => {
-  const viewer = await mount(box, size);
-  await assign(viewer, { radius: 5, target: [0, 1, 0] });
-  const before = await cameraOf(viewer);
-  await viewer.evaluate((element: PhongViewer) => {
-    element.scene.children[0]!.clone().position.set(9, 9, 9);
-    element.refit();
-  });
-  await settled(viewer);
-  expect(await cameraOf(viewer)).toEqual(before);
 });
 
 test('stats is a plain snapshot of what a scene costs', async ({ mount }) => {

@@ -84,26 +84,6 @@ test('out of view a change is drawn once, and nothing moves', async ({ page, mou
   for (const one of both) await expect.poll(() => frames(one)).toBeGreaterThan(4);
 });
 
-test('pictures below the end of a scrolling box are drawn before they come into view', async ({
-  page,
-  mount,
-}) => {
-  const inside = await mount(`<main><p></p>${viewer()}<p></p>${viewer()}</main>`, {
-    ...size,
-    css: 'main { height: 200px; overflow: auto } p { margin: 0; height: 600px }',
-  });
-  await nextFrame(page);
-  await nextFrame(page);
-  expect(await frames(inside)).toBe(1);
-  const far = page.locator('phong-viewer').last();
-  expect(await frames(far)).toBe(0);
-  await assign(inside, { kd: [9, 9, 9] });
-  await nextFrame(page);
-  expect(await frames(inside)).toBe(2);
-  await page.evaluate(() => document.querySelector('main')!.scrollTo(0, 500));
-  await expect.poll(() => frames(far)).toBe(1);
-});
-
 for (const overflow of ['auto', 'hidden']) {
   test(`the next pictures of a carousel are drawn before they come into view (overflow: ${overflow})`, async ({
     page,
@@ -157,24 +137,6 @@ test('in an iframe the same holds, and nothing moves while the iframe itself is 
   const rest = await frames(inside.first());
   expect(await spentIn(page, 300)).toEqual(NOTHING);
   expect(await frames(inside.first())).toBe(rest);
-});
-
-test('in an iframe that is far away nothing is fetched or drawn', async ({ page, mount }) => {
-  const requests: string[] = [];
-  page.on('request', (request) => requests.push(new URL(request.url()).pathname));
-  await mount(`<main><iframe></iframe></main><phong-viewer></phong-viewer>`, { ...size, css: above(2000) });
-  const inside = page.frameLocator('iframe').locator('phong-viewer');
-  await page.evaluate(async (src) => {
-    const viewer = document.createElement('phong-viewer');
-    Object.assign(viewer, { src, loading: 'lazy' });
-    document.querySelector('iframe')!.contentDocument!.body.append(viewer);
-    await viewer.ready;
-  }, bunny);
-  await nextFrame(page);
-  await nextFrame(page);
-  expect([await frames(inside), requests.includes(bunny)]).toEqual([0, false]);
-  await page.evaluate(() => scrollTo(0, 700));
-  await expect.poll(() => inside.evaluate(({ loaded }: PhongViewer) => loaded)).toBe(true);
 });
 
 test('in a closed accordion nearby nothing is drawn', async ({ page, mount }) => {

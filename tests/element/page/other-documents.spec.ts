@@ -282,27 +282,3 @@ test('a viewer in a popup draws by the popup’s frames, drags, prints and retur
   await settled(viewer);
   expect(compare(await pixels(viewer), before).max).toBe(0);
 });
-
-test('a viewer can return from a closed popup', async ({ page, mount }) => {
-  const viewer = await mount(scene, SIZE);
-  const before = await pixels(viewer);
-  const opened = page.waitForEvent('popup');
-  await page.evaluate(() => {
-    const inner = open('about:blank', 'popup', 'width=600,height=500')!;
-    const viewer = document.querySelector('phong-viewer')!;
-    Object.assign(window, { viewer });
-    inner.document.body.append(viewer);
-  });
-  const popup = await opened;
-  await settled(popup.locator('phong-viewer'));
-  await popup.close();
-  await page.evaluate(async () => {
-    const { viewer } = window as unknown as { viewer: PhongViewer };
-    viewer.theta = 50;
-    await viewer.ready;
-    viewer.theta = 30;
-    document.body.append(viewer);
-    await viewer.ready;
-  });
-  expect(compare(await pixels(viewer, SIZE), before).max).toBe(0);
-});

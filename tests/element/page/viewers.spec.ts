@@ -92,35 +92,6 @@ test('render comes once for each frame, when a listener can read the new picture
   expect(await turn(90)).toEqual([true]);
 });
 
-test('turning viewers are all drawn before the first one is copied', async ({ page, mount }) => {
-  // A copy between two drawings makes the browser resolve and copy the whole canvas again.
-  await page.addInitScript(() => {
-    const log: string[] = [];
-    Object.assign(window, { drawnOrCopied: log });
-    const record = (prototype: object, method: string, letter: string): void => {
-      const real = Reflect.get(prototype, method) as (...args: unknown[]) => unknown;
-      Reflect.set(prototype, method, function (this: unknown, ...args: unknown[]) {
-        log.push(letter);
-        return Reflect.apply(real, this, args);
-      });
-    };
-    record(WebGL2RenderingContext.prototype, 'drawElements', 'd');
-    record(CanvasRenderingContext2D.prototype, 'drawImage', 'c');
-  });
-  const viewer = await mount(
-    reddening(6).replaceAll('<phong-viewer', '<phong-viewer auto-rotate="90"'),
-    small,
-  );
-  await expect.poll(() => viewer.evaluate(({ stats }: PhongViewer) => stats.frames)).toBeGreaterThan(3);
-  const frame = await page.evaluate(async () => {
-    await new Promise(requestAnimationFrame);
-    window.drawnOrCopied.length = 0;
-    await new Promise(requestAnimationFrame);
-    return window.drawnOrCopied.join('');
-  });
-  expect(frame).toMatch(/^d{6,}c{6}$/);
-});
-
 test('the context opens with the first visible picture, at its size', async ({ page, mount }) => {
   // Resizing a canvas with a context reallocates all buffers, once for each side.
   await page.addInitScript(() => {
@@ -244,25 +215,6 @@ test('sixteen viewers, some off screen, have the same pixels after a lost contex
   const after = await shots();
   expect(after.map((shot, i) => Buffer.compare(shot, before[i]!))).toEqual([0, 0]);
   expect((await countsOf(page)).contexts).toBe(1);
-});
-
-test('no shader log is read, and a program that does not link is reported', async ({
-  page,
-  mount,
-  consoleGuard,
-}) => {
-  await mount(reddening(2), small);
-  expect((await countsOf(page)).logs).toBe(0);
-  await page.addInitScript(() => {
-    const real = Object.getOwnPropertyDescriptor(WebGL2RenderingContext.prototype, 'shaderSource')
-      ?.value as WebGL2RenderingContext['shaderSource'];
-    WebGL2RenderingContext.prototype.shaderSource = function (this: WebGL2RenderingContext, shader, source) {
-      real.call(this, shader, `${source}\n#error broken by hand\n`);
-    };
-  });
-  consoleGuard.allow(/uncaught: .*a program does not link.*broken by hand/s, 1);
-  consoleGuard.allow(/WebGL: INVALID_/); // of drawing with it
-  await mount(reddening(2), small);
 });
 
 declare global {

@@ -44,16 +44,6 @@ test('moves the camera with the source "panel"', async ({ mount }) => {
   for (const { detail } of heard) expect(detail).toEqual({ source: 'panel' });
 });
 
-test('moves the target without zooming', async ({ mount }) => {
-  const viewer = await mount(scene);
-  const folder = await opened(viewer, 'Camera');
-  const { radius } = await cameraOf(viewer);
-  await field(folder, 'target x').fill('1');
-  const moved = await cameraOf(viewer);
-  expect(moved.target).toEqual([1, 0, 0]);
-  expect(moved.radius).toBe(radius);
-});
-
 test('sets field of view and auto-rotate', async ({ mount }) => {
   const viewer = await mount(scene);
   const folder = await opened(viewer, 'Camera');
@@ -89,26 +79,6 @@ test('resets to the declared camera after drags and after its own moves', async 
     radius: 'auto',
     target: 'auto',
   });
-});
-
-test('resets to a camera that a script has declared since', async ({ mount }) => {
-  const viewer = await mount(scene);
-  const folder = await opened(viewer, 'Camera');
-  await field(folder, 'θ azimuth °').fill('100');
-  await assign(viewer, { theta: -50, phi: 20 });
-  await field(folder, 'φ polar °').fill('90');
-  await button(folder, 'reset camera').click();
-  expect(await cameraOf(viewer)).toMatchObject({ theta: -50, phi: 20 });
-});
-
-test('refuses a radius of 0', async ({ mount }) => {
-  const viewer = await mount(scene);
-  const folder = await opened(viewer, 'Camera');
-  const { radius } = await cameraOf(viewer);
-  await field(folder, 'radius').fill('0');
-  await expect(field(folder, 'radius')).toHaveAttribute('aria-invalid', 'true');
-  await slider(folder, 'radius').fill('0');
-  expect((await cameraOf(viewer)).radius).toBe(radius);
 });
 
 test('shows the present camera when it is opened after a move', async ({ mount }) => {

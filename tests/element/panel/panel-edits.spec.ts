@@ -171,19 +171,6 @@ test.describe('undo', () => {
     expect(await x()).toBe(5);
   });
 
-  test('does nothing where a light would have to go into itself', async ({ mount }) => {
-    const viewer = await mount(scene);
-    const before = await names(viewer);
-    await viewer.evaluate(({ lights }: PhongViewer) => Reflect.set(window, 'lamp', lights[1]));
-    await button(await opened(viewer, 'lamp'), 'remove').click();
-    await viewer.evaluate((element) => {
-      (Reflect.get(window, 'lamp') as HTMLElement).append(element.querySelector('#rig')!);
-    });
-    await undo(viewer);
-    expect(await names(viewer)).toEqual(['sun', 'spot']);
-    expect(before).toEqual(['sun', 'lamp', 'spot']);
-  });
-
   test('keeps later changes by a script', async ({ mount }) => {
     const viewer = await mount(scene);
     const folder = await opened(viewer, 'lamp');
@@ -233,23 +220,6 @@ test.describe('lights', () => {
     for (let steps = 0; steps < 4; steps++) await page.keyboard.press('Control+z');
     expect(await names(viewer)).toEqual(['sun', 'lamp', 'spot']);
     expect(await viewer.locator('#rig > #lamp').count()).toBe(1);
-  });
-
-  test('nested by self-closed tags are reordered and removed one by one', async ({ mount }) => {
-    const nested =
-      '<phong-viewer gui geometry="box"><phong-light name="a" /><phong-light name="b" /><phong-light name="c" /></phong-viewer>';
-    const viewer = await mount(nested);
-    await button(await opened(viewer, 'b'), 'move up').click();
-    expect(await names(viewer)).toEqual(['b', 'a', 'c']);
-    await button(folderOf(viewer, 'b'), 'remove').click();
-    expect(await names(viewer)).toEqual(['a', 'c']);
-    await undo(viewer);
-    await undo(viewer);
-    expect(await names(viewer)).toEqual(['a', 'b', 'c']);
-    await button(await opened(viewer, 'a'), 'remove').click();
-    expect(await names(viewer)).toEqual(['b', 'c']);
-    await undo(viewer);
-    expect(await names(viewer)).toEqual(['a', 'b', 'c']);
   });
 
   test('are renamed and removed by keys on their title', async ({ page, mount }) => {

@@ -2,19 +2,8 @@
 
 import type { Locator } from '@playwright/test';
 import { expect, test } from '../../support/test.js';
-import { assign, type PhongMesh, type PhongViewer } from '../support/viewer.js';
-import {
-  button,
-  choice,
-  field,
-  flag,
-  folderOf,
-  opened,
-  picker,
-  slider,
-  titleOf,
-  titlesIn,
-} from './panel-rows.js';
+import { type PhongMesh, type PhongViewer } from '../support/viewer.js';
+import { button, choice, field, flag, opened, picker, slider } from './panel-rows.js';
 
 const own = '<phong-viewer gui geometry="box" kd="200 0 0"></phong-viewer>';
 const meshes = `<phong-viewer gui>
@@ -80,14 +69,6 @@ test('gives shininess a slider with fine steps for small exponents', async ({ mo
   expect(await valuesOf(viewer, 'shininess')).toEqual([0]);
 });
 
-test('has a folder for each mesh, called by its name, its shape or its number', async ({ mount }) => {
-  const viewer = await mount(meshes);
-  await opened(viewer, 'Meshes');
-  expect(await titlesIn(folderOf(viewer, 'Meshes'))).toEqual(['sphere', 'floor', 'mesh 3']);
-  await assign(viewer.locator('phong-mesh').nth(2), { src: '/fixtures/models/textured.glb?v=2' });
-  await expect.poll(() => titlesIn(folderOf(viewer, 'Meshes'))).toEqual(['sphere', 'floor', 'textured.glb']);
-});
-
 test("edits and shows a mesh's surface, style and transform", async ({ mount }) => {
   const viewer = await mount(meshes);
   const mesh = viewer.locator('phong-mesh').first();
@@ -116,16 +97,4 @@ test("edits and shows a mesh's surface, style and transform", async ({ mount }) 
   expect((await read()).shading).toBeNull();
   await mesh.evaluate((element) => element.setAttribute('rotation', '10 20 30'));
   await expect(field(folder, 'rotation ° z')).toHaveValue('30');
-});
-
-test('keeps mesh folders as they are while meshes are added, removed and reordered', async ({ mount }) => {
-  const viewer = await mount(meshes);
-  await opened(viewer, 'Meshes');
-  await opened(viewer, 'floor');
-  await viewer.evaluate((element: PhongViewer) => {
-    element.meshes[0]?.remove();
-    element.append(element.meshes[0]!);
-  });
-  await expect.poll(() => titlesIn(folderOf(viewer, 'Meshes'))).toEqual(['mesh 1', 'floor']);
-  await expect(titleOf(viewer, 'floor')).toHaveAttribute('aria-expanded', 'true');
 });

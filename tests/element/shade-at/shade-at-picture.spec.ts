@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs';
 import type { Locator } from '@playwright/test';
 import { expect as equationExpect } from '../../support/built-playwright.js';
 import { patch, type Texel } from '../../support/gltf.js';
+import { fullOr } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { randomScene, sceneMarkup } from '../../visual/random-scene.js';
 import { comparedWithPicture, type Compared } from './shade-at-support.js';
@@ -18,7 +19,7 @@ const SIZE = { width: 160, height: 120 };
 const EDGE = 3e-3;
 const STEEP = 8;
 /** For more or other scenes: PHONG_VIEWER_SCENES=100 PHONG_VIEWER_SEED=1000. */
-const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? 4);
+const SCENES = Number(process.env['PHONG_VIEWER_SCENES'] ?? fullOr(4, 3));
 const FIRST = Number(process.env['PHONG_VIEWER_SEED'] ?? 1);
 
 class Tally {
@@ -82,7 +83,7 @@ test.describe('shadeAt explains the picture', () => {
       <phong-light position="2 2 0 1" diffuse="#fc8" attenuation="1 0.2 0.05"></phong-light>`;
     const viewer = await mount(
       `<phong-viewer src="/assets/models/bunny.glb" shininess="60">${lights}</phong-viewer>`,
-      { width: 150, height: 100 },
+      { width: 100, height: 70 },
     );
     // Close by, so that triangles are larger than a few pixels.
     await assign(viewer, { radius: (await cameraOf(viewer)).radius / 4 });
@@ -95,8 +96,8 @@ test.describe('shadeAt explains the picture', () => {
     const lights = `<phong-light position="0.3 0.8 0.6 1" ambient="40 30 20" diffuse="150" specular="120"></phong-light>
       <phong-light space="camera" position="0.5 0.5 0 1" axis="0 0 -1" cutoff="3" diffuse="60 90 40" specular="0"></phong-light>`;
     const viewer = await mount('<phong-viewer></phong-viewer>', {
-      width: 60,
-      height: 45,
+      width: 40,
+      height: 30,
       deviceScaleFactor: 2,
     });
     for (const meshes of [
