@@ -2,17 +2,18 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { ERROR_TEXTS, VIEWER_TEXTS } from '../../src/element/fields/text-list.js';
-import de from '../../src/element/texts/de.js';
-import es from '../../src/element/texts/es.js';
-import fr from '../../src/element/texts/fr.js';
-import pt from '../../src/element/texts/pt.js';
+import type { CompleteTexts } from '../../src/element/fields/texts.js';
+import de from '../../src/element/texts/de.json' with { type: 'json' };
+import es from '../../src/element/texts/es.json' with { type: 'json' };
+import fr from '../../src/element/texts/fr.json' with { type: 'json' };
+import pt from '../../src/element/texts/pt.json' with { type: 'json' };
 
 const bracesOf = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 
 /** What every error's message may contain. */
 const ERROR_VALUES = ['{message}', '{url}'];
 
-describe.each(Object.entries({ de, es, fr, pt }))('the texts in %s', (_language, texts) => {
+describe.each(Object.entries<CompleteTexts>({ de, es, fr, pt }))('the texts in %s', (_language, texts) => {
   it('have every key, in the order of the list', () => {
     expect(Object.keys(texts)).toEqual([...VIEWER_TEXTS, ...ERROR_TEXTS]);
   });

@@ -4,7 +4,7 @@
 import { axeOn } from '../../support/axe.js';
 import type { Locator, Page } from '@playwright/test';
 import { VIEWER_TEXTS } from '../../../src/element/fields/text-list.js';
-import de from '../../../src/element/texts/de.js';
+import de from '../../../src/element/texts/de.json' with { type: 'json' };
 import { firstOf } from '../../support/repeats.js';
 import { expect, test } from '../../support/test.js';
 import { field, listOf, opened, panelOf, titleOf } from './panel-rows.js';
