@@ -41,7 +41,7 @@ interface Form {
   readonly isColumn: boolean;
   /** Null: there is only room for the colour. */
   readonly shape: TableShape | null;
-  /** Lights with a row of their own. */
+  /** Lights with a row of their own; without a table, those that are named as a number. */
   readonly lights: number;
   readonly note: boolean;
   readonly steps: boolean;
@@ -156,7 +156,10 @@ export class ProbeBox {
       .filter((each) => fits({ ...bare, isColumn: false, lights: all, shape: each }, true))
       .slice(0, 1);
     const last = [...strip, shape(NO_AMBIENT, 0, true)];
-    if (!fitsSomehow(false, strip, last)) this.#render(state, { ...bare, isColumn: false });
+    // The colour alone, with the number of lights behind it where that fits.
+    const alone: Form = { ...bare, isColumn: false };
+    if (fitsSomehow(false, strip, last) || fits({ ...alone, lights: all })) return;
+    this.#render(state, alone);
   }
 
   #render(state: BoxState, form: Form): void {
@@ -188,6 +191,11 @@ export class ProbeBox {
     >
       <p class="head">
         ${isEmpty ? noChange : colorTemplate(content, texts, shape?.digits ?? 0)}
+        ${
+          shape === null && form.lights > 0
+            ? phrase(texts, '+ {number} lights', { number: String(form.lights) })
+            : nothing
+        }
         <button
           class="release"
           type="button"
