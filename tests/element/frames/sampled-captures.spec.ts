@@ -48,7 +48,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
       'a light': () => (element.lights[0]!.specular = [255, 0, 0]),
       'the view': () => (element.view = 'normals'),
       'the view back': () => (element.view = 'shaded'),
-      "the place of the page's own object": reported(() => own.position.set(0.3, 0, 0)),
+      "the place of the page's own object": reported(() => own.position.set(0, 0.6, 0)),
       'its group': reported(() => group.scale.setScalar(2)),
       'another object': reported(() => element.scene.add(own.clone().translateY(0.4))),
       'its visibility': reported(() => (own.visible = false)),
