@@ -39,8 +39,8 @@ export class Visibility implements ReactiveController, Watcher {
   /** By layout, whatever hides the element there; null until it is known. */
   #inView: boolean | null = null;
   #near: boolean | null = null;
-  /** When the layout was last read for {@link look}, as of the window's `performance.now()`. */
-  #located = 0;
+  /** When its layout was last read, as of the window's `performance.now()`. Infinity: not yet. */
+  #located = Infinity;
   #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
   #maxRatio = Infinity;
   /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
@@ -92,6 +92,7 @@ export class Visibility implements ReactiveController, Watcher {
     for (const type of TRANSITION_EVENTS) this.#element.removeEventListener(type, this.#onTransition);
     this.#inView = null;
     this.#near = null;
+    this.#located = Infinity;
   }
 
   /** Measures now, by layout: observers report only after a frame. */
@@ -149,9 +150,12 @@ export class Visibility implements ReactiveController, Watcher {
     this.#host.disconnectedCallback();
   }
 
-  /** Reports come after their frame: one from before {@link look} may say that a shown element is not displayed. */
+  /** Reports come after their frame: meanwhile an element may have been shown. */
   #reported({ time }: IntersectionObserverEntry): void {
-    if (time < this.#located && this.#page !== null) this.#locate(this.#page);
+    if (time < this.#located && this.#page !== null) {
+      this.#locate(this.#page);
+      this.#page.reportAgain(this.#element);
+    }
     this.shown();
   }
 

@@ -50,7 +50,7 @@ test('toBlob({ samples }) begins again when the scene changes, whatever changes'
       'the view back': () => (element.view = 'shaded'),
       "the place of the page's own object": reported(() => own.position.set(0, 0.6, 0)),
       'its group': reported(() => group.scale.setScalar(2)),
-      'another object': reported(() => element.scene.add(own.clone().translateY(0.4))),
+      'another object': reported(() => element.scene.add(own.clone().translateX(-1))),
       'its visibility': reported(() => (own.visible = false)),
       'no object': reported(() => element.scene.remove(...element.scene.children.slice(-1))),
     };
