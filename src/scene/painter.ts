@@ -19,14 +19,19 @@ export class Painter {
     this.scene.matrixWorldAutoUpdate = false; // the viewport updates matrices, before it measures
   }
 
+  /** Lights for what `view` was last aimed at. */
+  begin(view: ViewCamera): void {
+    this.lighting.updateFrame(view.frame, view.camera);
+  }
+
   /** Draws what `view` was last aimed at. `samples`: so many such pictures are averaged. */
   paint(renderer: WebGLRenderer, view: ViewCamera, samples = 1): void {
-    this.lighting.updateFrame(view.frame, view.camera);
+    this.begin(view);
     this.paintAgain(renderer, view, samples);
     this.#drawCalls = renderer.info.render.calls;
   }
 
-  /** Draws the scene and the lights of the last {@link paint} once more. Counts as no frame for programs. */
+  /** Draws the scene and the lights of the last {@link begin} once more. Counts as no frame for programs. */
   paintAgain(renderer: WebGLRenderer, { camera, view }: ViewCamera, samples = 1): void {
     this.lighting.mapBias.value = mapBiasOf(samples);
     try {
@@ -36,15 +41,6 @@ export class Painter {
     } finally {
       this.#huge.restore();
     }
-  }
-
-  /** Draws the scene again and again, with the lights of the first time. All of it counts as one frame. */
-  sampler(view: ViewCamera): (renderer: WebGLRenderer, samples: number) => void {
-    let paint: 'paint' | 'paintAgain' = 'paint';
-    return (renderer, samples) => {
-      this[paint](renderer, view, samples);
-      paint = 'paintAgain';
-    };
   }
 
   /** Gives back what the GPU holds; drawing sends it again. */

@@ -4,7 +4,7 @@ import { lazyCode } from '../model/lazy-code.js';
 import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
-import type { Captured, PaintPart, SampledCapture } from './samples/sampled-capture.js';
+import type { PaintPart } from './samples/sampled-capture.js';
 
 export type { PaintPart };
 
@@ -13,14 +13,9 @@ const sampling = /* @__PURE__ */ lazyCode(
   'antialias="full" and toBlob({ samples })',
 );
 
-/** What {@link sampling} has fetched. */
-let fetched: Awaited<ReturnType<typeof sampling>> | null = null;
-
 export class StillPicture {
   readonly #subject: Sampled;
   readonly #settled: () => void;
-  /** Those that are being drawn. */
-  readonly #captures = new Set<SampledCapture>();
   #wanted = 0;
   /** Null while no samples are wanted or the code is being fetched. */
   #converging: ConvergingPicture | null = null;
@@ -78,22 +73,14 @@ export class StillPicture {
     this.#converging?.copy(renderer, part);
   }
 
-  /** The mean of so many samples of what `begin` returns. Calls it in this task if the code is there. */
-  async capture(size: Size, samples: number, begin: () => Captured): Promise<HTMLCanvasElement> {
-    const { SampledCapture } = (fetched ??= await sampling());
-    const capture = new SampledCapture(size, samples, begin());
-    this.#captures.add(capture);
-    return capture.picture.finally(() => this.#captures.delete(capture));
-  }
-
-  /** Something is about to change, or has: what is being captured is drawn to its end. */
-  finishCaptures(): void {
-    for (const capture of this.#captures) capture.finish();
+  /** The mean of so many samples of the scene. */
+  async capture(size: Size, samples: number): Promise<HTMLCanvasElement> {
+    const { captureSamples } = await sampling();
+    return captureSamples(this.#subject, size, samples);
   }
 
   /** Something has changed. */
   reset(): void {
-    this.finishCaptures();
     this.#converging?.reset();
   }
 
@@ -109,7 +96,7 @@ export class StillPicture {
 
   async #fetch(): Promise<void> {
     try {
-      const { ConvergingPicture } = (fetched = await sampling());
+      const { ConvergingPicture } = await sampling();
       if (this.#wanted === 0 || this.#converging !== null) return;
       this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
       this.#subject.animate();

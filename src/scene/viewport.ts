@@ -48,6 +48,7 @@ export class Viewport implements StageClient, Framed {
   #loop: FrameLoop | null = null;
   /** Something has changed since the last frame. */
   #dirty = true;
+  #changes = 0;
   /** It has another size since it was drawn. */
   resized = false;
   /** The picture has not changed, but its pixels are gone. */
@@ -104,7 +105,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   detach(): void {
-    this.changing(); // what is being captured needs the context, which may close
+    this.#changes += 1; // the context may close under what is being captured
     this.#attached = false;
     this.#near = undefined;
     this.#wake();
@@ -128,7 +129,6 @@ export class Viewport implements StageClient, Framed {
   }
 
   set style(style: ShadingStyle) {
-    this.changing();
     this.materials.style = style;
     for (const mesh of this.#tree.meshes) mesh.restyle();
     this.reshaped();
@@ -173,6 +173,7 @@ export class Viewport implements StageClient, Framed {
     this.#wanted = { width, height };
     this.resized = true;
     this.fit.resized(width, height);
+    this.#changes += 1;
     this.#outdate();
     this.#wake();
   }
@@ -206,6 +207,15 @@ export class Viewport implements StageClient, Framed {
     this.reshaped();
   }
 
+  get attached(): boolean {
+    return this.#attached;
+  }
+
+  /** Counts the changes of what it shows. */
+  get changes(): number {
+    return this.#changes;
+  }
+
   /** Frames are drawn when something changes. */
   get drawable(): boolean {
     if (!this.#attached || stage.lost || this.#near === false) return false;
@@ -217,11 +227,9 @@ export class Viewport implements StageClient, Framed {
     return !this.#dirty && !this.#blank;
   }
 
-  /** What meshes show is about to change. Pictures that are being captured show the scene as it was when they began. */
-  readonly changing = (): void => this.#still.finishCaptures();
-
   /** Something changed: draw a frame, as soon as it is near. */
   invalidate(): void {
+    this.#changes += 1;
     this.#outdate();
     this.animate();
   }
@@ -289,10 +297,16 @@ export class Viewport implements StageClient, Framed {
     if (this.drawable && this.upToDate && !this.#moving) this.#still.finish(deadline);
   }
 
-  sampler(): PaintPart {
-    this.#bringInStep(this, true); // a file of another size may have been drawn since
+  sampler(size: Size = this, begin = false): PaintPart {
+    const { width, height } = size;
+    this.#bringInStep(size, true); // a picture of another size may have been drawn since
+    if (begin) {
+      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height);
+      this.#painter.begin(this.#view);
+      this.#releaseUnlessAttached();
+    }
     return (renderer, part, samples) => {
-      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), this.width, this.height, part);
+      this.#view.aim(this.#fov, this.scene, this.fit.depthBounds(), width, height, part);
       this.#painter.paintAgain(renderer, this.#view, samples);
     };
   }
@@ -333,25 +347,11 @@ export class Viewport implements StageClient, Framed {
   }
 
   /**
-   * The mean of so many samples of each pixel, of the scene as it is now. Rejects like {@link capture}. Where the GPU
-   * has no float targets it is the plain picture.
+   * The mean of so many samples of each pixel. It begins again when the scene changes. Rejects like {@link capture}.
+   * Where the GPU has no float targets it is the plain picture.
    */
   captureSamples(width: number, height: number, samples: number): Promise<HTMLCanvasElement> {
-    return this.#still.capture({ width, height }, samples, () => {
-      this.#bringInStep({ width, height }, true);
-      this.#releaseUnlessAttached();
-      const view = new ViewCamera(new Orbit(this.orbit.pose));
-      const [fov, bounds, { version }] = [this.#fov, this.fit.depthBounds(), this.orbit];
-      const draw = this.#painter.sampler(view);
-      const paint: PaintPart = (renderer, part, count) => {
-        // The page may have shown its own since.
-        this.levels.choose(view.look(fov, width / height), height, true, version, this.#tree.moves);
-        view.aim(fov, this.scene, bounds, width, height, part);
-        draw(renderer, count);
-      };
-      // Nothing keeps the context open for a viewer that is on no page.
-      return { scene: this.scene, paint, atOnce: !this.#attached };
-    });
+    return this.#still.capture({ width, height }, samples);
   }
 
   /** Everything that is drawn, as it is now. `ownerOf` names the owner of a mesh. */
@@ -378,6 +378,7 @@ export class Viewport implements StageClient, Framed {
   }
 
   contextLost(): void {
+    this.#changes += 1;
     this.#outdate();
     this.#loop?.cancel(this);
     this.#releaseGpu();

@@ -21,7 +21,7 @@ function setUp(limit: number) {
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
     ...{ crossOrigin: null, mayLoad: true, changed: quiet, reshaped: quiet, began: quiet, progress: quiet },
-    ...{ shown: () => false, removed: quiet, changing: quiet },
+    ...{ shown: () => false, removed: quiet },
     ended: (mesh, _, error) => error !== null && failed.set(mesh, (error as { code: string }).code),
     dropped: (mesh) => failed.delete(mesh),
   };

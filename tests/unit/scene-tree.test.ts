@@ -19,7 +19,6 @@ function setUp(count: number): { tree: SceneTree; meshes: SceneMesh[]; stores: F
     budget: new Budget(),
     ...{ crossOrigin: null, mayLoad: true },
     ...{
-      changing: quiet,
       changed: quiet,
       reshaped: quiet,
       began: quiet,

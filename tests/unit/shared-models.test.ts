@@ -54,7 +54,7 @@ function viewerOf() {
   const host: MeshHost = {
     ...{ materials: new SharedMaterials(new PhongLighting()), animations: new Animations(), budget },
     ...{ crossOrigin: null, mayLoad: true, changed: quiet, reshaped: quiet, began: quiet, progress: quiet },
-    ...{ shown: () => false, removed: quiet, changing: quiet, dropped: quiet },
+    ...{ shown: () => false, removed: quiet, dropped: quiet },
     ended: (_mesh, _url, error) => error !== null && errors.push((error as { code: string }).code),
   };
   const scene = new Scene();

@@ -73,6 +73,15 @@ export class PageObservers {
     }
   }
 
+  /** Reports where the element is after the next frame. */
+  reportAgain(element: Element): void {
+    if (this.#observers === null) return;
+    for (const observer of [this.#observers.intersection, this.#observers.surroundings]) {
+      observer.unobserve(element);
+      observer.observe(element);
+    }
+  }
+
   unwatch(element: Element): void {
     if (!this.#watched.delete(element) || this.#observers === null) return;
     const { intersection, surroundings, resize, listeners } = this.#observers;

@@ -39,6 +39,8 @@ export class Visibility implements ReactiveController, Watcher {
   /** By layout, whatever hides the element there; null until it is known. */
   #inView: boolean | null = null;
   #near: boolean | null = null;
+  /** When its layout was last read, as of the window's `performance.now()`. Infinity: not yet. */
+  #located = Infinity;
   #size = { width: 0, height: 0, pixelWidth: 0, pixelHeight: 0 };
   #maxRatio = Infinity;
   /** In device pixels, as the observer reported it last. Missing in browsers without such boxes. */
@@ -90,6 +92,7 @@ export class Visibility implements ReactiveController, Watcher {
     for (const type of TRANSITION_EVENTS) this.#element.removeEventListener(type, this.#onTransition);
     this.#inView = null;
     this.#near = null;
+    this.#located = Infinity;
   }
 
   /** Measures now, by layout: observers report only after a frame. */
@@ -110,12 +113,12 @@ export class Visibility implements ReactiveController, Watcher {
 
   intersected(entry: IntersectionObserverEntry): void {
     this.#inView = entry.isIntersecting && entry.intersectionRatio > 0;
-    this.shown();
+    this.#reported(entry);
   }
 
   neared(entry: IntersectionObserverEntry): void {
     this.#near = entry.isIntersecting;
-    this.shown();
+    this.#reported(entry);
   }
 
   resized(entry: ResizeObserverEntry): void {
@@ -147,7 +150,17 @@ export class Visibility implements ReactiveController, Watcher {
     this.#host.disconnectedCallback();
   }
 
-  #locate({ margin }: PageObservers): void {
+  /** Reports come after their frame: meanwhile an element may have been shown. */
+  #reported({ time }: IntersectionObserverEntry): void {
+    if (time < this.#located && this.#page !== null) {
+      this.#locate(this.#page);
+      this.#page.reportAgain(this.#element);
+    }
+    this.shown();
+  }
+
+  #locate({ margin, view }: PageObservers): void {
+    this.#located = view.performance.now();
     const distance = distanceFromView(this.#element);
     this.#inView = distance < 0;
     this.#near = distance < margin;

@@ -86,10 +86,6 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     return !this.#suspended && (this.#near || this.#context.values.loading !== 'lazy');
   }
 
-  changing(): void {
-    this.#context.viewport.changing();
-  }
-
   changed(): void {
     this.#context.viewport.invalidate();
   }

@@ -15,10 +15,10 @@ export interface PictureOptions {
   readonly helpers?: boolean;
   /**
    * Samples per pixel, whole, 1–1,024: the picture is their mean, as with `antialias="full"`. Takes a while, during
-   * which the page goes on; the scene is that of the call (with the first use of samples on a page, which fetches their
-   * code, that of its arrival). The page's own objects in `scene` are shown where they were then; their materials and
-   * vertices are read again for each sample, so change those once the promise has resolved. Default: the picture as the
-   * page shows it, where it has this size; otherwise one with smooth edges only.
+   * which the page goes on. A picture whose scene changes begins again, the fourth time in one task: the scene is that
+   * of the last beginning. Report changes to the page's own objects in `scene` by `requestRender`. Pictures are drawn one
+   * after the other. Default: the picture as the page shows it, where it has this size; otherwise one with smooth edges
+   * only.
    */
   readonly samples?: number;
 }

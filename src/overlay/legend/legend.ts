@@ -38,7 +38,6 @@ class ViewExtra implements Extra {
     const shown = `${values.view} ${values.viewLight}`;
     if (shown !== this.#shown) {
       this.#shown = shown;
-      viewport.changing();
       viewport.lighting.view = pictureView(values.view, () => chosenLights(this.#host));
       viewport.style = { ...viewport.style }; // materials and geometries follow
       viewport.holder.classList.toggle('outlined', OUTLINED.includes(values.view));
@@ -64,7 +63,6 @@ class ViewExtra implements Extra {
     this.#legend.place.remove();
     viewport.holder.classList.remove('outlined');
     removeStyles(this.#root, styles);
-    viewport.changing();
     viewport.lighting.view = null;
     viewport.style = { ...viewport.style };
   }

@@ -32,8 +32,6 @@ import { effectiveSegments, type GeometryName, type LoadedShape, roundOf } from 
 export interface MeshHost extends LoadHost<SceneMesh> {
   readonly materials: SharedMaterials;
   readonly animations: Animations;
-  /** What shows the mesh is about to change, or may be. */
-  changing(): void;
   /** The mesh looks different: draw again. */
   changed(): void;
   /** The mesh's geometry or place is different: measure again. */
@@ -120,7 +118,6 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
-    this.#host.changing();
     let next: ShownContent;
     try {
       next = this.#prepared(content, claim, url);
@@ -144,7 +141,6 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Shows it below `parent`, whose world matrix is the identity. */
   attach(parent: Object3D): void {
-    this.#host.changing();
     this.#parent = parent;
     if (this.root !== null) parent.add(this.root);
   }
@@ -186,7 +182,6 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Updates the scene to the values. Cheap if nothing has changed. */
   update(): void {
-    this.#host.changing();
     this.#load.request(this.#values);
     const { animation, parts } = this.#shown;
     if (animation?.update(this.#values) === true) followPose(parts);
@@ -199,7 +194,6 @@ export class SceneMesh implements Animated, ContentOwner {
   }
 
   advance(seconds: number): void {
-    this.#host.changing();
     this.#shown.animation?.advance(seconds);
     if (seconds > 0) followPose(this.parts);
   }
@@ -236,7 +230,6 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Updates materials and flat normals after a change of the mesh's own style or the picture's. */
   restyle(): void {
-    this.#host.changing();
     const { reflection = null } = this.#values;
     const shading = this.#reshade();
     const restyled = shading !== this.#shading || reflection !== this.#reflection;
@@ -328,7 +321,6 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Ends any load and frees everything. */
   dispose(): void {
-    this.#host.changing();
     this.#load.drop();
     this.#host.removed(this);
     this.#parent = null;

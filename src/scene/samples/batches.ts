@@ -1,5 +1,10 @@
 // How many samples are drawn at once: as many as the GPU finishes in 8 ms, so that input and the page's own frames
 // never wait longer for them. One batch is drawn after the other: a small one ends long before the next animation frame.
+import type { WebGLRenderer } from 'three';
+import type { Region } from '../gpu/stage.js';
+import { shifted } from './pixel-offsets.js';
+import type { SampleSum } from './sample-sum.js';
+import type { PaintPart } from './sampled-capture.js';
 
 const BATCH_MS = 8;
 
@@ -109,4 +114,20 @@ export class Batches {
     const gl = this.#gl;
     return this.#fence !== null && gl.getSyncParameter(this.#fence, gl.SYNC_STATUS) === gl.SIGNALED;
   }
+}
+
+/** Adds a batch to `sum`, which is that of `tile` and gets so many `samples`. */
+export function sendBatch(
+  batches: Batches,
+  sum: SampleSum,
+  samples: number,
+  tile: Region,
+  renderer: WebGLRenderer,
+  paint: PaintPart,
+): void {
+  batches.send(samples - sum.count, () => {
+    sum.add(() => {
+      paint(renderer, shifted(tile, sum.count), samples);
+    });
+  });
 }

@@ -3,23 +3,20 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { type Region, stage } from '../gpu/stage.js';
-import { Batches } from './batches.js';
+import { Batches, sendBatch } from './batches.js';
 import { copyPart, fromBelow } from './picture-copy.js';
-import { shifted } from './pixel-offsets.js';
-import type { PaintPart } from './sampled-capture.js';
+import type { Captured } from './sampled-capture.js';
 import { canSum, MOST_SUMMED, pictureTarget, type SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
 import { release, seize, sumOf, take } from './turns.js';
 
 // In one chunk with it: two that share most of their code would leave that in the first file.
-export { SampledCapture } from './sampled-capture.js';
+export { captureSamples } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
-export interface Sampled extends Size {
+export interface Sampled extends Size, Captured {
   /** In view. */
   readonly visible: boolean;
-  /** Returns what draws the samples of one batch, all of them in this task. */
-  sampler(): PaintPart;
   /** Shows the kept picture. `last`: it has all samples. */
   show(last: boolean): void;
   /** Requests an animation frame. */
@@ -76,12 +73,7 @@ export class ConvergingPicture {
     if (this.#stillFrames <= STILL_FRAMES) return true;
     if (!take(this)) return false; // its turn comes with an animation frame
     const before = this.#samples;
-    try {
-      if (!stage.drawAside(this.#draw)) this.pause();
-    } catch (error) {
-      this.#fail();
-      throw error;
-    }
+    this.#aside(this.#draw);
     if (this.#samples > before) this.#subject.show(this.converged);
     return this.#run !== null;
   }
@@ -93,13 +85,8 @@ export class ConvergingPicture {
   finish(deadline: number): void {
     seize(this);
     const before = this.#samples;
-    try {
-      while (this.pending && performance.now() < deadline && stage.drawAside(this.#drawNow));
-      this.pause();
-    } catch (error) {
-      this.#fail();
-      throw error;
-    }
+    while (this.pending && performance.now() < deadline && this.#aside(this.#drawNow));
+    this.pause();
     if (this.#samples > before) this.#subject.show(this.converged);
   }
 
@@ -145,13 +132,20 @@ export class ConvergingPicture {
     const { batches, sum, nextShown } = this.#run!;
     // A batch that has ended may let the next one grow.
     if (!batches.ended || sum.count + batches.size >= Math.min(nextShown, this.#wanted)) return;
+    this.#aside(this.#draw);
+  };
+
+  /** False: there is no context, and the samples drawn so far are forgotten. */
+  #aside(draw: (renderer: WebGLRenderer) => void): boolean {
     try {
-      if (!stage.drawAside(this.#draw)) this.pause();
+      const drawn = stage.drawAside(draw);
+      if (!drawn) this.pause();
+      return drawn;
     } catch (error) {
       this.#fail();
       throw error;
     }
-  };
+  }
 
   readonly #draw = (renderer: WebGLRenderer): void => {
     const run = (this.#run ??= this.#begin(renderer));
@@ -189,12 +183,7 @@ export class ConvergingPicture {
   #advance(renderer: WebGLRenderer, run: Run): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
-    const paint = this.#subject.sampler();
-    batches.send(this.#wanted - sum.count, () => {
-      sum.add(() => {
-        paint(renderer, shifted(tile, sum.count), this.#wanted);
-      });
-    });
+    sendBatch(batches, sum, this.#wanted, tile, renderer, this.#subject.sampler(this.#subject, false));
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = isLast || (tiles.length === 1 && sum.count >= run.nextShown);

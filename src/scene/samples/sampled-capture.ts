@@ -1,19 +1,20 @@
-// A picture for `toBlob({ samples })`: the mean of its samples at any size, tile by tile, in slices that leave the page
+// A picture for `toBlob({ samples })`: the mean of its samples at any size, tile by tile, in batches that leave the page
 // its frames. Works in hidden documents, where animation frames do not come.
-import type { Scene, WebGLRenderer, WebGLRenderTarget } from 'three';
+import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { newTarget } from '../gpu/capture-target.js';
 import { SAFE_SIDE } from '../gpu/context.js';
 import { contextLost, type Region, stage } from '../gpu/stage.js';
-import { Batches } from './batches.js';
-import { ObjectPlaces } from './object-places.js';
+import { Batches, sendBatch } from './batches.js';
 import { copyPart } from './picture-copy.js';
-import { shifted } from './pixel-offsets.js';
 import { canSum, MOST_SUMMED, pictureTarget, SampleSum } from './sample-sum.js';
 import { tilesOf } from './tiles.js';
 
 /** Milliseconds until the GPU is asked again whether it has finished a batch. */
 const PAUSE = 4;
+
+/** Times that a capture begins again because its scene has changed. The last time it is drawn in one task. */
+const RESTARTS = 4;
 
 /**
  * Draws a part of the picture into the renderer's present target. `part` need not lie on whole pixels. `samples`: so
@@ -22,122 +23,103 @@ const PAUSE = 4;
 export type PaintPart = (renderer: WebGLRenderer, part: Region, samples: number) => void;
 
 export interface Captured {
-  /** What {@link paint} draws. All slices show its objects where they are at the start. */
-  readonly scene: Scene;
-  readonly paint: PaintPart;
-  /** In one slice. */
-  readonly atOnce: boolean;
+  /** Counts the changes of its scene. */
+  readonly changes: number;
+  /** False: nothing keeps the context open from one task to the next. */
+  readonly attached: boolean;
+  /** Returns what draws samples of the scene as it is now, all of them in this task. `begin`: they are the first. */
+  sampler(size: Size, begin: boolean): PaintPart;
 }
 
-/** All of the page, in the order of their calls: only the first has float buffers. */
-const queue: SampledCapture[] = [];
+/** The page's last capture. One is drawn after the other: only the first has float buffers. */
+let last: Promise<unknown> = Promise.resolve();
 
-export class SampledCapture {
-  /** Rejects with RangeError if no canvas can hold the picture, and where the context is lost. */
-  readonly picture: Promise<HTMLCanvasElement>;
-  readonly #slices: Iterator<void, HTMLCanvasElement>;
-  #resolve: (picture: HTMLCanvasElement) => void = () => undefined;
-  #reject: (reason: unknown) => void = () => undefined;
-  #state: 'waiting' | 'drawing' | 'ended' = 'waiting';
-  #hurried = false;
+/** Rejects with RangeError if no canvas can hold the picture, and where the context is lost. */
+export function captureSamples(subject: Captured, size: Size, samples: number): Promise<HTMLCanvasElement> {
+  const picture = last.then(() => draw(subject, size, samples));
+  last = picture.catch(() => undefined);
+  return picture;
+}
 
-  /** Takes note of the scene in this task, and draws it after the captures before it. */
-  constructor(size: Size, samples: number, { scene, paint, atOnce }: Captured) {
-    const places = new ObjectPlaces(scene);
-    this.#slices = this.#draw(size, samples, (renderer, part, count) => {
-      places.during(() => {
-        paint(renderer, part, count);
-      });
-    });
-    this.picture = new Promise((resolve, reject) => {
-      this.#resolve = resolve;
-      this.#reject = reject;
-    });
-    queue.push(this);
-    if (atOnce) this.finish();
-    else void this.#run();
-  }
-
-  /** Draws all that is left now, because the scene is about to be another. */
-  finish(): void {
-    for (const before of queue.slice(0, queue.indexOf(this))) before.finish();
-    this.#hurried = true;
-    while (this.#state === 'waiting') this.#next();
-  }
-
-  async #run(): Promise<void> {
-    while (this.#state !== 'ended') {
-      if (queue[0] === this) this.#next();
-      await new Promise((resolve) => setTimeout(resolve, PAUSE));
-    }
-  }
-
-  #next(): void {
-    if (this.#state !== 'waiting') return;
-    this.#state = 'drawing';
+async function draw(subject: Captured, size: Size, samples: number): Promise<HTMLCanvasElement> {
+  for (let restarts = 0; ; restarts++) {
+    const { changes } = subject;
+    const atOnce = restarts === RESTARTS || !subject.attached;
+    const batches = drawBatches(subject, size, samples, atOnce);
     try {
-      const { done, value } = this.#slices.next();
-      this.#state = done === true ? 'ended' : 'waiting';
-      if (done === true) this.#resolve(value);
-    } catch (error) {
-      this.#state = 'ended';
-      this.#reject(error);
-    }
-    if (this.#state === 'ended') queue.splice(queue.indexOf(this), 1);
-  }
-
-  *#draw(size: Size, samples: number, paint: PaintPart): Generator<void, HTMLCanvasElement> {
-    const { width, height } = size;
-    const target = newTarget(width, height);
-    if (target === null)
-      throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
-    for (const tile of tilesOf(size, MOST_SUMMED, SAFE_SIDE)) {
-      const piece = yield* this.#drawTile(tile, samples, paint);
-      target.drawImage(piece, tile.x, tile.y);
-    }
-    return target.canvas;
-  }
-
-  *#drawTile(tile: Region, samples: number, paint: PaintPart): Generator<void, HTMLCanvasElement> {
-    const plain = (): HTMLCanvasElement =>
-      stage.capture(tile, (renderer, { x, y, width, height }) => {
-        paint(renderer, { x: tile.x + x, y: tile.y + y, width, height }, 1);
-      });
-    let sum: SampleSum | null = null;
-    let picture: WebGLRenderTarget | null = null;
-    try {
-      const renderer = stage.open(tile);
-      if (!canSum(renderer)) return plain();
-      sum = new SampleSum(renderer);
-      if (!sum.begin(tile)) return plain();
-      const batches = new Batches(renderer.getContext() as WebGL2RenderingContext);
-      while (sum.count < samples) {
-        if (this.#hurried || batches.ended) this.#drawBatch(batches, sum, samples, tile, paint);
-        if (!this.#hurried) yield;
+      while (atOnce || subject.changes === changes) {
+        const { done, value } = batches.next();
+        if (done === true) return value;
+        if (!atOnce) await new Promise((resolve) => setTimeout(resolve, PAUSE));
       }
-      batches.cancel();
-      picture = pictureTarget(tile.width, tile.height);
-      const [mean, into] = [sum, picture];
-      aside(() => {
-        mean.resolve(into, { ...tile, x: 0, y: 0 });
-      });
-      return stage.capture(tile, (r, part) => {
-        copyPart(r, into.texture, part, tile.height);
-      });
     } finally {
-      sum?.dispose();
-      picture?.dispose();
+      batches.return(undefined as never); // frees the buffers
     }
   }
+}
 
-  #drawBatch(batches: Batches, sum: SampleSum, samples: number, tile: Region, paint: PaintPart): void {
-    aside((renderer) => {
-      batches.send(samples - sum.count, () => {
-        sum.add(() => {
-          paint(renderer, shifted(tile, sum.count), samples);
-        });
-      });
+/** Stops after each batch, unless `atOnce`. */
+function* drawBatches(
+  subject: Captured,
+  size: Size,
+  samples: number,
+  atOnce: boolean,
+): Generator<void, HTMLCanvasElement> {
+  const { width, height } = size;
+  const target = newTarget(width, height);
+  if (target === null) throw new RangeError(`a picture of ${String(width)} × ${String(height)} is too large`);
+  let begin = true;
+  const sampler = (): PaintPart => {
+    const paint = subject.sampler(size, begin);
+    begin = false;
+    return paint;
+  };
+  for (const tile of tilesOf(size, MOST_SUMMED, SAFE_SIDE)) {
+    const piece = yield* drawTile(tile, samples, sampler, atOnce);
+    target.drawImage(piece, tile.x, tile.y);
+  }
+  return target.canvas;
+}
+
+function* drawTile(
+  tile: Region,
+  samples: number,
+  sampler: () => PaintPart,
+  atOnce: boolean,
+): Generator<void, HTMLCanvasElement> {
+  const plain = (): HTMLCanvasElement => {
+    const paint = sampler();
+    return stage.capture(tile, (renderer, { x, y, width, height }) => {
+      paint(renderer, { x: tile.x + x, y: tile.y + y, width, height }, 1);
     });
+  };
+  let sum: SampleSum | null = null;
+  let batches: Batches | null = null;
+  let picture: WebGLRenderTarget | null = null;
+  try {
+    const renderer = stage.open(tile);
+    if (!canSum(renderer)) return plain();
+    sum = new SampleSum(renderer);
+    if (!sum.begin(tile)) return plain();
+    const [mean, sent] = [sum, (batches = new Batches(renderer.getContext() as WebGL2RenderingContext))];
+    while (sum.count < samples) {
+      if (atOnce || batches.ended)
+        aside((r) => {
+          sendBatch(sent, mean, samples, tile, r, sampler());
+        });
+      if (!atOnce) yield;
+    }
+    const into = (picture = pictureTarget(tile.width, tile.height));
+    aside(() => {
+      mean.resolve(into, { ...tile, x: 0, y: 0 });
+    });
+    return stage.capture(tile, (r, part) => {
+      copyPart(r, into.texture, part, tile.height);
+    });
+  } finally {
+    batches?.cancel();
+    sum?.dispose();
+    picture?.dispose();
   }
 }
 

@@ -214,25 +214,13 @@ test('a lost context and a new size in the middle leave nothing stuck', async ({
   expect(width).toBe(50);
 });
 
-test('toBlob({ samples }) is the picture that a viewer of that size converges to, of the scene at the call', async ({
-  mount,
-}) => {
+test('toBlob({ samples }) is the picture that a viewer of that size converges to', async ({ mount }) => {
   const viewer = await mount(viewerOf(full), { width: 90, height: 70 });
   await converged(viewer);
   const wanted = await pixels(viewer);
   await assign(viewer, { antialias: 'edges' });
   const options = { width: 90, height: 70, samples: 16 };
   expect(compare(await pixels(viewer, options), wanted).max).toBe(0);
-  const same = await viewer.evaluate(async (element: PhongViewer, given) => {
-    const bytesOf = async (blob: Promise<Blob>): Promise<string> =>
-      new Uint8Array(await (await blob).arrayBuffer()).join();
-    const before = await bytesOf(element.toBlob(given));
-    const blob = element.toBlob(given);
-    await new Promise((resolve) => setTimeout(resolve, 5));
-    element.theta = 80;
-    return (await bytesOf(blob)) === before;
-  }, options);
-  expect(same).toBe(true);
   for (const samples of [0, 1.5, 1025, 'many'])
     await expect(pixels(viewer, { samples: samples as number })).rejects.toThrow(/RangeError.*samples/);
 });

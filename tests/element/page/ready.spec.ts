@@ -136,3 +136,32 @@ test('waits for a comparison to place its viewers, and for one that was just sho
   });
   expect(drawn).toEqual({ counts: [1, 1, 1, 1, 0, 0], shown: 1 });
 });
+
+test('waits for a viewer that is shown between a frame and the reports of its observers', async ({
+  mount,
+  page,
+}) => {
+  await mount('<main></main>', { css });
+  const frames = await page.evaluate(async () => {
+    const counts: number[] = [];
+    for (let i = 0; i < 8; i++) {
+      const box = document.createElement('div');
+      box.className = 'gone';
+      box.innerHTML = '<phong-viewer alt="" geometry="sphere"></phong-viewer>';
+      await new Promise(requestAnimationFrame);
+      document.querySelector('main')!.append(box);
+      const { port1, port2 } = new MessageChannel();
+      await new Promise((resolve) => {
+        port1.onmessage = resolve;
+        port2.postMessage(null);
+      });
+      box.className = '';
+      const viewer = box.querySelector('phong-viewer')!;
+      await viewer.ready;
+      counts.push(viewer.stats.frames);
+      box.remove();
+    }
+    return counts;
+  });
+  expect(frames).toEqual(Array(8).fill(1));
+});
