@@ -174,8 +174,8 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   if (below) return url;
   throw new ModelError(
     'load-failed',
-    `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it. ` +
-      'Put it beside the model, or set crossorigin to allow it.',
+    `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`,
+    { advice: 'Put it beside the model, or set crossorigin to allow it.' },
   );
 }
 
