@@ -17,6 +17,8 @@ import { Box3, type BufferGeometry, Sphere, Vector3 } from 'three';
 import { findExtremePoints } from './extreme-points.js';
 import { Slices } from './slices.js';
 
+export { Slices };
+
 export { droppedModel } from './dropped-files.js';
 export { movingCopy, movingValues } from './moving-copy.js';
 
