@@ -280,7 +280,7 @@ describe('images', () => {
   });
 
   it('count again for another sampler, because they are uploaded again', async () => {
-    vi.stubGlobal('createImageBitmap', bitmapOf);
+    vi.stubGlobal('createImageBitmap', (blob: Blob) => bitmapOf(blob));
     const { bufferViews, buffers, body } = viewsOf([
       floats(0, 0, 0, 1, 0, 0, 0, 1, 0),
       floats(0, 0, 1, 0, 0, 1),
