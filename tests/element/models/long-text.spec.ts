@@ -17,7 +17,7 @@ const sources: Readonly<Record<string, string>> = {
 
 test('messages repeat a part of long texts in files and addresses', async ({ mount, consoleGuard }) => {
   consoleGuard.allow(/error: Failed to load resource/);
-  consoleGuard.allow(/warning: .*(Save it without that extension|set crossorigin to allow it)\./, 3);
+  consoleGuard.allow(/warning: .*Save it without that extension\./, 2);
   const viewer = await mount('<phong-viewer></phong-viewer>');
   const errors = await record(viewer, 'error');
   for (const [what, src] of Object.entries(sources)) {
