@@ -76,14 +76,13 @@ export function requireAtMost(claimed: number, limit: number, what: string, subj
   const [count, most] = [claimed, limit].map((value) => value.toLocaleString('en'));
   throw new ModelError(
     'too-large',
-    `${subject} ${count ?? ''} ${what}; at most ${most ?? ''} can be shown.${ADVICE[what] ?? ''}`,
+    `${subject} ${count ?? ''} ${what}; at most ${most ?? ''} can be shown.`,
+    what === 'triangles' ? { advice: FEWER_TRIANGLES } : undefined,
   );
 }
 
-const ADVICE: Readonly<Record<string, string>> = {
-  triangles:
-    ' Use fewer segments, fewer different shapes, or another shading than "flat", which counts each triangle 4.4 times.',
-};
+const FEWER_TRIANGLES =
+  'Use fewer segments, fewer different shapes, or another shading than "flat", which counts each triangle 4.4 times.';
 
 /** Something that a mesh holds. */
 export interface Need {

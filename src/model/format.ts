@@ -99,7 +99,9 @@ export function formatOf(
     byType(type) ?? FORMATS.find(({ extensions }) => extensions.includes(extension)) ?? byType(mediaType);
   if (byHint) return byHint;
   refuse(name, foreignExtension(extension));
-  throw new ModelError('bad-model', `The format is not supported: ${name}. These are: ${supportedFormats}.`);
+  throw new ModelError('bad-model', `The format is not supported: ${name}.`, {
+    advice: `These are: ${supportedFormats}.`,
+  });
 }
 
 /** For messages: names and extensions. */
@@ -114,7 +116,7 @@ export const modelExtensions: readonly string[] = FORMATS.flatMap(({ extensions 
 function refuse(name: string, foreign: ForeignFormat | null): void {
   if (foreign === null) return;
   const { what, cure = `Export it as glTF (.glb), or as ${OTHERS}.` } = foreign;
-  throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}. ${cure}`);
+  throw new ModelError('bad-model', `It is ${what}, which cannot be shown: ${name}.`, { advice: cure });
 }
 
 const OTHERS = FORMATS.slice(1)

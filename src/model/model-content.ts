@@ -17,6 +17,8 @@ import { Box3, type BufferGeometry, Sphere, Vector3 } from 'three';
 import { findExtremePoints } from './extreme-points.js';
 import { Slices } from './slices.js';
 
+export { Slices };
+
 export { droppedModel } from './dropped-files.js';
 export { movingCopy, movingValues } from './moving-copy.js';
 
@@ -174,8 +176,8 @@ export function linkedUrl(uri: string, model: URL, anywhere: boolean): URL {
   if (below) return url;
   throw new ModelError(
     'load-failed',
-    `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it. ` +
-      'Put it beside the model, or set crossorigin to allow it.',
+    `The file "${clip(uri)}" is not in the folder of ${nameOf(model)}, which names it.`,
+    { advice: 'Put it beside the model, or set crossorigin to allow it.' },
   );
 }
 

@@ -55,13 +55,27 @@ export interface Motion {
 
 export type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
 
-/** Why a model cannot be shown, in words for the page's author. */
+interface ModelErrorOptions extends ErrorOptions {
+  /** What only the author, or who chose the file, can do: sentences. */
+  readonly advice?: string;
+  readonly logged?: boolean;
+}
+
+/** Why a model cannot be shown. Its message is for the page's author: the fact, then the advice. */
 export class ModelError extends Error {
   override readonly name = 'ModelError';
   readonly code: ModelErrorCode;
+  /** For everyone who sees the page. */
+  readonly fact: string;
 
-  constructor(code: ModelErrorCode, message: string, options?: ErrorOptions) {
-    super(message, options);
+  /** The browser has written a line of its own to the console. */
+  readonly logged: boolean;
+
+  constructor(code: ModelErrorCode, fact: string, options: ModelErrorOptions = {}) {
+    const { advice, logged = code === 'csp' } = options;
+    super(advice === undefined ? fact : `${fact} ${advice}`, options);
     this.code = code;
+    this.fact = fact;
+    this.logged = logged;
   }
 }

@@ -77,7 +77,7 @@ describe('a download', () => {
       const { ended } = download('/cut-off');
       expect(await ended).toMatchObject({
         code: 'load-failed',
-        message: 'The server answered 404 Not Found for cut-off. Check the address.',
+        message: 'The server answered 404 Not Found for cut-off.',
       });
     }
     const cancel = (): Promise<never> => Promise.reject(new TypeError('network error'));
@@ -85,7 +85,7 @@ describe('a download', () => {
     vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { status: 404 }));
     expect(await download('/gone.glb').ended).toMatchObject({
       code: 'load-failed',
-      message: 'The server answered 404 for gone.glb. Check the address.',
+      message: 'The server answered 404 for gone.glb.',
     });
   });
 
@@ -95,6 +95,21 @@ describe('a download', () => {
     expect(loaded()).toBeLessThanOrEqual(LIMIT);
     await hungUp();
     expect(unpacked).toBeLessThan(50 * LIMIT);
+  });
+
+  it('gives all bytes, whatever length was announced', async () => {
+    for (const announced of ['', '3', '7', '9']) {
+      const pieces = [new Uint8Array([1, 2]), new Uint8Array([3, 4, 5]), new Uint8Array([6, 7])];
+      const body = new ReadableStream<Uint8Array>({
+        start: (controller) => {
+          for (const piece of pieces) controller.enqueue(piece);
+          controller.close();
+        },
+      });
+      const headers = announced === '' ? {} : { 'content-length': announced };
+      vi.spyOn(globalThis, 'fetch').mockResolvedValueOnce(new Response(body, { headers }));
+      expect(await download('/x').ended).toEqual(new Uint8Array([1, 2, 3, 4, 5, 6, 7]));
+    }
   });
 
   it('closes its connection when the load is aborted', async () => {

@@ -3,6 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { deflateSync } from 'node:zlib';
 import { afterEach, describe, expect, it, vi } from 'vitest';
+import { Growing } from '../../src/model/triangles/corner-lists.js';
 import { CORNER_LIMIT, MEMORY_LIMIT, PART_LIMIT, PIXEL_LIMIT, VALUE_LIMIT } from '../../src/model/limits.js';
 import { ModelBudget } from '../../src/model/model-budget.js';
 import { Slices } from '../../src/model/slices.js';
@@ -279,7 +280,7 @@ describe('images', () => {
   });
 
   it('count again for another sampler, because they are uploaded again', async () => {
-    vi.stubGlobal('createImageBitmap', bitmapOf);
+    vi.stubGlobal('createImageBitmap', (blob: Blob) => bitmapOf(blob));
     const { bufferViews, buffers, body } = viewsOf([
       floats(0, 0, 0, 1, 0, 0, 0, 1, 0),
       floats(0, 0, 1, 0, 0, 1),
@@ -480,4 +481,15 @@ describe('work', () => {
     },
     10_000,
   );
+});
+
+it('a list of a text file that is full grows up to a length that moves in one task, then is too-large', () => {
+  const list = new Growing(Uint8Array, 2 ** 24);
+  list.length = 2 ** 24;
+  list.push(1);
+  expect(list.array.length).toBe(2 ** 25);
+  list.length = 2 ** 25;
+  expect(() => {
+    list.push(1);
+  }).toThrow(expect.objectContaining({ code: 'too-large' }));
 });

@@ -68,3 +68,39 @@ describe('a mesh without memory', () => {
     expect(first.dispose).not.toHaveBeenCalled();
   });
 });
+
+describe('a model with thousands of looks', () => {
+  const parts = Array.from({ length: 2000 }, (_, i) => ({
+    name: '',
+    geometry: new BoxGeometry(),
+    matrix: new Matrix4(),
+    look: { ...PLAIN_LOOK, opacity: i / 2000 },
+    sides: 'single' as const,
+    surface: {},
+  }));
+  const model = (): Content => ({ parts, motion: null, dispose: vi.fn() });
+  const never = new AbortController().signal;
+
+  it('finds its materials made when it arrives, in more than one task', async () => {
+    const { materials, host, mesh } = setUp();
+    let tasks = 0;
+    const counting = setInterval(() => (tasks += 1));
+    let made = 0;
+    const original = materials.acquire.bind(materials);
+    vi.spyOn(materials, 'acquire').mockImplementation((appearance) => {
+      // As slow as on a phone.
+      for (const end = performance.now() + 0.05; performance.now() < end;);
+      made += 1;
+      return original(appearance);
+    });
+    await mesh.prepare(model(), never);
+    clearInterval(counting);
+    expect(made).toBe(parts.length);
+    expect(tasks).toBeGreaterThan(2);
+    const release = vi.spyOn(materials, 'release');
+    mesh.arrived(model(), host.budget.claim(mesh), url, true);
+    expect(release).toHaveBeenCalledTimes(parts.length);
+    mesh.dispose();
+    expect(release).toHaveBeenCalledTimes(2 * parts.length);
+  });
+});

@@ -1,6 +1,6 @@
 // What has failed and still does: reported once by an event, shown as a message until it works again.
 import type { ViewerErrorDetail } from '../events.js';
-import type { FailureSubject, ViewerContext } from './viewer-context.js';
+import type { Failure, FailureSubject, ViewerContext } from './viewer-context.js';
 import type { EventQueue } from './event-queue.js';
 import { errorDetail } from './loading.js';
 
@@ -16,12 +16,12 @@ const LOST: ViewerErrorDetail = {
 export class ViewerFailure {
   readonly #viewer: ViewerContext['viewer'];
   readonly #events: EventQueue;
-  readonly #present = new Map<FailureSubject, ViewerErrorDetail>();
+  readonly #present = new Map<FailureSubject, Failure>();
 
   constructor({ viewer, signals }: ViewerContext, events: EventQueue) {
     this.#viewer = viewer;
     this.#events = events;
-    signals.failed.listen(({ subject, detail }) => this.#report(subject, detail));
+    signals.failed.listen((failure) => this.#report(failure));
     signals.cleared.listen((subject) => this.#clear(subject));
     signals.contextMissing.listen((error) => this.#reportContext(errorDetail(error, null)));
     signals.contextLost.listen(() => this.#reportContext(LOST));
@@ -29,7 +29,7 @@ export class ViewerFailure {
   }
 
   /** The newest failure that is not cleared; null for none. */
-  get newest(): ViewerErrorDetail | null {
+  get newest(): Failure | null {
     return [...this.#present.values()].at(-1) ?? null;
   }
 
@@ -39,7 +39,7 @@ export class ViewerFailure {
    */
   get retryable(): boolean {
     return [...this.#present].some(
-      ([{ isOwnFile }, { code }]) => isOwnFile !== true && code !== 'context-lost',
+      ([{ isOwnFile }, { detail }]) => isOwnFile !== true && detail.code !== 'context-lost',
     );
   }
 
@@ -59,9 +59,10 @@ export class ViewerFailure {
     return [...this.#present.keys()].at(-1);
   }
 
-  #report(subject: FailureSubject, detail: ViewerErrorDetail): void {
+  #report(failure: Failure): void {
+    const { subject, detail } = failure;
     this.#present.delete(subject);
-    this.#present.set(subject, detail);
+    this.#present.set(subject, failure);
     this.#viewer.requestUpdate();
     this.#events.append('error', detail);
   }
@@ -73,6 +74,7 @@ export class ViewerFailure {
 
   /** Once, however often the context is lost again or refused before it works. */
   #reportContext(detail: ViewerErrorDetail): void {
-    if (this.#present.get(CONTEXT)?.code !== detail.code) this.#report(CONTEXT, detail);
+    const known = this.#present.get(CONTEXT)?.detail.code;
+    if (known !== detail.code) this.#report({ subject: CONTEXT, detail, fact: detail.message });
   }
 }

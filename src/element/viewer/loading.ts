@@ -8,6 +8,7 @@ import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../model/request-file.js';
 import type { Budget } from '../../model/budget.js';
+import { nameOf } from '../../model/file-name.js';
 import { ModelError } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import type { SharedMaterials } from '../../scene/mesh/shared-materials.js';
@@ -25,6 +26,18 @@ export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail 
   if (code === 'too-large' && !(error instanceof ModelError))
     message = 'There is not enough memory to show this.';
   return { code, message: clipMessage(message), url: url?.href ?? null };
+}
+
+/**
+ * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the console has the advice.
+ */
+function factOf(error: unknown, { message }: ViewerErrorDetail, isOwn: boolean, url: URL | null): string {
+  const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
+  if (hides && !error.logged) console.warn(message);
+  const fact = hides ? clipMessage(error.fact) : message;
+  const name = url === null ? '' : nameOf(url);
+  // Its end may have been clipped.
+  return fact.includes(name.slice(0, 60)) ? fact : `${fact.replace(/\.$/, '')} (${clipMessage(name)}).`;
 }
 
 function codeOf(error: unknown): ViewerErrorCode {
@@ -154,7 +167,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     if (error !== null) {
       const detail = errorDetail(error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
-      signals.failed.emit({ subject: mesh, detail });
+      signals.failed.emit({ subject: mesh, detail, fact: factOf(error, detail, mesh.isOwnFile, url) });
     } else if (url !== null) {
       const detail: LoadDetail = { url: url.href, missing: mesh.missing };
       this.#enqueueProgress();

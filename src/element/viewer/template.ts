@@ -4,8 +4,8 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { phrase, type ViewerTexts } from '../fields/texts.js';
 import { CORNERS } from '../page/picture-box.js';
-import type { ViewerErrorDetail } from '../events.js';
 import type { SurfaceName } from './naming.js';
+import type { Failure } from './viewer-context.js';
 
 /** What the tree shows. */
 export interface ViewerView {
@@ -28,7 +28,7 @@ export interface ViewerView {
   readonly bar: number | null | undefined;
   /** Text size of the page around the viewer, for slotted content. Empty while nothing can be slotted. */
   readonly pageText: string;
-  readonly failure: ViewerErrorDetail | null;
+  readonly failure: Failure | null;
   /** Trying again may help. */
   readonly retryable: boolean;
   /** The user may remove the message. */
@@ -119,7 +119,7 @@ function progressTemplate(share: number | null, label: string, size: string): Te
 }
 
 const messageTemplate = (
-  { code, message, url }: ViewerErrorDetail,
+  { fact, detail: { code, url } }: Failure,
   { texts, onButton, retryable, dismissible, pageText: size }: ViewerView,
 ): TemplateResult =>
   html`<div class=${dismissible ? 'message own' : 'message'} role="alert">
@@ -130,7 +130,7 @@ const messageTemplate = (
         dir="auto"
         data-code=${code}
         data-url=${url ?? nothing}
-        .textContent=${texts?.[code] === undefined ? message : phrase(texts, code, { message, url: url ?? '' })}
+        .textContent=${texts?.[code] === undefined ? fact : phrase(texts, code, { message: fact, url: url ?? '' })}
       ></p>
       <button
         class="retry"

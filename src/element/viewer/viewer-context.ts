@@ -23,6 +23,14 @@ export interface FailureSubject {
   readonly isOwnFile?: boolean;
 }
 
+export interface Failure {
+  /** What can work again. */
+  readonly subject: FailureSubject;
+  readonly detail: ViewerErrorDetail;
+  /** What visitors read: the file and what is wrong, without advice that only the author can follow. */
+  readonly fact: string;
+}
+
 /** Given at once, in the task in which it happens. */
 export class ViewerSignals extends ViewportSignals {
   /** Lights and meshes must be in document order now: a frame begins. */
@@ -38,8 +46,8 @@ export class ViewerSignals extends ViewportSignals {
   readonly viewChanged = new Signal<ElementView>();
   /** What is pending, or how much of it has arrived, has changed. */
   readonly loadingChanged = new Signal();
-  /** Something failed. Its subject is what can work again. */
-  readonly failed = new Signal<{ readonly subject: FailureSubject; readonly detail: ViewerErrorDetail }>();
+  /** Something failed. */
+  readonly failed = new Signal<Failure>();
   /** It works, or is gone. */
   readonly cleared = new Signal<FailureSubject>();
   /** Something that `ready` waits for has ended, in whichever way. */

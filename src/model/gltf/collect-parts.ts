@@ -30,14 +30,15 @@ export async function collectParts(scene: Object3D, source: GeometrySource, slic
   const rigid: RigidPart[] = [];
   scene.updateMatrixWorld(true);
   const meshes: Mesh<BufferGeometry, MeshStandardMaterial>[] = [];
+  const looks = new Map<string, Pick<ContentPart, 'look' | 'surface'>>();
   scene.traverse((object) => {
     if (object instanceof Mesh) meshes.push(object as Mesh<BufferGeometry, MeshStandardMaterial>);
   });
   for (const mesh of meshes) {
+    await slices.pauseIfDue();
     const instances = await instancesOf(mesh, source, slices);
     if (instances.length === 0) continue;
     const geometry = await geometries.of(mesh);
-    const looks = new Map<string, BaseLook>();
     const name = nameOf(mesh);
     const { material } = mesh;
     await slices.map(instances, ({ matrix: within, color }) => {
@@ -45,11 +46,11 @@ export async function collectParts(scene: Object3D, source: GeometrySource, slic
       if (within !== null) matrix.multiply(within);
       if (!matrix.elements.every(Number.isFinite)) throw new Error('the transform of a node is not finite');
       // Equal looks are one object: materials are compared by it.
-      const key = String(color);
-      const look = looks.get(key) ?? lookOf(material, geometry, color ?? WHITE);
-      looks.set(key, look);
+      const key = [material.uuid, geometry.uuid, color].join(' ');
+      const looked = looks.get(key) ?? lookedAt(material, lookOf(material, geometry, color ?? WHITE));
+      looks.set(key, looked);
       const sides = material.side === DoubleSide ? 'double' : 'single';
-      const part = { name, geometry, matrix, look, sides, surface: coefficientsOf(material, look) } as const;
+      const part = { name, geometry, matrix, sides, ...looked } as const;
       parts.push(part);
       if (!isSkinned(mesh)) rigid.push({ part, mesh, within });
     });
@@ -60,6 +61,11 @@ export async function collectParts(scene: Object3D, source: GeometrySource, slic
   const { deformations, weights, joints } = geometries;
   return { parts, movable: { scene, rigid, joints: [...joints.values()], deformations, weights } };
 }
+
+const lookedAt = (material: MeshStandardMaterial, look: BaseLook): Pick<ContentPart, 'look' | 'surface'> => ({
+  look,
+  surface: coefficientsOf(material, look),
+});
 
 const WHITE = [1, 1, 1, 1];
 const ITSELF: readonly { readonly matrix: null; readonly color: null }[] = [{ matrix: null, color: null }];

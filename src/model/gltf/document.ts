@@ -142,7 +142,8 @@ export async function readDocument(
 function unsupported(extension: string): ModelError {
   return new ModelError(
     'bad-model',
-    `The model needs the glTF extension ${clip(extension)}, which is not supported. Save it without that extension.`,
+    `The model needs the glTF extension ${clip(extension)}, which is not supported.`,
+    { advice: 'Save it without that extension.' },
   );
 }
 

@@ -22,7 +22,6 @@ export async function decodeMeshopt(
 const refused = (cause: unknown): ModelError =>
   new ModelError(
     'csp',
-    'The model is compressed by meshopt, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks it. ' +
-      "Add 'wasm-unsafe-eval' to script-src, or save the model without that compression.",
-    { cause },
+    'The model is compressed by meshopt, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks it.',
+    { cause, advice: "Add 'wasm-unsafe-eval' to script-src, or save the model without that compression." },
   );

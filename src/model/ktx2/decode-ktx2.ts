@@ -12,7 +12,7 @@ const thread = /* @__PURE__ */ new DecoderThread<Ktx2Job, ImageBitmap>(
   async () => {
     // The script for pages opened from disk has no WebAssembly beside it.
     if (transcoder === '')
-      throw new ModelError('bad-model', 'KTX2 textures cannot be shown by phong-viewer.classic.js. Use the module, from a server.'); // prettier-ignore
+      throw new ModelError('bad-model', 'KTX2 textures cannot be shown by phong-viewer.classic.js.', { advice: 'Use the module, from a server.' }); // prettier-ignore
     const { createDecoder } = await decoderCode().catch(notFetched);
     return (address) => createDecoder(address).catch(notStarted);
   },
@@ -39,9 +39,11 @@ function notStarted(cause: unknown): never {
   if (!(cause instanceof WebAssembly.CompileError || cause instanceof EvalError)) notFetched(cause);
   throw new ModelError(
     'csp',
-    'The model has KTX2 textures, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks them. ' +
-      "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures.",
-    { cause },
+    'The model has KTX2 textures, and the page’s Content-Security-Policy does not allow the WebAssembly that unpacks them.',
+    {
+      cause,
+      advice: "Add 'wasm-unsafe-eval' to script-src, or save the model with PNG, JPEG or WebP textures.",
+    },
   );
 }
 

@@ -59,6 +59,7 @@ function requireFaces(elements: readonly PlyElement[]): void {
   if (countOf('face') + countOf('tristrips') > 0) return;
   throw new ModelError(
     'bad-model',
-    `The PLY file is a cloud of ${String(vertices)} points without faces. Only surfaces can be lit: make a mesh of the points, and save that.`,
+    `The PLY file is a cloud of ${String(vertices)} points without faces. Only surfaces can be lit.`,
+    { advice: 'Make a mesh of the points, and save that.' },
   );
 }

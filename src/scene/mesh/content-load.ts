@@ -24,6 +24,8 @@ export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segme
 export interface ContentOwner {
   /** What a shape will hold before there is a geometry. */
   needsOf(geometry: GeometryName, segments: ContentName['segments']): readonly Need[];
+  /** Makes ready for a model what would take long in one task. Before {@link arrived}. */
+  prepare(content: Content, signal: AbortSignal): Promise<void>;
   /** `late` unless it was there at once. `url` is null for a shape. The owner releases the claim. */
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void;
 }
@@ -141,7 +143,15 @@ export class ContentLoad<Owner extends ContentOwner> {
     const onProgress = (loaded: number, total: number): void => {
       this.#host.progress(this.#owner, loaded, total);
     };
-    return acquireModel({ url, src, type: type ?? '', crossOrigin }, { claim, signal, onProgress });
+    const name = { url, src, type: type ?? '', crossOrigin };
+    const content = await acquireModel(name, { claim, signal, onProgress });
+    try {
+      await this.#owner.prepare(content, signal);
+    } catch (error) {
+      content.dispose();
+      throw error;
+    }
+    return content;
   }
 
   #await(url: URL | null, claim: Claim, load: (signal: AbortSignal) => Promise<Content>): void {

@@ -3,6 +3,7 @@
 import type { Object3D } from 'three';
 import { type Animated, type Animations, MeshAnimation } from './animation.js';
 import type { ShadingStyle } from '../../material/material-values.js';
+import type { PhongMaterial } from '../../material/phong-material.js';
 import type { FieldStore } from '../../fields/field-store.js';
 import type { Claim, Need } from '../../model/budget.js';
 import { ModelError, type Content, type ContentPart } from '../../model/model.js';
@@ -25,6 +26,7 @@ import {
   type ShownContent,
 } from './parts.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
+import { modelCode } from './shared-models.js';
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
 import { effectiveSegments, type GeometryName, type LoadedShape, roundOf } from './shapes/shapes.js';
 
@@ -45,6 +47,9 @@ export interface MeshHost extends LoadHost<SceneMesh> {
   removed(mesh: SceneMesh): void;
 }
 
+/** Models with fewer parts get their materials at once. */
+const MANY_PARTS = 256;
+
 type Shading = ShadingStyle['shading'];
 
 type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
@@ -61,6 +66,8 @@ export class SceneMesh implements Animated, ContentOwner {
   #notFlat = false;
   /** There was no memory for a material: one of the parts does not look as its values say. */
   #notRestyled = false;
+  /** Materials of a model that is about to come. */
+  readonly #held: PhongMaterial[] = [];
   readonly #placement = new Placement();
   /** As last written to the scene; null for not yet. */
   #shading: Shading | null = null;
@@ -117,6 +124,25 @@ export class SceneMesh implements Animated, ContentOwner {
     }
   }
 
+  /** Makes the materials. Thousands take long, so each slice makes a few. They are held until the content has come. */
+  async prepare({ parts }: Content, signal: AbortSignal): Promise<void> {
+    this.#letGo();
+    if (parts.length < MANY_PARTS) return;
+    const { Slices } = await modelCode();
+    const { shading = null, reflection = null } = this.#values;
+    const slices = new Slices(signal);
+    await slices.pause(); // the last task of the reader
+    await slices.map(parts, (part) => {
+      const appearance = this.#appearanceOf(part, { shading, reflection });
+      this.#held.push(this.#host.materials.acquire(appearance));
+    });
+    await slices.pause();
+  }
+
+  #letGo(): void {
+    for (const material of this.#held.splice(0)) this.#host.materials.release(material);
+  }
+
   arrived(content: Content, claim: Claim, url: URL | null, late: boolean): void {
     let next: ShownContent;
     try {
@@ -126,6 +152,8 @@ export class SceneMesh implements Animated, ContentOwner {
       claim.release();
       this.#load.fail(url, error);
       return;
+    } finally {
+      this.#letGo();
     }
     this.#show(next);
     if (!late) return;
@@ -322,6 +350,7 @@ export class SceneMesh implements Animated, ContentOwner {
   /** Ends any load and frees everything. */
   dispose(): void {
     this.#load.drop();
+    this.#letGo();
     this.#host.removed(this);
     this.#parent = null;
     const before = this.#shown;
