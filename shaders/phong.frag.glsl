@@ -54,15 +54,8 @@ uniform vec3 uKa;
 uniform vec3 uKd;
 uniform vec3 uKs;
 uniform float uShininess;
-#ifdef HAS_FACE_POINTS
-uniform mat3 uRays;
-uniform vec2 uViewportCenter;
-flat in vec3 vFace;
-flat in vec3 vNormal;
-#else
 in vec3 vPosition;
 in vec3 vNormal;
-#endif
 #endif
 
 layout(location = 0) out highp vec4 outColor;
@@ -128,10 +121,6 @@ void main() {
 #ifndef HAS_ROUGHNESS
   float n = uShininess;
 #endif
-#ifdef HAS_FACE_POINTS
-  vec3 p = pointOnFace(uEye, uRays, vFace, gl_FragCoord.xy - uViewportCenter);
-  vec3 color = unitSurfaceColor(p, vNormal, uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
-#else
 #ifdef HAS_NORMAL_MAP
   vec3 normal = mappedNormal(vNormal, vTangent, texture(uNormalMap, vNormalMapUv, uMapBias).xyz, uNormalScale);
 #else
@@ -140,7 +129,6 @@ void main() {
   normal = gl_FrontFacing ? normal : -normal;
   // Interpolated between unit vectors: shorter, and zero where they cancel.
   vec3 color = unitSurfaceColor(vPosition, unitInRange(normal), uEye, base.rgb * uKa, kd * uKd, ks * uKs, n);
-#endif
 #endif
 #ifdef HAS_EMISSIVE
   vec3 emissive = uEmissive;

@@ -66,17 +66,6 @@ void shadeFace(vec3 p, vec3 N, vec3 V, out vec3 ambient, out vec3 diffuse, out v
   diffuse = uKd * sums.diffuse;
   specular = uKs * sums.specular;
 }
-#elif defined(HAS_FACE_POINTS)
-uniform vec4 uFaces[6]; // by the half axis that the normal is nearest to; w is the side of the eye
-flat out vec3 vFace;
-flat out vec3 vNormal; // toward the eye
-
-/** The row of {@link uFaces}: x, -x, y, -y, z, -z. */
-int faceRow(vec3 normal) {
-  vec3 size = abs(normal);
-  int axis = size.x > max(size.y, size.z) ? 0 : size.y >= size.z ? 1 : 2;
-  return 2 * axis + int(normal[axis] < 0.0);
-}
 #else
 out vec3 vPosition;
 out vec3 vNormal;
@@ -107,10 +96,6 @@ void main() {
   vec3 V = unitOrZero(uEye - p);
   shadeFace(p, N, V, vFrontAmbient, vFrontDiffuse, vFrontSpecular);
   shadeFace(p, -N, V, vBackAmbient, vBackDiffuse, vBackSpecular);
-#elif defined(HAS_FACE_POINTS)
-  vec4 face = uFaces[faceRow(normal)];
-  vFace = face.xyz;
-  vNormal = N * face.w;
 #else
   vPosition = p;
   vNormal = N;

@@ -154,11 +154,6 @@ export class PhongLighting {
       this.#pack(frame, isOther || kinds !== kindVersion);
   }
 
-  /** Shading space to the view of the frame's own camera; null for any other camera. */
-  frameViewOf(camera: Camera): Matrix4 | null {
-    return camera === this.#frameCamera ? this.#frameView : null;
-  }
-
   /** Call before each draw: updates {@link clip} to `camera`. Returns a version that increments when it changes. */
   aim(camera: Camera): number {
     const { view: last, projection } = this.#aimed;

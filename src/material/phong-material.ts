@@ -1,7 +1,6 @@
 // A three.js material that draws with the hand-written light loop. Keeps uniforms and program in step with its surface,
 // its style and its picture's lights, and decides per draw which program and which sides of a mesh it needs.
 import {
-  type Camera,
   DoubleSide,
   FrontSide,
   GLSL3,
@@ -12,14 +11,12 @@ import {
   type Texture,
   Vector2,
   Vector3,
-  Vector4,
   Matrix3,
 } from 'three';
 import { srgbDecode } from '../math/color.js';
 import { map, type Vec3 } from '../math/vector.js';
 import { cullsBackFaces, type Sides } from './back-faces.js';
 import { type BaseLook, PLAIN_LOOK, lobeScale, usesRoughnessMap } from './file-surface.js';
-import { facesOf, faceUniforms, isNear, writeFaces } from './flat-faces.js';
 import type { LightBuffer } from './light-buffer.js';
 import type { PhongLighting } from './lighting.js';
 import {
@@ -42,9 +39,6 @@ const DEFAULT_SURFACE: SurfaceValues = {
 };
 
 const BLACK: Vec3 = [0, 0, 0];
-
-/** Overwritten by each call of `#placeFaces`. */
-const scratch = /* @__PURE__ */ new Vector4();
 
 /**
  * The rows that each program's uniform array holds, by the variant's key, as the revision of their buffer. Sending
@@ -74,8 +68,6 @@ export class PhongMaterial extends RawShaderMaterial {
   /** The lights and the aim of the last draw. */
   #lights: LightBuffer | null = null;
   #aim = 0;
-  /** Null until a flat face needs them. */
-  #faceUniforms: ReturnType<typeof faceUniforms> | null = null;
   readonly #uniforms;
 
   /** What `look` leaves out is as in a file that says nothing. */
@@ -161,7 +153,6 @@ export class PhongMaterial extends RawShaderMaterial {
     this.side = culls ? FrontSide : DoubleSide;
     if (this.#linear !== this.linear) this.#writeSurface();
     const mirrors = this.#place(mesh);
-    this.#programs.hasFacePoints = this.#placeFaces(renderer, camera, mesh);
     const { variant, lights } = this.#programs.forDraw({ renderer, camera, mesh });
     Object.assign(this.uniforms, this.#lighting.view?.program?.uniforms);
     this.#use(variant);
@@ -177,11 +168,7 @@ export class PhongMaterial extends RawShaderMaterial {
     const aim = this.#lighting.aim(camera);
     // three.js sends a material's uniforms once per frame, unless they change between two of its draws.
     this.uniformsNeedUpdate =
-      aim !== this.#aim ||
-      lights !== this.#lights ||
-      uLightRows.needsUpdate ||
-      mirrors ||
-      this.#programs.hasFacePoints;
+      aim !== this.#aim || lights !== this.#lights || uLightRows.needsUpdate || mirrors;
     this.#aim = aim;
     this.#lights = lights;
   }
@@ -227,26 +214,6 @@ export class PhongMaterial extends RawShaderMaterial {
     const before = uMirrored.value;
     uMirrored.value = model.determinant() < 0 ? -1 : 1;
     return uMirrored.value !== before;
-  }
-
-  /** Writes the uniforms for flat faces, if the eye is near one of them that is shaded per fragment. */
-  #placeFaces(
-    renderer: BeforeRender[0],
-    camera: Camera,
-    { geometry, modelViewMatrix, normalMatrix }: Mesh,
-  ): boolean {
-    const faces = facesOf(geometry);
-    if (faces === undefined) return false;
-    const lighting = this.#lighting;
-    const perFragment = this.#style.shading !== 'gouraud' || (lighting.view?.program ?? null) !== null;
-    const view = lighting.frameViewOf(camera);
-    const eye = lighting.eye.value;
-    if (!perFragment || view === null || !isNear(geometry, modelViewMatrix, normalMatrix, eye)) return false;
-    const uniforms = (this.#faceUniforms ??= Object.assign(this.uniforms, faceUniforms()));
-    const { projectionMatrix: projection } = camera;
-    const viewport = renderer.getCurrentViewport(scratch);
-    writeFaces(uniforms, faces, modelViewMatrix, normalMatrix, { eye, view, projection, viewport });
-    return true;
   }
 
   #writeSurface(): void {

@@ -2,7 +2,6 @@
 import { Scene, type WebGLRenderer, type Mesh, type Object3D, type ShaderMaterial, Texture } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/lighting.js';
-import { HugeShapes } from './huge-shapes.js';
 import type { SceneMesh } from './mesh/scene-mesh.js';
 import type { ViewCamera } from './view-camera.js';
 
@@ -10,7 +9,6 @@ export class Painter {
   readonly scene = new Scene();
   readonly lighting: PhongLighting;
   readonly #meshes: ReadonlySet<SceneMesh>;
-  readonly #huge = new HugeShapes();
   #drawCalls = 0;
 
   constructor(lights: LightSet, meshes: ReadonlySet<SceneMesh>) {
@@ -32,21 +30,14 @@ export class Painter {
   }
 
   /** Draws the scene and the lights of the last {@link begin} once more. Counts as no frame for programs. */
-  paintAgain(renderer: WebGLRenderer, { camera, view }: ViewCamera, samples = 1): void {
+  paintAgain(renderer: WebGLRenderer, { camera }: ViewCamera, samples = 1): void {
     this.lighting.mapBias.value = mapBiasOf(samples);
-    try {
-      const separate = this.lighting.view?.separate === true;
-      this.#huge.replace(this.#meshes, view, camera.near, camera.far, separate);
-      renderer.render(this.scene, camera);
-    } finally {
-      this.#huge.restore();
-    }
+    renderer.render(this.scene, camera);
   }
 
   /** Gives back what the GPU holds; drawing sends it again. */
   release(): void {
     releaseGpu(this.scene);
-    this.#huge.dispose();
     this.lighting.dispose();
   }
 

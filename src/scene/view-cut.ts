@@ -125,11 +125,8 @@ function extent(boxes: BoxList, at: number, other: number, share: number): numbe
   return sum + 1e-12 * (sum + Math.abs(rows[DEPTH + 3]!) + Math.abs(rows[other + 3]!));
 }
 
-/**
- * x, y, depth, and place and normal in the object's own space. The last six are the caller's, cut along with the
- * others.
- */
-export const STRIDE = 9;
+/** x, y and depth. */
+export const STRIDE = 3;
 /** The cut triangle: at most one corner more for each side of the view. */
 export const polygon = new Float64Array(STRIDE * 8);
 const cut = new Float64Array(STRIDE * 8);

@@ -1,6 +1,6 @@
 // Each chunk alone: its function on inputs from all over its domain, against the same law in float64.
 import { LARGEST_MILD_POWER, LIMIT_OPEN, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
-import { ENCODING_GLSL, FACE_POINT_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
+import { ENCODING_GLSL, LIGHT_LOOP_GLSL } from '../../src/material/program/source.js';
 import { srgbDecode, srgbEncode } from '../../src/math/color.js';
 import { dot, normalize, scale, type Vec3 } from '../../src/math/vector.js';
 import { float32, partSeed, Random } from '../stress/random.js';
@@ -217,30 +217,6 @@ const CHECKS: readonly Check[] = [
     floor: 1,
   },
   {
-    title:
-      'pointOnFace meets a plane where the ray through a pixel does, and stays in front of the eye beyond the horizon',
-    glsl: `
-      mat3 rays = mat3(0.001, 0.0, 0.0, 0.0, 0.001, 0.0, 0.0, 0.0, -1.0);
-      result.xyz = pointOnFace(vec3(0.5, 2.0, 3.0), rays, a.xyz, b.xy) - vec3(0.5, 2.0, 3.0);
-      result.w = pointOnFace(vec3(0.0), rays, vec3(0.0, -1.0, 0.0), abs(b.xy)).z;`,
-    inputs(random) {
-      const height = random.magnitude(1e-3, 1e6);
-      const pixel = [random.from(-500, 500), random.from(-500, 500)].map((x) => Math.floor(x) + 0.5);
-      // The plane's inverse depth is 1 at this pixel, times 1/height: nothing cancels, as it does a pixel below the
-      // horizon.
-      const slope = [random.from(0, 1e-3), random.from(0, 1e-3)].map((s, i) => s * Math.sign(pixel[i]!));
-      const face = [...slope, random.from(0.1, 1)].map((x) => x / height);
-      return [float32(face as unknown as Vec3), pixel];
-    },
-    expected([x, y, z], [px, py]) {
-      const depth = 1 / (x! * px! + y! * py! + z!);
-      return [0.001 * px! * depth, 0.001 * py! * depth, -depth, -1e17];
-    },
-    // One rounding of the eye's place, 2.4e-7 of 3 units; a division may be 2.5 ULP off.
-    bound: 2e-6,
-    floor: 1,
-  },
-  {
     title: 'srgbDecode follows the curve, and gives 0 for less than 0',
     glsl: 'result.x = srgbDecode(vec3(a.x)).x;',
     inputs: (random) => [
@@ -271,7 +247,7 @@ export function checkChunks(
   edit: Edit | null = null,
   { cases, only, everyLight } = WHOLE_EXTENT,
 ): Checked[] {
-  const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}\n${FACE_POINT_GLSL}`, edit), driver);
+  const glsl = onDriver(edited(`${LIGHT_LOOP_GLSL}\n${ENCODING_GLSL}`, edit), driver);
   const source = ({ defines = [], rows = NO_ROWS }: Partial<Check>): string =>
     (defines.some((define) => define.startsWith('LIGHT_STORAGE')) ? '' : head('STORAGE_OWN')) +
     defines.map((define) => `#define ${define}\n`).join('') +

@@ -1,9 +1,10 @@
 // Do the levels of `segments="auto"` keep their outlines within the tolerance, by the shapes' measured constants, and
 // within the viewer's limit of triangles?
-import { Matrix4 } from 'three';
+import { Euler, Matrix4, Vector3 } from 'three';
 import { describe, expect, it } from 'vitest';
+import type { Vec3 } from '../../src/math/vector.js';
 import { basisOf } from '../../src/camera/orbit.js';
-import { levelFor, levelIn, segmentsIn } from '../../src/scene/mesh/levels.js';
+import { isLargeFor, levelFor, levelIn, segmentsIn } from '../../src/scene/mesh/levels.js';
 import { createGeometry, GEOMETRIES, roundOf, trianglesOf } from '../../src/scene/mesh/shapes/shapes.js';
 import type { View } from '../../src/scene/view-cut.js';
 import {
@@ -221,5 +222,37 @@ describe('the level of a shape', () => {
     expect(level('torus', 0.51, 1080)).toBe(256);
     expect(level('torus', 0.51, 1080, true)).toBe(360);
     expect(level('sphere', -3, 1080)).toBeNull();
+  });
+});
+
+describe('a flat shape', () => {
+  const isLarge = (name: 'plane' | 'box', size: Vec3, eye: Vec3): boolean => {
+    const turn = new Matrix4().makeRotationFromEuler(new Euler(1, 2, 3)).setPosition(5, 6, 7);
+    const seen = new Vector3(...eye)
+      .applyMatrix4(turn)
+      .sub(new Vector3(1, 2, 3))
+      .toArray();
+    const matrix = turn.clone().scale(new Vector3(...size)).elements;
+    const view = viewFrom(1);
+    return isLargeFor({ ...view, frame: { ...view.frame, origin: [1, 2, 3], eye: seen } }, name, matrix);
+  };
+
+  it('is large if its longest side is more than 8 times the distance of the eye', () => {
+    for (const size of [
+      [80, 1, 80],
+      [80, 0, -20],
+    ] as const)
+      // prettier-ignore
+      for (const side of [1, -1]) {
+        expect(isLarge('plane', size, [5, side * 10.01, 5])).toBe(false);
+        expect(isLarge('plane', size, [5, side * 9.99, 5])).toBe(true);
+      }
+  });
+
+  it('is not large from afar in its plane, and around an eye only where that is close to a wall', () => {
+    expect(isLarge('box', [1, 1, 1], [4, 0.5, 0])).toBe(false);
+    expect(isLarge('plane', [1, 1, 1], [4, 1e-9, 0])).toBe(false);
+    expect(isLarge('box', [10, 6, 10], [0, 0, 0])).toBe(false);
+    expect(isLarge('box', [10, 6, 10], [0, -2, 0])).toBe(true);
   });
 });

@@ -25,13 +25,13 @@ export const LOW_EYES: readonly CoverageScene[] = [
     { geometry: 'plane', scale: cube(1000) },
     { geometry: 'plane', scale: [-1000, 1, 400], rotation: [70, 20, 90], position: [3, 0, -4] },
   ),
-  named('a floor of 1e9', {}, { geometry: 'plane', scale: cube(1e9) }),
-  named('a floor of 1e12 at phi 89', { phi: 89 }, { geometry: 'plane', scale: cube(1e12) }),
-  named('a box of 1e8 × 1 × 1', {}, { geometry: 'box', scale: [1e8, 1, 1] }),
-  named('a box of 1e8 × 1 × 1, mirrored', { theta: 0, phi: 45 }, { geometry: 'box', scale: [-1e8, 1, 1] }),
-  named('inside a box of 1e10', { theta: 0, phi: 45 }, { geometry: 'box', scale: cube(1e10) }),
-  named('on a box of 1e12', { phi: 85 }, { geometry: 'box', scale: cube(1e12), position: [0, -5e11, 0] }),
-  named('inside a sphere of 1e7', {}, { geometry: 'sphere', scale: cube(1e7) }),
+  named('a floor of 1e5', {}, { geometry: 'plane', scale: cube(1e5) }),
+  named('a floor of 1e6 at phi 89', { phi: 89 }, { geometry: 'plane', scale: cube(1e6) }),
+  named('a box of 1e6 × 1 × 1', {}, { geometry: 'box', scale: [1e6, 1, 1] }),
+  named('a box of 1e6 × 1 × 1, mirrored', { theta: 0, phi: 45 }, { geometry: 'box', scale: [-1e6, 1, 1] }),
+  named('inside a box of 1e6', { theta: 0, phi: 45 }, { geometry: 'box', scale: cube(1e6) }),
+  named('on a box of 1e6', { phi: 85 }, { geometry: 'box', scale: cube(1e6), position: [0, -5e5, 0] }),
+  named('inside a sphere of 1e6', {}, { geometry: 'sphere', scale: cube(1e6) }),
   named(
     'an eye in the plane of a floor, before a box',
     { phi: 90 },
@@ -46,9 +46,9 @@ export const LOW_EYES: readonly CoverageScene[] = [
   ),
 ];
 
-/** Floors and boxes from 100 to 1e12, in both windings, seen from above and from below. */
+/** Floors and boxes from 100 to 1e6, in both windings, seen from above and from below. */
 export function floorsOfAllSizes(): readonly CoverageScene[] {
-  return [100, 300, 1e3, 1e4, 1e5, 1e6, 1e9, 1e12].flatMap((size) =>
+  return [100, 300, 1e3, 1e4, 1e5, 1e6].flatMap((size) =>
     [1, -1].flatMap((mirror) =>
       [70, 88, 89, 89.7, 90.1, 91, 100].flatMap((phi) => [
         named(

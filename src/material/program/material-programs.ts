@@ -12,7 +12,6 @@ import {
   type MaterialTerms,
   specialisedVariant,
   type Variant,
-  variantOf,
 } from './variant.js';
 
 /** What one draw uses. */
@@ -32,14 +31,10 @@ export class MaterialPrograms {
   /** All exponents so far were mild: see LARGEST_MILD_POWER. */
   #mildShininess = true;
   #general: Variant | null = null;
-  /** {@link #general} for flat faces. */
-  #onFaces: Variant | null = null;
   /** What {@link #general} was made for. */
   #madeFor = { declared: -1, capacity: -1, linear: false };
   /** What a specialised program depends on besides its lights. */
   #materialKey = '';
-  /** The same for flat faces. */
-  #onFacesKey = '';
   /** The last key, so that draws build no text. */
   #last = { materialKey: '', form: '', lights: '' as string | number, key: '' };
 
@@ -47,9 +42,6 @@ export class MaterialPrograms {
     this.#lighting = lighting;
     this.#look = look;
   }
-
-  /** Whether the next draw's points are those that pixels see of flat faces: see shaders/face_point.glsl. */
-  hasFacePoints = false;
 
   /** The material's style or surface changed. */
   describe(style: ShadingStyle, { ks, shininess }: Readonly<SurfaceValues>): void {
@@ -87,7 +79,7 @@ export class MaterialPrograms {
     const { linear, declared } = this.#lighting;
     const made = this.#madeFor;
     const isCurrent = made.declared === declared && made.capacity === capacity && made.linear === linear;
-    if (this.#general !== null && isCurrent) return this.#forFaces(this.#general);
+    if (this.#general !== null && isCurrent) return this.#general;
     const { terms, integerShininess } = this.#terms;
     for (const term of terms) this.#everTerms.add(term);
     const style = { ...this.#style, terms: [...this.#everTerms] };
@@ -95,20 +87,13 @@ export class MaterialPrograms {
     this.#general = generalVariant(material, declared, capacity);
     this.#madeFor = { declared, capacity, linear };
     this.#materialKey = `${this.#general.key} ${terms.join()} ${String(integerShininess)}`;
-    this.#onFaces = null;
-    this.#onFacesKey = `faces ${this.#materialKey}`;
-    return this.#forFaces(this.#general);
-  }
-
-  #forFaces(general: Variant): Variant {
-    if (!this.hasFacePoints) return general;
-    return (this.#onFaces ??= variantOf({ ...general.defines, HAS_FACE_POINTS: '' }));
+    return this.#general;
   }
 
   /** Inlined numbers are those of one revision of the lights; other forms depend on counts and features alone. */
   #keyOf(form: Form, { revision, featureKey }: LightBuffer): string {
     const lights = form === 'inlined' ? revision : featureKey;
-    const materialKey = this.hasFacePoints ? this.#onFacesKey : this.#materialKey;
+    const materialKey = this.#materialKey;
     const last = this.#last;
     if (last.materialKey === materialKey && last.form === form && last.lights === lights) return last.key;
     const key = `${materialKey} ${form} ${lights}`;

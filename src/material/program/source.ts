@@ -2,7 +2,6 @@
 // share.
 import attenuation from '../../../shaders/attenuation.glsl?raw';
 import diffuseLobe from '../../../shaders/diffuse_lobe.glsl?raw';
-import facePoint from '../../../shaders/face_point.glsl?raw';
 import fileSurface from '../../../shaders/file_surface.glsl?raw';
 import guard from '../../../shaders/guard.glsl?raw';
 import lightGrid from '../../../shaders/light_grid.glsl?raw';
@@ -62,9 +61,6 @@ export const LIGHT_LOOP_GLSL = /* @__PURE__ */ loopWith(surfaceColor);
 /** The sRGB curve and the rounding to 8 bits: the last steps of a fragment. Needs the constants. */
 export const ENCODING_GLSL = [srgb, nearestCode].join('\n');
 
-/** The points of flat faces, in programs with HAS_FACE_POINTS. */
-export const FACE_POINT_GLSL = facePoint;
-
 const FILE_SURFACE = `#define LEAST_ROUGHNESS ${float(LEAST_ROUGHNESS)}
 #define LEAST_FILE_EXPONENT ${float(LEAST_FILE_EXPONENT)}
 #define FULL_LOBE ${float(FULL_LOBE)}
@@ -92,13 +88,9 @@ export function shadersOf(lit: 'vertex' | 'fragment' | null, surface = surfaceCo
     const isTextured = 'defined(HAS_METAL_ROUGH_MAP) || defined(HAS_NORMAL_MAP)';
     shaders = {
       vertexShader: [head('vertex'), phongVertex].join('\n'),
-      fragmentShader: [
-        head('fragment'),
-        ENCODING_GLSL,
-        where(isTextured, FILE_SURFACE),
-        where('defined(HAS_FACE_POINTS)', FACE_POINT_GLSL),
-        phongFragment,
-      ].join('\n'),
+      fragmentShader: [head('fragment'), ENCODING_GLSL, where(isTextured, FILE_SURFACE), phongFragment].join(
+        '\n',
+      ),
     };
     texts.set(key, shaders);
   }

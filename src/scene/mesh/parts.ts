@@ -29,8 +29,8 @@ export interface Part {
 /** Content in the scene. */
 export interface ShownContent {
   readonly content: Content;
-  /** A round shape that has as many segments as the screen needs; null for anything else. */
-  readonly round: LoadedShape | null;
+  /** A shape with automatic segments; null for anything else. */
+  readonly auto: LoadedShape | null;
   /** Its segments, or `FIXED`. */
   readonly level: number;
   /** What the content holds of its viewer's budget. */
@@ -46,7 +46,7 @@ export interface ShownContent {
 
 export const EMPTY: ShownContent = {
   content: NOTHING,
-  round: null,
+  auto: null,
   level: FIXED,
   claim: null,
   parts: [],
@@ -96,16 +96,16 @@ export function setGeometries(parts: readonly Part[], geometries: readonly Buffe
 }
 
 /**
- * Shows `round`, the shape that is shown, as another level of it. Its bounds are the same. Throws if there is no memory
+ * Shows `shape`, the one that is shown, as another level of it. Its bounds are the same. Throws if there is no memory
  * for it.
  */
 export function showLevel(
   shown: ShownContent,
-  round: LoadedShape,
+  shape: LoadedShape,
   level: number,
   flat: boolean,
 ): ShownContent {
-  const content = shapeContent(levelKey(round, level));
+  const content = shapeContent(levelKey(shape, level));
   let geometries: readonly BufferGeometry[];
   try {
     geometries = geometriesOf(content, flat, null);

@@ -28,7 +28,7 @@ import {
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { modelCode } from './shared-models.js';
 import { FIXED, levelKey, shapeKey, shapeNeeds } from './shapes/shared-shapes.js';
-import { effectiveSegments, type GeometryName, type LoadedShape, roundOf } from './shapes/shapes.js';
+import { effectiveSegments, type GeometryName, type LoadedShape } from './shapes/shapes.js';
 
 /** The picture that shows a mesh. */
 export interface MeshHost extends LoadHost<SceneMesh> {
@@ -90,16 +90,16 @@ export class SceneMesh implements Animated, ContentOwner {
     return shapeNeeds(isFixed ? levelKey(geometry, FIXED) : shapeKey(geometry, segments), this.wantsFlat);
   }
 
-  /** The round shape that has as many segments as the screen needs; null where it shows anything else. */
-  get round(): LoadedShape | null {
-    return this.#shown.round;
+  /** The shape that has automatic segments; null where it shows anything else. */
+  get auto(): LoadedShape | null {
+    return this.#shown.auto;
   }
 
   /** The segments of the shape that is shown; null for a model or nothing. */
   get segments(): number | null {
     const { geometry, segments } = this.#values;
     if (this.complete !== 'shape' || geometry === null) return null;
-    const drawn = this.round === null || this.level === FIXED ? undefined : this.level;
+    const drawn = this.auto === null || this.level === FIXED ? undefined : this.level;
     return effectiveSegments(geometry, segments === 'auto' ? drawn : segments);
   }
 
@@ -108,17 +108,17 @@ export class SceneMesh implements Animated, ContentOwner {
     return this.#ownShading !== 'phong';
   }
 
-  /** The segments of {@link round}, or `FIXED`. */
+  /** The segments of {@link auto}, or `FIXED`. */
   get level(): number {
     return this.#shown.level;
   }
 
-  /** Shows another level of {@link round}. Where there is no memory for it the level stays. */
+  /** Shows another level of {@link auto}. Where there is no memory for it the level stays. */
   set level(level: number) {
-    const { round } = this;
-    if (round === null) return;
+    const { auto } = this;
+    if (auto === null) return;
     try {
-      this.#shown = showLevel(this.#shown, round, level, this.#effective === 'flat');
+      this.#shown = showLevel(this.#shown, auto, level, this.#effective === 'flat');
     } catch (error) {
       if (!isOutOfMemory(error)) throw error;
     }
@@ -313,12 +313,12 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** Shows the geometries with or without separate triangles. Throws if there is no room or no memory for them. */
   #regroup(flat: boolean): void {
-    const { round, claim } = this.#shown;
-    const needs = round === null ? null : this.needsOf(round, 'auto');
-    if (round !== null && needs !== null) {
+    const { auto, claim } = this.#shown;
+    const needs = auto === null ? null : this.needsOf(auto, 'auto');
+    if (auto !== null && needs !== null) {
       claim?.add(needs);
       // Before a flat copy is made of a finer level.
-      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, round, FIXED, false);
+      if (this.isFixed && this.level !== FIXED) this.#shown = showLevel(this.#shown, auto, FIXED, false);
       this.#host.reshaped(); // another level may be needed
     }
     const { content, parts } = this.#shown;
@@ -378,17 +378,16 @@ export class SceneMesh implements Animated, ContentOwner {
     const { shading = null, reflection = null } = this.#values;
     const animation = motion === null ? null : new MeshAnimation(motion, this.#values);
     const { geometry, segments } = this.#values;
-    const isRound =
-      url === null && geometry !== null && segments === 'auto' && roundOf(geometry) !== undefined;
+    const isAuto = url === null && geometry !== null && segments === 'auto';
     // Shapes are called as their geometry is. The values may already name another one. Its code came with its content.
-    const round = isRound && content.parts[0]?.name === geometry ? (geometry as LoadedShape) : null;
-    const level = round === null ? FIXED : shapeKey(round, 'auto').segments!;
-    const geometries = geometriesOf(content, this.wantsFlat, round === null ? claim : null);
+    const auto = isAuto && content.parts[0]?.name === geometry ? (geometry as LoadedShape) : null;
+    const level = (auto === null ? undefined : shapeKey(auto, 'auto').segments) ?? FIXED;
+    const geometries = geometriesOf(content, this.wantsFlat, auto === null ? claim : null);
     const parts = partsOf(content, geometries, this.#host.materials, (source) =>
       this.#appearanceOf(source, { shading, reflection }),
     );
     const root = rootOf(parts, motion !== null);
-    return { content, round, level, claim, parts, root, url, animation };
+    return { content, auto, level, claim, parts, root, url, animation };
   }
 
   /** Replaces what is shown. Call {@link #place} and {@link restyle} next. */

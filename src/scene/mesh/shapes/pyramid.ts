@@ -1,7 +1,6 @@
 // A pyramid of height 1 on a square base, whose corners lie on a circle of diameter 1 as a cone's do. Centred on the
 // origin, apex toward +y, sides facing the axes, as a box's do. Each face has its own vertices and normal.
 import { BufferGeometry, Float32BufferAttribute } from 'three';
-import { declareFaces, type FlatFace } from '../../../material/flat-faces.js';
 import { cross, normalize, subtract, type Vec3 } from '../../../math/vector.js';
 
 const CORNER = Math.SQRT1_2 / 2;
@@ -18,16 +17,13 @@ const BASE: readonly [Vec3, Vec3, Vec3, Vec3] = [
 export function pyramidGeometry(segments: number): BufferGeometry {
   const mesh: Lists = { position: [], normal: [], uv: [], index: [] };
   const [a, b, c, d] = BASE;
-  const faces: FlatFace[] = [{ point: a, normal: [0, -1, 0] }];
   for (const [left, right] of [
     [a, b],
     [b, c],
     [c, d],
     [d, a],
-  ] as const) {
+  ] as const)
     addTriangle(mesh, left, right, APEX, segments);
-    faces.push({ point: APEX, normal: normalOf(left, right, APEX) });
-  }
   addTriangle(mesh, a, d, c, segments);
   addTriangle(mesh, c, b, a, segments);
   const geometry = new BufferGeometry();
@@ -35,7 +31,6 @@ export function pyramidGeometry(segments: number): BufferGeometry {
   geometry.setAttribute('position', new Float32BufferAttribute(mesh.position, 3));
   geometry.setAttribute('normal', new Float32BufferAttribute(mesh.normal, 3));
   geometry.setAttribute('uv', new Float32BufferAttribute(mesh.uv, 2));
-  declareFaces(geometry, faces);
   return geometry;
 }
 

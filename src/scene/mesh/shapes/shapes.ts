@@ -1,7 +1,6 @@
 // The geometries of named shapes. Every shape is centred on the origin, in its mesh's own units.
 import { Box3, BoxGeometry, type BufferGeometry, PlaneGeometry, Sphere, Vector3 } from 'three';
-import { declareFaces } from '../../../material/flat-faces.js';
-import { scale, type Vec3 } from '../../../math/vector.js';
+import type { Vec3 } from '../../../math/vector.js';
 import { declareExtremePoints, ExtremePoints } from '../../../model/extreme-points.js';
 import { lazyCode } from '../../../model/lazy-code.js';
 import { VALUES_PER_TRIANGLE } from '../../../model/limits.js';
@@ -90,17 +89,6 @@ const solid =
 /** Segments across the main ones, half as many. */
 const rowsOf = (segments: number, least: number): number => Math.max(least, Math.round(segments / 2));
 
-const BOX_NORMALS: readonly Vec3[] = [[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]]; // prettier-ignore
-
-/** Declares the faces with these unit normals, all at one distance from the origin. */
-function flatFaced(geometry: BufferGeometry, normals: readonly Vec3[], distance: number): BufferGeometry {
-  declareFaces(
-    geometry,
-    normals.map((normal) => ({ point: scale(normal, distance), normal })),
-  );
-  return geometry;
-}
-
 function sphere(columns: number, out: number): BufferGeometry {
   const rows = rowsOf(columns, 2);
   const radius = 0.5 + out;
@@ -145,7 +133,7 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   box: {
     segments: 1,
     least: 1,
-    create: (n) => flatFaced(new BoxGeometry(1, 1, 1, n, n, n), BOX_NORMALS, 0.5),
+    create: (n) => new BoxGeometry(1, 1, 1, n, n, n),
     triangles: (n) => 12 * n * n,
   },
   sphere: {
@@ -231,7 +219,7 @@ const SHAPES: Readonly<Record<GeometryName, Shape>> = {
   plane: {
     segments: 1,
     least: 1,
-    create: (n) => flatFaced(new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2), [[0, 1, 0]], 0),
+    create: (n) => new PlaneGeometry(1, 1, n, n).rotateX(-Math.PI / 2),
     triangles: (n) => 2 * n * n,
   },
 };

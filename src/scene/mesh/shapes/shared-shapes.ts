@@ -20,8 +20,8 @@ export interface ShapeKey {
 }
 
 /**
- * What a shape is first shown as. Under `auto` round shapes begin with their coarsest level; others have one number of
- * segments.
+ * What a shape is first shown as. Under `auto` round shapes begin with their coarsest level, others with their fixed
+ * number of segments.
  */
 export const shapeKey = (name: GeometryName, segments: number | 'auto'): ShapeKey =>
   segments !== 'auto'
