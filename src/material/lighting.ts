@@ -103,13 +103,6 @@ export class PhongLighting {
     return this.#meshLights.all.packed;
   }
 
-  /**
-   * Set it before a frame to a number that changes whenever a mesh may have moved. Default NaN: each draw finds out.
-   */
-  set places(places: number) {
-    this.#meshLights.places = places;
-  }
-
   /** How often light data that differs from the last draw's was sent. */
   get uploads(): number {
     return this.#uploads;

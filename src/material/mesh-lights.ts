@@ -26,8 +26,6 @@ export class MeshLights {
   readonly #grids = new Set<MeshLightGrid>();
   readonly #culled = new WeakMap<Mesh, CulledLights>();
   #frame = 0;
-  /** Another number whenever a mesh may have moved. NaN: not known, so each draw compares the mesh's matrix. */
-  places = NaN;
   /** A new array after each move, so that identity shows a change. */
   #origin: Vec3 = [0, 0, 0];
   #mask = new Uint8Array(64);
@@ -82,7 +80,7 @@ export class MeshLights {
   #culledFor(mesh: Mesh): CulledLights {
     let culled = this.#culled.get(mesh);
     if (culled === undefined) this.#culled.set(mesh, (culled = new CulledLights(mesh, this.all)));
-    const moved = culled.moved(this.#origin, this.places);
+    const moved = culled.moved(this.#origin);
     const kept = culled.subset === null || this.#subsets.get(culled.subset.key) === culled.subset;
     if (moved || !kept || culled.source !== this.all.revision) this.#cull(culled);
     return culled;
@@ -135,11 +133,7 @@ class CulledLights {
   /** The geometry's bounds: another object when its vertices have changed. */
   #bounds: Box3 | null = null;
   #origin: Vec3 = [0, 0, 0];
-  /**
-   * Where {@link #places} is the same, the matrix is: reading it again for 2,000 meshes takes a tenth of their frame.
-   */
   readonly #matrix = new Matrix4();
-  #places = NaN;
   #box: Box | null = null;
 
   constructor(mesh: Mesh, all: LightBuffer) {
@@ -152,15 +146,14 @@ class CulledLights {
     return this.#box;
   }
 
-  /** Whether bounds changed since the last call. `places` as in {@link MeshLights.places}. */
-  moved(origin: Vec3, places: number): boolean {
+  /** Whether bounds changed since the last call. */
+  moved(origin: Vec3): boolean {
     const { geometry, matrixWorld } = this.#mesh;
     const stays =
       this.#geometry === geometry &&
       this.#bounds === geometry.boundingBox &&
       this.#origin === origin &&
-      (this.#places === places || this.#matrix.equals(matrixWorld));
-    this.#places = places;
+      this.#matrix.equals(matrixWorld);
     if (stays) return false;
     this.#geometry = geometry;
     this.#origin = origin;

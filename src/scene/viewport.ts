@@ -412,7 +412,6 @@ export class Viewport implements StageClient, Framed {
   #bringInStep(size: Size, sampled = false): void {
     this.settle();
     this.#tree.update();
-    this.lighting.places = this.#tree.moves;
     const view = this.#view.look(this.#fov, size.width / size.height);
     this.levels.choose(view, size.height, sampled, this.orbit.version, this.#tree.moves);
   }
