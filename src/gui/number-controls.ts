@@ -5,7 +5,8 @@ import type { Vec3 } from '../math/vector.js';
 import { accepted, bound, type Bound } from './bound.js';
 import { label, nameRow } from './label.js';
 import { TextField } from './text-control.js';
-import { numberText, tidy, type Travel } from './travel.js';
+import { tidy } from '../math/round-number.js';
+import { numberText, type Travel } from './travel.js';
 
 /** A slider over the usual range, and a field that accepts every value that the element accepts. */
 export class NumberControl extends Controller {

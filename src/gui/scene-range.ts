@@ -2,8 +2,9 @@
 // loaded, and not while one of them is being moved by a slider. World space, scene units.
 import type { PhongViewer } from '../element/phong-viewer.js';
 import type { Vec3 } from '../math/vector.js';
+import { niceCeil } from '../math/round-number.js';
 import { measure } from '../scene/bounds.js';
-import { linear, niceCeil, type Travel } from './travel.js';
+import { linear, type Travel } from './travel.js';
 
 /** In radii of the scene, because lights are placed around a scene as well as inside it. */
 const REACH = 3;

@@ -2,7 +2,8 @@
 
 import fc from 'fast-check';
 import { describe, expect, it } from 'vitest';
-import { linear, logarithmic, niceCeil, numberText } from '../../src/gui/travel.js';
+import { linear, logarithmic, numberText } from '../../src/gui/travel.js';
+import { niceCeil } from '../../src/math/round-number.js';
 
 const positive = fc.double({ min: 1e-12, max: 1e15, noNaN: true });
 

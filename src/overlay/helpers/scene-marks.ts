@@ -3,6 +3,7 @@
 import { Matrix3, type Mesh } from 'three';
 import { normalMatrix } from '../../material/normal-matrix.js';
 import { PhongMaterial } from '../../material/phong-material.js';
+import { niceCeil } from '../../math/round-number.js';
 import { add, cross, dot, length, normalize, scale, subtract, type Vec3 } from '../../math/vector.js';
 import { arrowHead, type Primitive, type Stroke } from '../drawing/display-list.js';
 import { inside, type Point, type Projection } from '../drawing/projection.js';
@@ -78,7 +79,7 @@ function lastInside(tip: Vec3, view: Projection): Point | null {
  * left out.
  */
 export function gridMarks(view: Projection, { center, radius }: SceneBall, hiding: Hiding): Primitive[] {
-  const step = roundStep(radius / 4);
+  const step = niceCeil(radius / 4);
   const lowX = Math.floor((center[0] - GRID * radius) / step);
   const highX = Math.ceil((center[0] + GRID * radius) / step);
   const lowZ = Math.floor((center[2] - GRID * radius) / step);
@@ -103,12 +104,6 @@ const GRID = 1.5;
 
 /** Twice as many as a scene at the origin has. */
 const MOST_LINES = 40;
-
-/** 1, 2 or 5 times a power of ten, at least `length`. */
-function roundStep(length: number): number {
-  const power = 10 ** Math.floor(Math.log10(length));
-  return ([1, 2, 5, 10].find((step) => step * power >= length) ?? 10) * power;
-}
 
 /** A line in equal pieces: those in front, and those behind shapes. Neighbours are joined. */
 function pieces(
