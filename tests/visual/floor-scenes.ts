@@ -1,6 +1,5 @@
 // Random scenes of low eyes over large faces, with lamps as near as the eye is.
 import type { LightValues } from '../../src/light/light-state.js';
-import { radians } from '../../src/math/angle.js';
 import type { Vec3 } from '../../src/math/vector.js';
 import { Dice, randomLight } from './random-scene.js';
 import type { CastMesh, DeclaredScene } from './ray-cast.js';
@@ -67,9 +66,3 @@ export function floorScene(
   };
 }
 
-/** A floor whose side is this many times the eye's height above it. */
-export function overFloor(seed: number, ratio: number, phi: number): DeclaredScene {
-  const scene = floorScene(seed, 1, phi);
-  const side = ratio * scene.pose.radius * Math.cos(radians(phi));
-  return floorScene(seed, side, phi);
-}

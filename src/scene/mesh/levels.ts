@@ -145,9 +145,9 @@ const LARGE_SEGMENTS = 64;
 
 /**
  * A flat shape is large if its longest side is more than this many times the eye's distance from its box. Rasterisers
- * interpolate positions over a triangle with errors that grow with the triangle. In SwiftShader, under near lamps, no
- * channel is off by more than one code at 8, and with 64 segments 20 of 35,700 are; at 16 116 of 46,587 are, by up to 154
- * codes, and with 64 segments 17, by up to 5.
+ * interpolate positions over a triangle with errors that grow with the triangle. In SwiftShader, under near lamps, 17 of
+ * 68,805 channels are off by more than one code at 8, by up to 3, and 30 with 64 segments; at 10 they are off by up to 134
+ * and 19 codes, at 1,000 34 % are off and 0.01 %.
  */
 const LARGE = 8;
 
