@@ -58,6 +58,10 @@ is only as round as its triangles ([figures for spheres](#curved-shapes)).
 
 ${summary(stacks)}
 
+Points that a rasteriser interpolates are less exact. In pictures by SwiftShader of floors whose sides are 10 to 1,000 times the
+eye's distance, under near lamps, up to 0.09 % of the channels are off by more than one code, by up to 46; at 10,000 times
+1.7 % are.
+
 ## Stacks
 
 ${table(
