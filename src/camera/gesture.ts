@@ -38,7 +38,7 @@ export interface GestureHost {
 }
 
 /** What a single pointer does while it moves. Two fingers always shift and pinch. */
-export type DragKind = 'turn' | 'shift';
+type DragKind = 'turn' | 'shift';
 
 interface Finger {
   readonly id: number;

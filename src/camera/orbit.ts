@@ -29,7 +29,7 @@ export interface Basis {
 /** Larger coordinates would make products overflow float32 on the GPU. */
 export const LARGEST_LENGTH = 1e15;
 
-export const DEFAULT_POSE: Pose = Object.freeze({
+const DEFAULT_POSE: Pose = Object.freeze({
   theta: 30,
   phi: 70,
   radius: 4,

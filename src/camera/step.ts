@@ -5,7 +5,7 @@ import { turnBy, zoomBy } from './drag.js';
 import type { RadiusLimits } from './drag.js';
 
 /** The fields of a wheel event that are used. */
-export interface WheelTurn {
+interface WheelTurn {
   readonly deltaY: number;
   /** 0 pixels, 1 lines, 2 pages, as in the DOM. */
   readonly deltaMode: number;
@@ -28,7 +28,7 @@ export function wheelZoom(start: Pose, wheel: WheelTurn, height: number, limits:
 }
 
 /** What a key does: degrees are added to θ and φ, a factor multiplies the radius. */
-export type KeyStep =
+type KeyStep =
   | { readonly kind: 'turn'; readonly theta: number; readonly phi: number }
   | { readonly kind: 'zoom'; readonly factor: number }
   | { readonly kind: 'reset' };

@@ -71,7 +71,7 @@ export interface PhongCompareEventMap {
 }
 
 /** All events by name, including those of every element. */
-export type HeardEvents<Own> = Omit<HTMLElementEventMap, keyof Own> & Own;
+type HeardEvents<Own> = Omit<HTMLElementEventMap, keyof Own> & Own;
 
 /** `addEventListener` and `removeEventListener` of an element with its own events. */
 export interface Listen<E, Own> {

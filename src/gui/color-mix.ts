@@ -4,7 +4,7 @@ import { LIMITS } from '../light/light-state.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Vec3 } from '../math/vector.js';
 
-export interface Tint {
+interface Tint {
   /** 0–255 per channel, not rounded. */
   readonly color: Vec3;
   /** 1, or more for values that are brighter than the picker can show. Colour times factor is the value. */

@@ -6,7 +6,7 @@ import { sameValue } from '../fields/field-store.js';
 import type { Bound } from './bound.js';
 import { label, nameRow, type Say } from './label.js';
 
-export interface SelectOptions<T> {
+interface SelectOptions<T> {
   /** The values, in their order in the list; read again at each update. */
   values(): readonly T[];
   text(value: T, say: Say): string;

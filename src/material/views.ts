@@ -38,7 +38,7 @@ export interface PictureView {
   readonly program: ViewProgram | null;
 }
 
-export interface ViewProgram {
+interface ViewProgram {
   /** Uniforms of the view's own, added to each material's. */
   readonly uniforms: Readonly<Record<string, IUniform>>;
   /** The program in place of a material's general one. */

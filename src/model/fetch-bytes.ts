@@ -13,7 +13,7 @@ import { isDataUri, type CrossOrigin, type FileRequest, requestFile } from './re
  */
 export const SILENCE_LIMIT_MS = 60_000;
 
-export interface Transfer {
+interface Transfer {
   /** To be aborted after a failure too: that ends the other requests of the model. */
   readonly signal: AbortSignal;
   readonly crossOrigin: CrossOrigin;
@@ -22,7 +22,7 @@ export interface Transfer {
 }
 
 /** Downloads a file; `request` if it was requested already. */
-export type FetchBytes = (
+type FetchBytes = (
   url: URL,
   redirect: RequestRedirect,
   request?: FileRequest | null,

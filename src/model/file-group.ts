@@ -5,7 +5,7 @@ import { listed } from './listed.js';
 import type { ModelBudget } from './model-budget.js';
 import { ModelError } from './model.js';
 
-export interface FileGroup {
+interface FileGroup {
   /** All files by their paths, which have no slash in front. The model is one of them. */
   readonly files: ReadonlyMap<string, Blob>;
   /** The model's own path. */

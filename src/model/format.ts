@@ -69,7 +69,7 @@ const FORMATS: readonly Format[] = (Object.keys(FORMAT_NAMES) as FormatKey[]).ma
 }));
 
 /** What is known about a file besides its bytes. */
-export interface FormatHints {
+interface FormatHints {
   /** What the element's `type` says: a word such as `obj` or a media type; empty for nothing. */
   readonly type?: string;
   /** The media type that came with the file; empty for none. */

@@ -53,7 +53,7 @@ export interface Motion {
   pose(name: string | null, seconds: number): void;
 }
 
-export type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
+type ModelErrorCode = 'load-failed' | 'bad-model' | 'too-large' | 'csp';
 
 interface ModelErrorOptions extends ErrorOptions {
   /** What only the author, or who chose the file, can do: sentences. */

@@ -38,7 +38,7 @@ export interface Judgement {
   readonly wrongCount: number;
 }
 
-export interface JudgeOptions {
+interface JudgeOptions {
   /** How far a channel may be outside the equation's range. */
   readonly codes: number;
   /** Pixels to judge at least, where the picture has them; null: all. */

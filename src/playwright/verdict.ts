@@ -1,7 +1,7 @@
 // Says in words what a judgement has found. Runs in Node.
 import type { Judgement, WrongPixel } from './judge-in-page.js';
 
-export interface Verdict {
+interface Verdict {
   readonly pass: boolean;
   /** What was judged. */
   readonly summary: string;

@@ -71,7 +71,7 @@ export interface LightProperties extends LightValues {
   set space(value: Light['space']);
 }
 
-export interface ShapeProperties extends ShapeValues {
+interface ShapeProperties extends ShapeValues {
   get src(): ShapeValues['src'];
   set src(value: Shape['src']);
   get type(): ShapeValues['type'];

@@ -27,8 +27,8 @@ import type { Vec3 } from '../../math/vector.js';
 import { SHAPE_FIELDS, type ShapeValues } from '../../scene/mesh/mesh-fields.js';
 
 export type Loading = 'auto' | 'eager' | 'lazy';
-export type ColorInterpolation = 'srgb' | 'linear';
-export type Antialias = 'edges' | 'full';
+type ColorInterpolation = 'srgb' | 'linear';
+type Antialias = 'edges' | 'full';
 
 /** What can be drawn over the picture. */
 export const HELPERS = ['lights', 'axes', 'grid', 'normals', 'bounds'] as const;
@@ -130,13 +130,13 @@ export interface ViewerValues extends ShapeValues, CameraValues {
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
 /** Attributes whose rows `gui` can show alone: those of all elements that the panel edits. */
-export const GUI_ROWS: readonly string[] = (
+const GUI_ROWS: readonly string[] = (
   'active ambient diffuse specular position axis aperture cutoff attenuation space ka kd ks shininess segments ' +
   'rotation scale name theta phi radius target fov auto-rotate shading reflection terms color-interpolation ' +
   'antialias samples view view-light helpers probe'
 ).split(' ');
 
-export const CAMERA_FIELDS: Fields<CameraValues> = {
+const CAMERA_FIELDS: Fields<CameraValues> = {
   theta: numberField(30, {}),
   phi: numberField(70, { min: 0, max: 180 }),
   radius: orWord('auto', numberField(4, { above: 0, max: LIMITS.coordinate })),

@@ -63,7 +63,7 @@ export type EventProps<Events, Prefix extends string> = {
 };
 
 /** As frameworks spell events in camel case: `CameraChange` for `camera-change`. */
-export type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
+type Pascal<S extends string> = S extends `${infer Head}-${infer Tail}`
   ? `${Capitalize<Head>}${Pascal<Tail>}`
   : Capitalize<S>;
 

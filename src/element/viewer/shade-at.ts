@@ -63,7 +63,7 @@ export async function shadeAt(
 }
 
 /** What the picture shows of a hit, and its surface. `lights` are relative to the frame's origin. */
-export function shadedAt(
+function shadedAt(
   equation: Equation,
   hit: Hit,
   lights: readonly LightValues[],

@@ -8,7 +8,7 @@ import type { SurfaceName } from './naming.js';
 import type { Failure } from './viewer-context.js';
 
 /** What the tree shows. */
-export interface ViewerView {
+interface ViewerView {
   /** The element that holds the canvas. */
   readonly holder: HTMLElement;
   readonly name: SurfaceName;

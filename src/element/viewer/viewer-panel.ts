@@ -81,4 +81,4 @@ export interface Panel {
 /** Builds the panel inside `place`; its styles go to `root`, the viewer's shadow root. */
 export type CreatePanel = (viewer: PhongViewer, place: HTMLElement, root: ShadowRoot) => Panel;
 
-export type PanelLoader = () => Promise<{ readonly createPanel: CreatePanel }>;
+type PanelLoader = () => Promise<{ readonly createPanel: CreatePanel }>;

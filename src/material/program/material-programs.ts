@@ -15,7 +15,7 @@ import {
 } from './variant.js';
 
 /** What one draw uses. */
-export interface DrawnWith {
+interface DrawnWith {
   readonly variant: Variant;
   /** The lights that the program reads. */
   readonly lights: LightBuffer;

@@ -31,7 +31,7 @@ export interface GltfAnimation {
 const WIDTHS: Readonly<Record<ChannelPath, number>> = { translation: 3, rotation: 4, scale: 3, weights: 0 };
 const INTERPOLATIONS: readonly string[] = ['STEP', 'LINEAR', 'CUBICSPLINE'] satisfies Interpolation[];
 
-export interface AnimationContext {
+interface AnimationContext {
   readonly accessors: Accessors;
   /** Morph targets of each node's mesh; undefined for nodes that are not shown. */
   readonly targets: readonly (number | undefined)[];

@@ -8,12 +8,12 @@ import type { Instances } from './instances.js';
 import type { Primitive } from './primitives.js';
 
 /** Shared by all nodes of one document while they are counted. */
-export interface ClaimContext {
+interface ClaimContext {
   readonly accessors: Accessors;
   readonly budget: ModelBudget;
 }
 
-export interface ClaimedNode {
+interface ClaimedNode {
   /** Primitives of its mesh. */
   readonly primitives: readonly Primitive[];
   readonly instances: Instances | undefined;
@@ -21,7 +21,7 @@ export interface ClaimedNode {
 }
 
 /** Compared by identity. */
-export interface ClaimedSkin {
+interface ClaimedSkin {
   readonly joints: readonly number[];
   readonly inverseBindMatrices: Accessor | undefined;
 }

@@ -13,7 +13,7 @@ export interface MorphTarget {
   readonly tangent: Attribute | null;
 }
 
-export interface Rig {
+interface Rig {
   readonly joints: {
     readonly pose: JointPose;
     readonly indices: Attribute;

@@ -16,7 +16,7 @@ export interface DracoMesh {
   readonly attributes: Readonly<Record<string, { readonly array: DracoArray; readonly itemSize: number }>>;
 }
 
-export type DracoArray = InstanceType<ArrayType>;
+type DracoArray = InstanceType<ArrayType>;
 
 /** The copy's heap is freed with the function. */
 export const meshDecoder =

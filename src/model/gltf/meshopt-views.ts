@@ -3,7 +3,7 @@
 import { countAt, indexAt, optionalObject, textAt, type JsonObject } from './json.js';
 
 /** The same data under two names; the second is the ratified one. */
-export const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
+const MESHOPT = ['EXT_meshopt_compression', 'KHR_meshopt_compression'] as const;
 
 export interface MeshoptView {
   /** Where the compressed bytes are. */
@@ -20,8 +20,8 @@ export interface MeshoptView {
 const MODES = ['ATTRIBUTES', 'TRIANGLES', 'INDICES'] as const;
 const FILTERS = ['NONE', 'OCTAHEDRAL', 'QUATERNION', 'EXPONENTIAL', 'COLOR'] as const;
 
-export type MeshoptMode = (typeof MODES)[number];
-export type MeshoptFilter = (typeof FILTERS)[number];
+type MeshoptMode = (typeof MODES)[number];
+type MeshoptFilter = (typeof FILTERS)[number];
 
 /** Null if the view is not compressed. @throws Error for a claim that the decoder must not see. */
 export function readMeshoptView(view: JsonObject, buffers: number, what: string): MeshoptView | null {

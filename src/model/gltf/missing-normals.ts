@@ -11,7 +11,7 @@ export async function countMissing({ array, count }: BufferAttribute, slices: Sl
   return missing;
 }
 
-export interface CompletedNormals {
+interface CompletedNormals {
   readonly normals: BufferAttribute;
   /** Where a corner's normal would not be within 90° of its face's own, 1: it takes that one. Null if all are. */
   readonly split: Uint8Array | null;

@@ -30,7 +30,7 @@ export interface RigidPart {
   readonly within: Matrix4 | null;
 }
 
-export interface MotionSource {
+interface MotionSource {
   node(index: number): Promise<Object3D>;
   accessor(accessor: Accessor): Promise<Attribute>;
 }

@@ -40,7 +40,7 @@ const WRAP: Readonly<Record<number, Wrapping>> = {
   10497: RepeatWrapping,
 };
 
-export interface GltfTextures {
+interface GltfTextures {
   /** Textures of one image and sampler are one object. Null for an image that is missing or broken. */
   texture(index: number): Promise<Texture | null>;
   /** Waits for images that are being decoded, then closes all images. */

@@ -1,7 +1,7 @@
 // Reads the header of a PLY file: elements with their counts and properties, and how the values are written.
 import { TextScanner } from '../text/text-scanner.js';
 
-export type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
+type PlyEncoding = 'text' | 'little-endian' | 'big-endian';
 
 export type PlyType = 'int8' | 'uint8' | 'int16' | 'uint16' | 'int32' | 'uint32' | 'float32' | 'float64';
 

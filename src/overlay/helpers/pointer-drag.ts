@@ -4,7 +4,7 @@ import { PictureCorners } from '../../element/page/picture-box.js';
 import { alongAxes, type PictureBox } from '../../camera/gesture.js';
 import { keepDrag } from '../../camera/kept-drag.js';
 
-export interface DragListener {
+interface DragListener {
   /** The primary button pressed this element. False: it is not for dragging. */
   press(element: HTMLElement): boolean;
   /** Travel since the press, CSS pixels of the layer, right and down. `along`: Shift is down. */

@@ -17,7 +17,7 @@ function namedIndex({ values, viewport, children, viewer }: ExtraHost): number {
 }
 
 /** Indices of the viewer's lights. None if `view-light` names no light: the view is black. */
-export function chosenIndices(host: ExtraHost): number[] {
+function chosenIndices(host: ExtraHost): number[] {
   const { lights } = host.viewport.lighting.lights;
   const { view, viewLight } = host.values;
   const named = namedIndex(host);

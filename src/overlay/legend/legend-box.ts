@@ -4,7 +4,7 @@ import { create } from '../../element/dom.js';
 import type { Vec3 } from '../../math/vector.js';
 import type { Bar } from './view-scale.js';
 
-export interface LegendContent {
+interface LegendContent {
   /** Accessible name of the whole. */
   readonly label: string;
   readonly title: string;

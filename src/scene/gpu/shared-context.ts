@@ -14,7 +14,7 @@ import {
 } from './context.js';
 import { LinkCheck } from './link-check.js';
 
-export interface ContextEvents {
+interface ContextEvents {
   /** The GPU has lost everything. */
   lost(): void;
   /** Drawing is possible after {@link lost} or {@link missing}. Everything has to be uploaded. */

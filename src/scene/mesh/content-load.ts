@@ -18,7 +18,7 @@ import { type BufferGeometry, Matrix4 } from 'three';
 import { PLAIN_LOOK } from '../../material/file-surface.js';
 import type { CrossOrigin } from '../../model/request-file.js';
 
-export type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
+type ContentName = Pick<ShapeValues, 'src' | 'type' | 'geometry' | 'segments'>;
 
 /** What shows the content. */
 export interface ContentOwner {

@@ -6,7 +6,7 @@ import type { LoadOptions } from '../../model/model-content.js';
 import type { Content } from '../../model/model.js';
 import { type CrossOrigin, gltfCode, isDataUri, isNamedGltf, requestFile } from '../../model/request-file.js';
 
-export interface ModelName {
+interface ModelName {
   /** A file's address is not fetched: it is for messages. */
   readonly url: URL;
   readonly src: string | Blob;
@@ -15,7 +15,7 @@ export interface ModelName {
 }
 
 /** A mesh that shows a model, or is going to. */
-export interface ModelUser {
+interface ModelUser {
   readonly claim: Claim;
   /** Aborted when the mesh no longer wants the model. */
   readonly signal: AbortSignal;

@@ -29,7 +29,7 @@ export interface Hit<Owner = unknown> extends TriangleHit {
 }
 
 /** An object that an element declares. */
-export type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
+type OwnDrawn<Owner = unknown> = Drawn<Owner> & {
   readonly owner: Owner;
   readonly phong: DrawnLook;
   readonly geometry: NonNullable<Drawn['geometry']>;
