@@ -18,6 +18,7 @@ test('shades floors and walls up to 1,000 times as large as the eye is near', as
     floorScene(FIRST + 4, 500, 65, { geometry: 'box' }),
   ];
   const viewer = await mount('<phong-viewer></phong-viewer>', SIZE);
+  const holes: string[] = [];
   let off = 0;
   let compared = 0;
   for (const [i, scene] of scenes.entries()) {
@@ -27,13 +28,14 @@ test('shades floors and walls up to 1,000 times as large as the eye is near', as
     const { data, width, height } = await pixels(viewer, SIZE);
     for (const { x, y, hit } of innerPixels(scene, width, height)) {
       const at = 4 * (y * width + x);
-      expect(data[at + 3], `seed ${FIRST + i}: a hole at ${x}, ${y}`).toBe(255);
+      if (data[at + 3] !== 255) holes.push(`seed ${FIRST + i}: ${x}, ${y}`);
       hit.shaded.color.forEach((value, channel) => {
         compared += 1;
         if (Math.abs(Math.round(255 * value) - data[at + channel]!) > 1) off += 1;
       });
     }
   }
+  expect(holes).toEqual([]);
   expect(compared).toBeGreaterThan(2000 * scenes.length);
   // Of a floor of one segment 34 % are, at 1,000.
   expect(off / compared).toBeLessThan(0.001);
