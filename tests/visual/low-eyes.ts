@@ -69,9 +69,9 @@ export function floorsOfAllSizes(): readonly CoverageScene[] {
 /** A room with an eye in it, near one of its walls, and boxes and a floor in it. */
 export function randomLowEye(seed: number): CoverageScene {
   const dice = new Dice(seed);
-  const room = 10 ** dice.from(0.5, 6);
   const radius = 10 ** dice.from(-1, 1);
-  const gap = 10 ** dice.from(-3, 0) * radius;
+  const room = 10 ** dice.from(0.5, 3) * radius;
+  const gap = 10 ** dice.from(-2, 0) * radius;
   const theta = dice.from(-180, 180);
   const phi = dice.pick([90, 89, 91, 60, 100, dice.from(1, 179)]);
   // The eye is `gap` above the floor or beside a wall of the room.
