@@ -144,7 +144,7 @@ function faultOf(points: Points): Fault | null {
   if (!corners.every((corner) => corner !== null && goesOn(center, corner))) return 'edges';
   const all = points as readonly Explained[];
   if (all.some(({ opacity }) => opacity < 1)) return 'translucent';
-  if (all.some(({ filtered }) => filtered === true)) return 'filtered';
+  if (all.some(({ filtered }) => filtered)) return 'filtered';
   const { least, greatest } = rangeOf(points);
   const isWide = least.some((low, k) => greatest[k]! - low > WIDEST);
   return isWide || !isStraight(all) ? 'steep' : null;

@@ -60,7 +60,6 @@ test('a page opened from disk has every shape, the panel, shadeAt and toBlob, wi
   await allReady(page);
   const viewer = page.locator('phong-viewer');
   await expect(viewer.getByText('Controls')).toBeVisible();
-  await viewer.getByText('Camera').click();
   await expect(viewer.getByText('θ azimuth °')).toBeVisible();
   const found = await viewer.evaluate(async (element: PhongViewer) => ({
     drawn: element.stats.drawCalls,

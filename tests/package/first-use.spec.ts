@@ -66,7 +66,7 @@ const uses: readonly Use[] = [
     use: (viewer) => viewer.evaluate((element) => element.after(document.createElement('phong-compare'))),
     chunks: ['comparison'],
   },
-  { what: 'the panel', use: set({ gui: true }), chunks: ['history', 'panel'] },
+  { what: 'the panel', use: set({ gui: true }), chunks: ['panel', 'round-number'] },
   {
     what: 'a model',
     use: set({ src: '/fixtures/models/textured.glb' }),
