@@ -98,9 +98,9 @@ describe('the documents', () => {
   it.each([
     ['README.md', 1200],
     ['src/README.md', 2480],
-    ['src/MODELS.md', 1600],
+    ['src/MODELS.md', 1650],
     ['src/SEEING.md', 1850],
-    ['src/API.md', 1500],
+    ['src/API.md', 1550],
     ['src/CORE.md', 1200],
   ])('keep %s within %i words', (path, most) => {
     expect(read(path).split(/\s+/).length).toBeLessThanOrEqual(most);
