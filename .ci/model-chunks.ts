@@ -5,7 +5,7 @@
 export const modelChunks = [
   {
     name: 'model-shared',
-    test: /\/src\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|owned-model|stl\/stl-kind|text\/utf-16|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
+    test: /\/src\/model\/(slices|model-budget|data-uri|face-normals|image|image-size|owned-model|listed|stl\/stl-kind|text\/utf-16|decoders\/decoder-thread|ktx2\/decode-ktx2)\.ts$/,
   },
-  { name: 'model-triangles', test: /\/src\/model\/(text|triangles)\/[^/]+\.ts$/ },
+  { name: 'model-triangles', test: /\/src\/model\/(left-out|(text|triangles)\/[^/]+)\.ts$/ },
 ];

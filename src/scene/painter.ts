@@ -26,13 +26,13 @@ export class Painter {
   paint(renderer: WebGLRenderer, view: ViewCamera, samples = 1): void {
     this.begin(view);
     this.paintAgain(renderer, view, samples);
-    this.#drawCalls = renderer.info.render.calls;
   }
 
   /** Draws the scene and the lights of the last {@link begin} once more. Counts as no frame for programs. */
   paintAgain(renderer: WebGLRenderer, { camera }: ViewCamera, samples = 1): void {
     this.lighting.mapBias.value = mapBiasOf(samples);
     renderer.render(this.scene, camera);
+    this.#drawCalls = renderer.info.render.calls;
   }
 
   /** Gives back what the GPU holds; drawing sends it again. */

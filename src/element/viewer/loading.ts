@@ -29,11 +29,24 @@ export function errorDetail(error: unknown, url: URL | null): ViewerErrorDetail 
 }
 
 /**
- * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the console has the advice.
+ * What visitors read. Their own file is theirs to mend: they get everything. Otherwise the console has the advice, the
+ * same one once for a viewer: `given`.
  */
-function factOf(error: unknown, { message }: ViewerErrorDetail, isOwn: boolean, url: URL | null): string {
+function factOf(
+  error: unknown,
+  { message }: ViewerErrorDetail,
+  isOwn: boolean,
+  url: URL | null,
+  given: Set<string>,
+): string {
   const hides = error instanceof ModelError && error.fact !== error.message && !isOwn;
-  if (hides && !error.logged) console.warn(message);
+  if (hides && !error.logged) {
+    const advice = error.message.slice(error.fact.length);
+    // Of files, each; of shapes, which have no address, the advice alone counts.
+    const key = `${url?.href ?? ''}${advice}`;
+    if (!given.has(key)) console.warn(message);
+    given.add(key);
+  }
   const fact = hides ? clipMessage(error.fact) : message;
   const name = url === null ? '' : nameOf(url);
   // Its end may have been clipped.
@@ -53,6 +66,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   readonly #context: ViewerContext;
   readonly #events: EventQueue;
   readonly #progress = new LoadProgress();
+  /** Advice that the console has. */
+  readonly #given = new Set<string>();
   /** The viewer's own `src` or `geometry`. */
   readonly ownMesh: SceneMesh;
   #near = false;
@@ -167,7 +182,11 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     if (error !== null) {
       const detail = errorDetail(error, url);
       child?.dispatchEvent(new CustomEvent('error', { detail }));
-      signals.failed.emit({ subject: mesh, detail, fact: factOf(error, detail, mesh.isOwnFile, url) });
+      signals.failed.emit({
+        subject: mesh,
+        detail,
+        fact: factOf(error, detail, mesh.isOwnFile, url, this.#given),
+      });
     } else if (url !== null) {
       const detail: LoadDetail = { url: url.href, missing: mesh.missing };
       this.#enqueueProgress();

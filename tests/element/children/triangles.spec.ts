@@ -12,7 +12,9 @@ const shown = (viewer: Locator): Promise<string[]> =>
 
 test('shows the meshes that fit in, says of each other one that it is too large, and shows it on request once there is room', async ({
   mount,
+  consoleGuard,
 }) => {
+  consoleGuard.allow(/Use fewer segments, fewer different shapes/, 1);
   const viewer = await mount('<phong-viewer radius="5" target="0 0 0" theta="10"></phong-viewer>', SIZE);
   const heard = await record(viewer, 'error');
   // 64 segments have 3,968 triangles, and 13,605 more as a flat copy.
@@ -72,7 +74,9 @@ test('2,000 equal boxes and spheres count as two', async ({ mount }) => {
 
 test('a limit that is none throws and changes nothing, and a model beyond it is not shown', async ({
   mount,
+  consoleGuard,
 }) => {
+  consoleGuard.allow(/Use fewer segments/, 1);
   const viewer = await mount('<phong-viewer geometry="box"></phong-viewer>', SIZE);
   const heard = await record(viewer, 'error');
   const thrown = await viewer.evaluate((element: PhongViewer) =>
