@@ -89,7 +89,7 @@ function setUp(seed: number) {
     surface.fire('wheel', { deltaY, deltaMode: 0, preventDefault });
   };
   const key = (name: string): void => {
-    surface.fire('keydown', { key: name, shiftKey: false, preventDefault });
+    surface.fire('keydown', { key: name, shiftKey: false, preventDefault, stopPropagation: preventDefault });
   };
   /** As the element does it: the observer reports the size, and a drag in progress continues from there. */
   const resize = (told: boolean): void => {
