@@ -4,6 +4,7 @@ import type { GUI } from 'lil-gui';
 import { attributeOf } from '../element/fields/attribute-text.js';
 import type { PhongViewer } from '../element/phong-viewer.js';
 import { meshTitle } from '../element/viewer/description.js';
+import { sameValue } from '../fields/field-store.js';
 import { showRows } from './folder.js';
 import { nameOwner } from './label.js';
 import { LIGHT_ROWS } from './light-folder.js';
@@ -43,10 +44,7 @@ export class FlatRows {
   update(): void {
     const owners = this.#owners();
     const elements = owners.map(({ element }) => element);
-    if (
-      elements.some((element, i) => element !== this.#elements[i]) ||
-      elements.length !== this.#elements.length
-    ) {
+    if (!sameValue(elements, this.#elements)) {
       this.#elements = elements;
       for (const control of [...this.#gui.controllers]) control.destroy();
       this.#added = this.#attributes.flatMap((attribute) => this.#add(attribute, owners));

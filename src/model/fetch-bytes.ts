@@ -85,7 +85,10 @@ export function byteFetcher(
       }
       transfer.onProgress?.(loaded, known && loaded <= total ? total : 0);
     }
-    return size === expected ? whole : joined(whole, chunks, size, new Slices(signal));
+    if (size === expected) return whole;
+    // Another length was announced than came, or none.
+    const begun = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
+    return new Slices(signal).joined([whole.subarray(0, begun), ...chunks]);
   };
 }
 
@@ -185,22 +188,4 @@ async function inTime<T>(url: URL, next: Promise<T>): Promise<T> {
   } finally {
     clearTimeout(timer);
   }
-}
-
-/** Where another length was announced than came, or none. */
-async function joined(
-  whole: Uint8Array,
-  chunks: readonly Uint8Array[],
-  size: number,
-  slices: Slices,
-): Promise<Uint8Array<ArrayBuffer>> {
-  const bytes = new Uint8Array(size);
-  let at = size - chunks.reduce((sum, { byteLength }) => sum + byteLength, 0);
-  bytes.set(whole.subarray(0, at));
-  for (const chunk of chunks) {
-    bytes.set(chunk, at);
-    at += chunk.byteLength;
-    await slices.pauseIfDue();
-  }
-  return bytes;
 }

@@ -62,6 +62,18 @@ export class Slices {
     return results;
   }
 
+  /** The pieces, one after the other. */
+  async joined(pieces: readonly Uint8Array[]): Promise<Uint8Array<ArrayBuffer>> {
+    const bytes = new Uint8Array(pieces.reduce((sum, { byteLength }) => sum + byteLength, 0));
+    let at = 0;
+    for (const piece of pieces) {
+      bytes.set(piece, at);
+      at += piece.byteLength;
+      await this.pauseIfDue();
+    }
+    return bytes;
+  }
+
   /** Whether the task has taken long enough: call {@link pause}. */
   get due(): boolean {
     return performance.now() - this.#since > TASK_MS;

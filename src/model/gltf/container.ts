@@ -67,22 +67,11 @@ async function parseText(
   const size = texts.reduce((sum, { byteLength }) => sum + byteLength, 0);
   requireAtMost(size, JSON_TEXT_LIMIT, 'bytes of JSON, without data in base64');
   budget.add({ text: size });
-  return { json: await parseJson(joined(texts), budget, slices), data: dataByKey(data, slices) };
-}
-
-/** The pieces of text, with the key of the data cut out between each two. */
-function joined(texts: readonly Uint8Array[]): Uint8Array {
-  const [first, ...others] = texts;
-  if (first !== undefined && others.length === 0) return first;
   const encoder = new TextEncoder();
   const pieces = texts.flatMap((text, i) => (i === 0 ? [text] : [encoder.encode(keyOf(i - 1)), text]));
-  const bytes = new Uint8Array(pieces.reduce((sum, { byteLength }) => sum + byteLength, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, at);
-    at += piece.byteLength;
-  }
-  return bytes;
+  const [whole] = pieces;
+  const text = whole !== undefined && pieces.length === 1 ? whole : await slices.joined(pieces);
+  return { json: await parseJson(text, budget, slices), data: dataByKey(data, slices) };
 }
 
 const LATIN1 = new TextDecoder('latin1');
