@@ -20,7 +20,7 @@ const IN_TIME = 8;
 export class Batches {
   readonly #gl: WebGL2RenderingContext;
   readonly #next: (() => void) | undefined;
-  #size = 1;
+  #size: number;
   /** Larger batches took too long lately. */
   #most = Infinity;
   /** Batches in time since the last late one. */
@@ -31,9 +31,10 @@ export class Batches {
   /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
   #quick: boolean | null = null;
 
-  /** `next`: a batch has ended within 8 ms; another one may be sent. */
-  constructor(gl: WebGL2RenderingContext, next?: () => void) {
+  /** `size`: samples of the first batch. `next`: a batch has ended within 8 ms; another one may be sent. */
+  constructor(gl: WebGL2RenderingContext, size: number, next?: () => void) {
     this.#gl = gl;
+    this.#size = size;
     this.#next = next;
   }
 

@@ -101,7 +101,7 @@ function* drawTile(
     if (!canSum(renderer)) return plain();
     sum = new SampleSum(renderer);
     if (!sum.begin(tile)) return plain();
-    const [mean, sent] = [sum, (batches = new Batches(renderer.getContext() as WebGL2RenderingContext))];
+    const [mean, sent] = [sum, (batches = new Batches(renderer.getContext() as WebGL2RenderingContext, 1))];
     while (sum.count < samples) {
       if (atOnce || batches.ended)
         aside((r) => {
