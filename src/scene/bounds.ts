@@ -113,7 +113,7 @@ export function boundsOf(object: Object3D, into: Ball): boolean {
 }
 
 /** False for an empty sphere. */
-function writeBall(into: Ball, { center, radius }: Sphere): boolean {
+export function writeBall(into: Ball, { center, radius }: Sphere): boolean {
   into.x = center.x;
   into.y = center.y;
   into.z = center.z;

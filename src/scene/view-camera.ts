@@ -8,7 +8,7 @@ import { radians } from '../math/angle.js';
 import { sameValue } from '../fields/field-store.js';
 import type { Region } from './gpu/stage.js';
 import { nearestDepth } from './near-depth.js';
-import type { View } from './view-cut.js';
+import type { View } from './frustum-clip.js';
 
 export class ViewCamera {
   readonly camera = new PerspectiveCamera();

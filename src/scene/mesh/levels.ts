@@ -3,7 +3,7 @@
 // same triangles.
 import { stretch } from '../bounds.js';
 import type { Vec3 } from '../../math/vector.js';
-import type { View } from '../view-cut.js';
+import type { View } from '../frustum-clip.js';
 import type { Budget } from '../../model/budget.js';
 import type { SceneMesh } from './scene-mesh.js';
 import type { SharedMaterials } from './shared-materials.js';
