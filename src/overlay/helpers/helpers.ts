@@ -102,8 +102,9 @@ class Helpers implements Extra {
     const { viewport } = this.#host;
     const size = this.#host.size();
     if (!(size.width > 0 && size.height > 0)) return null;
-    const { fov, orbit, width, height } = viewport;
-    const bounds = viewport.measure();
+    const { width, height, picture } = viewport;
+    const { fov, orbit } = picture;
+    const bounds = viewport.picture.measure();
     const seen = [bounds, fov, orbit.pose, width, height, size.width, size.height];
     if (this.#view === null || seen.some((value, i) => value !== this.#seen[i])) {
       this.#seen = seen;
@@ -118,13 +119,13 @@ class Helpers implements Extra {
     { width, height }: { readonly width: number; readonly height: number },
     aspect = width / height,
   ): Projection {
-    const { fov, orbit } = this.#host.viewport;
+    const { fov, orbit } = this.#host.viewport.picture;
     return new Projection({ pose: orbit.pose, fov, width, height, aspect });
   }
 }
 
 function ballOf({ viewport }: ExtraHost): SceneBall {
-  const bounds = viewport.measure();
+  const bounds = viewport.picture.measure();
   if (bounds === null) return EMPTY;
   return { center: bounds.center, radius: bounds.radius > 0 ? bounds.radius : EMPTY.radius };
 }

@@ -152,7 +152,7 @@ export class ProbeView {
   }
 
   #projectionTo(size: Pick<Sight, 'width' | 'height' | 'aspect'>): Projection {
-    const { orbit, fov } = this.#host.viewport;
+    const { orbit, fov } = this.#host.viewport.picture;
     return new Projection({ pose: orbit.pose, fov, ...size });
   }
 
