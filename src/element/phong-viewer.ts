@@ -157,6 +157,7 @@ class ViewerElement extends LitElement implements PublicViewer {
 
   set maxTriangles(triangles: number | null | undefined) {
     this.#context.picture.budget.limit = triangles ?? null;
+    this.#context.picture.invalidate(); // other levels of detail may fit
     if (this.hasUpdated) this.#loading.retry();
   }
 

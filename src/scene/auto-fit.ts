@@ -4,6 +4,7 @@ import { type Bounds, fitPose, fitRadius } from '../camera/fit.js';
 import type { Orbit } from '../camera/orbit.js';
 import type { Vec3 } from '../math/vector.js';
 import { type Extent, measure, radiusOf } from './bounds.js';
+import type { Size } from './gpu/atlas.js';
 import type { SceneTree } from './scene-tree.js';
 
 /** Target and radius as declared: `auto`, or a value. */
@@ -79,7 +80,7 @@ export class AutoFit {
     this.#changed();
   }
 
-  resized(width: number, height: number): void {
+  resized({ width, height }: Size): void {
     if (width > 0 && height > 0) this.#aspect = width / height;
     this.#changed();
   }

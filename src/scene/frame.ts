@@ -17,6 +17,8 @@ export class Frame {
   height = 0;
   /** So many drawings are averaged. 1: the plain picture. */
   samples = 1;
+  /** The version of what is in it, lights aside. */
+  #version = -1;
   readonly camera = new PerspectiveCamera();
   readonly shading: ShadingFrame;
   /** The whole picture's sides. */
@@ -41,9 +43,15 @@ export class Frame {
     this.camera.matrixWorldAutoUpdate = false;
   }
 
-  /** Looks from where the orbit is now. `fov` is vertical, in degrees. Matrices and depth range follow by {@link aim}. */
-  look(fov: number, { width, height }: Size, samples = 1): void {
+  /**
+   * Looks from where the orbit is now. `fov` is vertical, in degrees; `version` is that of the scene and the orbit.
+   * Matrices and depth range follow by {@link aim}. False if only lights can differ from the last frame.
+   */
+  look(fov: number, { width, height }: Size, samples = 1, version = 0): boolean {
     const { view, camera } = this;
+    const isSameSize = width === this.width && height === this.height;
+    const isOther = !isSameSize || samples !== this.samples || version !== this.#version;
+    this.#version = version;
     this.width = width;
     this.height = height;
     this.samples = samples;
@@ -54,6 +62,7 @@ export class Frame {
     view.slopeY = Math.tan(radians(fov) / 2);
     view.slopeX = view.slopeY * camera.aspect;
     view.radius = this.#orbit.radius;
+    return isOther;
   }
 
   /** Writes the camera. Its near plane lies before whatever is visible below `root`, which `bounds` hold. */

@@ -34,6 +34,8 @@ export class Picture {
   readonly #changed: () => void;
   readonly #fitted: () => void;
   #version = 0;
+  /** Versions that changed nothing but lights. */
+  #relit = 0;
   /** The version whose lights were sent last. */
   #lit = -1;
   #drawCalls = 0;
@@ -63,6 +65,12 @@ export class Picture {
   invalidate(): void {
     this.#version += 1;
     this.#changed();
+  }
+
+  /** Only lights have changed. */
+  relit(): void {
+    this.#relit += 1;
+    this.invalidate();
   }
 
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
@@ -146,8 +154,7 @@ export class Picture {
     const { frame, scene } = this;
     this.settle();
     this.#tree.update();
-    frame.look(this.fov, size, samples);
-    this.levels.choose(frame);
+    if (frame.look(this.fov, size, samples, this.#version - this.#relit)) this.levels.choose(frame);
     frame.aim(scene, this.fit.depthBounds());
   }
 

@@ -1,5 +1,4 @@
 // When one viewer's picture is drawn, and where: on the page's stage when something has changed, while it is near.
-import type { WebGLRenderer } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import type { Size } from './gpu/atlas.js';
@@ -8,8 +7,7 @@ import { Picture, type ViewportStats } from './picture.js';
 import { StillPicture } from './still-picture.js';
 import type { ViewportSignals } from './viewport-signals.js';
 
-/** No version of a picture. */
-const NONE = -1;
+const NONE = -1; // no version of a picture
 
 export class Viewport implements StageClient, Framed {
   readonly holder: HTMLElement;
@@ -32,15 +30,6 @@ export class Viewport implements StageClient, Framed {
   /** Something moves by itself, as of the last animation frame. */
   #moving = false;
   #frames = 0;
-  /**
-   * Moves what moves by itself to where it is at `now`, the time of an animation frame in ms. True while it keeps
-   * moving.
-   */
-  moveTo: (now: number) => boolean = () => false;
-  /** Something that belongs to the first picture, which is not drawn yet, is on its way. */
-  awaited: () => boolean = () => false;
-  /** Drawing has thrown. True if new content was to blame and is taken back. `draw` tries to draw, and may throw. */
-  recover: (error: unknown, draw: () => void) => boolean = () => false;
 
   /** `holder` is an element that holds nothing but the canvas. */
   constructor(holder: HTMLElement, lights: LightSet, signals: ViewportSignals) {
@@ -94,10 +83,10 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** In device pixels. A picture of no pixels is not drawn; larger ones than the GPU can draw are reduced. */
-  resize(width: number, height: number): void {
-    if (width === this.#wanted.width && height === this.#wanted.height) return;
-    this.#wanted = { width, height };
-    this.picture.fit.resized(width, height);
+  resize(size: Size): void {
+    if (size.width === this.#wanted.width && size.height === this.#wanted.height) return;
+    this.#wanted = size;
+    this.picture.fit.resized(size);
     this.picture.invalidate();
     this.#wake();
   }
@@ -125,7 +114,7 @@ export class Viewport implements StageClient, Framed {
     this.animate();
   }
 
-  /** Requests a frame for motion; {@link moveTo} says whether it goes on. */
+  /** Requests a frame for motion; {@link ViewportSignals.moveTo} says whether it goes on. */
   animate(): void {
     // Moving lights come by one by one: the first question is the cheapest.
     if (this.#loop?.latest !== this && this.drawable) this.#loop?.request(this);
@@ -136,11 +125,11 @@ export class Viewport implements StageClient, Framed {
   }
 
   advance(now: number): boolean {
-    return (this.#moving = this.drawable && !this.awaited() && this.moveTo(now));
+    return (this.#moving = this.drawable && !this.#signals.awaited() && this.#signals.moveTo(now));
   }
 
   draw(): void {
-    if (!this.drawable || this.awaited()) return;
+    if (!this.drawable || this.#signals.awaited()) return;
     if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.still.step()) return;
     if (this.#moving || this.still.startable) this.animate();
@@ -168,7 +157,7 @@ export class Viewport implements StageClient, Framed {
       } else this.#painted = NONE; // drawn once there is a context
       materials.sweep();
     } catch (error) {
-      if (!this.recover(error, this.#paint)) {
+      if (!this.#signals.recover(error, this.#paint)) {
         this.#reported = version;
         throw error;
       }
@@ -181,7 +170,7 @@ export class Viewport implements StageClient, Framed {
 
   /** False where there is no context. */
   readonly #paint = (): boolean =>
-    stage.draw(this, (renderer: WebGLRenderer) => {
+    stage.draw(this, (renderer) => {
       this.picture.make(this, 1);
       this.picture.draw(renderer);
     });
@@ -192,8 +181,8 @@ export class Viewport implements StageClient, Framed {
   }
 
   show(last: boolean): void {
-    const isShown = stage.draw(this, (renderer) => this.still.copy(renderer));
-    this.#painted = isShown ? this.picture.version : NONE;
+    const { still, picture } = this;
+    this.#painted = stage.draw(this, (renderer) => still.copy(renderer)) ? picture.version : NONE;
     if (last) this.#reported = NONE;
   }
 
@@ -202,13 +191,12 @@ export class Viewport implements StageClient, Framed {
    * Throws RangeError if no canvas can hold it.
    */
   capture(size: Size, shown = false): HTMLCanvasElement {
-    const { picture } = this;
-    const isMean =
-      shown && this.still.samples > 0 && size.width === this.width && size.height === this.height;
+    const { picture, still, width, height } = this;
+    const isMean = shown && still.samples > 0 && size.width === width && size.height === height;
     if (!isMean) picture.make(size, 1);
     this.releaseUnlessAttached();
     return stage.capture(size, (renderer, part) => {
-      if (isMean) this.still.copy(renderer, part);
+      if (isMean) still.copy(renderer, part);
       else picture.draw(renderer, part);
     });
   }
@@ -227,7 +215,8 @@ export class Viewport implements StageClient, Framed {
   contextLost(): void {
     this.picture.invalidate();
     this.#loop?.cancel(this);
-    this.#releaseGpu();
+    this.still.dispose();
+    this.picture.release();
     this.#signals.contextLost.emit();
     this.#signals.frameEnded.emit();
   }
@@ -246,14 +235,10 @@ export class Viewport implements StageClient, Framed {
   /** An element that only moves is back before the microtask; one that stays away gives its GPU memory back. */
   releaseUnlessAttached(): void {
     queueMicrotask(() => {
-      if (!this.attached) this.#releaseGpu();
+      if (this.attached) return;
+      this.still.dispose();
+      this.picture.release();
     });
-  }
-
-  /** Drawing sends everything to the GPU again. */
-  #releaseGpu(): void {
-    this.still.dispose();
-    this.picture.release();
   }
 
   /** After a change of visibility, size or context: requests a frame that was waiting, or takes the request back. */

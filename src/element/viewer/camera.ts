@@ -45,8 +45,8 @@ export class ViewerCamera implements ReactiveController {
   link: CameraLink | null = null;
 
   constructor(context: ViewerContext) {
-    const { viewport, signals } = (this.#context = context);
-    viewport.moveTo = (now) => {
+    const { signals } = (this.#context = context);
+    signals.moveTo = (now) => {
       signals.orderNeeded.emit();
       return this.#frame(now);
     };

@@ -85,8 +85,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
-    viewport.awaited = () => !this.#hasDrawn && this.#meshes().some((mesh) => mesh.awaitsShape);
-    viewport.recover = (error, draw) => this.#recover(error, draw);
+    signals.awaited = () => !this.#hasDrawn && this.#meshes().some((mesh) => mesh.awaitsShape);
+    signals.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
       if (near) this.#neared();

@@ -69,7 +69,7 @@ export class ViewerContext {
     this.store = store;
     this.viewport = new Viewport(holder, this.lightSet, this.signals);
     const picture = (this.picture = this.viewport.picture);
-    this.signals.lightChanged.listen(() => picture.invalidate());
+    this.signals.lightChanged.listen(() => picture.relit());
     this.signals.viewChanged.listen((view) => this.#follow(view));
   }
 
@@ -78,8 +78,7 @@ export class ViewerContext {
   }
 
   #follow({ pixelWidth, pixelHeight, painted, near, visible, printsAt }: ElementView): void {
-    const { width, height } = sizeOnPage({ width: pixelWidth, height: pixelHeight });
-    this.viewport.resize(width, height);
+    this.viewport.resize(sizeOnPage({ width: pixelWidth, height: pixelHeight }));
     this.viewport.visible = visible;
     this.viewport.near = this.values.loading === 'eager' ? painted : near;
     if (printsAt === null) return;
