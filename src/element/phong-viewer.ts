@@ -302,7 +302,7 @@ function applyStyle(
   { fov, colorInterpolation, shading, reflection, terms, antialias, samples }: Readonly<ViewerValues>,
   changed: { has(key: string): boolean },
 ): void {
-  picture.fov = fov;
+  picture.fit.fov = fov;
   picture.linear = colorInterpolation === 'linear';
   still.wanted = antialias === 'full' ? samples : 0;
   if (STYLE_KEYS.some((key) => changed.has(key))) picture.style = { shading, reflection, terms };

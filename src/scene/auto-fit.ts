@@ -32,8 +32,8 @@ export interface SharedFit {
 export class AutoFit {
   readonly #tree: SceneTree;
   readonly #orbit: Orbit;
+  readonly #changed: () => void;
   #framing: Framing | null = { target: 'auto', radius: 'auto' };
-  /** Vertical, in degrees. */
   #fov = 45;
   /** Width over height of the last size above 0: a hidden picture keeps its camera. */
   #aspect = 1;
@@ -44,9 +44,11 @@ export class AutoFit {
   #fitted: Fit | null = null;
   readonly #depthBounds = { center: ORIGIN, radius: 0 };
 
-  constructor(tree: SceneTree, orbit: Orbit) {
+  /** `changed`: another frame is to be drawn. */
+  constructor(tree: SceneTree, orbit: Orbit, changed: () => void) {
     this.#tree = tree;
     this.#orbit = orbit;
+    this.#changed = changed;
   }
 
   /** How target and radius are found; null leaves them where the user put them. */
@@ -57,6 +59,7 @@ export class AutoFit {
   set framing(framing: Framing | null) {
     this.#framing = framing;
     this.#fitted = null;
+    this.#changed();
   }
 
   /** Frames this picture together with others; null, the default: alone. */
@@ -65,24 +68,26 @@ export class AutoFit {
     this.#fitted = null;
   }
 
+  /** Vertical, in degrees. Default 45. */
   get fov(): number {
     return this.#fov;
   }
 
   set fov(degrees: number) {
+    if (degrees === this.#fov) return;
     this.#fov = degrees;
-    this.#changed();
+    this.#refit();
   }
 
   /** Meshes were added, removed or moved, or their vertices changed. */
   reshaped(): void {
     this.#measured = null;
-    this.#changed();
+    this.#refit();
   }
 
   resized({ width, height }: Size): void {
     if (width > 0 && height > 0) this.#aspect = width / height;
-    this.#changed();
+    this.#refit();
   }
 
   /** The meshes' bounds, measured where the scene has changed; null where it shows nothing. */
@@ -128,9 +133,10 @@ export class AutoFit {
     return { target, radius, empty };
   }
 
-  #changed(): void {
+  #refit(): void {
     this.#fitted = null;
     this.#shared?.changed();
+    this.#changed();
   }
 
   #measure(): { readonly extent: Extent; readonly bounds: Bounds | null } {

@@ -7,7 +7,7 @@ import type { LightSet } from '../light/light-set.js';
 import { PhongLighting } from '../material/lighting.js';
 import type { ShadingStyle } from '../material/material-values.js';
 import { Budget } from '../model/budget.js';
-import { AutoFit, type Framing } from './auto-fit.js';
+import { AutoFit } from './auto-fit.js';
 import { forgetBounds } from './bounds.js';
 import { Frame } from './frame.js';
 import type { Size } from './gpu/atlas.js';
@@ -45,7 +45,9 @@ export class Picture {
     this.lighting = new PhongLighting(lights);
     this.materials = new SharedMaterials(this.lighting);
     this.levels = new Levels(this.meshes, this.budget, this.materials);
-    this.fit = new AutoFit(this.#tree, this.orbit);
+    this.fit = new AutoFit(this.#tree, this.orbit, () => {
+      this.invalidate();
+    });
     this.#changed = changed;
     this.#fitted = fitted;
     this.scene.matrixWorldAutoUpdate = false; // `make` updates matrices, before it measures
@@ -76,24 +78,12 @@ export class Picture {
   /** Meshes were added, removed or moved, or show another geometry: `auto` is fitted again. */
   reshaped(): void {
     this.fit.reshaped();
-    this.invalidate();
   }
 
   /** Measures the whole scene again, vertices included, and fits `auto` to it. */
   refit(): void {
     forgetBounds(this.scene);
     this.reshaped();
-  }
-
-  /** Vertical, in degrees. */
-  get fov(): number {
-    return this.fit.fov;
-  }
-
-  set fov(degrees: number) {
-    if (degrees === this.fit.fov) return;
-    this.fit.fov = degrees;
-    this.invalidate();
   }
 
   get style(): ShadingStyle {
@@ -109,16 +99,6 @@ export class Picture {
   set linear(linear: boolean) {
     if (linear === this.lighting.linear) return;
     this.lighting.linear = linear;
-    this.invalidate();
-  }
-
-  /** How target and radius are found; null leaves them where the user put them. */
-  get framing(): Framing | null {
-    return this.fit.framing;
-  }
-
-  set framing(framing: Framing | null) {
-    this.fit.framing = framing;
     this.invalidate();
   }
 
@@ -154,7 +134,7 @@ export class Picture {
     const { frame, scene } = this;
     this.settle();
     this.#tree.update();
-    if (frame.look(this.fov, size, samples, this.#version - this.#relit)) this.levels.choose(frame);
+    if (frame.look(this.fit.fov, size, samples, this.#version - this.#relit)) this.levels.choose(frame);
     frame.aim(scene, this.fit.depthBounds());
   }
 

@@ -87,7 +87,6 @@ export class Viewport implements StageClient, Framed {
     if (size.width === this.#wanted.width && size.height === this.#wanted.height) return;
     this.#wanted = size;
     this.picture.fit.resized(size);
-    this.picture.invalidate();
     this.#wake();
   }
 

@@ -141,7 +141,7 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
       for (const { viewport } of this.#members.values()) viewport.picture.invalidate();
     this.#wasFixed = isFixed;
     const [first] = this.#members.values();
-    const framing = first?.viewport.picture.framing ?? null;
+    const framing = first?.viewport.picture.fit.framing ?? null;
     if (framing === null) return;
     const { target, radius } = this.fit(framing);
     const from = this.#fitted?.from;
@@ -154,5 +154,5 @@ class CameraGroup implements CameraLink, SharedFit, SharedLevels {
 
 const placementOf = ({ viewport: { picture } }: Member) => ({
   pose: picture.orbit.pose,
-  framing: picture.framing,
+  framing: picture.fit.framing,
 });

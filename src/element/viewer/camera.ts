@@ -96,7 +96,7 @@ export class ViewerCamera implements ReactiveController {
   placement(): Placement {
     const { picture } = this.#context;
     picture.settle();
-    return { pose: picture.orbit.pose, framing: picture.framing };
+    return { pose: picture.orbit.pose, framing: picture.fit.framing };
   }
 
   /**
@@ -107,7 +107,7 @@ export class ViewerCamera implements ReactiveController {
     const write = (): void => {
       const { picture } = this.#context;
       picture.orbit.set(pose);
-      if (framing !== picture.framing) picture.framing = framing;
+      if (framing !== picture.fit.framing) picture.fit.framing = framing;
       this.#fit();
     };
     this.#move(source, write, linked);
@@ -129,8 +129,8 @@ export class ViewerCamera implements ReactiveController {
       if (key === 'theta' || key === 'phi') {
         orbit.set(key === 'theta' ? { theta } : { phi });
       } else {
-        const kept = picture.framing ?? orbit.pose;
-        picture.framing =
+        const kept = picture.fit.framing ?? orbit.pose;
+        picture.fit.framing =
           key === 'radius' ? { target: kept.target, radius } : { radius: kept.radius, target };
         this.#fit();
       }
@@ -143,7 +143,7 @@ export class ViewerCamera implements ReactiveController {
     const { theta, phi, radius, target } = values;
     this.#move(source, () => {
       picture.orbit.set({ theta, phi });
-      picture.framing = { radius, target };
+      picture.fit.framing = { radius, target };
       this.#fit();
     });
   }
@@ -231,12 +231,12 @@ export class ViewerCamera implements ReactiveController {
       size: () => corners.box,
       // The whole element, panel included.
       focusArea: (surface.getRootNode() as ShadowRoot).host,
-      fov: () => picture.fov,
+      fov: () => picture.fit.fov,
       radiusLimits: () => zoomLimits(picture.measure()),
       allows: () => ({ orbit: values.orbit, zoom: values.zoom }),
       moved: (source) => {
         // The camera is the user's now: nothing fits it to the scene any more.
-        picture.framing = null;
+        picture.fit.framing = null;
         this.#moved(source);
       },
       reset: () => {
