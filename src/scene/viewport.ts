@@ -1,4 +1,5 @@
 // When one viewer's picture is drawn, and where: on the page's stage when something has changed, while it is near.
+import type { WebGLRenderer } from 'three';
 import type { LightSet } from '../light/light-set.js';
 import { type Framed, type FrameLoop, frameLoopOf } from './frame-loop.js';
 import type { Size } from './gpu/atlas.js';
@@ -168,11 +169,12 @@ export class Viewport implements StageClient, Framed {
   }
 
   /** False where there is no context. */
-  readonly #paint = (): boolean =>
-    stage.draw(this, (renderer) => {
-      this.picture.make(this, 1);
-      this.picture.draw(renderer);
-    });
+  readonly #paint = (): boolean => stage.draw(this, this.#render);
+
+  readonly #render = (renderer: WebGLRenderer): void => {
+    this.picture.make(this, 1);
+    this.picture.draw(renderer);
+  };
 
   /** Draws the samples that are missing now, as far as `deadline` allows: a time as of `performance.now()`. */
   converge(deadline: number): void {
@@ -180,8 +182,8 @@ export class Viewport implements StageClient, Framed {
   }
 
   show(last: boolean): void {
-    const { still, picture } = this;
-    this.#painted = stage.draw(this, (renderer) => still.copy(renderer)) ? picture.version : NONE;
+    const isShown = stage.draw(this, (renderer) => this.still.copy(renderer));
+    this.#painted = isShown ? this.picture.version : NONE;
     if (last) this.#reported = NONE;
   }
 
