@@ -13,7 +13,7 @@ import type {
 import type { ViewerTexts } from './fields/texts.js';
 import type { PictureOptions } from './viewer/picture-blob.js';
 import type { Vec3 } from '../math/vector.js';
-import type { ViewportStats } from '../scene/painter.js';
+import type { ViewportStats } from '../scene/picture.js';
 
 /** The class of an element. */
 export interface ElementClass<E extends HTMLElement> {

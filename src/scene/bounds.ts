@@ -12,7 +12,7 @@ export interface Extent {
   radiusAbout(point: Vec3): number;
 }
 
-export const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0 };
+const NO_EXTENT: Extent = { empty: true, center: [0, 0, 0], radiusAbout: () => 0 };
 
 /** A measured mesh under its present matrix. */
 interface Placed {

@@ -152,8 +152,8 @@ export class ProbeView {
   }
 
   #projectionTo(size: Pick<Sight, 'width' | 'height' | 'aspect'>): Projection {
-    const { orbit, fov } = this.#host.viewport;
-    return new Projection({ pose: orbit.pose, fov, ...size });
+    const { orbit, fit } = this.#host.viewport.picture;
+    return new Projection({ pose: orbit.pose, fov: fit.fov, ...size });
   }
 
   #sumOf(fragment: FragmentExplanation): Sum {

@@ -212,7 +212,7 @@ class Probe implements Extra, ProbeInputHost {
   async #ofPoint(point: Vec3): Promise<ProbedPoint | null> {
     const { viewer, viewport } = this.#host;
     // As shadeAt does: an `auto` camera may not have followed the scene yet.
-    viewport.settle();
+    viewport.picture.settle();
     const { projection } = this.#view;
     const at = projection.point(point);
     const without = (text: keyof ViewerTexts): ProbedPoint => ({

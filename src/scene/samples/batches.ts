@@ -2,9 +2,9 @@
 // never wait longer for them. One batch is drawn after the other: a small one ends long before the next animation frame.
 import type { WebGLRenderer } from 'three';
 import type { Region } from '../gpu/stage.js';
+import type { Picture } from '../picture.js';
 import { shifted } from './pixel-offsets.js';
 import type { SampleSum } from './sample-sum.js';
-import type { PaintPart } from './sampled-capture.js';
 
 const BATCH_MS = 8;
 
@@ -117,18 +117,18 @@ export class Batches {
   }
 }
 
-/** Adds a batch to `sum`, which is that of `tile` and gets so many `samples`. */
+/** Adds a batch of the frame that `picture` has made to `sum`, which is that of `tile` and gets so many `samples`. */
 export function sendBatch(
   batches: Batches,
   sum: SampleSum,
   samples: number,
   tile: Region,
   renderer: WebGLRenderer,
-  paint: PaintPart,
+  picture: Pick<Picture, 'draw'>,
 ): void {
   batches.send(samples - sum.count, () => {
     sum.add(() => {
-      paint(renderer, shifted(tile, sum.count), samples);
+      picture.draw(renderer, shifted(tile, sum.count));
     });
   });
 }

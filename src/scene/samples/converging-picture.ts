@@ -3,6 +3,7 @@
 import type { WebGLRenderer, WebGLRenderTarget } from 'three';
 import type { Size } from '../gpu/atlas.js';
 import { type Region, stage } from '../gpu/stage.js';
+import type { Picture } from '../picture.js';
 import { Batches, sendBatch } from './batches.js';
 import { copyPart, fromBelow } from './picture-copy.js';
 import type { Captured } from './sampled-capture.js';
@@ -15,6 +16,7 @@ export { captureSamples } from './sampled-capture.js';
 
 /** The viewport, as its samples need it. Sizes are in device pixels. */
 export interface Sampled extends Size, Captured {
+  readonly picture: Pick<Picture, 'version' | 'invalidate' | 'make' | 'draw'>;
   /** In view. */
   readonly visible: boolean;
   /** Shows the kept picture. `last`: it has all samples. */
@@ -193,7 +195,9 @@ export class ConvergingPicture {
   #advance(renderer: WebGLRenderer, run: Run): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
-    sendBatch(batches, sum, this.#wanted, tile, renderer, this.#subject.sampler(this.#subject, false));
+    const { picture } = this.#subject;
+    picture.make(this.#subject, this.#wanted); // a frame of another size may have been drawn since
+    sendBatch(batches, sum, this.#wanted, tile, renderer, picture);
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
     const shows = isLast || (tiles.length === 1 && sum.count >= run.nextShown);
