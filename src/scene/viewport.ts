@@ -256,8 +256,10 @@ export class Viewport implements StageClient, Framed {
   }
 
   draw(): void {
-    if (!this.drawable || this.awaited()) return;
-    if (!this.upToDate) this.redraw();
+    if (!this.drawable) return;
+    if (this.awaited())
+      stage.draw(this, () => undefined); // opens the context meanwhile
+    else if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.#still.step()) return;
     if (this.#moving || this.#still.startable) this.animate();
   }

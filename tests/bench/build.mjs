@@ -42,6 +42,9 @@ export async function buildPages(folder) {
   cpSync(dist, join(folder, 'dist'), { recursive: true, filter });
   cpSync(join(repository, 'demo/assets/models/bunny.glb'), join(folder, 'bunny.glb'));
   writeModels(join(folder, 'models'));
+  cpSync(join(repository, 'node_modules/three/examples/jsm/libs/draco/gltf'), join(folder, 'draco'), {
+    recursive: true,
+  });
   const peers = installPeers();
   if (peers === null) console.error('The other viewers cannot be installed: no model will be measured.');
   else copyPeers(join(folder, 'peers'));
