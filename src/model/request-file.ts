@@ -66,9 +66,6 @@ export function requestCode({ pathname }: URL): void {
   );
   for (const code of [modelCode, ...(named === undefined ? [] : [READER_CODE[named]])])
     code().catch(() => undefined); // reported when it is used
-  // What these chunks import, which would be found only when they have come.
-  import('./slices.js').catch(() => undefined);
-  if (named !== 'gltf') import('./triangles/corner-lists.js').catch(() => undefined);
 }
 
 /** Requests that no element has taken yet, by address and credentials. */

@@ -258,7 +258,7 @@ export class Viewport implements StageClient, Framed {
   draw(): void {
     if (!this.drawable) return;
     if (this.awaited())
-      stage.draw(this, () => undefined); // opens the context meanwhile
+      stage.draw(this); // opens the context meanwhile
     else if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.#still.step()) return;
     if (this.#moving || this.#still.startable) this.animate();

@@ -69,6 +69,12 @@ export function writeModels(folder) {
   write(MODELS['four textures'], texturedSpheres().glb());
   write(MODELS['500 parts'], manyParts().glb());
   write(CHECKS, checkedSphere().glb());
+}
+
+/** @param {string} folder */
+export function writeFirstModels(folder) {
+  /** @param {string} name @param {string | Uint8Array} file */
+  const write = (name, file) => writeFileSync(join(folder, name), file);
   write(FIRST_MODELS['GLB of 1 MB'], one(bumpySphere(230, 115)).glb());
   write(FIRST_MODELS['GLB of 10 MB'], one(bumpySphere(540, 380)).glb());
   const [json, bin] = one(bumpySphere(230, 115)).pair('first.bin');
