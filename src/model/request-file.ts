@@ -66,6 +66,8 @@ export function requestCode({ pathname }: URL): void {
   );
   for (const code of [modelCode, ...(named === undefined ? [] : [READER_CODE[named]])])
     code().catch(() => undefined); // reported when it is used
+  // What both of these import, which would be found 35 ms later. Its failure is theirs.
+  import('./slices.js').catch(() => undefined);
 }
 
 /** Requests that no element has taken yet, by address and credentials. */
