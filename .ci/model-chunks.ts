@@ -1,6 +1,6 @@
 // Which chunks hold the code that several readers of models, or several views, share? Without these groups each shared
-// file would be a request of its own. None of them may be the target of an import(): such a chunk could not be fetched
-// again after a failure.
+// file would be a request of its own. None of them may be the target of an import() by `lazyCode`: such a chunk could
+// not be fetched again after a failure.
 
 export const modelChunks = [
   {

@@ -2,14 +2,16 @@
  * `phong-viewer`: registers `<phong-viewer>`, `<phong-light>`, `<phong-mesh>` and `<phong-compare>`. Importing it
  * without a DOM does nothing. A second copy on a page leaves the first copy's elements alone.
  */
-// First, because it must run before Lit does.
+// First, because they must run before Lit and three.js do.
 import { litWasImported } from './element/page/trusted-types.js';
+import './element/page/early-requests.js';
 import { PhongCompare } from './element/phong-compare.js';
 import { PhongLight } from './element/phong-light.js';
 import { PhongMesh } from './element/phong-mesh.js';
 import { PhongViewer } from './element/phong-viewer.js';
 import { providePanel } from './element/viewer/viewer-panel.js';
 import { lazyCode } from './model/lazy-code.js';
+import { endEarly } from './model/request-file.js';
 
 litWasImported();
 providePanel(lazyCode(() => import('./gui/panel.js'), 'the control panel'));
@@ -24,6 +26,7 @@ if (typeof customElements !== 'undefined' && typeof document !== 'undefined') {
   ] as const) {
     if (customElements.get(name) === undefined) customElements.define(name, element);
   }
+  endEarly();
 }
 
 export { PhongCompare, PhongLight, PhongMesh, PhongViewer };

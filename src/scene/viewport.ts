@@ -129,8 +129,10 @@ export class Viewport implements StageClient, Framed {
   }
 
   draw(): void {
-    if (!this.drawable || this.#signals.awaited()) return;
-    if (!this.upToDate) this.redraw();
+    if (!this.drawable) return;
+    if (this.#signals.awaited())
+      stage.draw(this); // opens the context meanwhile
+    else if (!this.upToDate) this.redraw();
     else if (this.#moving || !this.still.step()) return;
     if (this.#moving || this.still.startable) this.animate();
   }

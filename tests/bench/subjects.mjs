@@ -2,7 +2,7 @@
 // What `npm run bench` measures, by name. A subject has sides (the element, plain three.js, …) that are measured in turns; the
 // last side is the one that the others are divided by.
 
-import { MODELS } from './models.mjs';
+import { FIRST_MODELS, MODELS } from './models.mjs';
 
 /**
  * @typedef {import('./pages/frame.js').SideName} SideName
@@ -74,6 +74,8 @@ export const NETWORKS = /** @type {const} */ (['local', '10 Mbit/s']);
 export const modelSubject = (model, network) => `model, ${model}, ${network}`;
 /** All models over one network. @param {(typeof NETWORKS)[number]} network */
 export const modelSubjects = (network) => Object.keys(MODELS).map((model) => modelSubject(model, network));
+/** @param {string} model */
+export const firstModelSubject = (model) => `first picture of models against three's page, ${model}`;
 const MODEL_PAGES = {
   element: 'start-model-element.html',
   'model-viewer': 'start-model-google.html',
@@ -116,6 +118,18 @@ export const SUBJECTS = {
     kind: 'start',
     pages: { element: 'start-boxes-element.html', three: 'start-boxes-three.html' },
   },
+  ...Object.fromEntries(
+    Object.entries(FIRST_MODELS).map(([model, file]) => [
+      firstModelSubject(model),
+      /** @type {StartSubject} */ ({
+        kind: 'start',
+        pages: {
+          element: `start-model-element.html?model=models/${file}`,
+          three: `start-model-three.html?model=models/${file}`,
+        },
+      }),
+    ]),
+  ),
   ...Object.fromEntries(
     NETWORKS.flatMap((network) =>
       Object.entries(MODELS).map(([model, file]) => [

@@ -85,7 +85,8 @@ export class ViewerLoading implements MeshHost, ReactiveController {
     this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
-    signals.awaited = () => !this.#hasDrawn && this.#meshes().some((mesh) => mesh.awaitsShape);
+    signals.awaited = () =>
+      !this.#hasDrawn && (this.#isEmpty || this.#meshes().some((mesh) => mesh.awaitsShape));
     signals.recover = (error, draw) => this.#recover(error, draw);
     signals.painted.listen(() => this.#drawn());
     signals.viewChanged.listen(({ near }) => {
@@ -217,6 +218,12 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   /** Something is there, whatever else failed. */
   get shows(): boolean {
     return this.#meshes().some(({ root }) => root !== null);
+  }
+
+  /** A picture would show nothing, but something is on its way. */
+  get #isEmpty(): boolean {
+    const { children, background } = this.#context.picture.scene;
+    return this.pending && children.length === 0 && background === null;
   }
 
   /** Everything requested is there, and shapes have been drawn. False if nothing is requested. */

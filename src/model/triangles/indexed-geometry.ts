@@ -21,7 +21,7 @@ export async function indexedGeometry(
   const count = ranges.reduce((sum, { start, end }) => sum + end - start, 0);
   budget.add({ parts: 1, corners: count, values: count });
   const index = new Uint32Array(count);
-  const vertices = new Vertices(count);
+  const vertices = new Vertices(lists.places.count);
   const byFace = lists.faceColors.length > 0;
   let next = 0;
   for (const { start, end } of ranges) {
@@ -83,19 +83,24 @@ async function gathered(
   return new BufferAttribute(values, size);
 }
 
-const NO_LISTS: readonly Growing<Int32Array>[] = [];
+const NO_LISTS: readonly [] = [];
 
-/** Distinct quadruples of numbers, in the order in which they first come. A hash table with open addressing. */
+/** Vertices at one position that are compared. With more, a vertex may be there twice. */
+const MOST_COMPARED = 64;
+
+/** Distinct quadruples of numbers, in the order in which they first come; those of a position are chained. */
 class Vertices {
   readonly positions = new Growing(Int32Array);
   readonly uvs = new Growing(Int32Array);
   readonly normals = new Growing(Int32Array);
   readonly colors = new Growing(Int32Array);
-  /** Number of a vertex plus 1; 0 is free. At least half of it stays free. */
-  readonly #table: Uint32Array;
+  /** By position: number plus 1 of its latest vertex; 0 for none. */
+  readonly #latest: Uint32Array;
+  /** By vertex: number plus 1 of the one before it at its position. */
+  readonly #before = new Growing(Uint32Array);
 
-  constructor(most: number) {
-    this.#table = new Uint32Array(2 ** Math.ceil(Math.log2(Math.max(2 * most, 16))));
+  constructor(positions: number) {
+    this.#latest = new Uint32Array(positions);
   }
 
   get length(): number {
@@ -103,42 +108,29 @@ class Vertices {
   }
 
   /** The lists that the next vertex makes grow, to be grown one by one. */
-  get full(): readonly Growing<Int32Array>[] {
-    return this.positions.isFull ? [this.positions, this.uvs, this.normals, this.colors] : NO_LISTS;
+  get full(): readonly Pick<Growing<Int32Array>, 'grow'>[] {
+    const { positions, uvs, normals, colors } = this;
+    return positions.isFull ? [positions, uvs, normals, colors, this.#before] : NO_LISTS;
   }
 
   numberOf(position: number, uv: number, normal: number, color: number): number {
-    const table = this.#table;
-    const mask = table.length - 1;
-    for (let slot = hash(position, uv, normal, color) & mask; ; slot = (slot + 1) & mask) {
-      const known = (table[slot] ?? 0) - 1;
-      if (known < 0) {
-        table[slot] = this.length + 1;
-        this.positions.push(position);
-        this.uvs.push(uv);
-        this.normals.push(normal);
-        this.colors.push(color);
-        return this.length - 1;
-      }
-      if (
-        this.positions.array[known] === position &&
-        this.uvs.array[known] === uv &&
-        this.normals.array[known] === normal &&
-        this.colors.array[known] === color
-      ) {
+    const latest = this.#latest[position] ?? 0;
+    for (
+      let next = latest, i = 0;
+      next > 0 && i < MOST_COMPARED;
+      next = this.#before.array[next - 1] ?? 0, i++
+    ) {
+      const known = next - 1;
+      const { uvs, normals, colors } = this;
+      if (uvs.array[known] === uv && normals.array[known] === normal && colors.array[known] === color)
         return known;
-      }
     }
+    this.#before.push(latest);
+    this.positions.push(position);
+    this.uvs.push(uv);
+    this.normals.push(normal);
+    this.colors.push(color);
+    this.#latest[position] = this.length;
+    return this.length - 1;
   }
-}
-
-/** Mixes four numbers to 32 bits. The constants are odd with irregular bits, as in MurmurHash3's final steps. */
-function hash(a: number, b: number, c: number, d: number): number {
-  let mixed =
-    Math.imul(a, 0x9e3779b1) ^
-    Math.imul(b + 1, 0x85ebca6b) ^
-    Math.imul(c + 1, 0xc2b2ae35) ^
-    Math.imul(d + 1, 0x27d4eb2f);
-  mixed = Math.imul(mixed ^ (mixed >>> 16), 0x85ebca6b);
-  return (mixed ^ (mixed >>> 13)) >>> 0;
 }
