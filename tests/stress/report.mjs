@@ -218,6 +218,10 @@ const rowsOf = (stacks) =>
   distinct(
     stacks.map(({ drivers }) => drivers['shipped']?.measured ?? []),
     ({ id }) => id,
+  ).map((row) =>
+    stacks
+      .flatMap(({ drivers }) => drivers['shipped']?.measured ?? [])
+      .reduce((most, one) => (one.id === row.id && one.bound > most.bound ? one : most), row),
   );
 
 /** All checks of chunks that the newest loop has. @param {readonly Stack[]} stacks */
