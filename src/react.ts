@@ -14,6 +14,8 @@ import {
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
+import { attributesOf } from './element/fields/field-binding.js';
+import { CONTROL_FIELDS } from './element/fields/control-fields.js';
 import type { ComponentProps } from './element/jsx.js';
 import type { Elements, Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
@@ -22,6 +24,7 @@ export type PhongLightElement = elements.PhongLight;
 export type PhongMeshElement = elements.PhongMesh;
 export type PhongViewerElement = elements.PhongViewer;
 export type PhongCompareElement = elements.PhongCompare;
+export type PhongControlElement = elements.PhongControl;
 
 export type PhongLightProps = ComponentProps<elements.PhongLightProps, object>;
 export type PhongMeshProps = ComponentProps<elements.PhongMeshProps, elements.PhongMeshEventMap>;
@@ -59,6 +62,14 @@ export const PhongViewer: ForwardRefExoticComponent<PhongViewerProps> = componen
 export const PhongCompare: ForwardRefExoticComponent<PhongCompareProps> = component(
   'phong-compare',
   elements.PhongCompare.observedAttributes,
+);
+
+export type PhongControlProps = ComponentProps<elements.PhongControlProps, object>;
+
+/** `<phong-control>`, as {@link PhongLight}. Its children are its label. */
+export const PhongControl: ForwardRefExoticComponent<PhongControlProps> = component(
+  'phong-control',
+  attributesOf(CONTROL_FIELDS),
 );
 
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */

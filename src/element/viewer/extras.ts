@@ -1,7 +1,7 @@
 // The parts that most viewers do without: helpers, a legend, the probe, linked cameras. Each is a chunk that is fetched
 // with its first use, and removed again.
 import type { ReactiveController } from 'lit';
-import { lazyCode } from '../../model/lazy-code.js';
+import { lazyCode, reportMissing } from '../../model/lazy-code.js';
 import type { Viewport } from '../../scene/viewport.js';
 import type { ViewerValues } from '../fields/viewer-fields.js';
 import type { PhongViewer, CameraSource } from '../elements.js';
@@ -44,35 +44,26 @@ export interface Extra {
 
 interface Kind {
   readonly wanted: (values: Readonly<ViewerValues>, viewer: PhongViewer) => boolean;
-  readonly load: () => Promise<(host: ExtraHost) => Extra>;
+  readonly load: () => Promise<{ readonly create: (host: ExtraHost) => Extra }>;
 }
 
 const KINDS: readonly Kind[] = [
   {
     wanted: ({ helpers }) => helpers.length > 0,
-    load: lazyCode(
-      () => import('../../overlay/helpers/helpers.js').then(({ createHelpers }) => createHelpers),
-      'helpers',
-    ),
+    load: lazyCode(() => import('../../overlay/helpers/helpers.js'), 'helpers'),
   },
   {
     wanted: ({ view, viewLight }) => view !== 'shaded' || viewLight !== '',
-    load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
+    load: lazyCode(() => import('../../overlay/legend/legend.js'), 'views'),
   },
   {
     wanted: ({ probe }) => probe,
-    load: lazyCode(
-      () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
-      'the probe',
-    ),
+    load: lazyCode(() => import('../../overlay/probe/probe.js'), 'the probe'),
   },
   {
     wanted: ({ cameraGroup }, viewer) =>
       cameraGroup !== '' || viewer.parentElement?.localName === 'phong-compare',
-    load: lazyCode(
-      () => import('./camera-group.js').then(({ createMember }) => createMember),
-      'linked cameras',
-    ),
+    load: lazyCode(() => import('./camera-group.js'), 'linked cameras'),
   },
 ];
 
@@ -168,14 +159,12 @@ export class ViewerExtras implements ReactiveController {
     const tree = this.#tree;
     if (tree === null) return;
     this.#extras.set(kind, 'loading');
-    const create = await kind.load().catch((error: unknown) => {
-      console.warn(`<phong-viewer>: ${(error as Error).message}`);
-    });
+    const code = await kind.load().catch(reportMissing);
     if (this.#extras.get(kind) !== 'loading') return;
     this.#extras.delete(kind);
-    if (create === undefined || !this.#context.viewer.isConnected) return;
+    if (code === undefined || !this.#context.viewer.isConnected) return;
     const { viewer, values, viewport } = this.#context;
-    const extra = create({
+    const extra = code.create({
       viewer,
       values,
       viewport,
