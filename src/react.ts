@@ -14,8 +14,7 @@ import {
 } from 'react';
 import type { PhongCompareEventMap, PhongViewerEventMap } from './element/events.js';
 import { attributeOf } from './element/fields/attribute-text.js';
-import { attributesOf } from './element/fields/field-binding.js';
-import { CONTROL_FIELDS } from './element/fields/control-fields.js';
+import type { ControlValues } from './element/fields/control-fields.js';
 import type { ComponentProps } from './element/jsx.js';
 import type { Elements, Handlers } from './element/types/markup.js';
 import * as elements from './index.js';
@@ -69,7 +68,8 @@ export type PhongControlProps = ComponentProps<elements.PhongControlProps, objec
 /** `<phong-control>`, as {@link PhongLight}. Its children are its label. */
 export const PhongControl: ForwardRefExoticComponent<PhongControlProps> = component(
   'phong-control',
-  attributesOf(CONTROL_FIELDS),
+  // Written out: the table of fields would bring its code.
+  ['for', 'attribute', 'component', 'values', 'min', 'max', 'step', 'type'] satisfies (keyof ControlValues)[],
 );
 
 /** The elements' own events by their props. React itself adds no such listener when it hydrates. */

@@ -73,7 +73,8 @@ export class ViewerExtras implements ReactiveController {
   readonly #children: ViewerChildren;
   readonly #visibility: Visibility;
   readonly #names: ExtraHost['names'] = { placed: [] };
-  readonly #extras = new Map<Kind, Extra | 'loading'>();
+  /** Null while its code is being fetched. */
+  readonly #extras = new Map<Kind, Extra | null>();
   readonly #fetching = new Set<Promise<void>>();
   #tree: ViewerTree | null = null;
 
@@ -88,10 +89,10 @@ export class ViewerExtras implements ReactiveController {
     this.#children = children;
     this.#visibility = visibility;
     signals.drawn.listen(() => {
-      for (const extra of this.#extras.values()) if (extra !== 'loading') extra.update();
+      for (const extra of this.#extras.values()) extra?.update();
     });
     signals.cameraMoved.listen(({ source }) => {
-      for (const extra of this.#extras.values()) if (extra !== 'loading') extra.cameraMoved?.(source);
+      for (const extra of this.#extras.values()) extra?.cameraMoved?.(source);
     });
   }
 
@@ -110,7 +111,7 @@ export class ViewerExtras implements ReactiveController {
   }
 
   hostDisconnected(): void {
-    for (const kind of [...this.#extras.keys()]) this.#drop(kind);
+    for (const kind of this.#extras.keys()) this.#drop(kind);
   }
 
   /** The viewer's values have changed. */
@@ -119,7 +120,7 @@ export class ViewerExtras implements ReactiveController {
       const extra = this.#extras.get(kind);
       if (!kind.wanted(this.#context.values, this.#context.viewer)) this.#drop(kind);
       else if (extra === undefined) this.#wait(this.#fetch(kind));
-      else if (extra !== 'loading') extra.update();
+      else extra?.update();
     }
   }
 
@@ -130,9 +131,7 @@ export class ViewerExtras implements ReactiveController {
 
   /** What the extras show belongs to this picture, which was captured in this task. */
   async drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void> {
-    const extras = KINDS.map((kind) => this.#extras.get(kind)).filter(
-      (extra) => extra !== undefined && extra !== 'loading',
-    );
+    const extras = KINDS.flatMap((kind) => this.#extras.get(kind) ?? []);
     if (extras.length === 0) return;
     const { width, height } = picture;
     // Apart from the picture: the scene can change while some code is fetched.
@@ -152,15 +151,15 @@ export class ViewerExtras implements ReactiveController {
   #drop(kind: Kind): void {
     const extra = this.#extras.get(kind);
     this.#extras.delete(kind);
-    if (extra !== 'loading') extra?.dispose();
+    extra?.dispose();
   }
 
   async #fetch(kind: Kind): Promise<void> {
     const tree = this.#tree;
     if (tree === null) return;
-    this.#extras.set(kind, 'loading');
+    this.#extras.set(kind, null);
     const code = await kind.load().catch(reportMissing);
-    if (this.#extras.get(kind) !== 'loading') return;
+    if (this.#extras.get(kind) !== null) return;
     this.#extras.delete(kind);
     if (code === undefined || !this.#context.viewer.isConnected) return;
     const { viewer, values, viewport } = this.#context;
