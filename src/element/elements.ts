@@ -6,6 +6,7 @@ import type { Listen, PhongCompareEventMap, PhongMeshEventMap, PhongViewerEventM
 import type { FragmentExplanation, ShadeOptions } from './explanation.js';
 import type {
   CompareProperties,
+  ControlProperties,
   LightProperties,
   MeshProperties,
   ViewerProperties,
@@ -128,6 +129,11 @@ export interface PhongCompare extends LitElement, CompareProperties {
   readonly viewers: readonly PhongViewer[];
   /** The comparison as markup, with the cameras and dividers as they are now. */
   toHTML(): string;
+}
+
+/** Edits one value of viewers, lights or meshes, anywhere on the page. */
+export interface PhongControl extends HTMLElement, ControlProperties {
+  readonly localName: 'phong-control';
 }
 
 /** A snapshot of what drawing costs. Counts since the viewer was created unless stated otherwise. */

@@ -10,7 +10,6 @@ import type { Say } from './label.js';
 import { SEGMENTS_ROW, SURFACE_ROWS } from './mesh-folder.js';
 import {
   button,
-  edited,
   flag,
   flags,
   inFolder,
@@ -34,19 +33,16 @@ const ofCamera = <K extends keyof Pose>(
   key: K,
   row: Row<Pose[K], PhongViewer>,
 ): Row<ViewerValues[K], PhongViewer> => ({
-  add: (gui, place) => {
-    const { viewer } = place;
-    const move = (value: Pose[K]): void => {
-      fieldsOf(viewer).store.fields[key].check(value);
+  ...(row as Row<ViewerValues[K], PhongViewer>),
+  source: (viewer) => ({
+    subject: cameraOf(viewer),
+    get: () => viewer.camera[key],
+    set(value) {
+      const checked = fieldsOf(viewer).store.fields[key].check(value);
       const camera = viewerCameras.get(viewer);
-      camera?.place({ pose: { ...camera.placement().pose, [key]: value }, framing: null }, 'panel');
-    };
-    row.add(
-      gui,
-      place,
-      edited<Pose[K]>(viewer, cameraOf(viewer), () => viewer.camera[key], move),
-    );
-  },
+      camera?.place({ pose: { ...camera.placement().pose, [key]: checked }, framing: null }, 'panel');
+    },
+  }),
 });
 
 export const VIEWER_ROWS = {

@@ -1,6 +1,6 @@
 // The samples of a picture while it stands still. The code that draws them is fetched with its first use.
 import type { WebGLRenderer } from 'three';
-import { lazyCode } from '../model/lazy-code.js';
+import { lazyCode, reportMissing } from '../model/lazy-code.js';
 import type { Size } from './gpu/atlas.js';
 import type { Region } from './gpu/stage.js';
 import type { ConvergingPicture, Sampled } from './samples/converging-picture.js';
@@ -103,7 +103,7 @@ export class StillPicture {
       this.#converging = new ConvergingPicture(this.#subject, this.#wanted);
       this.#subject.animate();
     } catch (error) {
-      console.warn(`<phong-viewer>: ${(error as Error).message}`);
+      reportMissing(error);
       this.#wanted = 0;
       this.#settled();
     }

@@ -95,7 +95,7 @@ for (const usage of ['standalone', 'modules'] as const) {
   }) => {
     consoleGuard.allow(/error: Failed to load resource/);
     consoleGuard.allow(
-      /warning: <phong-viewer gui>: .*The code of the control panel could not be fetched/,
+      /warning: <phong-viewer>: .*The code of the control panel could not be fetched/,
       2,
     );
     await open(page, site.page(scene, usages[usage]));

@@ -207,6 +207,16 @@ export const VIEWER_TEXTS = [
   // Compared viewers
   'Divider',
   'Divider between {first} and {second}',
+  // A value elsewhere on the page
+  'on',
+  'off',
+  'back',
+  'forward',
+  'terms',
+  'geometry',
+  'helpers',
+  'orbit',
+  'zoom',
 ] as const;
 
 /** The codes of `error`, which are keys of `texts` too. */

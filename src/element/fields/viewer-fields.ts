@@ -1,6 +1,6 @@
 // The values that a viewer declares besides its children: loading, camera, shading and the panel, with domains and
 // defaults in HTML's units.
-import { LIMITS } from '../../light/light-state.js';
+import { LIGHT_FIELDS, LIMITS } from '../../light/light-state.js';
 import {
   type Reflection,
   REFLECTIONS,
@@ -130,11 +130,13 @@ export interface ViewerValues extends ShapeValues, CameraValues {
 export const GUI_FOLDERS = ['lights', 'camera', 'shading', 'show', 'meshes'] as const;
 
 /** Attributes whose rows `gui` can show alone: those of all elements that the panel edits. */
-const GUI_ROWS: readonly string[] = (
-  'active ambient diffuse specular position axis aperture cutoff attenuation space ka kd ks shininess segments ' +
-  'rotation scale name theta phi radius target fov auto-rotate shading reflection terms color-interpolation ' +
-  'antialias samples view view-light helpers probe'
-).split(' ');
+const GUI_ROWS: readonly string[] = [
+  ...Object.keys(LIGHT_FIELDS),
+  ...(
+    'ka kd ks shininess segments rotation scale theta phi radius target fov auto-rotate shading reflection terms ' +
+    'color-interpolation antialias samples view view-light helpers probe'
+  ).split(' '),
+];
 
 const CAMERA_FIELDS: Fields<CameraValues> = {
   theta: numberField(30, {}),

@@ -10,7 +10,7 @@ import type { Extra, ExtraHost } from './extras.js';
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
 
 /** Keeps a viewer in the group that its attributes and its parent name. */
-export function createMember(member: Member): Extra {
+export function create(member: Member): Extra {
   let group: CameraGroup | null = null;
   const join = (next: CameraGroup | null): void => {
     if (next === group) return;

@@ -15,7 +15,8 @@ import { LIGHT_NAME, LightHelpers } from './light-helpers.js';
 import type { SceneBall } from './placed-light.js';
 import { SceneHelpers } from './scene-helpers.js';
 
-export const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
+const createHelpers = (host: ExtraHost): Extra => new Helpers(host);
+export { createHelpers as create };
 
 /** The ball of a scene that shows nothing, as its camera assumes. */
 const EMPTY: SceneBall = { center: [0, 0, 0], radius: 1 };

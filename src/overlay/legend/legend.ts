@@ -13,7 +13,7 @@ import { type Bar, barsOf, titleOf } from './view-scale.js';
 /** Their pictures can be all white or all black, as the page behind them can. */
 const OUTLINED: readonly View[] = ['n-dot-l', 'attenuation', 'decay'];
 
-export const showView = (host: ExtraHost): Extra => new ViewExtra(host);
+export const create = (host: ExtraHost): Extra => new ViewExtra(host);
 
 class ViewExtra implements Extra {
   readonly #host: ExtraHost;

@@ -19,7 +19,7 @@ import { HIDDEN, NOTHING, OUTSIDE } from './words.js';
  */
 const IN_FRONT = 0.005;
 
-export const createProbe = (host: ExtraHost): Extra => new Probe(host);
+export const create = (host: ExtraHost): Extra => new Probe(host);
 
 class Probe implements Extra, ProbeInputHost {
   readonly #host: ExtraHost;
