@@ -13,6 +13,7 @@ import {
   edited,
   flag,
   flags,
+  mapped,
   inFolder,
   NO_ROW,
   number,
@@ -80,7 +81,11 @@ export const VIEWER_ROWS = {
     view: oneOf('view', VIEWS),
     viewLight: oneName('view light', lightNames, lightText),
     helpers: flags(HELPERS, (helper) => `show ${helper}`),
-    probe: flag('probe'),
+    probe: mapped<boolean, ViewerValues['probe'], unknown>(
+      flag('probe'),
+      (probe) => probe !== false,
+      (wanted, before) => wanted && (before || true),
+    ),
   }),
   ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.

@@ -60,9 +60,16 @@ const KINDS: readonly Kind[] = [
     load: lazyCode(() => import('../../overlay/legend/legend.js').then(({ showView }) => showView), 'views'),
   },
   {
-    wanted: ({ probe }) => probe,
+    wanted: ({ probe }) => probe !== false,
     load: lazyCode(
       () => import('../../overlay/probe/probe.js').then(({ createProbe }) => createProbe),
+      'the probe',
+    ),
+  },
+  {
+    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
+    load: lazyCode(
+      () => import('../../overlay/probe/watch.js').then(({ createWatch }) => createWatch),
       'the probe',
     ),
   },
