@@ -30,6 +30,8 @@ export interface Equation {
   readonly symbols: string;
   /** With what a question gives: coefficients, intensities and the exponent. */
   readonly given: string;
+  /** Angles and distance, for a question. */
+  readonly facts: string;
   readonly numbers: string;
   readonly value: number;
   readonly result: string;
@@ -67,9 +69,9 @@ export function equationsOf(
     const products = fragment.shares.flatMap((share, i) =>
       share === null
         ? []
-        : options.terms.map((term) =>
-            product(fragment, share, options.lights[i]!, term, channel as 0, options, texts),
-          ),
+        : options.terms
+            .filter((term) => isLit(fragment, options.lights[i]!, term))
+            .map((term) => product(fragment, share, options.lights[i]!, term, channel as 0, options, texts)),
     );
     return [...products, sumOf(products, own[channel]!, fragment.color[channel]!, options.linear, texts)];
   });
@@ -80,6 +82,10 @@ export function equationsOf(
     return each.map((equation, c) => ({ ...equation, channel: CHANNELS[c]! }));
   });
 }
+
+/** A black coefficient or intensity has no equation. */
+const isLit = (fragment: FragmentExplanation, light: Readonly<LightValues>, term: Term): boolean =>
+  light[term].some((x, channel) => x > 0 && fragment[`k${NAMES[term]}`][channel]! > 0);
 
 function product(
   fragment: FragmentExplanation,
@@ -236,6 +242,7 @@ function product(
   const digits = decimals(2, isTrue);
   return {
     ...{ term, light: share.light, name: share.name, channel: null, value, wrongs },
+    facts: term === 'ambient' && decay === 1 ? '' : factsOf(share, light, term, halfway, texts),
     symbols: shown.map(({ symbol }) => symbol).join(' · '),
     given: shown
       .map((factor) => factor.given ?? (factor.isGiven === true ? numberOf(factor, 4) : factor.symbol))
@@ -243,6 +250,30 @@ function product(
     numbers: shown.map((factor) => numberOf(factor, digits)).join(' · '),
     result: resultText(value, texts),
   };
+}
+
+function factsOf(
+  { NoL, RoV, d, c, att, decay, insideCone }: LightExplanation,
+  { attenuation, aperture, cutoff }: Readonly<LightValues>,
+  term: Term,
+  halfway: boolean,
+  texts: ViewerTexts | null,
+): string {
+  const number = (x: number): string => numberText(x, Number.isInteger(x) ? 0 : 3, texts);
+  const facts: string[] = [];
+  if (term === 'diffuse') facts.push(`N ∠L ${degreesText(NoL, 1, texts)}`);
+  if (term === 'specular') facts.push(`${halfway ? 'N ∠H' : 'R ∠V'} ${degreesText(RoV, 2, texts)}`);
+  if (term !== 'ambient' && att !== 1) {
+    const [kc, kl, kq] = attenuation.map(number);
+    facts.push(`d = ${number(d)}`, `att = 1 / (${kc} + ${kl} d + ${kq} d²)`);
+  }
+  if (decay !== 1 || !insideCone)
+    facts.push(
+      `${phrase(texts, 'axis')} ∠L ${degreesText(c, 1, texts)}`,
+      `${phrase(texts, 'aperture °')} ${number(aperture)}`,
+      `${phrase(texts, 'cutoff')} ${number(cutoff)}`,
+    );
+  return facts.join(', ');
 }
 
 function sumOf(
@@ -271,7 +302,7 @@ function sumOf(
   const inner = list.length === 0 ? '0' : list.join(' + ');
   const isClamped = encode(total) > 1;
   return {
-    ...{ term: 'sum', light: null, name: '', channel: null, value, wrongs },
+    ...{ term: 'sum', light: null, name: '', channel: null, value, wrongs, facts: '' },
     symbols: own > 0 ? 'Σ + E' : 'Σ',
     given: own > 0 ? 'Σ + E' : 'Σ',
     numbers: linear ? `sRGB(${inner})` : isClamped ? `min(${inner}, 1)` : inner,
@@ -279,16 +310,17 @@ function sumOf(
   };
 }
 
-/** Two decimals, or more where these would be zeros. */
-const resultText = (value: number, texts: ViewerTexts | null): string =>
-  numberText(
-    value,
-    value === 0 || value === 1 ? 0 : decimals(2, (n) => Math.abs(value) >= 0.5 * 10 ** (1 - n)),
-    texts,
-  );
+/** Two decimals, or up to four where these would be zeros. */
+const resultText = (value: number, texts: ViewerTexts | null): string => {
+  const isShown = (digits: number): boolean => digits === 4 || Math.abs(value) >= 0.5 * 10 ** (1 - digits);
+  return numberText(value, value === 0 || value === 1 ? 0 : decimals(2, isShown), texts);
+};
 
 /** A verdict on what was typed. */
 export type Verdict = Pick<AnswerDetail, 'value' | 'correct' | 'mistake'> & { readonly text: string };
+
+/** Nobody sees this difference: an eighth of a code. */
+const UNSEEN = 0.0005;
 
 /** Rounding of given numbers on the way: a share of the value. */
 const SLACK = 0.002;
@@ -309,7 +341,7 @@ export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerT
     Math.abs(answer - x) <= Math.max(0.5 * unit, SLACK * Math.abs(x)) * (1 + 1e-9) + 1e-12;
   /** Digits that would fit many numbers. */
   const isCoarse = (x: number): boolean =>
-    Math.abs(answer - x) > 1e-9 && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
+    Math.abs(answer - x) > UNSEEN && 0.5 * unit > 0.1 * Math.abs(x) + 0.001;
   // A bare 0 is an answer, not a rounded one.
   if (isNear(value) && !(answer === 0 && isCoarse(value))) {
     const correct = !isCoarse(value);
@@ -324,11 +356,7 @@ export function judge(typed: string, { value, wrongs }: Equation, texts: ViewerT
     (wrong) => isNear(wrong.value) && !isCoarse(wrong.value),
   );
   const said = [...new Set(found.map(({ text }) => text))].slice(0, 2);
-  const difference = numberText(
-    Math.abs(answer - value),
-    decimals(2, (n) => Math.abs(answer - value) >= 10 ** (1 - n)),
-    texts,
-  );
+  const difference = resultText(Math.abs(answer - value), texts);
   const text =
     said.length > 0
       ? said.join(` ${phrase(texts, 'Or:')} `)

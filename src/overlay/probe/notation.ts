@@ -9,12 +9,20 @@ export function mathOf(text: string): TemplateResult {
 
 function rowOf(tokens: readonly string[]): TemplateResult {
   const parts: TemplateResult[] = [];
+  const open: number[] = [];
+  // What a power is of: the last token, or the last parentheses with the function before them.
+  let base = 0;
   for (let i = 0; i < tokens.length; i++) {
-    const base = atomOf(tokens[i]!);
-    if (tokens[i + 1] === '^') {
-      parts.push(mathml`<msup>${base}${atomOf(tokens[i + 2] ?? '')}</msup>`);
-      i += 2;
-    } else parts.push(base);
+    const token = tokens[i]!;
+    if (token === '^') {
+      const power = atomOf(tokens[++i] ?? '');
+      parts.push(mathml`<msup><mrow>${parts.splice(base)}</mrow>${power}</msup>`);
+      continue;
+    }
+    base = parts.length;
+    if (token === '(') open.push(/^m(ax|in)$/.test(tokens[i - 1] ?? '') ? base - 1 : base);
+    if (token === ')') base = open.pop() ?? base;
+    parts.push(atomOf(token));
   }
   return mathml`<mrow>${parts}</mrow>`;
 }

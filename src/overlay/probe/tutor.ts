@@ -35,6 +35,7 @@ export class Tutor {
         : [equation.given, '='];
       return html`<li>
         <span class="title" dir="auto">${titleOf(equation, texts)}</span>
+        ${asks && equation.facts !== '' ? html`<small dir="ltr">${equation.facts}</small>` : nothing}
         ${sides.map((side) => html`${mathOf(side)} `)}
         ${asks && !attempt.shown ? this.#question(equation, attempt, texts) : nothing}
       </li>`;
