@@ -81,6 +81,7 @@ const EVENTS: ReadonlyMap<string, string> = new Map(
     onCameraChange: 'camera-change',
     onLightChange: 'light-change',
     onProbeChange: 'probe-change',
+    onAnswer: 'answer',
     onRender: 'render',
     onDividerChange: 'divider-change',
   } satisfies Record<keyof Handlers<AllEvents>, keyof AllEvents>),

@@ -102,6 +102,12 @@ export interface PhongViewer extends LitElement, ViewerProperties {
    * on the page. Rejects with `TypeError` or `RangeError` unless x and y are finite numbers.
    */
   shadeAt(x: number, y: number, options?: ShadeOptions): Promise<FragmentExplanation | null>;
+  /**
+   * Explains a point of the scene, in world space, as {@link shadeAt} does a pixel: the surface there, drawn, hidden or
+   * outside the picture. Null if no surface is near it on the line from the eye, and while the viewer has no box on the
+   * page. Rejects with `TypeError` or `RangeError` unless it is three finite numbers.
+   */
+  explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null>;
   /** The scene as markup with the camera as it is now. Loaded at the same size, it gives the same picture. */
   toHTML(): string;
   /** Back to the last declared camera. */

@@ -190,6 +190,12 @@ class ViewerElement extends LitElement implements PublicViewer {
     return (await lazy.shadeAt()).shadeAt(snapshot, x, y, options);
   }
 
+  async explain(point: readonly [number, number, number]): Promise<FragmentExplanation | null> {
+    this.#update();
+    const snapshot = this.#extras.snapshot();
+    return (await lazy.shadeAt()).explain(snapshot, point);
+  }
+
   toHTML(): string {
     return sceneMarkup(this);
   }

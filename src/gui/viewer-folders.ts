@@ -12,6 +12,7 @@ import {
   button,
   flag,
   flags,
+  mapped,
   inFolder,
   NO_ROW,
   number,
@@ -76,7 +77,11 @@ export const VIEWER_ROWS = {
     view: oneOf('view', VIEWS),
     viewLight: oneName('view light', lightNames, lightText),
     helpers: flags(HELPERS, (helper) => `show ${helper}`),
-    probe: flag('probe'),
+    probe: mapped<boolean, ViewerValues['probe'], unknown>(
+      flag('probe'),
+      (probe) => probe !== false,
+      (wanted, before) => wanted && (before || true),
+    ),
   }),
   ...inFolder('Material', { ...SURFACE_ROWS, segments: SEGMENTS_ROW }),
   // The row of files opens models.

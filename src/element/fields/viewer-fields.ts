@@ -109,8 +109,11 @@ export interface ViewerValues extends ShapeValues, CameraValues {
    * Empty, the default: all lights, or the first active one where a view is of one.
    */
   viewLight: string;
-  /** The user can point at the picture to see N, L, R and V there, and the sum light by light. Default false. */
-  probe: boolean;
+  /**
+   * The user can point at the picture to see N, L, R and V there, and the sum light by light. `formula`: the equation
+   * with the numbers of the point in place of the table. `ask`: the same as questions. Default false.
+   */
+  probe: boolean | 'formula' | 'ask';
   /**
    * World-space point. The probe explains the fragment at its pixel until the user points elsewhere. Null, the default:
    * none.
@@ -137,6 +140,8 @@ const GUI_ROWS: readonly string[] = [
     'color-interpolation antialias samples view view-light helpers probe'
   ).split(' '),
 ];
+
+const PROBE_VALUES = 'true, false, formula or ask';
 
 const CAMERA_FIELDS: Fields<CameraValues> = {
   theta: numberField(30, {}),
@@ -172,7 +177,18 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
   helpers: { ...subsetField<Helper>(HELPERS, []), empty: Object.freeze<Helper[]>(['lights']) },
   view: choiceField<View>('shaded', VIEWS),
   viewLight: textField(),
-  probe: presenceField(),
+  probe: {
+    kind: 'flag-or-words',
+    fallback: false,
+    expected: PROBE_VALUES,
+    check(value) {
+      if (typeof value === 'boolean') return value;
+      const word = String(value);
+      if (word === 'formula' || word === 'ask') return word;
+      if (word === 'probe') return true;
+      throw new RangeError(`expected ${PROBE_VALUES}, got ${word}`);
+    },
+  },
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
   cameraGroup: textField(),
   gui: flagOrWordsField('gui', 'true, false, folders of the panel or names of attributes', [

@@ -57,8 +57,12 @@ const KINDS: readonly Kind[] = [
     load: lazyCode(() => import('../../overlay/legend/legend.js'), 'views'),
   },
   {
-    wanted: ({ probe }) => probe,
+    wanted: ({ probe }) => probe !== false,
     load: lazyCode(() => import('../../overlay/probe/probe.js'), 'the probe'),
+  },
+  {
+    wanted: ({ probe, probeAt }) => probe === false && probeAt !== null,
+    load: lazyCode(() => import('../../overlay/probe/watch.js'), 'the probe'),
   },
   {
     wanted: ({ cameraGroup }, viewer) =>

@@ -71,7 +71,7 @@ class Probe implements Extra, ProbeInputHost {
     this.#listening.abort();
     this.#cancel();
     // Like the camera, the pin stays with a viewer that leaves the page.
-    if (!this.#host.values.probe) viewerPins.delete(this.#host.viewer);
+    if (this.#host.values.probe === false) viewerPins.delete(this.#host.viewer);
     this.#view.dispose();
   }
 
