@@ -111,8 +111,8 @@ describe('the custom elements manifest', () => {
 
   it('lists the events with their details, the slots, the parts and the states', () => {
     const { events, slots, cssParts, cssStates } = declared('phong-viewer');
-    const names = ['load', 'progress', 'error', 'camera-change', 'light-change', 'probe-change', 'render'];
-    expect(events!.map(({ name }) => name).sort()).toEqual(names.sort());
+    const names = 'answer camera-change error light-change load probe-change progress render';
+    expect(events!.map(({ name }) => name).sort()).toEqual(names.split(' '));
     expect(events!.find(({ name }) => name === 'camera-change')!.type.text).toMatch(/source: .*'pointer'/);
     expect(slots!.map(({ name }) => name)).toEqual(['', 'progress', 'error']);
     expect(cssStates!.map(({ name }) => name)).toEqual(['loading', 'error', 'empty']);
