@@ -66,7 +66,10 @@ const lights = (count) => (count === 1 ? '1 light' : `${count} lights`);
 
 /** Lights of the sphere that fills the view, as in the table of aims. */
 export const SPHERE_LIGHTS = [1, 4, 8, 16, 32, 128, 256];
-export const FRAMED_LIGHTS = [1, 8, 32];
+export const FRAMED_LIGHTS = [8, 32];
+export const FRAMED_SHAPES = /** @type {const} */ (['sphere', 'torus', 'teapot']);
+/** @param {(typeof FRAMED_SHAPES)[number]} shape @param {number} count */
+export const framedSubject = (shape, count) => `${shape} framed by default, ${lights(count)}`;
 
 /** How a model reaches the page, as a part of a subject's name. */
 export const NETWORKS = /** @type {const} */ (['local', '10 Mbit/s']);
@@ -97,15 +100,21 @@ export const SUBJECTS = {
   '300 moving lights': frames('moving:300'),
   // Segments as many as the outline needs, and a fixed number.
   ...Object.fromEntries(
-    FRAMED_LIGHTS.map((count) => [
-      `sphere framed by default, ${lights(count)}`,
-      frames(`framed-sphere:${count}`, ['element', 'fixed']),
-    ]),
+    FRAMED_SHAPES.flatMap((shape) =>
+      FRAMED_LIGHTS.map((count) => [
+        framedSubject(shape, count),
+        frames(`framed:${count}:${shape}`, ['element', 'fixed']),
+      ]),
+    ),
   ),
+  'sphere, 8 lights, shininess 128': frames('shiny:8:128'),
+  'sphere, 32 lights, shininess 128': frames('shiny:32:128'),
   'core, 8 lights': frames('sphere:8', ['core', 'element']),
   'script, 128 moving lights': script('box-moving:128', ['element', 'three', 'unlit']),
   'script, turning camera': script('box-turning:3', ['element', 'three', 'unlit']),
   'script, 2,000 boxes': script('boxes:3'),
+  'script, moving one of 10,000 boxes': script('ten-thousand:3:mesh'),
+  'script, turning before 10,000 boxes': script('ten-thousand:3:camera'),
   'script, toggling one of 5,000 lights': script('toggle:5000', ['element']),
   'script, mesh moved beside 1 M triangles': script('beside-a-million:3', ['element']),
   'connecting 5,000 lights': { kind: 'connect' },

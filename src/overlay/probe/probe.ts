@@ -225,7 +225,10 @@ class Probe implements Extra, ProbeInputHost {
     if (fragment === null && message === '') return viewer.loaded ? without(NOTHING) : null;
     const isHidden =
       fragment !== null && projection.depthOf(fragment.p) < (1 - IN_FRONT) * projection.depthOf(point);
-    return isHidden ? without(HIDDEN) : shown;
+    if (isHidden) return without(HIDDEN);
+    // Who asks for numbers gets those of the very point: the pixel's centre is beside it.
+    const exact = this.#host.values.probe === true ? null : await viewer.explain(point);
+    return exact === null ? shown : { ...shown, fragment: exact };
   }
 
   #notify(shown: ProbedPoint | null): void {

@@ -8,6 +8,7 @@ import {
   lightAt,
   ORIGIN,
   millionTriangles,
+  type RoundShape,
   type Scene,
   type SceneLight,
   SURFACE,
@@ -44,13 +45,14 @@ async function open(holder: HTMLElement, scene: Scene, segments: number | 'auto'
   Object.assign(viewer, { alt: 'The scene', theta: 0, phi: 90, fov: FOV });
   if (scene.autoFit !== true) Object.assign(viewer, { target: ORIGIN, radius: scene.radius });
   const lights = scene.lights.map(lightElement);
-  const { ka, kd, ks, shininess } = SURFACE;
+  const { ka, kd, ks } = SURFACE;
+  const { shininess = SURFACE.shininess } = scene;
   const meshes = scene.meshes.map(({ shape, position = ORIGIN, scale = 1 }) => {
     const mesh = document.createElement('phong-mesh');
     if (shape === 'grid.glb') mesh.src = URL.createObjectURL(new Blob([glbOf(millionTriangles())]));
     else if (shape.endsWith('.glb')) mesh.src = shape;
-    else mesh.geometry = shape as 'sphere' | 'box';
-    if (shape === 'sphere') mesh.segments = segments;
+    else mesh.geometry = shape as RoundShape | 'box';
+    if (shape !== 'box') mesh.segments = segments;
     return Object.assign(mesh, { position, scale, ka, kd, ks, shininess });
   });
   viewer.append(...lights, ...meshes);

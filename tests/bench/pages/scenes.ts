@@ -15,9 +15,11 @@ export interface SceneLight {
   readonly cutoff?: number;
 }
 
+export type RoundShape = 'sphere' | 'torus' | 'teapot';
+
 export interface SceneMesh {
   /** A built-in shape, or a model's file. */
-  readonly shape: 'sphere' | 'box' | 'bunny.glb' | 'grid.glb';
+  readonly shape: RoundShape | 'box' | 'bunny.glb' | 'grid.glb';
   readonly position?: Vec3;
   readonly scale?: number;
 }
@@ -34,8 +36,10 @@ export interface Scene {
   /** The eye is at `radius` from the target, on its equator. Vertical field of view: 45 degrees. */
   readonly radius: number;
   readonly motion: Motion;
-  /** Of its spheres, where they have a fixed number. */
+  /** Of its round shapes, where they have a fixed number. */
   readonly segments?: number;
+  /** Of all meshes, in place of the usual one. */
+  readonly shininess?: number;
   /** The eye is inside the first mesh. */
   readonly inside?: boolean;
   /** The element finds target and radius by itself, and again after each move. */
@@ -141,22 +145,26 @@ const box = (lights: number, motion: Motion): Scene => ({
   radius: 2,
 });
 
-const twoThousand = (shape: SceneMesh['shape'], lights: number): Scene => ({
+const boxes = (lights: number, count: Vec3, motion: Motion): Scene => ({
   lights: mixedLights(lights, 40),
-  meshes: grid([20, 10, 10], 1, shape, 0.6),
+  meshes: grid(count, 1, 'box', 0.6),
   radius: 24,
-  motion: 'camera',
+  motion,
 });
 
-/** By name; a number in the name is the number of lights. */
+/** By name; the first number in the name is the number of lights. */
 export function sceneOf(name: string): Scene {
-  const [kind = '', count = ''] = name.split(':');
+  const [kind = '', count = '', more = ''] = name.split(':');
   const lights = Number(count);
   switch (kind) {
     case 'sphere':
       return sphere(lights, 'camera');
-    case 'framed-sphere':
-      return { ...sphere(lights, 'camera'), autoFit: true, segments: 64 };
+    case 'shiny':
+      return { ...sphere(lights, 'camera'), shininess: Number(more) };
+    case 'framed': {
+      const meshes = [{ shape: more as RoundShape }];
+      return { ...sphere(lights, 'camera'), meshes, autoFit: true, segments: 64 };
+    }
     case 'moving':
       return sphere(lights, 'lights');
     case 'changing':
@@ -186,7 +194,9 @@ export function sceneOf(name: string): Scene {
         motion: 'camera',
       };
     case 'boxes':
-      return twoThousand('box', lights);
+      return boxes(lights, [20, 10, 10], 'camera');
+    case 'ten-thousand':
+      return boxes(lights, [25, 20, 20], more as Motion);
     case 'box-turning':
       return box(lights, 'camera');
     case 'box-moving':

@@ -70,14 +70,14 @@ export function threeRenderer(holder: HTMLElement): { renderer: WebGLRenderer; c
   };
 }
 
-export function phongMaterial(inside: boolean): MeshPhongMaterial {
-  const { kd, ks, shininess } = SURFACE;
+export function phongMaterial({ inside, shininess = SURFACE.shininess }: BenchScene): MeshPhongMaterial {
+  const { kd, ks } = SURFACE;
   const material = new MeshPhongMaterial({
     color: new Color().setScalar(kd / 255).convertSRGBToLinear(),
     specular: new Color().setScalar(ks / 255).convertSRGBToLinear(),
     shininess,
   });
-  if (inside) material.side = BackSide;
+  if (inside === true) material.side = BackSide;
   return material;
 }
 
@@ -118,7 +118,7 @@ async function loadGeometry(url: string, material: Material): Promise<BufferGeom
 
 const open = async (holder: HTMLElement, bench: BenchScene, lit: boolean): Promise<Side> => {
   const { renderer, camera } = threeRenderer(holder);
-  const material = lit ? phongMaterial(bench.inside === true) : new MeshBasicMaterial();
+  const material = lit ? phongMaterial(bench) : new MeshBasicMaterial();
   const scene = new Scene();
   const meshes = await threeMeshes(bench, material);
   for (const mesh of meshes) scene.add(mesh);

@@ -166,9 +166,10 @@ test('the picture leaves the panel its place before its code is there, and is dr
   page,
   mount,
 }) => {
-  let send: (() => void) | undefined;
+  let send = (): void => undefined;
+  const sent = new Promise<void>((resolve) => (send = resolve));
   await page.route(/\/panel-/, async (route) => {
-    await new Promise<void>((resolve) => (send = resolve));
+    await sent;
     return route.continue();
   });
   const viewer = (kind: string): string =>
@@ -189,7 +190,7 @@ test('the picture leaves the panel its place before its code is there, and is dr
   const wide = [594, 100, 1];
   const expected = [wide, [300, 100, 1], [400, 215, 1], wide, wide];
   expect(await pictures()).toEqual(expected);
-  send!();
+  send();
   await expect(page.locator('.lil-root')).toHaveCount(4);
   expect(await pictures()).toEqual(expected);
   await page.unroute(/\/panel-/);

@@ -126,7 +126,7 @@ test('the figures of the article behave as their captions say', async ({ page })
   });
   await test.step('a slider under a divider changes the light on both sides', async () => {
     const decay = await figure(page, 'fig-decay');
-    await decay.getByRole('slider', { name: 'cutoff' }).fill('2');
+    await decay.getByRole('spinbutton', { name: 'cutoff' }).fill('2');
     const cutoffs = await decay
       .locator('phong-viewer')
       .evaluateAll((all) => all.map((viewer) => (viewer as unknown as PhongViewer).lights[0]!.cutoff));
