@@ -183,10 +183,13 @@ export const VIEWER_FIELDS: Fields<ViewerValues> = {
     expected: PROBE_VALUES,
     check(value) {
       if (typeof value === 'boolean') return value;
-      if (value === 'formula' || value === 'ask') return value;
-      if (value === 'probe') return true;
-      const message = `expected ${PROBE_VALUES}, got ${String(value)}`;
-      throw typeof value === 'string' ? new RangeError(message) : new TypeError(message);
+      const word = String(value); // of one word, or of a list of them
+      if (word === 'formula' || word === 'ask') return word;
+      if (word === 'probe') return true;
+      const message = `expected ${PROBE_VALUES}, got ${word}`;
+      throw typeof value === 'string' || Array.isArray(value)
+        ? new RangeError(message)
+        : new TypeError(message);
     },
   },
   probeAt: optional(vectorField([0, 0, 0], { min: -LIMITS.coordinate, max: LIMITS.coordinate })),
