@@ -127,6 +127,19 @@ const at = (x: number, y: number, z: number, size: number) =>
 describe('the number of segments that a shape needs', () => {
   const sphere = roundOf('sphere')!;
 
+  it('is 0 for a sphere whose outline is outside the picture, and not where a corner shows it', () => {
+    const corner = Math.hypot(1, 4 / 3) * Math.tan(Math.PI / 8);
+    const filled = 0.5 / Math.sin(Math.atan(corner));
+    const need = (share: number, x: number) =>
+      segmentsIn(viewFrom(share * filled), 1000, sphere, at(x, 0, 0, 1));
+    expect([need(0.99, 0), need(1.01, 0)! > 30, need(0.9, 0), need(0.9, 0.2)! > 30]).toEqual([
+      0,
+      true,
+      0,
+      true,
+    ]);
+  });
+
   it('keeps the outline of a sphere within the tolerance wherever it is in the picture', () => {
     const height = 400;
     for (const fov of [10, 45, 120])

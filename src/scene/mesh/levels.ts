@@ -203,7 +203,8 @@ function coveredIn(
 
 /**
  * Segments that keep the outline of a round shape close enough to the true one, by its bounding sphere. `finest`: how
- * many times the allowed distance goes into a unit of length at depth 1. Null where the shape is out of view.
+ * many times the allowed distance goes into a unit of length at depth 1. 0 where no outline is in view, null where the
+ * shape is not.
  */
 export function segmentsIn(
   { frame, slopeX, slopeY }: View,
@@ -226,14 +227,18 @@ export function segmentsIn(
   if (depth < -reach) return null;
   const squared = x * x + y * y + z * z;
   const distance = Math.sqrt(squared);
+  const ball = isBall(half, m, reach);
   // Where the eye's rays touch a ball; other shapes may reach up to the front of their sphere.
-  const away = isBall(half, m, reach) ? Math.sqrt(Math.abs(squared - reach * reach)) : distance - reach;
+  const away = ball ? Math.sqrt(Math.abs(squared - reach * reach)) : distance - reach;
   const outline = Math.max(away, NEAREST * reach);
   // The farther from the middle of the view, the more pixels an angle has.
-  let cos = 1 / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+  const corner = 1 / Math.sqrt(1 + slopeX * slopeX + slopeY * slopeY);
+  let cos = corner;
   if (distance > reach) {
     const sinReach = reach / distance;
     const cosReach = Math.sqrt(1 - sinReach * sinReach);
+    // A ball that fills the picture, the farthest corner too, shows no outline.
+    if (ball && (depth - slopeX * across - slopeY * upward) * corner > cosReach * distance) return 0;
     const sinMiddle = Math.sqrt(across * across + upward * upward) / distance;
     cos = Math.max(cos, (depth / distance) * cosReach - sinMiddle * sinReach);
   }

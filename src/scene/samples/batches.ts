@@ -25,6 +25,7 @@ export class Batches {
   #most = Infinity;
   /** Batches in time since the last late one. */
   #inTime = 0;
+  #isFirst = true;
   #fence: WebGLSync | null = null;
   #timer = 0;
   #start = 0;
@@ -50,8 +51,9 @@ export class Batches {
     const quick = this.#quick ?? (performance.now() - this.#start < BATCH_MS ? true : null);
     this.cancel();
     if (quick === true) this.#grow();
-    // Not of one sample: the first one allocates and compiles, and the next may take a tenth of its time.
-    if (quick === false && this.#size > 1) this.#limit(this.#size >> 1);
+    // Not the first one, which compiles, allocates or wakes the GPU: the next may take a tenth of its time.
+    if (quick === false && this.#size > 1 && !this.#isFirst) this.#limit(this.#size >> 1);
+    this.#isFirst = false;
     return true;
   }
 

@@ -28,7 +28,7 @@ export interface Sampled extends Size, Captured {
 /** Animation frames without a change before the first sample: a slow drag has frames in which nothing moves. */
 const STILL_FRAMES = 3;
 
-/** One such frame is enough after a change that comes so long after the last standstill began. */
+/** One such frame is enough after a picture with all its samples, or so long after the last standstill began. */
 const LONE_MS = 200;
 
 /** Samples of the first mean that is shown. Multisampling has smoother edges than fewer. */
@@ -103,7 +103,7 @@ export class ConvergingPicture {
 
   /** The scene, the camera or the size has changed. */
   reset(): void {
-    if (this.#stillFrames > 0) this.#dragged = performance.now() - this.#stood < LONE_MS;
+    if (this.#stillFrames > 0) this.#dragged = !this.converged && performance.now() - this.#stood < LONE_MS;
     this.#stillFrames = 0;
     this.#samples = 0;
     this.#failed = false;
