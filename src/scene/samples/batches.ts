@@ -8,8 +8,9 @@ import type { SampleSum } from './sample-sum.js';
 
 const BATCH_MS = 8;
 
-/** Time from one look at the GPU to the next. Browsers call timers of timers no sooner. */
-const LOOK_MS = 4;
+/** Time from one look at the GPU to the next, and the same once the batch is late. */
+const LOOK_MS = 1;
+const LATE_LOOK_MS = 4;
 
 /**
  * Batches in time, one after the other, until more than the last limit is tried again: a late one may have waited for
@@ -27,6 +28,8 @@ export class Batches {
   #inTime = 0;
   #isFirst = true;
   #fence: WebGLSync | null = null;
+  /** Browsers call timers of timers no sooner than after 4 ms: a message stands between them. */
+  readonly #channel = new MessageChannel();
   #timer = 0;
   #start = 0;
   /** Whether the last batch ended in time; null: not known yet, or looked at too late. */
@@ -37,6 +40,9 @@ export class Batches {
     this.#gl = gl;
     this.#size = size;
     this.#next = next;
+    this.#channel.port1.onmessage = () => {
+      if (this.#fence !== null) this.#look();
+    };
   }
 
   /** Samples of the next batch. */
@@ -85,20 +91,17 @@ export class Batches {
   }
 
   #look(): void {
-    // Timers may be a fraction of a millisecond early.
-    const left = Math.ceil(this.#start + BATCH_MS - performance.now()) + 1;
+    clearTimeout(this.#timer);
     this.#timer = window.setTimeout(
       () => {
         const elapsed = performance.now() - this.#start;
         const signalled = this.#signalled;
-        if (!signalled && elapsed < BATCH_MS) {
-          this.#look();
-          return;
-        }
-        if (elapsed < 2 * BATCH_MS) this.#quick = signalled;
+        const isLate = elapsed >= BATCH_MS;
+        if ((signalled || isLate) && elapsed < 2 * BATCH_MS) this.#quick ??= !isLate;
         if (signalled) this.#next?.();
+        else this.#channel.port2.postMessage(null);
       },
-      Math.max(0, Math.min(LOOK_MS, left)),
+      performance.now() - this.#start < BATCH_MS ? LOOK_MS : LATE_LOOK_MS,
     );
   }
 

@@ -139,12 +139,10 @@ export class ConvergingPicture {
     copyPart(renderer, this.#picture!.texture, part ?? { x: 0, y: 0, width, height }, height);
   }
 
-  /** Between two animation frames: draws the next batch, unless the page will show something after it. */
+  /** Between two animation frames: draws the next batch. The next frame shows it. */
   readonly #goOn = (): void => {
-    const { batches, sum, nextShown } = this.#run!;
-    // A batch that has ended may let the next one grow.
-    if (!batches.ended || sum.count + batches.size >= Math.min(nextShown, this.#wanted)) return;
-    this.#aside(this.#draw);
+    const { batches, sum } = this.#run!;
+    if (batches.ended && sum.count < this.#wanted) this.#aside(this.#drawMore);
   };
 
   /** False: there is no context, and the samples drawn so far are forgotten. */
@@ -162,7 +160,12 @@ export class ConvergingPicture {
   readonly #draw = (renderer: WebGLRenderer): void => {
     const run = (this.#run ??= this.#begin(renderer));
     if (run === null) this.#fail();
-    else if (run.batches.ended) this.#advance(renderer, run);
+    // The last batch may still be drawn: what is shown waits for it.
+    else if (run.sum.count === this.#wanted || run.batches.ended) this.#advance(renderer, run, true);
+  };
+
+  readonly #drawMore = (renderer: WebGLRenderer): void => {
+    this.#advance(renderer, this.#run!, false);
   };
 
   readonly #drawNow = (renderer: WebGLRenderer): void => {
@@ -173,7 +176,7 @@ export class ConvergingPicture {
     }
     // The deadline is the GPU's too: reading a pixel waits for it.
     if (run.sum.count % WAITS_AFTER === 0) run.sum.wait();
-    this.#advance(renderer, run);
+    this.#advance(renderer, run, true);
   };
 
   /** Null where the GPU cannot do it. */
@@ -191,17 +194,19 @@ export class ConvergingPicture {
     return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };
   }
 
-  /** Draws one batch, and shows or ends what is complete with it. */
-  #advance(renderer: WebGLRenderer, run: Run): void {
+  /** Draws one batch, if one is missing, and ends what is complete with it. `shown`: the page shows the mean now. */
+  #advance(renderer: WebGLRenderer, run: Run, shown: boolean): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
     const { picture } = this.#subject;
-    picture.make(this.#subject, this.#wanted); // a frame of another size may have been drawn since
-    sendBatch(batches, sum, this.#wanted, tile, renderer, picture);
+    if (sum.count < this.#wanted) {
+      picture.make(this.#subject, this.#wanted); // a frame of another size may have been drawn since
+      sendBatch(batches, sum, this.#wanted, tile, renderer, picture);
+    }
     const complete = sum.count === this.#wanted;
     const isLast = complete && run.tile === tiles.length - 1;
-    const shows = isLast || (tiles.length === 1 && sum.count >= run.nextShown);
-    if (complete || shows) sum.resolve(this.#picture!, fromBelow(tile, this.#subject.height));
+    const shows = shown && (isLast || (tiles.length === 1 && sum.count >= run.nextShown));
+    if (shows || (complete && !isLast)) sum.resolve(this.#picture!, fromBelow(tile, this.#subject.height));
     if (complete && !isLast) {
       run.tile += 1;
       if (!sum.begin(tiles[run.tile]!)) this.#fail();

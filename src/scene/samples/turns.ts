@@ -1,5 +1,5 @@
 // Pictures of a page converge one after the other: the first is finished sooner, and one set of float buffers serves
-// all of them. The set is made for the first picture of a queue and freed after the last. Pictures in view come before
+// all of them. The set is made for the first picture of a queue and freed some time after the last. Pictures in view come before
 // those that are only near it, and otherwise in the order in which they stood still: mostly that of the document.
 import type { WebGLRenderer } from 'three';
 import { SampleSum } from './sample-sum.js';
@@ -15,6 +15,10 @@ export interface Waiting {
 
 let active: Waiting | null = null;
 let waiting = new Set<Waiting>();
+/** While somebody turns a knob, one picture follows the other. Allocating takes 60 ms at 1600 × 900 (H100, OpenGL). */
+const KEPT_MS = 1000;
+
+let freeing = 0;
 let shared: { readonly renderer: WebGLRenderer; readonly sum: SampleSum } | null = null;
 
 /** Whether it is this one's turn. If not, it is woken once it may be. */
@@ -53,12 +57,16 @@ export function release(one: Waiting): void {
   if (active === one) active = null;
   if (active !== null) return;
   const next = nextWaiting();
-  if (next === undefined) shared?.sum.free();
-  else next.wake();
+  if (next !== undefined) next.wake();
+  else
+    freeing = window.setTimeout(() => {
+      shared?.sum.free();
+    }, KEPT_MS);
 }
 
 /** The buffers of whose turn it is. A restored context has another renderer. */
 export function sumOf(renderer: WebGLRenderer): SampleSum {
+  clearTimeout(freeing);
   if (shared?.renderer !== renderer) {
     shared?.sum.dispose();
     shared = { renderer, sum: new SampleSum(renderer) };
