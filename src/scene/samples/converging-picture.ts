@@ -160,8 +160,7 @@ export class ConvergingPicture {
   readonly #draw = (renderer: WebGLRenderer): void => {
     const run = (this.#run ??= this.#begin(renderer));
     if (run === null) this.#fail();
-    // The last batch may still be drawn: what is shown waits for it.
-    else if (run.sum.count === this.#wanted || run.batches.ended) this.#advance(renderer, run, true);
+    else this.#advance(renderer, run, true);
   };
 
   readonly #drawMore = (renderer: WebGLRenderer): void => {
@@ -176,6 +175,7 @@ export class ConvergingPicture {
     }
     // The deadline is the GPU's too: reading a pixel waits for it.
     if (run.sum.count % WAITS_AFTER === 0) run.sum.wait();
+    run.batches.cancel();
     this.#advance(renderer, run, true);
   };
 
@@ -194,12 +194,15 @@ export class ConvergingPicture {
     return { batches, sum, tiles, tile: 0, nextShown: FIRST_SHOWN };
   }
 
-  /** Draws one batch, if one is missing, and ends what is complete with it. `shown`: the page shows the mean now. */
+  /**
+   * Draws one batch where the last one has ended, and ends what is complete with it. `shown`: the page can show the mean
+   * now, and then waits for what is still being drawn.
+   */
   #advance(renderer: WebGLRenderer, run: Run, shown: boolean): void {
     const { batches, sum, tiles } = run;
     const tile = tiles[run.tile]!;
     const { picture } = this.#subject;
-    if (sum.count < this.#wanted) {
+    if (sum.count < this.#wanted && batches.ended) {
       picture.make(this.#subject, this.#wanted); // a frame of another size may have been drawn since
       sendBatch(batches, sum, this.#wanted, tile, renderer, picture);
     }
