@@ -64,6 +64,7 @@ describe('the equation', () => {
     expect(diffuse.symbols).toBe('Kd · Id · att · max(N · L, 0)');
     expect(`${diffuse.numbers} = ${diffuse.result}`).toBe('0.78 · 0.80 · 0.50 · 0.50 = 0.16');
     expect(diffuse.channel).toBeNull();
+    expect(diffuse.facts).toBe('N ∠L 60.0°, d = 2, att = 1 / (1 + 0.25 d²)');
     const colored = asked({ lights: [{ ...LAMP, diffuse: [255, 0, 0] }] });
     expect(colored.filter(({ term }) => term === 'diffuse').map(({ channel }) => channel)).toEqual([
       'red',

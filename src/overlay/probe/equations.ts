@@ -259,18 +259,25 @@ function factsOf(
   halfway: boolean,
   texts: ViewerTexts | null,
 ): string {
-  const number = (x: number): string => numberText(x, Number.isInteger(x) ? 0 : 3, texts);
+  const number = (x: number): string =>
+    numberText(
+      x,
+      decimals(0, (digits) => Math.abs(rounded(x, digits) - x) <= 0.0005 * x),
+      texts,
+    );
   const facts: string[] = [];
   if (term === 'diffuse') facts.push(`N ∠L ${degreesText(NoL, 1, texts)}`);
   if (term === 'specular') facts.push(`${halfway ? 'N ∠H' : 'R ∠V'} ${degreesText(RoV, 2, texts)}`);
   if (term !== 'ambient' && att !== 1) {
-    const [kc, kl, kq] = attenuation.map(number);
-    facts.push(`d = ${number(d)}`, `att = 1 / (${kc} + ${kl} d + ${kq} d²)`);
+    const sum = ['', ' d', ' d²'].flatMap((power, i) =>
+      attenuation[i] === 0 ? [] : `${number(attenuation[i]!)}${power}`,
+    );
+    facts.push(`d = ${number(d)}`, `att = 1 / (${sum.join(' + ')})`);
   }
   if (decay !== 1 || !insideCone)
     facts.push(
       `${phrase(texts, 'axis')} ∠L ${degreesText(c, 1, texts)}`,
-      `${phrase(texts, 'aperture °')} ${number(aperture)}`,
+      `${phrase(texts, 'aperture °').replace(/\s*°$/, '')} ${number(aperture)}°`,
       `${phrase(texts, 'cutoff')} ${number(cutoff)}`,
     );
   return facts.join(', ');
