@@ -5,7 +5,7 @@ import type { Fit, Framing, SharedFit } from '../../scene/auto-fit.js';
 import type { SharedLevels } from '../../scene/mesh/levels.js';
 import type { CameraSource } from '../elements.js';
 import type { CameraLink, ViewerCamera } from './camera.js';
-import type { Extra, ExtraHost } from './extras.js';
+import type { Extra, ExtraHost } from './extra.js';
 
 type Member = Pick<ExtraHost, 'viewer' | 'values' | 'camera' | 'viewport'>;
 

@@ -10,7 +10,6 @@ import type { PhongLight } from '../elements.js';
 import { numberedName } from '../phong-light.js';
 import type { PhongMesh } from '../elements.js';
 import type { PhongViewer } from '../elements.js';
-import type { ViewerExtras } from './extras.js';
 import type { PictureOptions } from './picture-blob.js';
 import type { ViewerChildren } from './children.js';
 import { elementOf } from './element-mesh.js';
@@ -66,7 +65,10 @@ export function viewerSnapshot(
 /** The picture as a file, with what `extras` draw over it. Waits for their code. */
 export async function blobOf(
   viewport: Viewport,
-  extras: Pick<ViewerExtras, 'pending' | 'drawOver'>,
+  extras: {
+    readonly pending: Promise<unknown> | null;
+    drawOver(picture: HTMLCanvasElement, options: PictureOptions): Promise<void>;
+  },
   options: PictureOptions,
 ): Promise<Blob> {
   const { pending } = extras;

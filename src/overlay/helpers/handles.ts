@@ -8,7 +8,7 @@ import { localNumber } from '../../element/page/local-number.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightText } from '../../element/viewer/description.js';
-import type { ExtraHost } from '../../element/viewer/extras.js';
+import type { ExtraHost } from '../../element/viewer/extra.js';
 import { historyOf, undoKey } from '../../element/viewer/history.js';
 import { ARROWS } from '../arrow-keys.js';
 import { inside, type Projection } from '../drawing/projection.js';

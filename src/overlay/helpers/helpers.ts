@@ -2,7 +2,7 @@
 // SVG, or in a picture file as the same list. Knows what each part is for, not how it looks.
 import { create } from '../../element/dom.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import { whole } from '../drawing/label-layout.js';

@@ -1,6 +1,6 @@
 // Names in the picture, and their places. Places the names of all helpers together, so that none covers another. CSS
 // pixels of the layer.
-import type { PlacedName } from '../../element/viewer/extras.js';
+import type { PlacedName } from '../../element/viewer/extra.js';
 import type { Label, Primitive } from '../drawing/display-list.js';
 import { type Box, labelBox, placeLabels, shortened, textWidth } from '../drawing/label-layout.js';
 import type { Point } from '../drawing/projection.js';

@@ -6,7 +6,7 @@ import { fieldsOf } from '../../element/internals.js';
 import type { PhongLight } from '../../element/elements.js';
 import { numberedName } from '../../element/phong-light.js';
 import { lightName } from '../../element/viewer/description.js';
-import type { ExtraHost } from '../../element/viewer/extras.js';
+import type { ExtraHost } from '../../element/viewer/extra.js';
 import { boxAround } from '../drawing/label-layout.js';
 import type { Projection, Ray } from '../drawing/projection.js';
 import { Handles } from './handles.js';

@@ -1,6 +1,6 @@
 // Finds out by rays into a snapshot of the scene what lies behind a shape, and where a spot's axis meets one: a while
 // after a change and in slices. Nothing waits for them, and marks are drawn as before until they are known.
-import type { ExtraHost } from '../../element/viewer/extras.js';
+import type { ExtraHost } from '../../element/viewer/extra.js';
 import type { Vec3 } from '../../math/vector.js';
 import { distanceAlong, pick } from '../../scene/snapshot/pick.js';
 import type { SceneSnapshot } from '../../scene/snapshot/scene-snapshot.js';

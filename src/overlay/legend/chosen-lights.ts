@@ -3,7 +3,7 @@
 import { clipMessage } from '../../fields/clip.js';
 import type { LightState, LightValues } from '../../light/light-state.js';
 import { viewEntry } from '../../material/view/view-table.js';
-import type { ExtraHost } from '../../element/viewer/extras.js';
+import type { ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';
 import { lightName } from '../../element/viewer/viewer-snapshot.js';
 

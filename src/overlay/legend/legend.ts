@@ -1,7 +1,7 @@
 // Shows a view: what the picture draws in place of the shaded colours, and the legend over it. Follows `view` and
 // `view-light`.
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import { phrase } from '../../element/fields/texts.js';
 import { pictureView } from '../../material/view/picture-view.js';
 import type { View } from '../../material/views.js';

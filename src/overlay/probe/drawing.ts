@@ -1,7 +1,7 @@
 // Turns a fragment's figure into lines over the picture: arrows, arcs and labels in CSS pixels of the layer, as a
 // display list.
 import { type Vec3, add, scale } from '../../math/vector.js';
-import type { PlacedName } from '../../element/viewer/extras.js';
+import type { PlacedName } from '../../element/viewer/extra.js';
 import { coreColor, cssColor } from '../drawing/contrast.js';
 import { arrow, type Primitive } from '../drawing/display-list.js';
 import {

@@ -4,7 +4,7 @@ import { html, render } from 'lit';
 import { create, write } from '../../element/dom.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { addStyles, removeStyles } from '../../element/page/style-sheets.js';
-import type { ExtraHost } from '../../element/viewer/extras.js';
+import type { ExtraHost } from '../../element/viewer/extra.js';
 import type { FragmentExplanation } from '../../element/explanation.js';
 import { drawList, fileSize } from '../drawing/canvas-drawing.js';
 import type { Primitive } from '../drawing/display-list.js';

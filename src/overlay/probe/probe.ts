@@ -3,7 +3,7 @@
 import type { ProbeDetail } from '../../element/events.js';
 import { phrase, type ViewerTexts } from '../../element/fields/texts.js';
 import { viewerPins } from '../../element/internals.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import type { PictureOptions } from '../../element/viewer/picture-blob.js';
 import { sameValue } from '../../fields/field-store.js';
 import type { Vec3 } from '../../math/vector.js';

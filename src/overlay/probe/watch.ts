@@ -1,6 +1,6 @@
 // Reports the point of `probe-at` where no probe shows it.
 import type { ProbeDetail } from '../../element/events.js';
-import type { Extra, ExtraHost } from '../../element/viewer/extras.js';
+import type { Extra, ExtraHost } from '../../element/viewer/extra.js';
 import { Projection } from '../drawing/projection.js';
 
 export function create(host: ExtraHost): Extra {
