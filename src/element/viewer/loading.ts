@@ -1,10 +1,8 @@
 // What a viewer loads: its own mesh and its children's, with their progress, events and errors.
 import type { ReactiveController } from 'lit';
 import { clipMessage } from '../../fields/clip.js';
-import type { FieldStore } from '../../fields/field-store.js';
 import type { Animations } from '../../scene/mesh/animation.js';
 import { NoWebGL2Error, stage } from '../../scene/gpu/stage.js';
-import type { ShapeValues } from '../../scene/mesh/mesh-fields.js';
 import { type MeshHost, SceneMesh } from '../../scene/mesh/scene-mesh.js';
 import type { CrossOrigin } from '../../model/request-file.js';
 import type { Budget } from '../../model/budget.js';
@@ -82,7 +80,7 @@ export class ViewerLoading implements MeshHost, ReactiveController {
   constructor(context: ViewerContext, events: EventQueue) {
     const { viewer, store, viewport, signals } = (this.#context = context);
     this.#events = events;
-    this.ownMesh = new SceneMesh(store as unknown as FieldStore<ShapeValues>, this);
+    this.ownMesh = new SceneMesh(store, this);
     sceneMeshes.set(viewer, this.ownMesh);
     viewport.picture.add(this.ownMesh);
     signals.awaited = () =>

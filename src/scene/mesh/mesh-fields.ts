@@ -72,6 +72,13 @@ export interface MeshValues extends ShapeValues {
   reflection: Reflection | null;
 }
 
+/** The values of a mesh, as far as its declaration has them: a viewer that is one has no place of its own. */
+export interface MeshState {
+  readonly values: Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
+  /** Whether a value was set, rather than being the default. */
+  given(key: keyof SurfaceValues): boolean;
+}
+
 /** Largest magnitude of a scale that keeps float32 products finite. */
 const SCALE = 1e12;
 

@@ -1,6 +1,5 @@
 // The three.js meshes that show a content, with their geometries and surfaces.
 import { type BufferGeometry, Group, Matrix4, Mesh, type Object3D } from 'three';
-import type { FieldStore } from '../../fields/field-store.js';
 import { flatGeometry, forgetFlatGeometry, updateFlatGeometry } from '../../material/flat-geometry.js';
 import type { SurfaceValues } from '../../material/material-values.js';
 import type { BaseLook } from '../../material/file-surface.js';
@@ -13,7 +12,7 @@ import type { MeshAnimation } from './animation.js';
 import type { Claim } from '../../model/budget.js';
 import { type Content, type ContentPart, NOTHING } from '../../model/model.js';
 import { flatNeedsOf, shapeContent } from './content-load.js';
-import type { MeshValues, ShapeValues } from './mesh-fields.js';
+import type { MeshState, MeshValues } from './mesh-fields.js';
 import type { Appearance, SharedMaterials } from './shared-materials.js';
 import { FIXED, levelKey } from './shapes/shared-shapes.js';
 import type { LoadedShape } from './shapes/shapes.js';
@@ -227,7 +226,7 @@ const IDENTITY = /* @__PURE__ */ new Matrix4();
 
 /** How a part looks in this style. */
 export function appearanceOf(
-  state: FieldStore<ShapeValues>,
+  state: MeshState,
   source: ContentPart,
   style: Pick<Appearance, 'shading' | 'reflection'>,
 ): Appearance {
@@ -235,7 +234,7 @@ export function appearanceOf(
 }
 
 /** Attributes win, then the file's values, then the defaults. */
-function surfaceOf(state: FieldStore<ShapeValues>, { surface }: ContentPart): SurfaceValues {
+function surfaceOf(state: MeshState, { surface }: ContentPart): SurfaceValues {
   const { values } = state;
   const valueOf = <K extends keyof SurfaceValues>(key: K): SurfaceValues[K] =>
     (state.given(key) ? undefined : surface[key]) ?? values[key];
@@ -243,7 +242,7 @@ function surfaceOf(state: FieldStore<ShapeValues>, { surface }: ContentPart): Su
 }
 
 /** The file's look. An exponent that the author gives replaces the file's roughness. */
-function lookOf(state: FieldStore<ShapeValues>, { look }: ContentPart): BaseLook {
+function lookOf(state: MeshState, { look }: ContentPart): BaseLook {
   if (look.roughness === null || !state.given('shininess')) return look;
   const known = smooth.get(look) ?? { ...look, roughness: null };
   smooth.set(look, known);

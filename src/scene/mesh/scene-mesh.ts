@@ -4,12 +4,11 @@ import type { Object3D } from 'three';
 import { type Animated, type Animations, MeshAnimation } from './animation.js';
 import type { ShadingStyle } from '../../material/material-values.js';
 import type { PhongMaterial } from '../../material/phong-material.js';
-import type { FieldStore } from '../../fields/field-store.js';
 import type { Claim, Need } from '../../model/budget.js';
 import { ModelError, type Content, type ContentPart } from '../../model/model.js';
 import { isOutOfMemory } from '../../model/limits.js';
 import { ContentLoad, type ContentOwner, type LoadHost } from './content-load.js';
-import type { MeshValues, ShapeValues } from './mesh-fields.js';
+import type { MeshState, ShapeValues } from './mesh-fields.js';
 import {
   appearanceOf,
   dress,
@@ -52,10 +51,8 @@ const MANY_PARTS = 256;
 
 type Shading = ShadingStyle['shading'];
 
-type Values = Readonly<ShapeValues & Partial<Omit<MeshValues, keyof ShapeValues>>>;
-
 export class SceneMesh implements Animated, ContentOwner {
-  readonly #state: FieldStore<ShapeValues> | FieldStore<MeshValues>;
+  readonly #state: MeshState;
   readonly #host: MeshHost;
   readonly #load: ContentLoad<SceneMesh>;
   #parent: Object3D | null = null;
@@ -75,7 +72,7 @@ export class SceneMesh implements Animated, ContentOwner {
   #effective: Shading | null = null;
   #reflection: ShadingStyle['reflection'] | null = null;
 
-  constructor(state: FieldStore<ShapeValues> | FieldStore<MeshValues>, host: MeshHost) {
+  constructor(state: MeshState, host: MeshHost) {
     this.#state = state;
     this.#host = host;
     this.#load = new ContentLoad<SceneMesh>(this, host);
@@ -173,7 +170,7 @@ export class SceneMesh implements Animated, ContentOwner {
     if (this.root !== null) parent.add(this.root);
   }
 
-  get #values(): Values {
+  get #values(): MeshState['values'] {
     return this.#state.values;
   }
 
@@ -361,7 +358,7 @@ export class SceneMesh implements Animated, ContentOwner {
 
   /** In the style that its values, not the picture, say. */
   #appearanceOf(source: ContentPart, style: Pick<Appearance, 'shading' | 'reflection'>): Appearance {
-    return appearanceOf(this.#state as FieldStore<ShapeValues>, source, style);
+    return appearanceOf(this.#state, source, style);
   }
 
   #place(): void {
