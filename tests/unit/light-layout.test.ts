@@ -1,19 +1,15 @@
 // Do the GLSL's defines and the packing's offsets come from one table, and does the table hold together?
 
 import { describe, expect, it } from 'vitest';
+import { GRID, HEADER, layoutDefines, ROWS, TEXTURE_ROWS_LOG2 } from '../../src/light/light-layout.js';
 import {
-  GRID,
-  HEADER,
   LARGEST_INTEGER_POWER,
   LARGEST_MILD_CUTOFF,
   LARGEST_MILD_POWER,
-  layoutDefines,
   LEAST_EXPONENT,
   LIMIT_OPEN,
   NEAREST,
-  ROWS,
-  TEXTURE_ROWS_LOG2,
-} from '../../src/light/light-layout.js';
+} from '../../src/light/precision.js';
 
 const defines = new Map(
   layoutDefines()

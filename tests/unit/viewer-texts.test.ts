@@ -9,7 +9,7 @@ import { checkedTexts, phrase, type ViewerTexts } from '../../src/element/fields
 import type { PhongViewerProps } from '../../src/element/jsx.js';
 import { HELPERS } from '../../src/element/fields/viewer-fields.js';
 import { LIGHT_KINDS } from '../../src/gui/light-values.js';
-import { TERMS } from '../../src/material/material-values.js';
+import { TERMS } from '../../src/light/light-state.js';
 
 const source = readdirSync('src', { recursive: true, encoding: 'utf8' })
   .filter((path) => path.endsWith('.ts') && !path.endsWith('text-list.ts'))

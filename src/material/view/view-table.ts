@@ -2,7 +2,7 @@
 // say. A view of `VIEWS` without an entry does not compile.
 import quantityText from '../../../shaders/view_quantity.glsl?raw';
 import trianglesText from '../../../shaders/view_triangles.glsl?raw';
-import type { Term } from '../material-values.js';
+import type { Term } from '../../light/light-state.js';
 import type { View } from '../views.js';
 
 /** The equation: all its terms, or one without emissive and unlit colours. Materials keep their programs. */
