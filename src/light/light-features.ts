@@ -38,7 +38,7 @@ export function declaredFeatures(lights: Iterable<Values>): number {
 export function featuresOf(light: Values, kind: LightKind): number {
   const { cutoff } = light;
   let mask = kind === 'spot' && isIntegerPower(cutoff) ? cutoff << LIGHT_FEATURES.powerShift : 0;
-  for (const { bit, now } of FEATURES_OF[kind]) if (now(light)) mask |= bit;
+  for (const feature of FEATURES_OF[kind]) if (feature.now(light)) mask |= feature.bit;
   return mask;
 }
 

@@ -88,21 +88,14 @@ export interface Shaded<T> {
 }
 
 /** `select`: says whether, as which kind or in which space a light is packed. `none`: the picture is the same. */
-type LightField<T> = Field<T> & { readonly shading: Shaded<T> | 'select' | 'none' };
+export type LightField<T> = Field<T> & { readonly shading: Shaded<T> | 'select' | 'none' };
 
-const isLit =
-  (color: Term): Test =>
-  (light) =>
-    !isBlack(light[color]);
-
-/** Channels differ; grey light is summed as one number. */
-const isTinted =
-  (color: Term): Test =>
-  (light) =>
-    !isGrey(light[color]);
+const isAmbient: Test = ({ ambient }) => !isBlack(ambient);
+const isDiffuse: Test = ({ diffuse }) => !isBlack(diffuse);
+const isSpecular: Test = ({ specular }) => !isBlack(specular);
 
 /** Attenuation that can differ from 1. */
-const isAttenuated: Test = ({ attenuation: [kc, kl, kq] }) => kc > 1 || kl > 0 || kq > 0;
+const isAttenuated: Test = ({ attenuation: k }) => k[0] > 1 || k[1] > 0 || k[2] > 0;
 
 const hasCone: Test = ({ aperture }) => aperture < 180;
 const hasDecay: Test = ({ cutoff }) => cutoff >= LEAST_EXPONENT;
@@ -121,21 +114,22 @@ export const LIGHT_FIELDS = {
       as: 'color',
       rows: { spot: 4 },
       terms: ['ambient'],
-      features: { ambient: [isLit('ambient')] },
+      features: { ambient: [isAmbient] },
     },
   },
   diffuse: {
     ...colorField([255, 255, 255], colors),
     shading: {
       ...{ as: 'color', rows: { directional: 1, point: 1, spot: 1 }, terms: ['diffuse'] },
-      features: { diffuse: [isLit('diffuse')], tintedDiffuse: [isTinted('diffuse'), isLit('diffuse')] },
+      // Grey light is summed as one number.
+      features: { diffuse: [isDiffuse], tintedDiffuse: [({ diffuse }) => !isGrey(diffuse), isDiffuse] },
     },
   },
   specular: {
     ...colorField([255, 255, 255], colors),
     shading: {
       ...{ as: 'color', rows: { directional: 2, point: 2, spot: 2 }, terms: ['specular'] },
-      features: { specular: [isLit('specular')], tintedSpecular: [isTinted('specular'), isLit('specular')] },
+      features: { specular: [isSpecular], tintedSpecular: [({ specular }) => !isGrey(specular), isSpecular] },
     },
   },
   position: {
@@ -175,9 +169,9 @@ export const LIGHT_FIELDS = {
       features: {
         attenuated: [isAttenuated],
         // Near the light it is clamped to 1. Also without attenuation: in a loop every light takes its sum.
-        clamped: [({ attenuation: [kc] }) => kc < 1, isAttenuated],
+        clamped: [({ attenuation: k }) => k[0] < 1, isAttenuated],
         // It needs the distance, not its square alone.
-        linear: [({ attenuation: [, kl] }) => kl > 0, isAttenuated],
+        linear: [({ attenuation: k }) => k[1] > 0, isAttenuated],
       },
     },
   },

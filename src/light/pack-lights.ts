@@ -4,7 +4,7 @@
 import { isBlack, srgbDecode } from '../math/color.js';
 import { add, dot, type Mat4, negate, normalize, type Vec3 } from '../math/vector.js';
 import { featuresOf, isSpot, kindOf } from './light-features.js';
-import { HEADER, PACKED_VALUES, type PackedValue, ROWS } from './light-layout.js';
+import { HEADER, MOVED_VALUES, PACKED_VALUES, type PackedValue, ROWS } from './light-layout.js';
 import { KINDS, type LightKind, type LightValues } from './light-state.js';
 import { coneLimit, LEAST_EXPONENT } from './precision.js';
 
@@ -101,9 +101,7 @@ export function moveLights(space: PackSpace, into: PackedLights): boolean {
     for (const end = light + counts[kind]; light < end; light++, row += rows) {
       const source = sources[light]!;
       if (hasNoDirection(source, kind)) return false;
-      for (const value of PACKED_VALUES[kind])
-        if (value.as === 'place' || value.as === 'axis')
-          writeValue(value, source, kind, 1, space, data, row * 4);
+      for (const value of MOVED_VALUES[kind]) writeValue(value, source, kind, 1, space, data, row * 4);
     }
   }
   return true;
@@ -153,17 +151,24 @@ function writeValue(
   first: number,
 ): void {
   const at = first + offset;
-  const value = light[key];
-  if (typeof as === 'function') data[at] = as(value as never);
-  else if (as === 'color') {
-    for (let i = 0; i < 3; i++) data[at + i] = channel((value as Vec3)[i]!, space.linear) * factor;
+  if (typeof as === 'function') {
+    data[at] = as(light[key] as never);
+    return;
+  }
+  // By index: taking an array apart costs more than all of the rest.
+  const v = light[key] as Vec3;
+  if (as === 'color') {
+    data[at] = channel(v[0], space.linear) * factor;
+    data[at + 1] = channel(v[1], space.linear) * factor;
+    data[at + 2] = channel(v[2], space.linear) * factor;
   } else if (as === 'numbers') {
-    for (let i = 0; i < 3; i++) data[at + i * 4] = (value as Vec3)[i]!;
+    data[at] = v[0];
+    data[at + 4] = v[1];
+    data[at + 8] = v[2];
   } else {
     const matrix = light.space === 'camera' ? space.cameraToShading : space.worldToShading;
-    const [x, y, z] = value as Vec3;
-    if (as === 'place' && kind !== 'directional') writeThrough(matrix, data, at, x, y, z, 1);
-    else writeDirection(matrix, data, at, value as Vec3);
+    if (as === 'place' && kind !== 'directional') writeThrough(matrix, data, at, v[0], v[1], v[2], 1);
+    else writeDirection(matrix, data, at, v);
   }
 }
 
