@@ -71,11 +71,11 @@ type Test = (light: Values) => boolean;
 /** How shading takes a value. */
 export interface Shaded<T> {
   /**
-   * The numbers in the rows. `color`: r g b, 255 is 1. `place`: where the light is, or the unit vector to a directional
-   * one. `axis`: a unit vector. `numbers`: three, in the w of this row and of the next two. A function: one, in the
-   * row's w.
+   * The numbers in the rows. `color`: r g b, 255 is 1. `light`: the same, times what its own cone and decay leave of a
+   * directional light. `place`: where the light is, or the unit vector to a directional one. `axis`: a unit vector.
+   * `numbers`: three, in the w of this row and of the next two. A function: one, in the row's w.
    */
-  readonly as: 'color' | 'place' | 'axis' | 'numbers' | ((value: T) => number);
+  readonly as: 'color' | 'light' | 'place' | 'axis' | 'numbers' | ((value: T) => number);
   /** Its row in each kind of light that holds it, relative to the light's first. */
   readonly rows: { readonly [K in LightKind]?: number };
   /** The terms that it enters. Without these its features are left out. */
@@ -111,7 +111,7 @@ export const LIGHT_FIELDS = {
     ...colorField([0, 0, 0], colors),
     // The other kinds' is summed in the header.
     shading: {
-      as: 'color',
+      as: 'light',
       rows: { spot: 4 },
       terms: ['ambient'],
       features: { ambient: [isAmbient] },
@@ -120,7 +120,7 @@ export const LIGHT_FIELDS = {
   diffuse: {
     ...colorField([255, 255, 255], colors),
     shading: {
-      ...{ as: 'color', rows: { directional: 1, point: 1, spot: 1 }, terms: ['diffuse'] },
+      ...{ as: 'light', rows: { directional: 1, point: 1, spot: 1 }, terms: ['diffuse'] },
       // Grey light is summed as one number.
       features: { diffuse: [isDiffuse], tintedDiffuse: [({ diffuse }) => !isGrey(diffuse), isDiffuse] },
     },
@@ -128,7 +128,7 @@ export const LIGHT_FIELDS = {
   specular: {
     ...colorField([255, 255, 255], colors),
     shading: {
-      ...{ as: 'color', rows: { directional: 2, point: 2, spot: 2 }, terms: ['specular'] },
+      ...{ as: 'light', rows: { directional: 2, point: 2, spot: 2 }, terms: ['specular'] },
       features: { specular: [isSpecular], tintedSpecular: [({ specular }) => !isGrey(specular), isSpecular] },
     },
   },

@@ -140,7 +140,7 @@ function packLight(
   into.sent += 1;
 }
 
-/** Writes one value into the rows that begin at `first`. Colours are multiplied by `factor`. */
+/** Writes one value into the rows that begin at `first`. The light's own are multiplied by `factor`. */
 function writeValue(
   { key, as, at: offset }: PackedValue,
   light: Values,
@@ -157,10 +157,11 @@ function writeValue(
   }
   // By index: taking an array apart costs more than all of the rest.
   const v = light[key] as Vec3;
-  if (as === 'color') {
-    data[at] = channel(v[0], space.linear) * factor;
-    data[at + 1] = channel(v[1], space.linear) * factor;
-    data[at + 2] = channel(v[2], space.linear) * factor;
+  if (as === 'light' || as === 'color') {
+    const times = as === 'light' ? factor : 1;
+    data[at] = channel(v[0], space.linear) * times;
+    data[at + 1] = channel(v[1], space.linear) * times;
+    data[at + 2] = channel(v[2], space.linear) * times;
   } else if (as === 'numbers') {
     data[at] = v[0];
     data[at + 4] = v[1];
