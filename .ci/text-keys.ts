@@ -8,7 +8,8 @@ export const textKeys = (): Plugin => ({
   enforce: 'pre',
   transform(code, id) {
     if (!id.endsWith('/fields/texts.json')) return null;
-    const keys = Object.keys(JSON.parse(code) as object);
-    return { code: JSON.stringify(Object.fromEntries(keys.map((key) => [key, 0]))), map: null };
+    const keysOf = (part: object) => Object.fromEntries(Object.keys(part).map((key) => [key, 0]));
+    const sections = Object.values(JSON.parse(code) as Record<string, object>);
+    return { code: JSON.stringify({ '': keysOf(Object.assign({}, ...sections) as object) }), map: null };
   },
 });

@@ -1,16 +1,18 @@
 // @ts-check
-// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it to import; and the
-// type of their keys. A step of `npm run build`, after the types.
+// Writes the ready sets of texts into dist/texts/: the JSON to paste into pages, and a module of it to import; the type
+// of their keys; and the list of keys in src/TEXTS.md. A step of `npm run build`, after the types.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { outputFolder } from './output-folder.mjs';
 
-/** @type {Readonly<Record<string, Readonly<Record<string, string>>>>} */
-const table = JSON.parse(
+/** By heading, then by key. @type {Readonly<Record<string, Readonly<Record<string, Readonly<Record<string, string>>>>>>} */
+const sections = JSON.parse(
   readFileSync(fileURLToPath(new URL('../src/element/fields/texts.json', import.meta.url)), 'utf8'),
 );
+
+const table = Object.assign({}, ...Object.values(sections));
 
 export const LANGUAGES = Object.keys(table['en'] ?? {});
 
@@ -42,4 +44,13 @@ export default texts;
     join(folder, 'text-list.d.ts'),
     `import type { ViewerErrorCode } from '../events.js';\n${type}\n`,
   );
+  const page = fileURLToPath(new URL('../src/TEXTS.md', import.meta.url));
+  const list = Object.entries(sections).map(
+    ([heading, texts]) =>
+      `### ${heading}\n\n${Object.keys(texts)
+        .map((key) => `- \`${key}\`\n`)
+        .join('')}`,
+  );
+  const before = readFileSync(page, 'utf8').split('### ', 1)[0];
+  writeFileSync(page, `${before}${list.join('\n')}`);
 }

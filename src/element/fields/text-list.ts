@@ -3,4 +3,9 @@
 import type { ViewerErrorCode } from '../events.js';
 import type texts from './texts.json';
 
-export type ViewerText = Exclude<keyof typeof texts, ViewerErrorCode>;
+type Sections = typeof texts;
+
+export type ViewerText = Exclude<
+  { [S in keyof Sections]: keyof Sections[S] }[keyof Sections],
+  ViewerErrorCode
+>;

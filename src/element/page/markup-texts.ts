@@ -11,7 +11,7 @@ const SCRIPT = '<script data-phong-viewer-texts>';
 /** Keys that a warning names. */
 const NAMED = 5;
 
-const KEYS: readonly string[] = Object.keys(known);
+const KEYS: readonly string[] = Object.values(known).flatMap(Object.keys);
 
 /** What was read last. */
 let sources: readonly string[] = [];
